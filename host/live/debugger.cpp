@@ -136,6 +136,16 @@ std::uint32_t Debugger::pair_value(const Pair& pair) const {
   return machine_.get(pair.high) << description_.registers[pair.low].bits | machine_.get(pair.low);
 }
 
+std::uint32_t Debugger::most_of(const Pair& pair) const {
+  return (std::uint32_t{1} << (description_.registers[pair.high].bits + description_.registers[pair.low].bits)) - 1;
+}
+
+std::string Debugger::pair_text(const Pair& pair) const {
+  const auto& high = description_.registers[pair.high];
+  const auto& low = description_.registers[pair.low];
+  return fmt::format("{}{} {}", high.name, low.name, number_text(pair_value(pair), high.bits + low.bits));
+}
+
 std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
   if (const auto n = register_named(name)) return machine_.get(*n);
   const std::string lowered = base::lower_case(name);
@@ -339,6 +349,12 @@ void Debugger::set(std::size_t register_number, std::uint32_t value) {
   inside_.reset();
   machine_.set(register_number, value);
   past_.changed();
+}
+
+void Debugger::set(const Pair& pair, std::uint32_t value) {
+  const unsigned bits = description_.registers[pair.low].bits;
+  set(pair.high, value >> bits);
+  set(pair.low, value & ((std::uint32_t{1} << bits) - 1));
 }
 
 void Debugger::start(std::uint32_t at) {

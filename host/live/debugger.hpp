@@ -111,6 +111,8 @@ class Debugger {
   };
   [[nodiscard]] std::optional<Pair> pair_named(std::string_view name) const;
   [[nodiscard]] std::uint32_t pair_value(const Pair& pair) const;
+  [[nodiscard]] std::uint32_t most_of(const Pair& pair) const;
+  [[nodiscard]] std::string pair_text(const Pair& pair) const;  // "HL 1234"
   // Whether a name is one of time, instructions and the conditions: values that are in no register or word.
   [[nodiscard]] bool is_state(std::string_view name) const;
   // All names that expressions know.
@@ -123,6 +125,7 @@ class Debugger {
 
   void put(std::uint32_t at, std::uint32_t word);
   void set(std::size_t register_number, std::uint32_t value);
+  void set(const Pair& pair, std::uint32_t value);
   void start(std::uint32_t at);
   // Assembles one instruction, which may use the symbols, to that address, in the dialect that is set.
   [[nodiscard]] base::Result<base::Done> put_instruction(std::uint32_t at, std::string_view text);

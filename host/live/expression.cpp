@@ -134,7 +134,9 @@ class ExpressionReader {
              ? fmt::format("a number in {}", names_.radix == 8    ? "octal"
                                              : names_.radix == 16 ? "hexadecimal"
                                                                   : "decimal")
-             : "a register, a condition or a symbol",
+             : names_.radix == 16 && word.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos
+                 ? "a register, a condition or a symbol; a number begins with a digit, 0" + std::string(word)
+                 : "a register, a condition or a symbol; show conditions and show symbols list them",
          fmt::format("found \"{}\"", word));
   }
   void enclosed(char end) {

@@ -51,7 +51,7 @@ class Monitor::Inside {
 
   Answer execute(std::string_view line) {
     Answer answer;
-    std::string rest(line);
+    std::string rest(monitor::without_comment(line));
     while (answer.kind == Kind::done) {
       const std::size_t end = monitor::end_of_command(rest);
       const Answer one = execute_one(without_blanks(std::string_view(rest).substr(0, end)));
@@ -63,6 +63,7 @@ class Monitor::Inside {
     return answer;
   }
 
+  Answer finish();
   [[nodiscard]] std::string status() const { return debugger_.status(); }
   [[nodiscard]] std::vector<std::string> completions(std::string_view line, std::string_view word) const;
   [[nodiscard]] const Stop& last_stop() const { return debugger_.last_stop(); }
@@ -123,7 +124,11 @@ class Monitor::Inside {
   Answer speed(std::string_view arguments);
   Answer read_commands(std::string_view arguments);
   Answer help(std::string_view arguments);
-  Answer quit(std::string_view) { return {Kind::quit, {}}; }
+  Answer quit(std::string_view arguments) {
+    if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
+    return {Kind::quit, {}};
+  }
+  void write_trace();
 
   Answer add(Breakpoint breakpoint);
   [[nodiscard]] guests::run::Input file(const std::string& path) const {
@@ -200,7 +205,7 @@ const Monitor::Inside::Verb* Monitor::Inside::take_verb(std::string_view& line) 
 }
 
 Answer Monitor::Inside::execute_one(std::string_view line) {
-  if (line.empty() || line.front() == '#') return {};
+  if (line.empty()) return {};
   std::string_view rest = line;
   const Verb* const found = take_verb(rest);
   if (found == nullptr) {
@@ -212,6 +217,7 @@ Answer Monitor::Inside::execute_one(std::string_view line) {
     return {Kind::wrong, fmt::format("unknown command \"{}\"; {}\n", typed, remedy.empty() ? "help lists them" : remedy)};
   }
   try {
+    monitor::refuse_open_quotes(rest);
     return (this->*found->work)(rest);
   } catch (const Wrong& wrong) {
     return {Kind::wrong, fmt::format("{}: {}\n", found->name, wrong.text)};
@@ -227,6 +233,8 @@ Answer Monitor::Inside::examine(std::string_view arguments) {
     const std::string_view what = take_part(arguments);
     if (const auto n = debugger_.register_named(what)) {
       text += debugger_.register_text(*n) + "\n";
+    } else if (const auto pair = debugger_.pair_named(what)) {
+      text += debugger_.pair_text(*pair) + "\n";
     } else {
       const auto [first, last] = read_.range(what);
       text += monitor::memory(debugger_, first, last);
@@ -247,6 +255,13 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
     debugger_.set(*n, static_cast<std::uint32_t>(value));
     return {};
   }
+  if (const auto pair = debugger_.pair_named(where)) {
+    const std::int64_t value = read_.value(arguments);
+    if (value < 0 || value > debugger_.most_of(*pair))
+      throw Wrong{fmt::format("found {} for {}, expected 0 to {:X}", arguments, where, debugger_.most_of(*pair))};
+    debugger_.set(*pair, static_cast<std::uint32_t>(value));
+    return {};
+  }
   std::uint32_t at = read_.address(where);
   if (arguments.front() == '"') {
     const std::string_view text = take_part(arguments);
@@ -257,7 +272,9 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
   std::vector<std::uint32_t> words;
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
-    const std::int64_t value = read_.value(text);
+    const auto read = debugger_.evaluate(text);
+    if (!read) throw Wrong{read.error().message() + "; an instruction stands in quotes, \"" + std::string(text) + " ...\""};
+    const std::int64_t value = *read;
     if (value < 0 || value > most)
       throw Wrong{fmt::format("found {}, expected a word of {} bits", text, description_.word_bits)};
     words.push_back(static_cast<std::uint32_t>(value));
@@ -416,14 +433,15 @@ Answer Monitor::Inside::detach(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::send(std::string_view arguments) {
-  const auto keys = plain_text("send", take_part(arguments));
+  if (arguments.empty()) throw Wrong{"expected \"KEYS\", such as \"hello\\r\""};
+  const auto keys = plain_text("a text", take_part(arguments));
   if (!keys) throw Wrong{keys.error().message};
   debugger_.send(*keys);
   return {};
 }
 
 Answer Monitor::Inside::expect(std::string_view arguments) {
-  const auto text = plain_text("expect", take_part(arguments));
+  const auto text = plain_text("a text", take_part(arguments));
   if (!text) throw Wrong{text.error().message};
   if (text->empty()) throw Wrong{"expected a text"};
   constexpr std::int64_t most_seconds = 60;
@@ -466,19 +484,34 @@ Answer Monitor::Inside::trace(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw Wrong{"expected a file, or off"};
   if (path != "off") {
-    trace_.clear();
+    write_trace();
     trace_file_ = path;
     machine_.probe()->on_instruction = [this](const Past::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
     return {};
   }
-  machine_.probe()->on_instruction = nullptr;
   if (trace_file_.empty()) throw Wrong{"no trace is under way"};
+  write_trace();
+  return {};
+}
+
+// Of the trace that is under way, which ends.
+void Monitor::Inside::write_trace() {
+  machine_.probe()->on_instruction = nullptr;
+  if (trace_file_.empty()) return;
   const std::span<const char> text = trace_;
   const auto done =
       host_.write(trace_file_, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   trace_file_.clear();
   trace_.clear();
   if (!done) throw Wrong{done.error().message};
+}
+
+Answer Monitor::Inside::finish() {
+  try {
+    write_trace();
+  } catch (const Wrong& wrong) {
+    return {Kind::wrong, fmt::format("trace: {}\n", wrong.text)};
+  }
   return {};
 }
 
@@ -490,6 +523,7 @@ Answer Monitor::Inside::speed(std::string_view arguments) {
 
 Answer Monitor::Inside::read_commands(std::string_view arguments) {
   const std::string path(take_part(arguments));
+  if (path.empty()) throw Wrong{"expected a file of commands"};
   constexpr int deepest = 8;
   if (depth_ == deepest) throw Wrong{fmt::format("{}: found a file within {} others, expected fewer", path, deepest)};
   const guests::run::Input input = file(path);
@@ -569,6 +603,9 @@ std::vector<std::string_view> Monitor::verbs() {
 }
 Answer Monitor::execute(std::string_view line) {
   return inside_->execute(line);
+}
+Answer Monitor::finish() {
+  return inside_->finish();
 }
 std::string Monitor::status() const {
   return inside_->status();

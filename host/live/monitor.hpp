@@ -61,6 +61,8 @@ class Monitor {
   [[nodiscard]] static bool is_command(std::string_view line);
   // One line as typed; several commands between `;`.
   [[nodiscard]] Answer execute(std::string_view line);
+  // At the end of a session: what is under way is written.
+  [[nodiscard]] Answer finish();
   // Where the machine is and what it does next.
   [[nodiscard]] std::string status() const;
   // What the word under the cursor may become: verbs at the beginning of a line, else names.

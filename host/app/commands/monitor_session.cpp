@@ -299,10 +299,16 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
     static_cast<void>(printer.print(answer.text));
     // What goes wrong at a prompt is told; in a file of commands it ends the session.
     const bool failed = answer.kind == live::Answer::Kind::wrong || answer.kind == live::Answer::Kind::failed;
-    if (failed && !terminal && ending_signal(printer, terminal) == 0) return exit_code_of(answer.kind);
+    if (failed && !terminal && ending_signal(printer, terminal) == 0) {
+      static_cast<void>(printer.print(session.finish().text));
+      return exit_code_of(answer.kind);
+    }
   }
   printer.end_line();
+  const live::Answer last = session.finish();
+  static_cast<void>(printer.print(last.text));
   machine.finish();
+  if (last.kind == live::Answer::Kind::wrong && ending_signal(printer, terminal) == 0) return exit_code_of(last.kind);
   const int signal = ending_signal(printer, terminal);
   return signal == 0 ? ExitCode::ok : static_cast<ExitCode>(128 + signal);
 }

@@ -32,6 +32,20 @@ std::size_t find_word(std::string_view text, std::string_view word) {
 
 }  // namespace
 
+std::string_view without_comment(std::string_view line) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (line[i] == '#' && !quoted && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t' || line[i - 1] == ';')) return line.substr(0, i);
+  }
+  return line;
+}
+
+void refuse_open_quotes(std::string_view text) {
+  if (std::count(text.begin(), text.end(), '"') % 2 != 0)
+    throw Wrong{fmt::format("found {} without a \" at its end, expected one; inside a text a quote is \\x22", text.substr(text.rfind('"')))};
+}
+
 std::size_t end_of_command(std::string_view text) {
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -121,8 +135,12 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     rest.erase(at);
     return tail;
   };
-  if (const auto number = take_tail("count")) breakpoint.count = std::max<std::uint64_t>(1, count(*number));
-  if (const auto condition = take_tail("if")) breakpoint.condition = *condition;
+  if (const auto number = take_tail("count")) breakpoint.count = count(*number);
+  if (breakpoint.count == 0) throw Wrong{"found count 0, expected 1 or more: the stop is at every so many times"};
+  if (const auto condition = take_tail("if")) {
+    breakpoint.condition = *condition;
+    if (breakpoint.condition.empty()) throw Wrong{"expected an expression behind `if`"};
+  }
   if (const auto word = take_tail("value")) breakpoint.value = static_cast<std::uint32_t>(value(*word));
   if (!breakpoint.condition.empty()) static_cast<void>(value(breakpoint.condition));
   std::string_view what = rest;
@@ -148,7 +166,8 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     if (breakpoint.kind == Breakpoint::Kind::port) {
       const std::int64_t number = value(place);
       if (number < 0 || number >= static_cast<std::int64_t>(debugger_.machine().probe()->ports()))
-        throw Wrong{fmt::format("found port {}, expected one below {:X} (hexadecimal)", place, debugger_.machine().probe()->ports())};
+        throw Wrong{fmt::format("found {} {}, expected 0 to {}", debugger_.description().radix == 8 ? "device" : "port", place,
+                                debugger_.word(static_cast<std::uint32_t>(debugger_.machine().probe()->ports()) - 1))};
       breakpoint.first = breakpoint.last = static_cast<std::uint32_t>(number);
       if (debugger_.description().radix == 8) breakpoint.access = Probe::executed;
     } else {
@@ -157,6 +176,7 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     return breakpoint;
   }
   if (first == "interrupt") {
+    if (!what.empty()) throw Wrong{fmt::format("found \"{}\" behind interrupt, expected if, count or nothing", what)};
     breakpoint.kind = Breakpoint::Kind::interrupt;
   } else if (first == "when") {
     breakpoint.kind = Breakpoint::Kind::condition;

@@ -23,10 +23,14 @@ T taken(base::Result<T> result) {
   return std::move(*result);
 }
 
+// The line up to a comment: a # outside quotes, at the beginning or behind a blank.
+[[nodiscard]] std::string_view without_comment(std::string_view line);
 // Where the first command of a line ends: at a `;` outside quotes, or at the end.
 [[nodiscard]] std::size_t end_of_command(std::string_view line);
 // The next word; between quotes blanks belong to the word. `text` is left at what follows.
 std::string_view take_part(std::string_view& text);
+// A word in quotes that do not end.
+void refuse_open_quotes(std::string_view text);
 
 // Reads by the symbols, registers and radix of a machine.
 class Reader {

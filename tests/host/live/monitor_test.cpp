@@ -86,7 +86,7 @@ TEST(Expression, SaysWhatIsWrong) {
     return value ? std::string("nothing") : value.error().message();
   };
   EXPECT_EQ(error("8"), "found \"8\", expected a number in octal");
-  EXPECT_EQ(error("nobody"), "found \"nobody\", expected a register, a condition or a symbol");
+  EXPECT_EQ(error("nobody"), "found \"nobody\", expected a register, a condition or a symbol; show conditions and show symbols list them");
   EXPECT_EQ(error("1+"), "found the end, expected a number or a name");
   EXPECT_EQ(error("(1"), "found the end, expected \")\"");
   EXPECT_EQ(error("1 2"), "found \"2\", expected an operator or the end");
@@ -979,6 +979,79 @@ TEST(MonitorVerbs, InstructionsAreTypedInTheDialectOfTheProgram) {
   EXPECT_EQ((*z)("ev [201]").substr(0, 2), "76");
   z->monitor().set_dialect("m80");
   (*z)("d 200 \"NOP ! HLT\"", Kind::wrong);
+}
+
+// Each says what was found and what would be right, and nothing is done.
+TEST(MonitorVerbs, WrongArgumentsAreRefusedInWords) {
+  const std::vector<std::pair<std::string_view, std::string_view>> pdp7{
+      {"deposit 100 \"", "deposit: found \" without a \" at its end"},
+      {"deposit 100 lac i 10", "an instruction stands in quotes"},
+      {"deposit 100 1000000", "found 1000000, expected a word of 18 bits"},
+      {"deposit l 2", "found 2 for L"},
+      {"examine 103-100", "the smaller address first"},
+      {"examine 20000", "expected one in core, 00000-17777"},
+      {"step x", "found \"x\", expected a count, decimal"},
+      {"run for 5", "expected a time such as 20ms, N cycles or N instructions"},
+      {"break interrupt x", "found \"x\" behind interrupt"},
+      {"break 100 if", "expected an expression behind `if`"},
+      {"break 100 count 0", "found count 0, expected 1 or more"},
+      {"break pen", "show conditions and show symbols list them"},
+      {"watch port 100", "found device 100, expected 0 to 000077"},
+      {"watch place x", "found \"x\", expected r, w, rw, value, if or count"},
+      {"send", "expected \"KEYS\""},
+      {"send \"x", "found \"x without a \" at its end"},
+      {"do", "expected a file of commands"},
+      {"quit now", "expected nothing behind it"},
+      {"continue 100", "expected nothing behind it"},
+      {"delete 7", "there is no breakpoint 7; show breaks lists them"},
+      {"back 1", "the past reaches no further"},
+      {"trace off", "no trace is under way"}};
+  for (const auto& [line, complaint] : pdp7) {
+    auto m = pdp7_program();
+    const std::string answer = (*m)(line, Kind::wrong);
+    EXPECT_NE(answer.find(complaint), std::string::npos) << line << ": " << answer;
+    EXPECT_EQ(m->machine().instructions(), 0U);
+    EXPECT_EQ(m->machine().word(0100), pdp7_program()->machine().word(0100)) << line;
+  }
+  auto z = i8080_program();
+  EXPECT_NE((*z)("deposit 100 ff", Kind::wrong).find("a number begins with a digit, 0ff"), std::string::npos);
+  EXPECT_NE((*z)("watch port 100", Kind::wrong).find("found port 100, expected 0 to FF"), std::string::npos);
+  EXPECT_NE((*z)("deposit hl 10000", Kind::wrong).find("expected 0 to FFFF"), std::string::npos);
+}
+
+TEST(MonitorVerbs, ACommentEndsTheLine) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  EXPECT_EQ(s("evaluate 1 # one; evaluate 2"), "1 = 1.\n");
+  EXPECT_EQ(s("# evaluate 1; evaluate 2"), "");
+  EXPECT_EQ(s("evaluate 1;# \"nothing"), "1 = 1.\n");
+}
+
+// A trace that nobody has ended is written when the next begins and when the session ends.
+TEST(MonitorVerbs, NoTraceIsLost) {
+  auto m = pdp7_program();
+  Session& s = *m;
+  s("trace a; step 2; trace b; step; quit", Kind::quit);
+  EXPECT_EQ(lines_of(s.files["a"]).size(), 2U);
+  EXPECT_EQ(s.files.count("b"), 0U);
+  EXPECT_EQ(s.monitor().finish().kind, Kind::done);
+  EXPECT_EQ(s.files["b"], "        7000 00106 040110  dac 110            00110=000003 000003 0\n");
+}
+
+// BC, DE, HL and AF; any other two letters of registers are no name. AF is in no place of its own in the machine.
+TEST(MonitorI8080, PairsAreNames) {
+  auto m = i8080_session("BEGIN: INR B\n INX H\n ADD L\n JMP BEGIN\n");
+  Session& s = *m;
+  EXPECT_EQ(s("deposit hl 1234; examine hl; examine h; examine l"), "HL 1234\nH 12\nL 34\n");
+  EXPECT_EQ(s("deposit de 0; deposit bc 0FFFF; evaluate bc+de").substr(0, 4), "FFFF");
+  for (const std::string_view name : {"ff", "aa", "fb", "cd", "lh", "ba"}) s("evaluate " + std::string(name), Kind::wrong);
+  s("deposit hl 0; deposit b 0; deposit a 0");
+  // A is 1, 3, 6, 0A, 0F: even parity at 3, 6, 0A and 0F; F has bit 1, and bit 4 after a carry out of bit 3.
+  EXPECT_NE(s("run until af==306").find("af==306"), std::string::npos);
+  EXPECT_EQ(s("evaluate a").substr(0, 1), "3");
+  EXPECT_EQ(s("evaluate l").substr(0, 1), "2");
+  s("break when af==606; run for 100 instructions");
+  EXPECT_EQ(s("evaluate l").substr(0, 1), "3");
 }
 
 TEST(MonitorRadix, IsOfNumbersTypedAndShown) {
