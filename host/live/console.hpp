@@ -59,6 +59,8 @@ class Operator {
 inline constexpr std::string_view stopped_by_ctrl_e = "operator";
 inline constexpr std::string_view stopped_by_signal = "signal";
 inline constexpr std::string_view end_of_input = "end_of_input";
+// With it, where keys come from `send` alone.
+inline constexpr std::string_view no_key = "the program waits for a key, and there is none: `send` types keys";
 
 // Runs the machine to a stop: its own, Ctrl-E, a signal (base::EndSignals must be alive), the end of the input when the
 // program waits for more, or the end of the script.

@@ -168,7 +168,7 @@ class Adapter {
         heard(text);
         output("stdout", text);
         if (!stop && message_waits()) stop = guests::run::Stop{guests::run::interrupted, {}};
-        if (!stop && machine.waits_for_key()) stop = guests::run::Stop{end_of_input, {}};
+        if (!stop && machine.waits_for_key()) stop = guests::run::Stop{end_of_input, std::string(no_key)};
       }
       return *stop;
     };
@@ -221,7 +221,9 @@ class Adapter {
   }
   // Once for a machine; also where the client just goes away.
   void finish() {
-    if (!launched_ || !host_.finish || std::exchange(finished_, true)) return;
+    if (!launched_ || std::exchange(finished_, true)) return;
+    if (monitor_) output("console", monitor_->finish().text);
+    if (!host_.finish) return;
     const auto done = host_.finish(*launched_->prepared.machine);
     if (!done) throw Refused{done.error().message()};
   }

@@ -184,7 +184,7 @@ guests::run::Stop run_plainly(Machine& machine, const guests::run::Limits& limit
     if (!printer.print(text) && !stop) stop = guests::run::Stop{guests::run::interrupted, {}};
     if (!stop && base::EndSignals::received() != 0) stop = guests::run::Stop{guests::run::interrupted, {}};
     if (!stop && machine.waits_for_key())
-      stop = guests::run::Stop{live::end_of_input, "the program waits for a key, and there is none: `send` types keys"};
+      stop = guests::run::Stop{live::end_of_input, std::string(live::no_key)};
   }
   return *stop;
 }
