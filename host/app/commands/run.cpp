@@ -8,6 +8,7 @@
 #include <list>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
@@ -40,7 +41,10 @@ class RunOutputs {
     for (const guests::run::Option& option : description.options) {
       if (option.kind != OptionKind::output && option.kind != OptionKind::stream) continue;
       std::string path = arguments.text(option.key());
-      if (option.key() == "--vcd") path = guests::run::vcd_target(path).file;
+      if (option.key() == "--vcd" && !path.empty()) {
+        const std::string found = std::exchange(path, guests::run::vcd_target(path).file);
+        if (path.empty()) throw Failure(ExitCode::usage, fmt::format("--vcd: found \"{}\", expected FILE or FILE:SIGNALS", found));
+      }
       if (path.empty() && !json && !arguments.given("--console") && arguments.given(option.stdout_with)) {
         path = "-";
         stdout_twice = "-: standard output has " + std::string(option.content) + "; " + option.name +

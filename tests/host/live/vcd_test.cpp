@@ -278,6 +278,14 @@ TEST_F(Vcd, ADumpWithoutChangesIsOne) {
   EXPECT_TRUE(read("d.vcd").ends_with("#1750\n")) << read("d.vcd");
 }
 
+TEST_F(Vcd, ATargetWithoutAFileIsRefused) {
+  write("halt.oct", "100: 740040\n");
+  for (const char* const target : {":ac", ":nothing"}) {
+    const Ran ran = sightline({"run", "pdp7", "halt.oct", "--start", "100", "--vcd", target});
+    EXPECT_EQ(ran.exit_code, 2) << target << ran.err;
+  }
+}
+
 TEST_F(Vcd, SignalsAreChosenByNameAndGroup) {
   const Dump dump = run("pdp7", "100/ hlt\n  start 100\n", {});
   EXPECT_EQ(dump.bits.size(), 21U);
