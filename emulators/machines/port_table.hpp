@@ -2,20 +2,20 @@
 // is made, which interrupt lines it has and what it counts. skala_ports.hpp is such a table.
 //
 // A row is an empty struct with
-//   struct Configuration                              its settings, members of the machine's configuration
-//   template <class Sink> using Device                the device; only a plotter uses the sink of its strokes
-//   static constexpr std::string_view name            for reports
+//   struct Configuration                      its settings, members of the machine's configuration
+//   template <class Sink> using Device        the device; only a plotter uses the sink of its strokes
+//   static constexpr std::string_view name    for reports
 //   static constexpr std::array<PortRange, n> reads   ports that answer an IN; writes: that take an OUT
 //   static constexpr std::array<InterruptLine<Configuration>, n> lines
-//   static void make(std::optional<Device>&, const Configuration&, core::ClockRate, Sink&)    if it is
-//   configured static std::uint8_t read(Device&, std::uint8_t port, core::TStateInstant) unless `reads` is
-//   empty static void write(Device&, std::uint8_t port, std::uint8_t value, core::TStateInstant) static bool
-//   requests(const Device&, std::size_t line)                                     unless `lines` is empty
-//   static bool write_may_request(std::uint8_t port)   optional: false if a write there changes no interrupt
-//   line static void count(const Device&, take)             take("dots", n) for each count, in the order of
-//   reports
-// A Device has visit_state (../core/visit_state.hpp), for snapshots. It may have advance(TStateInstant), called to bring it up to date, and deadline(), when its lines may
-// change by themselves.
+//   static void make(std::optional<Device>&, const Configuration&, core::ClockRate, Sink&)    if it is configured
+//   static std::uint8_t read(Device&, std::uint8_t port, core::TStateInstant)                 unless `reads` is empty
+//   static void write(Device&, std::uint8_t port, std::uint8_t value, core::TStateInstant)    unless `writes` is empty
+//   static bool requests(const Device&, std::size_t line)                                     unless `lines` is empty
+//   static bool write_may_request(std::uint8_t port)     optional: false if a write there changes no interrupt line
+//   static void count(const Device&, take)    take("dots", n) for each count, in the order of reports
+// and what the table's user asks of rows: skala_ports.hpp wants `kind`, and by it `choice` and `attached`, or `chip`, `bytes` and
+// `received`. A Device has visit_state (../core/visit_state.hpp), for snapshots. It may have advance(TStateInstant), called to bring
+// it up to date, and deadline(), when its lines may change by themselves.
 //
 // A port without a device reads as FFh, the level of the undriven bus, and swallows what is written; such
 // accesses are counted by port and direction. The constructor enters the devices that are there into one

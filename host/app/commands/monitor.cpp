@@ -97,6 +97,9 @@ MonitoredMachine make_monitored(const MachineDescription& description, Arguments
     const auto found = programs.assembled.find(path);
     return found == programs.assembled.end() ? read_named(path) : guests::run::Input{path, found->second};
   }));
+  if (prepared.machine->probe() == nullptr)
+    throw Failure(ExitCode::usage, fmt::format("the {} has no probe for a monitor or an editor; `sightline run {}` runs it",
+                                               description.name, description.name));
   return {std::move(prepared), std::move(programs.symbols)};
 }
 
