@@ -159,9 +159,8 @@ class I8080Watcher : public Looker<I8080Outlook> {
     kept_[kept_count_] = cycle;
     if (kept_count_ + 1 < kept_.size()) ++kept_count_;
   }
-  [[nodiscard]] bool told() {
-    for (std::size_t n = 0; n < kept_count_; ++n) tell(kept_[n]);
-    kept_count_ = 0;
+  [[nodiscard]] SIGHTLINE_INLINE bool told() {
+    if (kept_count_ != 0) [[unlikely]] tell_kept();
     return Looker::told();
   }
   bool stop(core::TStateInstant now, i8080::Address next) {
@@ -180,6 +179,11 @@ class I8080Watcher : public Looker<I8080Outlook> {
   }
 
  private:
+  [[gnu::noinline]] void tell_kept() {
+    for (std::size_t n = 0; n < kept_count_; ++n) tell(kept_[n]);
+    kept_count_ = 0;
+  }
+
   I8080Plan plan_;
   bool told_wants_ = false;
   // More than an instruction and the breaks before it have.
