@@ -2,7 +2,8 @@
 // a type of traits
 //   using Address, View, Instant        of its bus; next boundaries are asked about with an Address or what stands for one
 //   using Places                        a set for each address: Places(const std::uint8_t*), at(next), enter(bank); again(next)
-//                                       is loaded again, so that a compiler tests the first in memory
+//                                       is loaded again, so that a compiler tests the first in memory; a machine that finds marked places by itself
+//                                       has the constructor alone
 //   static constexpr std::size_t addresses;
 //   static constexpr std::uint8_t anything;              all that an instruction can change: `change` of its isa.hpp
 //   static constexpr std::array<std::uint8_t, n> parts;  those of it that are compared
