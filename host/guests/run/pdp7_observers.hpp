@@ -1,7 +1,6 @@
 // Who hears what happens in a run of the PDP-7: traces and dumps, and what a monitor has asked for.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -165,11 +164,11 @@ class Pdp7Look : public Outlook<Pdp7Outlook> {
  public:
   // `marks`: all marks in core.
   Pdp7Look(const OutlookTable<Pdp7Outlook>& table, const Probe& probe, std::uint32_t marks)
-      : Outlook(table, probe), changes_(table.everywhere() & pdp7::change::anything), marks_(marks), places_(probe.marks()) {
-    const std::vector<Condition>& all = probe.conditions();
-    flags_alone_ = !all.empty() && std::all_of(all.begin(), all.end(), [](const Condition& each) {
-      return each.devices && each.registers.empty() && !each.words && !each.time;
-    });
+      : Outlook(table, probe), changes_(table.everywhere() & pdp7::change::anything), marks_(marks), places_(table.places()) {
+    for (const Condition& each : probe.conditions()) {
+      devices_ = devices_ || each.devices;
+      words_ = words_ || each.words;
+    }
   }
 
   [[nodiscard]] std::uint8_t changes() const { return changes_; }
@@ -183,11 +182,11 @@ class Pdp7Look : public Outlook<Pdp7Outlook> {
   [[nodiscard]] SIGHTLINE_INLINE bool may_ask(const View& view) const {
     return (changes_ & pdp7::change::memory) != 0 || in_range<pdp7::change::anything>(view);
   }
-  // Where flags of devices alone decide, they are compared with those of the last question: the display has a word to fetch every few
-  // instructions, and hardly one of them raises a flag.
+  // The display has a word to fetch every few instructions, and hardly one of them raises a flag: they are compared with those of the last
+  // question.
   template <class Flags>
   void see(Flags flags) {
-    if (!flags_alone_) return;
+    if (!devices_) return;
     const std::uint32_t now = flags();
     changed_ = changed_ || !seen_ || *seen_ != now;
     seen_ = now;
@@ -195,18 +194,21 @@ class Pdp7Look : public Outlook<Pdp7Outlook> {
   template <class Flags>
   [[nodiscard]] bool looks_again(Flags flags) {
     see(flags);
-    return flags_alone_ ? changed_ : Outlook::looks_again();
+    return changed_ || words_;
   }
+  // Where no flag has changed, nothing is in its range and no place is asked about, no condition can have changed.
   [[nodiscard]] bool asks(pdp7::Address next, const View& view) {
-    return flags_alone_ ? changed_ || (places_[next] & Probe::executed) != 0 : Outlook::asks(next, view);
+    if (!changed_ && (places_[next] & Probe::executed) == 0 && !may_ask(view)) return false;
+    return Outlook::asks(next, view);
   }
   void answered() { changed_ = false; }
 
  private:
   std::uint8_t changes_;
   std::uint32_t marks_;
-  const std::uint8_t* places_;
-  bool flags_alone_ = false;
+  const std::uint8_t* places_;  // Probe::executed: asked about
+  bool devices_ = false;
+  bool words_ = false;
   std::optional<std::uint32_t> seen_;
   bool changed_ = false;
 };
