@@ -803,6 +803,20 @@ TEST(MonitorPdp7, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
       "begin");
 }
 
+// The display draws a vector beyond the edge, again and again: its flag is cleared by IDCF, and by a file that ends in a stop the other.
+TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereTheyDidFromOutside) {
+  compare_conditions(
+      [] {
+        return pdp7_session(
+            "begin, lac (300\n 700606\nloop, isz 301\n isz count\n 701001\n jmp more\n 700704\n lac (310\n 700606\nmore, 700601\n jmp loop\n"
+            " 700406\n jmp begin\ncount, 0\n300/ 020117\n221000\n101700\n437700\n310/ 020117\n3000\n start begin\n",
+            "--display");
+      },
+      {"edge", "!edge", "stop", "!stop", "edge && ac==300", "stop || edge", "edge && !printer", "pen", "printer && stop", "stop && [count]>3",
+       "edge && time>400000", "edge && pc==103"},
+      "begin");
+}
+
 TEST(MonitorI8080, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
   compare_conditions(
       [] {
