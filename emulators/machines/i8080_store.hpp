@@ -26,7 +26,7 @@ struct I8080Store {
   std::array<std::uint8_t, 2112> apart;
   // By values of registers: 1 until the observer has said that it waits for others.
   std::array<std::uint8_t, size> doubts;
-  // Marks; the first once more behind the last, for who looks at two at once.
+  // Marks; the first again behind the last, for two that are compared at once.
   std::array<std::uint8_t, size + 1> accesses;
   // `codes` where a run is asked before an instruction, else 0: with one OR an opcode becomes an index of `functions`.
   std::array<std::uint32_t, size> places;
