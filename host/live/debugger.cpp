@@ -479,7 +479,7 @@ Halted Debugger::run(const Goal& goal) {
     past_.remember();
     if (looks) static_cast<void>(look_at_conditions(goal.condition));
     Limits part = limits;
-    part.instructions = std::min(limits.instructions, machine_.instructions() + Past::instructions_apart);
+    part.instructions = std::min(limits.instructions, machine_.instructions() + past_.instructions_apart());
     if (looks) end_at_turns(goal.condition, part);
     constexpr std::int64_t looks_for_keys_a_second = 50;
     if (!keys_.empty())

@@ -20,14 +20,15 @@ namespace sightline::live {
 
 class Past {
  public:
-  // How far snapshots lie apart: it runs again in some milliseconds.
-  static constexpr std::uint64_t instructions_apart = std::uint64_t{1} << 20;
   static constexpr std::size_t most_history = 65536;
 
   // The machine has a probe and outlives the past; `name` is that of its description.
-  Past(std::string_view name, guests::run::Machine& machine) : name_(name), machine_(machine) {}
+  Past(std::string_view name, guests::run::Machine& machine);
 
-  // To be called where a run begins, and at least every instructions_apart while it lasts.
+  // How far snapshots lie apart: it runs again in some milliseconds, beside a display that draws in some tens.
+  [[nodiscard]] std::uint64_t instructions_apart() const { return instructions_apart_; }
+
+  // To be called where a run begins, and at least every instructions_apart() while it lasts.
   void remember();
   // Something that is not the machine's own doing has changed it since the last run: words deposited, a tape put in.
   void changed() { changed_ = true; }
@@ -89,6 +90,7 @@ class Past {
 
   std::string_view name_;
   guests::run::Machine& machine_;
+  std::uint64_t instructions_apart_;
   std::vector<Place> places_;  // in order of instructions
   std::size_t next_key_ = 0;   // of a run that is repeated
   bool changed_ = true;

@@ -427,6 +427,8 @@ class Pdp7Machine final : public Machine {
       if (of_pass && !sink_.has_complete_pass())
         warnings.push_back("the picture shows " + shown(sink_.picture_strokes(now()).size()));
       if (setup_.picture_wanted && setup_.screen && setup_.screen->window.count() != 0) {
+        if (sink_.picture_strokes(now()).empty())
+          warnings.emplace_back("the picture shows nothing, no point was lit in the time of --png-window; a longer one reaches further back");
         const auto newest = sink_.newest_strokes();
         if (newest.size() == Screen::strokes_kept && newest.front().time + setup_.screen->window > now()) {
           warnings.push_back(fmt::format("the picture shows the newest {} points; --png-window reaches further back",
