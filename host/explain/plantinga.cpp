@@ -16,16 +16,15 @@
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/event_list.hpp"
-#include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/trace.hpp"
 #include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/explain/stage.hpp"
+#include "host/explain/turn_stage.hpp"
 
 namespace sightline::explain {
 namespace {
 
-namespace pl = algorithms::plantinga;
 using pl::EventKind;
 
 constexpr std::size_t circle = 1;
@@ -38,11 +37,6 @@ constexpr std::size_t most_equal_shown = 4;         // and of them those where n
 constexpr std::size_t most_summaries = 16;          // of all other edges
 constexpr std::size_t most_events_with_views = 80;  // a step for each event and one for the view after it
 constexpr std::size_t most_events_shown = 200;
-constexpr double plan_radius = 0.8;  // of the scene on the circle's sheet
-
-double degrees(double angle) {
-  return angle * 180 / std::numbers::pi;
-}
 
 std::string counted(std::uint64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
@@ -73,65 +67,10 @@ Look look_of(Group group) {
   return Look::plain;
 }
 
-// Where the scene is drawn. The axis is moved to its middle, which changes nothing in parallel projection but keeps it in sight.
-struct Room {
-  Space middle{};
-  double reach = 1;  // from the axis
-  double low = 0;    // of y
-  double high = 0;
-
-  // -1: the camera's right is to the left of somebody who looks forward with up above, as x, y and z turn the other way round.
-  double hand = 1;
-
-  Room(const std::vector<pl::Vector3>& vertices, const scene::PolyCamera& camera) {
-    const Space right = space(camera.right);
-    const Space up = space(camera.up);
-    const Space forward = space(camera.forward);
-    const double turn = right[0] * (up[1] * forward[2] - up[2] * forward[1]) +
-                        right[1] * (up[2] * forward[0] - up[0] * forward[2]) +
-                        right[2] * (up[0] * forward[1] - up[1] * forward[0]);
-    hand = turn > 0 ? -1 : 1;
-
-    std::array<std::int64_t, 3> least{};
-    std::array<std::int64_t, 3> most{};
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      for (std::size_t a = 0; a < 3; ++a) {
-        least[a] = i == 0 ? vertices[i][a] : std::min(least[a], vertices[i][a]);
-        most[a] = i == 0 ? vertices[i][a] : std::max(most[a], vertices[i][a]);
-      }
-    }
-    for (const std::size_t a : {0U, 2U}) middle[a] = static_cast<double>(least[a] + most[a]) / 2;
-    low = static_cast<double>(least[1]);
-    high = static_cast<double>(most[1]);
-    for (const pl::Vector3& p : vertices)
-      reach = std::max(reach, std::hypot(static_cast<double>(p[0]) - middle[0], static_cast<double>(p[2]) - middle[2]));
-  }
-
-  // All directions have room on it.
-  [[nodiscard]] Sheet image_sheet() const {
-    const double margin = 0.04 * std::max(2 * reach, high - low);
-    return {"The image, in parallel projection", {-reach - margin, low - margin}, {reach + margin, high + margin}};
-  }
-  // Equations 1 and 2. u and v are those of the algorithm, about its own axis.
-  [[nodiscard]] Point in_image(double u, double v, double angle) const {
-    return {hand * (u - (middle[0] * std::cos(angle) - middle[2] * std::sin(angle))), v};
-  }
-  [[nodiscard]] Point in_image(const Space& p, double angle) const {
-    return in_image(p[0] * std::cos(angle) - p[2] * std::sin(angle), p[1], angle);
-  }
-  [[nodiscard]] Point on_circle(double angle, double radius = 1) const {
-    return {radius * std::sin(angle), -hand * radius * std::cos(angle)};
-  }
-  [[nodiscard]] Point in_plan(const Space& p) const {
-    const double scale = plan_radius / reach;
-    return {(p[0] - middle[0]) * scale, hand * (middle[2] - p[2]) * scale};
-  }
-};
-
 class PlantingaTeller final : public pl::Trace {
  public:
-  PlantingaTeller(const pl::RotationModel& model, const Room& room, double angle, Steps& steps)
-      : model_(model), maker_(model), steps_(steps), room_(room), angle_(angle), causes_(model.edges().size()) {
+  PlantingaTeller(const pl::RotationModel& model, TurnStage& stage, double angle, Steps& steps)
+      : model_(model), stage_(stage), steps_(steps), angle_(angle), causes_(model.edges().size()) {
     summary_size_ = std::max<std::size_t>(1, (model.edges().size() + most_summaries - 1) / most_summaries);
     count();
   }
@@ -162,9 +101,9 @@ class PlantingaTeller final : public pl::Trace {
       ++turned_away_;
       return;
     }
-    maker_.place(angle_);
+    stage_.place(angle_);
     pieces_ += left.size();
-    for (const pl::Piece& piece : left) add_piece(initial_, Look::seen, edge, piece, angle_);
+    for (const pl::Piece& piece : left) stage_.add_piece(initial_, Look::seen, edge, piece, angle_);
     std::size_t& shown = left.empty() ? hidden_shown_ : parts_shown_;
     if (is_whole(edge, left) || shown == (left.empty() ? most_hidden_shown : most_parts_shown)) return;
     ++shown;
@@ -172,13 +111,13 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> faces;
     std::string names;
     for (const pl::FaceIndex face : covering_) {
-      add_face(faces, Look::other, face, angle_);
+      stage_.add_face(faces, Look::other, face, angle_);
       names += fmt::format("{}{}", names.empty() ? "" : ", ", face + 1);
     }
     std::vector<Mark> marks;
-    add_edge(marks, Look::hidden, edge, angle_);
-    add_names(marks, Look::now, edge, angle_);
-    for (const pl::Piece& piece : left) add_piece(marks, Look::now, edge, piece, angle_);
+    stage_.add_edge(marks, Look::hidden, edge, angle_);
+    stage_.add_names(marks, Look::now, edge, angle_);
+    for (const pl::Piece& piece : left) stage_.add_piece(marks, Look::now, edge, piece, angle_);
     steps_.add(fmt::format(
                    "{} is compared with the {} that may hide some of it from some direction. From here face{} {} cover{} some of "
                    "it; what is covered on both sides of its line in the image is hidden. {}",
@@ -198,7 +137,7 @@ class PlantingaTeller final : public pl::Trace {
                                       : fmt::format(" {} left out: all faces at {} look away.",
                                                     turned_away_ == 1 ? "One edge is" : fmt::format("{} edges are", turned_away_),
                                                     turned_away_ == 1 ? "it" : "them")),
-        "section 4", {{image, "face", {}}, {image, "edge", {}}, {image, "seen", marks_of(drawn)}});
+        "section 4", {{image, "face", {}}, {image, "edge", {}}, {image, "seen", stage_.seen(drawn, angle_)}});
   }
 
   // The preprocessing phase.
@@ -243,8 +182,8 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> edges;
     std::vector<Mark> plan;
     for (const pl::EdgeIndex edge : summary_) {
-      add_edge(edges, Look::now, edge, angle_);
-      add_edge_to_plan(plan, Look::now, edge);
+      stage_.add_edge(edges, Look::now, edge, angle_);
+      stage_.add_edge_to_plan(plan, Look::now, edge);
     }
     count();
     const std::string which = summary_.size() == 1 ? name_of(summary_.front(), true) : fmt::format("{} edges", summary_.size());
@@ -252,7 +191,7 @@ class PlantingaTeller final : public pl::Trace {
                            detailed_ == 0 ? "" : " in the same way", counted(summary_directions_, "direction"),
                            counted(summary_changes_, "change")),
                "section 3",
-               {{image, "wire", wire(angle_)},
+               {{image, "wire", stage_.wire(angle_)},
                 {image, "face", {}},
                 {image, "cause", {}},
                 {image, "seen", {}},
@@ -260,7 +199,7 @@ class PlantingaTeller final : public pl::Trace {
                 {circle, "cause", std::move(plan)},
                 {circle, "candidates", {}},
                 {circle, "found", found_},
-                {circle, "sight", radius(angle_)}});
+                {circle, "sight", stage_.radius(angle_)}});
     summary_.clear();
     summary_directions_ = summary_changes_ = 0;
   }
@@ -274,7 +213,7 @@ class PlantingaTeller final : public pl::Trace {
     for (const pl::Event& event : list.events) {
       const Group group = group_of(causes_of(list, event));
       ++of[static_cast<std::size_t>(group)];
-      dots.push_back(dot(look_of(group), on_circle(event.direction.angle)));
+      dots.push_back(dot(look_of(group), stage_.on_circle(event.direction.angle)));
     }
     steps_.add(
         fmt::format(
@@ -283,7 +222,7 @@ class PlantingaTeller final : public pl::Trace {
             "edge is compared with a face.",
             counted(of[0], "event"), of[1], of[2]),
         "section 4",
-        {{image, "wire", wire(angle_)},
+        {{image, "wire", stage_.wire(angle_)},
          {image, "face", {}},
          {image, "cause", {}},
          {image, "edge", {}},
@@ -293,7 +232,7 @@ class PlantingaTeller final : public pl::Trace {
          {circle, "found", {}},
          {circle, "events", std::move(dots)},
          {circle, "legend", legend()},
-         {circle, "sight", radius(angle_)}});
+         {circle, "sight", stage_.radius(angle_)}});
     const bool with_views = list.events.size() <= most_events_with_views;
     for (std::size_t n = 0; n < list.events.size() && n < most_events_shown; ++n) {
       const std::size_t at = graph.passed() % list.events.size();
@@ -317,28 +256,12 @@ class PlantingaTeller final : public pl::Trace {
             : "The turn is complete, and the picture is the initial one again. Each step touched only the edges that change, "
               "however large the scene is.",
         "section 4",
-        {{image, "wire", wire(angle_)},
+        {{image, "wire", stage_.wire(angle_)},
          {image, "cause", {}},
          {image, "edge", {}},
-         {image, "seen", marks_of(drawn)},
+         {image, "seen", stage_.seen(drawn, angle_)},
          {circle, "cause", {}},
-         {circle, "sight", radius(angle_)}});
-  }
-
-  [[nodiscard]] std::vector<Mark> wire(double angle) const {
-    std::vector<Mark> marks;
-    for (pl::EdgeIndex edge = 0; edge < model_.edges().size(); ++edge) add_edge(marks, Look::faint, edge, angle);
-    return marks;
-  }
-  [[nodiscard]] std::vector<Mark> plan() const {
-    std::vector<Mark> marks;
-    for (pl::EdgeIndex edge = 0; edge < model_.edges().size(); ++edge) add_edge_to_plan(marks, Look::faint, edge);
-    return marks;
-  }
-  [[nodiscard]] std::vector<Mark> radius(double angle) const {
-    return {line(Look::plain, {on_circle(angle, plan_radius), on_circle(angle, 1.08)}),
-            text(Look::now, {0.6, 1.18}, fmt::format("viewer at {:.1f} degrees", degrees(angle))),
-            dot(Look::now, on_circle(angle, 1.08))};
+         {circle, "sight", stage_.radius(angle_)}});
   }
 
  private:
@@ -362,7 +285,7 @@ class PlantingaTeller final : public pl::Trace {
     ++studied_;
     compared_ += history.candidates;
     changes_ += history.changes.size();
-    for (const pl::EdgeChange& change : history.changes) found_.push_back(dot(Look::waiting, on_circle(change.direction.angle)));
+    for (const pl::EdgeChange& change : history.changes) found_.push_back(dot(Look::waiting, stage_.on_circle(change.direction.angle)));
   }
 
   void tell_in_detail(pl::EdgeIndex edge, const pl::EdgeHistory& history) {
@@ -370,16 +293,16 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> edge_marks;
     std::vector<Mark> faces;
     std::vector<Mark> plan;
-    add_edge(edge_marks, Look::now, edge, angle_);
-    add_names(edge_marks, Look::now, edge, angle_);
+    stage_.add_edge(edge_marks, Look::now, edge, angle_);
+    stage_.add_names(edge_marks, Look::now, edge, angle_);
     for (const pl::Occluder& occluder : occluders_) {
-      add_face(faces, Look::other, occluder.face, angle_);
-      for (const pl::Corner& corner : model_.corners(occluder.face)) add_edge_to_plan(plan, Look::other, corner.side);
+      stage_.add_face(faces, Look::other, occluder.face, angle_);
+      for (const pl::Corner& corner : model_.corners(occluder.face)) stage_.add_edge_to_plan(plan, Look::other, corner.side);
     }
-    add_edge_to_plan(plan, Look::now, edge);
+    stage_.add_edge_to_plan(plan, Look::now, edge);
     std::vector<Mark> candidates;
     for (const Comparison& each : comparisons_)
-      candidates.push_back(line(Look::now, {on_circle(each.direction.angle, 0.92), on_circle(each.direction.angle, 1.04)}));
+      candidates.push_back(line(Look::now, {stage_.on_circle(each.direction.angle, 0.92), stage_.on_circle(each.direction.angle, 1.04)}));
     count();
     steps_.add(
         fmt::format(
@@ -391,7 +314,7 @@ class PlantingaTeller final : public pl::Trace {
                                              "the nearer edge bounds nothing there.",
                                              dropped_here_)),
         "section 3",
-        {{image, "wire", wire(angle_)},
+        {{image, "wire", stage_.wire(angle_)},
          {image, "face", std::move(faces)},
          {image, "cause", {}},
          {image, "seen", {}},
@@ -399,7 +322,7 @@ class PlantingaTeller final : public pl::Trace {
          {circle, "cause", std::move(plan)},
          {circle, "candidates", std::move(candidates)},
          {circle, "found", found_},
-         {circle, "sight", radius(angle_)}});
+         {circle, "sight", stage_.radius(angle_)}});
     std::size_t shown = 0;
     const std::uint64_t compared_before = compared_;
     const std::uint64_t changes_before = changes_;
@@ -415,12 +338,12 @@ class PlantingaTeller final : public pl::Trace {
     add_study(history);
     count();
     std::vector<Mark> marks;
-    add_edge(marks, Look::now, edge, angle_);
+    stage_.add_edge(marks, Look::now, edge, angle_);
     steps_.add(fmt::format("{}The list keeps {} of {} for {}.",
                            shown < comparisons_.size() ? "The other directions are compared in the same way. " : "",
                            history.changes.size(), counted(comparisons_.size(), "direction"), name_of(edge, false)),
                "section 3",
-               {{image, "wire", wire(angle_)},
+               {{image, "wire", stage_.wire(angle_)},
                 {image, "face", {}},
                 {image, "cause", {}},
                 {image, "seen", {}},
@@ -428,7 +351,7 @@ class PlantingaTeller final : public pl::Trace {
                 {circle, "cause", {}},
                 {circle, "candidates", {}},
                 {circle, "found", found_},
-                {circle, "sight", radius(angle_)}});
+                {circle, "sight", stage_.radius(angle_)}});
   }
 
   void tell_comparison(pl::EdgeIndex edge, const Comparison& each) {
@@ -440,43 +363,43 @@ class PlantingaTeller final : public pl::Trace {
     changes_ += changed ? 1 : 0;
     count();
     std::vector<Mark> marks;
-    maker_.place(angle);
-    add_edge(marks, Look::hidden, edge, angle);
-    add_names(marks, Look::now, edge, angle);
-    for (const pl::Piece& piece : each.after) add_piece(marks, Look::now, edge, piece, angle);
+    stage_.place(angle);
+    stage_.add_edge(marks, Look::hidden, edge, angle);
+    stage_.add_names(marks, Look::now, edge, angle);
+    for (const pl::Piece& piece : each.after) stage_.add_piece(marks, Look::now, edge, piece, angle);
     std::vector<Mark> in_image;
     std::vector<Mark> in_plan;
-    add_cause(in_image, in_plan, cause, angle);
+    stage_.add_cause(in_image, in_plan, cause, angle);
     steps_.add(fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
                            name_of(edge, true), structure_in_words(each.before), structure_in_words(each.after),
                            changed ? "They differ: it is an event." : "They are equal: it is no event of this edge."),
                "section 3",
-               {{image, "wire", wire(angle)},
+               {{image, "wire", stage_.wire(angle)},
                 {image, "face", {}},
                 {image, "cause", std::move(in_image)},
                 {image, "edge", std::move(marks)},
                 {circle, "cause", std::move(in_plan)},
-                {circle, "sight", radius(angle)}});
+                {circle, "sight", stage_.radius(angle)}});
   }
 
   void tell_event(const pl::EventList& list, const pl::Event& event, const pl::EdgeStructureGraph& graph) {
     const double angle = event.direction.angle;
     ++passed_;
-    maker_.place(angle);
+    stage_.place(angle);
     std::set<pl::EdgeIndex> edges;
     std::vector<Mark> changed;
     std::size_t removed = 0;
     std::size_t added = 0;
     for (const pl::Change& change : list.changes_of(event)) {
       edges.insert(change.edge);
-      for (const pl::Piece& piece : list.removed_by(change)) add_piece(changed, Look::hidden, change.edge, piece, angle);
-      for (const pl::Piece& piece : list.added_by(change)) add_piece(changed, Look::now, change.edge, piece, angle);
+      for (const pl::Piece& piece : list.removed_by(change)) stage_.add_piece(changed, Look::hidden, change.edge, piece, angle);
+      for (const pl::Piece& piece : list.added_by(change)) stage_.add_piece(changed, Look::now, change.edge, piece, angle);
       removed += list.removed_by(change).size();
       added += list.added_by(change).size();
     }
     std::vector<Mark> seen;
     for (const pl::LivePiece& live : graph.pieces())
-      if (live.edge != pl::no_edge && edges.count(live.edge) == 0) add_piece(seen, Look::seen, live.edge, live.piece, angle);
+      if (live.edge != pl::no_edge && edges.count(live.edge) == 0) stage_.add_piece(seen, Look::seen, live.edge, live.piece, angle);
     pieces_ = graph.piece_count() - removed + added;
     count();
     const std::vector<pl::PotentialEvent> causes = causes_of(list, event);
@@ -484,7 +407,7 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> in_plan;
     std::string what;
     for (std::size_t i = 0; i < causes.size() && i < 2; ++i) {
-      add_cause(in_image, in_plan, causes[i], angle);
+      stage_.add_cause(in_image, in_plan, causes[i], angle);
       what += fmt::format("{}{}", i == 0 ? "" : ", and ", what_of(causes[i]));
     }
     if (causes.size() > 2) what += fmt::format(", and {} more in the same direction", causes.size() - 2);
@@ -492,12 +415,12 @@ class PlantingaTeller final : public pl::Trace {
                            events_, degrees(angle), what, counted(edges.size(), "edge"), edges.size() == 1 ? "s" : "",
                            removed == 1 ? "1 piece is" : fmt::format("{} pieces are", removed), added),
                "section 4",
-               {{image, "wire", wire(angle)},
+               {{image, "wire", stage_.wire(angle)},
                 {image, "cause", std::move(in_image)},
                 {image, "edge", std::move(changed)},
                 {image, "seen", std::move(seen)},
                 {circle, "cause", std::move(in_plan)},
-                {circle, "sight", radius(angle)}});
+                {circle, "sight", stage_.radius(angle)}});
   }
 
   void tell_view(const pl::EventList& list, std::size_t at, const pl::EdgeStructureGraph& graph) {
@@ -512,12 +435,12 @@ class PlantingaTeller final : public pl::Trace {
             "the vertices and the T-junctions are placed again.",
             degrees(next), degrees(angle), counted(graph.piece_count(), "piece")),
         "section 4",
-        {{image, "wire", wire(angle)},
+        {{image, "wire", stage_.wire(angle)},
          {image, "cause", {}},
          {image, "edge", {}},
          {image, "seen", view_of(graph, angle)},
          {circle, "cause", {}},
-         {circle, "sight", radius(angle)}});
+         {circle, "sight", stage_.radius(angle)}});
   }
 
   // What the trace told of the edge at a direction; the faces first.
@@ -574,72 +497,6 @@ class PlantingaTeller final : public pl::Trace {
     return {};
   }
 
-  // The vertices, edges and faces of it, and on the plan the line of sight on which they meet.
-  void add_cause(std::vector<Mark>& in_image, std::vector<Mark>& in_plan, const pl::PotentialEvent& cause, double angle) {
-    const auto both = [&](Look look, pl::EdgeIndex edge) {
-      add_edge(in_image, look, edge, angle);
-      add_names(in_image, look, edge, angle);
-      add_edge_to_plan(in_plan, look, edge);
-    };
-    const auto face_of = [&](pl::FaceIndex face) {
-      add_face(in_image, Look::other, face, angle);
-      for (const pl::Corner& corner : model_.corners(face)) add_edge_to_plan(in_plan, Look::other, corner.side);
-    };
-    Space through = space_of(model_.segment(cause.edge).from);
-    switch (cause.kind) {
-      case EventKind::own_face:
-      case EventKind::face_edge_on:
-        face_of(cause.first);
-        through = space_of(model_.vertices()[model_.corners(cause.first)[0].vertex]);
-        break;
-      case EventKind::vertex_in_front:
-      case EventKind::vertex_behind: {
-        both(Look::other, cause.kind == EventKind::vertex_behind ? cause.second : cause.edge);
-        const pl::Vector3& p = model_.vertices()[cause.first];
-        through = space_of(p);
-        in_image.push_back(dot(Look::now, in_view(p, angle)));
-        in_image.push_back(text(Look::now, in_view(p, angle), fmt::format("{}", cause.first)));
-        in_plan.push_back(dot(Look::now, in_plan_of(through)));
-        break;
-      }
-      case EventKind::three_edges: {
-        both(Look::other, cause.first);
-        both(Look::other, cause.second);
-        maker_.place(angle);
-        const double s = parameter(cause.edge, pl::End::of(pl::EndKind::junction, cause.first));
-        const pl::Segment segment = model_.segment(cause.edge);
-        const Space from = space_of(segment.from);
-        const Space to = space_of(segment.to);
-        for (std::size_t a = 0; a < 3; ++a) through[a] = from[a] + s * (to[a] - from[a]);
-        in_image.push_back(dot(Look::now, in_view(through, angle)));
-        break;
-      }
-      case EventKind::edge_pair:
-        both(Look::other, cause.first);
-        both(Look::other, cause.second);
-        break;
-      case EventKind::own_plane:
-      case EventKind::in_line: both(Look::other, cause.first); break;
-      case EventKind::passage:
-        face_of(cause.first);
-        both(Look::other, cause.second);
-        break;
-    }
-    add_edge_to_plan(in_plan, Look::now, cause.edge);
-    add_line_of_sight(in_plan, through, angle);
-  }
-
-  // Across the circle through a point of the plan.
-  void add_line_of_sight(std::vector<Mark>& marks, const Space& through, double angle) const {
-    const Point p = in_plan_of(through);
-    const Point v = on_circle(angle);
-    const double along = p[0] * v[0] + p[1] * v[1];
-    const double outside = 1 - (p[0] * p[0] + p[1] * p[1] - along * along);
-    const double half = outside > 0 ? std::sqrt(outside) : 0;
-    marks.push_back(line(Look::waiting, {{p[0] + (half - along) * v[0], p[1] + (half - along) * v[1]},
-                                         {p[0] - (half + along) * v[0], p[1] - (half + along) * v[1]}}));
-  }
-
   static std::vector<Mark> legend() {
     return {text(look_of(Group::edge_on), {-1.24, 1.18}, "plane edge-on"),
             text(look_of(Group::vertex_and_edge), {-1.24, 1.08}, "EV: a vertex, an edge"),
@@ -686,69 +543,16 @@ class PlantingaTeller final : public pl::Trace {
     return fmt::format("{} of it {} left{}.", counted(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
   }
 
-  static Space space_of(const pl::Vector3& p) {
-    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-  }
-  [[nodiscard]] Point in_view(const Space& p, double angle) const { return room_.in_image(p, angle); }
-  [[nodiscard]] Point in_view(const pl::Vector3& p, double angle) const { return in_view(space_of(p), angle); }
-  [[nodiscard]] Point in_plan_of(const Space& p) const { return room_.in_plan(p); }
-  [[nodiscard]] Point on_circle(double angle, double radius = 1) const { return room_.on_circle(angle, radius); }
-
-  void add_edge(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const {
-    const pl::Segment segment = model_.segment(edge);
-    marks.push_back(line(look, {in_view(segment.from, angle), in_view(segment.to, angle)}));
-  }
-  // The numbers of its vertices.
-  void add_names(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const {
-    const picture::LineEdge& ends = model_.edges()[edge];
-    for (const scene::VertexIndex end : {ends.from, ends.to})
-      marks.push_back(text(look, in_view(model_.vertices()[end], angle), fmt::format("{}", end)));
-  }
-  void add_edge_to_plan(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge) const {
-    const pl::Segment segment = model_.segment(edge);
-    marks.push_back(line(look, {in_plan_of(space_of(segment.from)), in_plan_of(space_of(segment.to))}));
-  }
-  void add_face(std::vector<Mark>& marks, Look look, pl::FaceIndex face, double angle) const {
-    std::vector<Point> outline;
-    for (const pl::Corner& corner : model_.corners(face)) outline.push_back(in_view(model_.vertices()[corner.vertex], angle));
-    marks.push_back(area(look, std::move(outline)));
-  }
-  // After maker_.place(angle). At an event edges may be parallel in the image and their junction anywhere.
-  [[nodiscard]] double parameter(pl::EdgeIndex edge, pl::End end) const {
-    const double s = maker_.parameter_of(edge, end);
-    return s > 0 ? std::min(s, 1.0) : 0;
-  }
-  void add_piece(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, const pl::Piece& piece, double angle) const {
-    const pl::Segment segment = model_.segment(edge);
-    add_part(marks, look, in_view(segment.from, angle), in_view(segment.to, angle), parameter(edge, piece.low),
-             parameter(edge, piece.high));
-  }
-  static void add_part(std::vector<Mark>& marks, Look look, const Point& from, const Point& to, double low, double high) {
-    const auto at = [&](double s) { return Point{from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])}; };
-    marks.push_back(line(look, {at(low), at(high)}));
-  }
+  // Of the graph; counts its pieces.
   [[nodiscard]] std::vector<Mark> view_of(const pl::EdgeStructureGraph& graph, double angle) {
-    std::vector<pl::ImageLine> lines;
-    maker_.visible(graph, angle, lines);
     pieces_ = graph.piece_count();
     count();
-    std::vector<Mark> marks;
-    for (const pl::ImageLine& each : lines)
-      marks.push_back(line(Look::seen, {room_.in_image(each.u0, each.v0, angle), room_.in_image(each.u1, each.v1, angle)}));
-    return marks;
-  }
-  [[nodiscard]] std::vector<Mark> marks_of(const picture::LinePicture& drawn) const {
-    std::vector<Mark> marks;
-    for (const picture::LinePiece& piece : drawn.pieces)
-      add_part(marks, Look::seen, in_view(model_.vertices()[piece.edge.from], angle_),
-               in_view(model_.vertices()[piece.edge.to], angle_), piece.low.to_double(), piece.high.to_double());
-    return marks;
+    return stage_.view(graph, angle);
   }
 
   const pl::RotationModel& model_;
-  pl::FrameMaker maker_;
+  TurnStage& stage_;
   Steps& steps_;
-  const Room room_;
   const double angle_;  // of the camera
   std::vector<std::vector<pl::PotentialEvent>> causes_;
 
@@ -784,25 +588,25 @@ base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scen
     return base::Error{"", "plantinga", fmt::format("the scene has {} edges, too many to follow", model.edges().size()),
                        fmt::format("at most {}", most_lesson_edges)};
   Lesson lesson{"plantinga", "Plantinga, Seales and Dyer 1990: the events of a turn", scene.name, {}, {}};
-  const Room room(model.vertices(), camera);
-  lesson.sheets = {room.image_sheet(), {"The circle of directions and the scene, from above", {-1.25, -1.25}, {1.25, 1.25}}};
+  TurnStage stage(model, camera);
+  lesson.sheets = {stage.image_sheet(), {"The circle of directions and the scene, from above", {-1.25, -1.25}, {1.25, 1.25}}};
   const auto exact = pl::sight_of(camera);
   pl::Sight sight = exact ? *exact : pl::Sight{-std::int64_t{camera.forward[0]}, -std::int64_t{camera.forward[2]}};
   if (sight.x == 0 && sight.z == 0) sight.z = 1;
   const double angle = std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
   Steps steps(lesson);
-  PlantingaTeller teller(model, room, angle, steps);
+  PlantingaTeller teller(model, stage, angle, steps);
   std::vector<Point> ring;
-  for (int i = 0; i <= 180; ++i) ring.push_back(room.on_circle(i * std::numbers::pi / 90));
+  for (int i = 0; i <= 180; ++i) ring.push_back(stage.on_circle(i * std::numbers::pi / 90));
   steps.add(fmt::format(
                 "The scene turns about a vertical axis and is seen in parallel projection.{} The structure of the picture, which "
                 "pieces of which edges are visible and what each ends in, changes at certain directions only: at events.",
                 exact ? "" : " The algorithm turns nothing else, so the camera is replaced by its horizontal direction."),
             "section 2",
-            {{image, "wire", teller.wire(angle)},
+            {{image, "wire", stage.wire(angle)},
              {circle, "ring", {line(Look::faint, std::move(ring))}},
-             {circle, "plan", teller.plan()},
-             {circle, "sight", teller.radius(angle)}});
+             {circle, "plan", stage.plan()},
+             {circle, "sight", stage.radius(angle)}});
   const picture::LinePicture picture = pl::visible_edges(model, sight, teller);
   teller.initial_picture(picture);
   pl::BuildOptions options;
