@@ -4,12 +4,14 @@
 // 347) and the disk; a third of what is watched lies among what they execute.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "host/guests/run/pdp7.hpp"
@@ -247,8 +249,9 @@ std::unique_ptr<Machine> random_machine(std::uint64_t seed) {
   configuration.timing.interrupt_cycles = random.below(4) == 0 ? 2 : 1;
   configuration.timing.clock_hertz = random.below(2) == 0 ? 50 : 5000;
   configuration.devices.disk = true;
-  setup.disk.emplace();
-  for (int n = 0; n < 1000; ++n) setup.disk->image.emplace_back(random_word(random, 4096));
+  Pdp7Setup::Disk disk;
+  for (int n = 0; n < 1000; ++n) disk.image.emplace_back(random_word(random, 4096));
+  setup.disk = std::move(disk);
   setup.machine.display = type340::Options{};
   setup.machine.display->subroutines_347 = random.below(2) == 0;
   setup.keys = {{core::at_nanoseconds(0), 'A'}, {core::at_nanoseconds(3'000'000), 'B'}};
