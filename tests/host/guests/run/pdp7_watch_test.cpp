@@ -289,7 +289,7 @@ Watched random_watch(Random& random, std::uint32_t words) {
   constexpr std::array<std::uint8_t, 6> what{Probe::executed, Probe::executed, Probe::is_read, Probe::is_written,
                                              Probe::is_read | Probe::is_written, Probe::executed | Probe::is_written};
   const unsigned kind = random.below(8);
-  const std::uint32_t places = kind == 0 ? 0 : 1 + random.below(3);
+  const std::uint32_t places = kind == 0 ? 0 : 1 + random.below(random.below(2) == 0 ? 3 : 60);
   for (std::uint32_t n = 0; n < places; ++n) {
     const std::uint32_t at = random.below(8) == 0 ? 7 : random_place(random, words);
     watched.marks.emplace_back(at, kind < 3 ? std::uint8_t{Probe::executed} : what[random.below(6)]);
