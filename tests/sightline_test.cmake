@@ -1,4 +1,4 @@
-# sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [OPTIMISED] [RUNS program] [APART d.cpp ...])
+# sightline_tests(NAME name LIBRARIES target ... [FAST a.cpp ...] [SLOW b.cpp ...] [RELEASE_ONLY c.cpp ...] [AS_ONE] [OPTIMISED] [CHECKED] [RUNS program] [APART d.cpp ...])
 #   One call per folder makes one test program per label: NAME_test, NAME_slow_test and NAME_release_test. Every GoogleTest case
 #   becomes one ctest entry with the label `fast`, `slow` or `release_only`.
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
@@ -9,16 +9,21 @@
 #   APART: of those sources, the ones that are not compiled together with others where that is asked for, because they name
 #   a helper as another file does.
 #   OPTIMISED: the fast tests, too, contain what works for long: a machine is compiled into the tests that run it.
+#   CHECKED: what is under test are templates, which are compiled into the tests alone. With sanitizers these tests are
+#   checked as the libraries are. Other tests are not: their subject is checked in its library, and a test's own code
+#   took two fifths more to compile with checks than without.
 # What else is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
   set(SIGHTLINE_TEST_OPTIONS -O0)
   set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1)
 elseif(SIGHTLINE_SANITIZE)
-  set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1)
+  set(SIGHTLINE_TEST_OPTIONS -fno-sanitize=all)
+  set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1 -fno-sanitize=all)
+  set(SIGHTLINE_OPTIMISED_CHECKED_TEST_OPTIONS -O1)
 endif()
 
 function(sightline_tests)
-  cmake_parse_arguments(ARG "AS_ONE;OPTIMISED" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES;APART" ${ARGN})
+  cmake_parse_arguments(ARG "AS_ONE;OPTIMISED;CHECKED" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES;APART" ${ARGN})
   set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(ARG_FAST)
     sightline_test_program(${ARG_NAME}_test fast "${ARG_FAST}")
@@ -31,17 +36,20 @@ function(sightline_tests)
   endif()
 endfunction()
 
-# Called by sightline_tests, whose other arguments (ARG_LIBRARIES, ARG_RUNS, ARG_AS_ONE, ARG_OPTIMISED) it reads.
+# Called by sightline_tests, whose other arguments (ARG_LIBRARIES, ARG_RUNS, ARG_AS_ONE, ARG_OPTIMISED, ARG_CHECKED) it reads.
 function(sightline_test_program program label sources)
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} sightline_test_support GTest::gtest_main)
-  if(label STREQUAL "fast" AND NOT ARG_OPTIMISED)
-    target_precompile_headers(${program} REUSE_FROM sightline_test_headers)
-    target_compile_options(${program} PRIVATE ${SIGHTLINE_TEST_OPTIONS})
-  else()
-    target_precompile_headers(${program} REUSE_FROM sightline_optimised_test_headers)
-    target_compile_options(${program} PRIVATE ${SIGHTLINE_OPTIMISED_TEST_OPTIONS})
+  set(kind "")
+  if(NOT label STREQUAL "fast" OR ARG_OPTIMISED)
+    string(APPEND kind optimised_)
   endif()
+  if(ARG_CHECKED AND SIGHTLINE_SANITIZE)
+    string(APPEND kind checked_)
+  endif()
+  target_precompile_headers(${program} REUSE_FROM sightline_${kind}test_headers)
+  string(TOUPPER "${kind}" upper)
+  target_compile_options(${program} PRIVATE ${SIGHTLINE_${upper}TEST_OPTIONS})
   if(ARG_RUNS)
     target_compile_definitions(${program} PRIVATE SIGHTLINE_COMMAND="$<TARGET_FILE:${ARG_RUNS}>")
     add_dependencies(${program} ${ARG_RUNS})
