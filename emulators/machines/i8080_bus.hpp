@@ -76,7 +76,7 @@ struct I8080Frame {
       : machine(&of),
         report(observer),
         arrives(observer),
-        store(of.store_.get()),
+        store(of.store_),
         registers(of.state_),
         control(&of.state_) {
     registers.f = i8080::as_flags(registers.f);

@@ -15,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
 
@@ -42,6 +41,7 @@ class I8080Machine {
   }
   I8080Machine(const I8080Machine&) = delete;
   I8080Machine& operator=(const I8080Machine&) = delete;
+  ~I8080Machine() { delete store_; }
 
   // Registers, between runs.
   [[nodiscard]] i8080::State& registers() { return state_; }
@@ -417,7 +417,7 @@ class I8080Machine {
   i8080::State state_;
   core::TStateInstant now_{};
   std::uint64_t instructions_ = 0;
-  std::unique_ptr<I8080Store> store_;
+  I8080Store* const store_;  // owned; <memory> would make each reader of this header read half of the library
   core::TStateInstant halt_sampled_{};  // the next T-state in which a halted processor looks at INT
   core::TStateInstant halt_ended_ = core::never_t;  // T1 of the fetch after the last halt
   i8080::PinLatches pins_;  // all false between instructions at which nothing is in hand
