@@ -7,7 +7,7 @@
 
 namespace sightline::core {
 
-// Calls executor.execute<code>() and gives what it gives. `code` must be less than `codes`.
+// Calls executor.execute<code>() and gives what it gives. Of 32 codes only the last five bits of `code` count, of 256 it must be less.
 template <unsigned codes, class Executor>
 SIGHTLINE_INLINE constexpr auto dispatch(unsigned code, Executor executor) {
   static_assert(codes == 32 || codes == 256);

@@ -11,20 +11,19 @@
 // An observer that looks at registers has a value of another kind, which the run keeps, too:
 //   using Look = ...;
 //   Look look() const;
-//     void enter(Address bank)              of the PDP-7: the processor has come to another bank
-//     bool arrives<changes>(Address next, const View&) const   after an instruction that may have changed what the set says (`change`
-//                                           of the processor's isa.hpp). The view has the registers as the processor has them at
-//                                           work; its bus names it. A test of few host instructions that may say true too often.
-//     bool asks(Address next, const View&) const               out of line: asked where arrives() said true and where something is due
-//     bool looks_again() const              devices may have changed what it looks at: it is asked at the next boundary, too
+//     bool asks(Address next, const View&) const               out of line: asked where a test of few host instructions behind
+//                                           an instruction said so, which may be too often, and where something is due. The view has
+//                                           the registers as the processor has them at work; its bus names it
+// Which tests those are the machines say: i8080_looking.hpp, and of one that has marks the following.
 // One that has marks, too, finds places by marks in the words of memory (of the PDP-7: pdp7/core_memory.hpp):
 //   marked_places() const                 pairs of an address and its marks
 //   in its Look: changes() const          what an instruction has to change to be followed by a question
 //     marks() const                       all marks of these places
-//     bool may_ask<changes>(const View&) const    in place of arrives()
-//     bool may_ask(const View&) const             of any instruction
+//     bool may_ask<changes>(const View&) const    after an instruction that may have changed what the set says (`change` of isa.hpp)
+//     bool may_ask(const View&) const             after any instruction
 //     void see(flags)                     before asks() outside the instructions: what gives the flags of all devices
-//     bool looks_again(flags)             the same, where devices have been attended to
+//     bool looks_again(flags, broken_into)    the same, where devices have been attended to and may have broken into memory: it is to
+//                                         be asked at the next boundary, too
 //     void answered()                     stop() has been asked, and the run goes on
 // stop() is asked where asks() says true, and finds the machine's registers and time up to date; told() says whether a cycle that
 // was told is to end the run.
@@ -98,8 +97,6 @@ class Arrivals {
   constexpr bool operator()(Address) const {
     return Observer::stops;
   }
-  template <class Address>
-  static constexpr void enter(Address) {}
 };
 
 template <class Observer>
@@ -111,8 +108,6 @@ class Arrivals<Observer> {
   SIGHTLINE_INLINE constexpr bool operator()(Address next) const {
     return filter_.arrives(next);
   }
-  template <class Address>
-  static constexpr void enter(Address) {}
 
  private:
   typename Observer::Filter filter_;
@@ -122,16 +117,8 @@ template <Looks Observer>
 class Arrivals<Observer> {
  public:
   explicit constexpr Arrivals(const Observer& observer) : look_(observer.look()) {}
-  template <unsigned changes, class Address, class View>
-  [[nodiscard]] SIGHTLINE_INLINE constexpr bool arrives(Address next, const View& view) const {
-    return look_.template arrives<changes>(next, view);
-  }
   [[nodiscard]] constexpr typename Observer::Look& look() { return look_; }
   [[nodiscard]] constexpr const typename Observer::Look& look() const { return look_; }
-  template <class Address>
-  constexpr void enter(Address bank) {
-    look_.enter(bank);
-  }
 
  private:
   typename Observer::Look look_;

@@ -21,7 +21,7 @@ class Word {
   constexpr Word() = default;
   // Keeps the low `Bits` bits of value.
   constexpr explicit Word(std::uint32_t value) : value_(value & mask) {}
-  // With marks in the bits above the word, for memory that keeps them there: value() and == see them, and an operator takes them off.
+  // With marks in the bits above the word, for memory that keeps them there: value(), twos_complement() and == see them, and an operator takes them off.
   [[nodiscard]] static constexpr Word with_marks(std::uint32_t value) {
     Word word;
     word.value_ = value;

@@ -194,13 +194,14 @@ class BasicPdp7 {
   template <class Frame, class Watcher>
   StopReason run_frame(Frame& frame, Watcher& watcher, core::Instant until, std::uint64_t& left) {
     const auto pc = [&frame] { return frame.processor.registers.pc(); };
-    [[maybe_unused]] bool looked = false;
+    [[maybe_unused]] const core::Instant begun = frame.now();
     for (;;) {
       if constexpr (core::Looks<Watcher>) {
         if (asks(frame)) {
           publish(frame);
           if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
-          frame.arrives.look().answered();
+          // Where a run begins nothing is asked: what the observer has not seen yet it is asked about at the next boundary.
+          if (frame.now() != begun) frame.arrives.look().answered();
         }
       } else if constexpr (Watcher::stops) {
         if (frame.arrives(pc())) {
@@ -215,11 +216,12 @@ class BasicPdp7 {
           if (watcher.stop(frame.now(), pc())) return StopReason::observer;
         }
         if (frame.now() >= until) return StopReason::time_limit;
+        [[maybe_unused]] const core::Instant arrived = frame.now();
         if (attend(frame, until, left)) continue;
-        // What the devices have done here an observer that looks sees at the next boundary.
+        // What the devices have done here an observer that looks sees at the next boundary: a flag, or a word by a break, which takes time.
         if constexpr (core::Looks<Watcher>) {
-          looked = !looked && frame.arrives.look().looks_again([this, &frame] { return device_flags(frame.now()); });
-          if (looked) frame.look_around_at(frame.now(), frame.now(), 1);
+          if (frame.arrives.look().looks_again([this, &frame] { return device_flags(frame.now()); }, frame.now() != arrived))
+            frame.look_around_at(frame.now(), frame.now(), 1);
         }
       }
       const std::int64_t before = frame.allowance.instructions();

@@ -5,7 +5,7 @@
 // the run. The machine is touched only on the slow paths, by value, so that a compiler can keep the allowance in a
 // register; every verb is inlined into the instruction for the same reason.
 //
-// A run with an observer of marks (observer.hpp) has two buses. An instruction that comes to no marked word is executed on one that tells
+// A run with an observer of marks (core/reporter.hpp) has two buses. An instruction that comes to no marked word is executed on one that tells
 // nothing and leaves marks alone; every other, and what is rare, on one that tells all.
 #pragma once
 
@@ -69,7 +69,6 @@ struct Pdp7Frame {
   // Where the words of a bank lie.
   core::Word18* enter(pdp7::Address first) {
     bank_words = words > first ? words - first : 0;
-    arrives.enter(first);
     return core + first;
   }
   // At the first boundary at or after `deadline`; `instructions` as Allowance wants them.
@@ -122,7 +121,8 @@ class Pdp7Bus {
   // Of a run with marks.
   [[nodiscard]] SIGHTLINE_INLINE bool marked(pdp7::Here here) const {
     if (cell(here)->value() > core::Word18::mask) return true;
-    // Outside core every word has a mark: put() need not look whether this one can be written.
+    // Outside core every word that a processor without extension can reach has a mark, and behind these there is nothing but
+    // CAL, which is not executed here: put() need not look whether this one can be written.
     if (here.place >= frame_->bank_words) __builtin_unreachable();
     return false;
   }

@@ -12,8 +12,8 @@
 
 namespace sightline::pdp7 {
 
-// Marks above the 18 bits of a word. A run that is watched for places sets them when it begins and takes them off when it ends, and its
-// bus and its data breaks are the only ones that come across them. A fetch pays nothing for them, because they lie beside the bits
+// Marks above the 18 bits of a word. A run that is watched for places sets them when it begins and takes them off when it ends;
+// its bus, its data breaks and what it shows its observer come across them, and nobody else. A fetch pays nothing for them, because they lie beside the bits
 // that choose the code of an instruction; nor do most that read into AC, because they lie above L, where an Accumulator may have
 // anything.
 namespace core_mark {

@@ -15,8 +15,8 @@ inline constexpr std::uint32_t extend = 0200000, trap = 0100000, extend_restore 
                                interrupts_deferred = 04;
 }
 
-// L in bit 18 above AC. What an addition carries beyond L is left there and means nothing, and so do the bits above L of a word with
-// marks (core_memory.hpp), which set_ac(), add(), exclusive_or() and and_() take as it is.
+// L in bit 18 above AC. Bits above L mean nothing: what an addition carries beyond it stays there, and so do the marks of a word
+// from core (core_memory.hpp), which set_ac(), add(), exclusive_or() and and_() take as it is.
 class Accumulator {
  public:
   constexpr Accumulator() = default;

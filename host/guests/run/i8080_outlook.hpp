@@ -24,17 +24,11 @@
 
 namespace sightline::guests::run {
 
-// Marked places are in the memory of the machine.
-struct I8080Places {
-  explicit I8080Places(const std::uint8_t*) {}
-};
-
 // Where Outlook finds the registers of the 8080. The number of a register is its place in the description.
 struct I8080Outlook {
   using Address = i8080::Address;
   using View = machines::I8080View;
   using Instant = core::TStateInstant;
-  using Places = I8080Places;
   static constexpr std::size_t addresses = 0x10000;
   static constexpr std::uint8_t memory = i8080::change::memory;
   static constexpr std::array parts{i8080::change::a,  i8080::change::hl, i8080::change::bc,

@@ -1,9 +1,6 @@
 // What a monitor's marks and conditions leave of the boundaries between instructions: the same for every machine, which is named by
 // a type of traits
 //   using Address, View, Instant        of its bus; next boundaries are asked about with an Address or what stands for one
-//   using Places                        a set for each address: Places(const std::uint8_t*), at(next), enter(bank); again(next)
-//                                       is loaded again, so that a compiler tests the first in memory; a machine that finds marked places by itself
-//                                       has the constructor alone
 //   static constexpr std::size_t addresses;
 //   static constexpr std::uint8_t anything;              all that an instruction can change: `change` of its isa.hpp
 //   static constexpr std::array<std::uint8_t, n> parts;  those of it that are compared
@@ -185,11 +182,8 @@ class Outlook {
 
   // Both outlive it.
   Outlook(const OutlookTable<Machine>& table, const Probe& probe)
-      : places_(table.places()), table_(&table), marks_(probe.marks()), conditions_(&probe.conditions()) {
-    for (const Condition& condition : probe.conditions()) {
-      by_look_ = by_look_ || condition.steps.empty();
-      again_ = again_ || condition.words || condition.devices;
-    }
+      : table_(&table), marks_(probe.marks()), conditions_(&probe.conditions()) {
+    for (const Condition& condition : probe.conditions()) by_look_ = by_look_ || condition.steps.empty();
     for (std::size_t n = 0; n < parts; ++n) {
       const PartWatch& watch = table.watches()[n];
       if (watch.kind == PartWatch::Kind::in_range) ranges_[n] = watch.range;
@@ -197,17 +191,6 @@ class Outlook {
     }
   }
 
-  template <class Address>
-  void enter(Address bank) {
-    places_.enter(bank);
-  }
-  template <unsigned changes, class Next>
-  [[nodiscard]] SIGHTLINE_INLINE bool arrives(Next next, const View& view) const {
-    if ((places_.at(next) & (Probe::executed | changes)) == 0) [[likely]]
-      return false;
-    return in_range<changes>(view, std::make_index_sequence<parts>()) ||
-           (places_.again(next) & (Probe::executed | (changes & Machine::memory))) != 0;
-  }
   [[nodiscard, gnu::noinline]] bool asks(typename Machine::Address next, const View& view) {
     if (by_look_ || (marks_[next] & Probe::executed) != 0) return true;
     const Values values{next, view};
@@ -216,7 +199,6 @@ class Outlook {
     follow(values);
     return false;
   }
-  [[nodiscard]] bool looks_again() const { return again_; }
   // Whether one of those parts is where the run is to ask.
   template <unsigned changes>
   [[nodiscard]] SIGHTLINE_INLINE bool in_range(const View& view) const {
@@ -291,13 +273,11 @@ class Outlook {
     else return false;
   }
 
-  typename Machine::Places places_;
   std::array<PartRange, parts> ranges_{};
   const OutlookTable<Machine>* table_;
   const std::uint8_t* marks_;
   const std::vector<Condition>* conditions_;
   bool by_look_ = false;
-  bool again_ = false;
 };
 
 // The observer of a monitor that has marked instructions or waits for conditions: it is asked between instructions.

@@ -82,18 +82,11 @@ class Pdp7Recorder {
   Pdp7Vcd& vcd_;
 };
 
-// The PDP-7 finds places by marks in its core.
-struct Pdp7Places {
-  explicit Pdp7Places(const std::uint8_t*) {}
-  static void enter(pdp7::Address) {}
-};
-
 // Where Outlook finds the registers of the PDP-7. The number of a register is its place in the description.
 struct Pdp7Outlook {
   using Address = pdp7::Address;
   using View = machines::Pdp7View;
   using Instant = core::Instant;
-  using Places = Pdp7Places;
   static constexpr std::size_t addresses = std::size_t{pdp7::address_mask} + 1;
   static constexpr std::uint8_t memory = pdp7::change::memory;
   static constexpr std::array parts{pdp7::change::accumulator, pdp7::change::eae, pdp7::change::modes};
@@ -192,14 +185,16 @@ class Pdp7Look : public Outlook<Pdp7Outlook> {
     seen_ = now;
   }
   template <class Flags>
-  [[nodiscard]] bool looks_again(Flags flags) {
+  [[nodiscard]] bool looks_again(Flags flags, bool broken_into) {
     see(flags);
-    return changed_ || words_;
+    return changed_ || (words_ && broken_into);
   }
   // Where no flag has changed, nothing is in its range and no place is asked about, no condition can have changed.
   [[nodiscard]] bool asks(pdp7::Address next, const View& view) {
     if (!changed_ && (places_[next] & Probe::executed) == 0 && !may_ask(view)) return false;
-    return Outlook::asks(next, view);
+    if (Outlook::asks(next, view)) return true;
+    changed_ = false;
+    return false;
   }
   void answered() { changed_ = false; }
 

@@ -123,7 +123,6 @@ class Probe {
   [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
   [[nodiscard]] bool looks() const { return static_cast<bool>(look); }
   [[nodiscard]] bool watches_boundaries() const { return looks() || marked_ != 0; }
-  [[nodiscard]] bool watches_accesses() const { return (marked_ & ~executed) != 0; }  // beside boundaries
   [[nodiscard]] bool watches_memory() const { return (marked_ & (is_read | is_written)) != 0; }
   // Another number after each change of marks and conditions: what is made from them can be used until then.
   [[nodiscard]] std::uint64_t version() const { return version_.number(); }
