@@ -817,6 +817,30 @@ TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereTheyDidFromOutside) {
       "begin");
 }
 
+// Where a run begins a flag may differ from what it was when the condition was last asked about: by `back`, by START, or because
+// nobody has asked yet.
+TEST(MonitorPdp7, AFlagThatDiffersWhereARunBeginsIsAskedAbout) {
+  const std::vector<std::vector<std::string>> walks{
+      {"run until (printer==0)?"},
+      {"break when (printer)?", "continue", "back 1000", "run for 5000 instructions"},
+      {"break when (printer)?", "continue", "go 100"},
+      {"break when (printer==0)?", "continue", "back 1000", "run for 50000 instructions"},
+  };
+  for (const auto& walk : walks) {
+    std::string ends[2];
+    for (const bool outside : {false, true}) {
+      auto m = pdp7_session("begin, lac (301\n 700406\nloop, isz count\n jmp loop\n jmp loop\ncount, 0\n start begin\n");
+      (*m)("break when instructions==200000");
+      for (std::string line : walk) {
+        if (line.back() == '?') line.replace(line.size() - 1, 1, outside ? " && instructions+0>=0" : "");
+        (*m)(line);
+        ends[outside ? 1 : 0] += std::to_string(m->machine().instructions()) + " ";
+      }
+    }
+    EXPECT_EQ(ends[0], ends[1]) << walk.front() << " ...";
+  }
+}
+
 TEST(MonitorI8080, ConditionsOnRegistersStopWhereTheyDidFromOutside) {
   compare_conditions(
       [] {
