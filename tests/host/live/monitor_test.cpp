@@ -773,7 +773,7 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereOthersDo) {
 // instructions comes to what one names; a sum with `instructions` makes the monitor look at them from outside, instruction by
 // instruction. Breakpoints beside them count the same.
 void compare_conditions(const std::function<std::unique_ptr<Session>()>& begin, const std::vector<std::string>& conditions,
-                        const std::string& beside) {
+                        const std::string& beside, int instructions = 300) {
   for (const std::string& condition : conditions) {
     std::string ends[2];
     for (const bool outside : {false, true}) {
@@ -781,7 +781,7 @@ void compare_conditions(const std::function<std::unique_ptr<Session>()>& begin, 
       (*m)("break when (" + condition + ")" + (outside ? " && instructions+0>=0" : ""));
       (*m)("break " + beside + " count 7");
       for (int n = 0; n < 6; ++n) {
-        const std::string text = (*m)("run for 300 instructions");
+        const std::string text = (*m)(fmt::format("run for {} instructions", instructions));
         ends[outside ? 1 : 0] += text.substr(text.find('\n') + 1);
         ends[outside ? 1 : 0] += std::to_string(m->machine().instructions()) + " ";
       }
@@ -815,6 +815,16 @@ TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereTheyDidFromOutside) {
       {"edge", "!edge", "stop", "!stop", "edge && ac==300", "stop || edge", "edge && !printer", "pen", "printer && stop", "stop && [count]>3",
        "edge && time>400000", "edge && pc==103"},
       "begin");
+}
+
+// The display fetches words, and the clock counts in 7, at boundaries that follow each other.
+TEST(MonitorPdp7, WordsThatTheClockWritesBesideADisplayAreAskedAboutAtOnce) {
+  compare_conditions(
+      [] {
+        return pdp7_session("begin, cla\n dac 7\n 700044\n lac (300\n 700606\nloop, jmp loop\n300/ 020117\n221000\n101700\n437700\n010000\n start begin\n",
+                            "--display");
+      },
+      {"[7]&1 && ac==300", "[7]==2 && l==0"}, "begin", 20'000);
 }
 
 // Where a run begins a flag may differ from what it was when the condition was last asked about: by `back`, by START, or because
