@@ -166,7 +166,7 @@ class Pdp7Look : public Outlook<Pdp7Outlook> {
 
   [[nodiscard]] std::uint8_t changes() const { return changes_; }
   [[nodiscard]] std::uint32_t marks() const { return marks_; }
-  // Conditions on words, and on registers beside them, are looked at wherever memory may have changed.
+  // Conditions on words, and on registers beside them, are evaluated wherever memory may have changed.
   template <unsigned changes>
   [[nodiscard]] SIGHTLINE_INLINE bool may_ask(const View& view) const {
     if constexpr ((changes & pdp7::change::memory) != 0) return true;

@@ -769,7 +769,7 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereOthersDo) {
   }
 }
 
-// Conditions on registers are looked at inside the run, where a register can make one true, and a run ends where time or the count of
+// Conditions on registers are evaluated inside the run, where a register can make one true, and a run ends where time or the count of
 // instructions comes to what one names; a sum with `instructions` makes the monitor look at them from outside, instruction by
 // instruction. Breakpoints beside them count the same.
 void compare_conditions(const std::function<std::unique_ptr<Session>()>& begin, const std::vector<std::string>& conditions,
