@@ -3,24 +3,47 @@
 #   becomes one ctest entry with the label `fast`, `slow` or `release_only`.
 #   SIGHTLINE_TEST_DATA  is defined as the absolute path of tests/data
 #   SIGHTLINE_SOURCE_DIR is defined as the root of the repository
-#   SIGHTLINE_COMMAND    is, for tests that RUN a program, the path of that program
+#   RUNS: the tests start that program; it is built before they run.
 #   RELEASE_ONLY: tests that need optimised code to end in a few seconds; they are not built with sanitizers.
 #   AS_ONE: the program runs once for all its tests, because they share what takes long to prepare.
 #   APART: of those sources, the ones that are not compiled together with others where that is asked for, because they name
 #   a helper as another file does.
 #   OPTIMISED: the fast tests, too, contain what works for long: a machine is compiled into the tests that run it.
 #   CHECKED: what is under test are templates, which are compiled into the tests alone. With sanitizers these tests are
-#   checked as the libraries are. Other tests are not: their subject is checked in its library, and a test's own code
-#   took two fifths more to compile with checks than without.
+#   checked as the libraries are. Other tests are not, their subject is checked in its library: they are compiled once, for
+#   the release build, and linked with libraries of both kinds where SIGHTLINE_TEST_OBJECTS says where they are.
+#
 # What else is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
-  set(SIGHTLINE_TEST_OPTIONS -O0)
-  set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1)
+  # Templates of the standard library that a checked library calls may be those of a test's object: they keep their assertions.
+  set(SIGHTLINE_TEST_OPTIONS -O0 -D_GLIBCXX_ASSERTIONS)
+  set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1 -D_GLIBCXX_ASSERTIONS)
 elseif(SIGHTLINE_SANITIZE)
   set(SIGHTLINE_TEST_OPTIONS -fno-sanitize=all)
   set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1 -fno-sanitize=all)
   set(SIGHTLINE_OPTIMISED_CHECKED_TEST_OPTIONS -O1)
 endif()
+
+# A program of sources that are compiled once for the builds with and without sanitizers. The library PROGRAM_objects compiles
+# them, where SIGHTLINE_TEST_OBJECTS does not name the build that has. Its target test_objects compiles all of them; which they are
+# stands in its file tests/objects/PROGRAM.
+function(sightline_program_of_objects program sources)
+  if(SIGHTLINE_TEST_OBJECTS)
+    set(list ${SIGHTLINE_TEST_OBJECTS}/tests/objects/${program})
+    file(STRINGS ${list} objects)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+    set_source_files_properties(${objects} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+    add_executable(${program} ${objects})
+    set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
+  else()
+    add_library(${program}_objects OBJECT ${sources})
+    add_dependencies(test_objects ${program}_objects)
+    file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/tests/objects/${program}
+      CONTENT "$<JOIN:$<TARGET_OBJECTS:${program}_objects>,\n>\n")
+    add_executable(${program})
+    target_link_libraries(${program} PRIVATE ${program}_objects)
+  endif()
+endfunction()
 
 function(sightline_tests)
   cmake_parse_arguments(ARG "AS_ONE;OPTIMISED;CHECKED" "NAME;RUNS" "FAST;SLOW;RELEASE_ONLY;LIBRARIES;APART" ${ARGN})
@@ -38,8 +61,6 @@ endfunction()
 
 # Called by sightline_tests, whose other arguments (ARG_LIBRARIES, ARG_RUNS, ARG_AS_ONE, ARG_OPTIMISED, ARG_CHECKED) it reads.
 function(sightline_test_program program label sources)
-  add_executable(${program} ${sources})
-  target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} sightline_test_support GTest::gtest_main)
   set(kind "")
   if(NOT label STREQUAL "fast" OR ARG_OPTIMISED)
     string(APPEND kind optimised_)
@@ -47,11 +68,21 @@ function(sightline_test_program program label sources)
   if(ARG_CHECKED AND SIGHTLINE_SANITIZE)
     string(APPEND kind checked_)
   endif()
-  target_precompile_headers(${program} REUSE_FROM sightline_${kind}test_headers)
   string(TOUPPER "${kind}" upper)
-  target_compile_options(${program} PRIVATE ${SIGHTLINE_${upper}TEST_OPTIONS})
+  if(ARG_CHECKED OR label STREQUAL "release_only")
+    add_executable(${program} ${sources})
+    set(compiled ${program})
+  else()
+    sightline_program_of_objects(${program} "${sources}")
+    set(compiled ${program}_objects)
+  endif()
+  if(TARGET ${compiled})
+    target_link_libraries(${compiled} PRIVATE ${ARG_LIBRARIES} sightline_test_support)
+    target_precompile_headers(${compiled} REUSE_FROM sightline_${kind}test_headers)
+    target_compile_options(${compiled} PRIVATE ${SIGHTLINE_${upper}TEST_OPTIONS})
+  endif()
+  target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   if(ARG_RUNS)
-    target_compile_definitions(${program} PRIVATE SIGHTLINE_COMMAND="$<TARGET_FILE:${ARG_RUNS}>")
     add_dependencies(${program} ${ARG_RUNS})
   endif()
   if(ARG_AS_ONE)

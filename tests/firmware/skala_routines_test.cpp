@@ -66,7 +66,7 @@ TEST(SkalaLines, AreHiddenBetweenTheMasks) {
 TEST(SkalaLines, InAllDirections) {
   NEEDS_OPTIMISED_CODE();
   std::vector<std::pair<int, int>> deltas;
-  constexpr int step = tests::effort(1, 4);
+  const int step = tests::effort(1, 4);
   for (int dx = -13; dx <= 13; dx += step)
     for (int dy = -13; dy <= 13; dy += step) deltas.emplace_back(dx, dy);
   for (const int a : {-127, -126, -64, -1, 0, 1, 63, 126, 127})

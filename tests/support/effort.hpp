@@ -2,23 +2,30 @@
 // instruction make it ten to fifty times slower. What a case is tested for is the same in both.
 #pragma once
 
+// There where a program is linked with the address sanitizer.
+extern "C" __attribute__((weak)) void __asan_init();
+
 namespace sightline::tests {
 
+// Whether what is under test is optimised and has no checks. Found out at run time: the same objects of tests are linked with
+// libraries of both kinds.
+[[nodiscard]] inline bool optimised() {
 #ifdef NDEBUG
-inline constexpr bool optimised = true;
+  return &__asan_init == nullptr;
 #else
-inline constexpr bool optimised = false;
+  return false;
 #endif
+}
 
 template <class Value>
-[[nodiscard]] constexpr Value effort(Value whole, Value part) {
-  return optimised ? whole : part;
+[[nodiscard]] Value effort(Value whole, Value part) {
+  return optimised() ? whole : part;
 }
 
 }  // namespace sightline::tests
 
 // The first line of a test that runs whole machines or programs for long, of which shorter tests run every part:
 // under checks it would take minutes and find nothing more.
-#define NEEDS_OPTIMISED_CODE()                \
-  if constexpr (!sightline::tests::optimised) \
+#define NEEDS_OPTIMISED_CODE()        \
+  if (!sightline::tests::optimised()) \
   GTEST_SKIP() << "runs only where code is optimised"

@@ -470,14 +470,8 @@ class Pdp7Machine final : public Machine {
  private:
   machines::StopReason run_observed(const machines::Limits& limits) {
     if constexpr (Sink::consumes) {
-      if constexpr (!few_observers) {
-        if (vcd_) {
-          Pdp7Recorder recorder(tracer_ ? &*tracer_ : nullptr, *vcd_);
-          return machine_.run(limits, recorder);
-        }
-        if (tracer_) return machine_.run(limits, *tracer_);
-      }
-      if (probe_ && probe_->watches_instructions()) return run_watched(limits, Pdp7Listener(*probe_));
+      if (tracer_ || vcd_) return run_watched(limits, Pdp7Reporter(tracer_ ? &*tracer_ : nullptr, vcd_ ? &*vcd_ : nullptr));
+      if (probe_ && probe_->watches_instructions()) return run_watched(limits, Pdp7Reporter(*probe_));
       if (probe_ && probe_->watches_boundaries()) return run_watched(limits, Pdp7Watcher(*probe_));
     }
     return machine_.run(limits);

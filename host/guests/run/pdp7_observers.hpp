@@ -29,12 +29,7 @@ namespace sightline::guests::run {
 // The fields of a line: time (ns, decimal, of the fetch), PC, word, disassembly, then AC, L, MQ after it.
 class Pdp7Tracer {
  public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = false;
-  static constexpr bool stops = false;
-
-  // Out of line: it is called from where every instruction ends.
-  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+  void instruction(const machines::InstructionRecord& record) {
     text_.write([&](std::string& text) {
       base::append(text, "{:>12} {:05o} {:06o}  {:<18} {:06o} {:o} {:06o}\n",
                    core::nanoseconds_of(record.time), record.pc, record.word.value(),
@@ -61,25 +56,6 @@ class Pdp7Tracer {
 
   TextBlocks text_;
   std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
-};
-
-// A trace, a VCD, or both.
-class Pdp7Recorder {
- public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = false;
-
-  Pdp7Recorder(Pdp7Tracer* tracer, Pdp7Vcd& vcd) : tracer_(tracer), vcd_(vcd) {}
-  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
-    if (tracer_ != nullptr) tracer_->instruction(record);
-    vcd_.instruction(record);
-  }
-  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) { vcd_.cycle(cycle); }
-
- private:
-  Pdp7Tracer* tracer_;
-  Pdp7Vcd& vcd_;
 };
 
 // Where Outlook finds the registers of the PDP-7. The number of a register is its place in the description.
@@ -293,16 +269,12 @@ class Pdp7Watcher : public Looker<Pdp7Outlook> {
 // The same, and tells each instruction.
 class Pdp7Listener {
  public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
   explicit Pdp7Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
 
   void begin(core::Instant now) { watcher_.begin(now); }
   bool stop(core::Instant now, pdp7::Address next) { return watcher_.stop(now, next); }
   bool told() { return watcher_.told(); }
-  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+  void instruction(const machines::InstructionRecord& record) {
     entry_.time = core::nanoseconds_of(record.time);
     entry_.pc = record.pc;
     entry_.word = record.word.value();
@@ -311,7 +283,7 @@ class Pdp7Listener {
     if (probe_.on_instruction) probe_.on_instruction(entry_);
     entry_.has_address = false;
   }
-  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
+  void cycle(const pdp7::Cycle& cycle) {
     if (watcher_.filter().wants(cycle)) watcher_.tell(cycle);
     if (probe_.on_cycle) tell(cycle);
     const bool uses = cycle.verb == pdp7::Verb::read || cycle.verb == pdp7::Verb::modify || cycle.verb == pdp7::Verb::write;
@@ -332,6 +304,39 @@ class Pdp7Listener {
   Probe& probe_;
   Pdp7Watcher watcher_;
   Probe::Entry entry_;
+};
+
+// The observer of all that hear every instruction: a trace, a VCD or both, or a monitor. One for them all: a machine is compiled for
+// each observer, which takes long, and they are slow for what they write.
+class Pdp7Reporter {
+ public:
+  static constexpr bool instructions = true;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+
+  Pdp7Reporter(Pdp7Tracer* tracer, Pdp7Vcd* vcd) : tracer_(tracer), vcd_(vcd) {}
+  explicit Pdp7Reporter(Probe& probe) : listener_(std::in_place, probe) {}
+
+  void begin(core::Instant now) {
+    if (listener_) listener_->begin(now);
+  }
+  bool stop(core::Instant now, pdp7::Address next) { return listener_ && listener_->stop(now, next); }
+  bool told() { return listener_ && listener_->told(); }
+  // Out of line: they are called from where every instruction and every cycle ends.
+  [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
+    if (tracer_ != nullptr) tracer_->instruction(record);
+    if (vcd_ != nullptr) vcd_->instruction(record);
+    if (listener_) listener_->instruction(record);
+  }
+  [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
+    if (vcd_ != nullptr) vcd_->cycle(cycle);
+    if (listener_) listener_->cycle(cycle);
+  }
+
+ private:
+  Pdp7Tracer* tracer_ = nullptr;
+  Pdp7Vcd* vcd_ = nullptr;
+  std::optional<Pdp7Listener> listener_;
 };
 
 }  // namespace sightline::guests::run

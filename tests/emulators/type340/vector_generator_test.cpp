@@ -168,7 +168,7 @@ TEST(Display, EveryVectorStartsDarkAndEndsLitAtItsEndPoint) {
     display.deliver(core::at_nanoseconds(t), core::Word18(word));
     display.advance(core::at_nanoseconds(t += 40'000));
   }
-  constexpr std::uint32_t step = tests::effort(1U, 5U);
+  const std::uint32_t step = tests::effort(1U, 5U);
   int x = 512;
   int y = 512;
   for (std::uint32_t dx = 0; dx < 128; ++dx) {

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -30,6 +31,19 @@ struct Ran {
 };
 
 using Arguments = std::vector<std::string>;
+
+// The path of the built command, of the build that the program that asks belongs to.
+inline const std::string& command_of_this_build() {
+  static const std::string path = [] {
+    std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    while (!std::filesystem::exists(folder / "CMakeCache.txt")) {
+      if (folder == folder.parent_path()) throw std::runtime_error("this test is in no folder of a build");
+      folder = folder.parent_path();
+    }
+    return (folder / "host/app/sightline").string();
+  }();
+  return path;
+}
 
 class CommandLine : public ::testing::Test {
  protected:
@@ -68,7 +82,7 @@ class CommandLine : public ::testing::Test {
   Ran sightline(const Arguments& arguments, std::string_view input = "",
                 std::chrono::milliseconds interrupt_after = {}) {
     write(".stdin", input);
-    std::vector<std::string> words{SIGHTLINE_COMMAND};
+    std::vector<std::string> words{command_of_this_build()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
@@ -80,7 +94,7 @@ class CommandLine : public ::testing::Test {
     posix_spawn_file_actions_addopen(&actions, 1, stdout_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, ".stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
     pid_t process = 0;
-    const int failed = posix_spawn(&process, SIGHTLINE_COMMAND, &actions, nullptr, argv.data(), environ);
+    const int failed = posix_spawn(&process, words.front().c_str(), &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) throw std::system_error(failed, std::generic_category(), "posix_spawn");
     if (interrupt_after.count() != 0) {
@@ -98,13 +112,13 @@ class CommandLine : public ::testing::Test {
     const pid_t process = fork();
     if (process == 0) {
       if (chdir(directory_.c_str()) != 0) _exit(127);
-      std::vector<std::string> words{SIGHTLINE_COMMAND};
+      std::vector<std::string> words{command_of_this_build()};
       words.insert(words.end(), arguments.begin(), arguments.end());
       std::vector<char*> argv;
       for (std::string& word : words) argv.push_back(word.data());
       argv.push_back(nullptr);
       for (const int descriptor : {0, 1, 2}) dup2(open("/dev/null", O_RDWR), descriptor);
-      execv(SIGHTLINE_COMMAND, argv.data());
+      execv(argv.front(), argv.data());
       _exit(127);
     }
     std::this_thread::sleep_for(after);

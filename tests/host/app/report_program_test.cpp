@@ -11,7 +11,7 @@ class ReportProgram : public CommandLine {
  protected:
   ReportProgram() {
     std::filesystem::create_directory(path("bin"));
-    std::filesystem::copy_file(SIGHTLINE_COMMAND, path("bin/sightline"));
+    std::filesystem::copy_file(command_of_this_build(), path("bin/sightline"));
   }
 
   void write_program(const std::string& name, const std::string& said) {

@@ -126,7 +126,7 @@ TEST_F(SweepCommand, SpreadByGnuParallel) {
   // Kept in order by parallel; then as files, put together by their names.
   const auto spread = [&](const std::string& options, const std::string& output) {
     return std::system(("cd '" + path("").string() + "' && parallel --will-cite -j3 " + options + " '" +
-                        SIGHTLINE_COMMAND +
+                        sightline::test::command_of_this_build() +
                         "' sweep boxes-4 --views 20 --algorithm exact,oracle --jobs 1 --shard {}/6 " + output)
                            .c_str());
   };

@@ -607,7 +607,7 @@ TEST_F(Dap, ASignalEndsTheSession) {
   request("configurationDone");
   write("in", script_);
   const std::string command = "cd '" + path(".").string() + "' && { cat in; sleep 2; } | timeout --foreground -s TERM 1 '" +
-                              SIGHTLINE_COMMAND "' dap > out; echo $? > code";
+                              command_of_this_build() + "' dap > out; echo $? > code";
   ASSERT_EQ(std::system(command.c_str()), 0);
   received_ = messages(read("out"));
   EXPECT_EQ(answer("launch").at("success"), true);

@@ -135,7 +135,7 @@ TEST_F(Disk, AFolderThatGoesAwayTakesOnlyTheDiskWithIt) {
         "  lac (252\n  700406\nwait, 700301\n  jmp wait\n  hlt\n  start begin\n");
   ASSERT_EQ(sightline({"asm", "pdp7", "gone.s", "-o", "gone.rim"}).exit_code, 0);
   // The folder goes when the program has written and says so; then a key ends it.
-  const std::string script = "cd '" + path(".").string() + "' && mkfifo keys && { " SIGHTLINE_COMMAND
+  const std::string script = "cd '" + path(".").string() + "' && mkfifo keys && { " + command_of_this_build() +
                              " run pdp7 gone.rim --disk folder/disk --console ascii --dump d < keys > out 2> err & exec 3> keys; "
                              "until test -s out; do sleep 0.02; done; rm -r folder; echo x >&3; exec 3>&-; wait $!; }";
   const int status = std::system(script.c_str());

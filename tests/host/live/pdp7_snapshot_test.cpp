@@ -183,7 +183,7 @@ TEST(Pdp7Snapshots, ContinueFromEveryStateOfTheDevices) {
       break;
     }
   }
-  if (!tests::optimised) return;
+  if (!tests::optimised()) return;
   for (const int times : {reading, punching, typing, clock_on, in_word}) EXPECT_GT(times, 20);
   for (const int times : {pen_stop, lit_pen, interrupt_pending}) EXPECT_GT(times, 0);
 }

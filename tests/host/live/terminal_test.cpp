@@ -44,7 +44,7 @@ class Terminal : public CommandLine {
   }
 
   void start(std::vector<std::string> arguments) {
-    const std::string command = SIGHTLINE_COMMAND;
+    const std::string command = command_of_this_build();
     child_ = fork();
     ASSERT_GE(child_, 0);
     if (child_ == 0) {

@@ -135,7 +135,7 @@ TEST_P(Covering, LinesOnTheFloorAreAsRaysSay) {
       }
     }
   });
-  if (!tests::optimised) return;
+  if (!tests::optimised()) return;
   EXPECT_GT(counts.visible, 150);
   EXPECT_GT(counts.hidden, 50);
   EXPECT_LT(counts.unsure, counts.visible + counts.hidden);
@@ -159,7 +159,7 @@ TEST_P(Covering, EdgesOfTheBoxAreAsRaysSay) {
         expect_as_rays(rays, edge.from, edge.to, k / 12.0, std::any_of(drawn.begin(), drawn.end(), on), counts);
       }
   });
-  if (!tests::optimised) return;
+  if (!tests::optimised()) return;
   EXPECT_GT(counts.visible, 500);
   EXPECT_GT(counts.hidden, 30);
   EXPECT_LT(counts.unsure * 4, counts.visible + counts.hidden);

@@ -14,7 +14,7 @@
 namespace sightline::guests::jones {
 namespace {
 
-constexpr int views = tests::effort(4, 2);
+const int views = tests::effort(4, 2);
 
 struct Build {
   std::string scene;

@@ -17,7 +17,7 @@
 namespace sightline::guests::jones {
 namespace {
 
-constexpr int views = tests::effort(1000, 10);
+const int views = tests::effort(1000, 10);
 constexpr int one_with_display_in = 25;
 constexpr std::int32_t room_before_far_side = 8;
 

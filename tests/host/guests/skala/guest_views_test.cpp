@@ -16,12 +16,12 @@
 namespace sightline::guests::skala {
 namespace {
 
-constexpr int rotations = tests::effort(24, 3);
+const int rotations = tests::effort(24, 3);
 const std::vector<double> hard_rotations =
     tests::effort<std::vector<double>>({0, 90, 180, 270, 44.999, 45.001, 130, 215, 340}, {0, 45.001, 250});
 const std::vector<double> hard_elevations =
     tests::effort<std::vector<double>>({-90, -20, 0, 35, 90}, {-20, 35});
-constexpr scene::GridSize plotted_size = tests::effort(scene::GridSize{33, 33}, scene::GridSize{9, 9});
+const scene::GridSize plotted_size = tests::effort(scene::GridSize{33, 33}, scene::GridSize{9, 9});
 constexpr std::array<double, 3> elevations{-20, 0, 35};
 
 scene::GridSize usual_size(PictureKind what) {

@@ -65,7 +65,7 @@ std::vector<RasterDot> as_printed(int x, int y, int dx, int dy) {
 }
 
 TEST(SkalaTwinLaws, EveryLineHasItsClosedFormInBothDirections) {
-  constexpr int step = tests::effort(1, 5);
+  const int step = tests::effort(1, 5);
   for (int dx = -255; dx <= 255; dx += step) {
     for (int dy = -255; dy <= 255; dy += step) {
       const Point from = corner(dx, dy);
