@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/host/app/command_line.hpp"
+#include "tests/support/effort.hpp"
 
 namespace {
 
@@ -156,6 +157,7 @@ TEST_F(DrawMesh, LimitsOfTheCalComp) {
 
 // A sheet of 231,200 triangles: a minute and more, for which one has to ask.
 TEST_F(DrawMesh, WhatTakesMinutesIsRefused) {
+  NEEDS_OPTIMISED_CODE();
   std::string bytes(80, ' ');
   const auto put = [&bytes](const auto& number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); };
   constexpr int side = 340;

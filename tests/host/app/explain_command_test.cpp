@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/host/app/command_line.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::test {
 namespace {
@@ -103,6 +104,7 @@ TEST_F(ExplainCommand, AFullDiskIsAnError) {
 
 // The examples of the help are commands that run, those of each algorithm and those of all.
 TEST_F(ExplainCommand, ExamplesOfTheHelpRun) {
+  NEEDS_OPTIMISED_CODE();
   std::vector<Arguments> pages{{"explain", "--help"}};
   for (const char* const algorithm : algorithms) pages.push_back({"explain", algorithm, "--help"});
   for (const Arguments& page : pages) {

@@ -824,7 +824,7 @@ TEST(MonitorPdp7, WordsThatTheClockWritesBesideADisplayAreAskedAboutAtOnce) {
         return pdp7_session("begin, cla\n dac 7\n 700044\n lac (300\n 700606\nloop, jmp loop\n300/ 020117\n221000\n101700\n437700\n010000\n start begin\n",
                             "--display");
       },
-      {"[7]&1 && ac==300", "[7]==2 && l==0"}, "begin", 20'000);
+      {"[7]&1 && ac==300", "[7]==2 && l==0"}, "begin", tests::effort(20'000, 6'000));
 }
 
 // Where a run begins a flag may differ from what it was when the condition was last asked about: by `back`, by START, or because

@@ -13,6 +13,7 @@
 #include "host/picture/repeatable_math.hpp"
 #include "tests/host/picture/synthetic.hpp"
 #include "tests/support/approve_png.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -116,6 +117,7 @@ TEST(Phosphor, TheOrderOfStrokesDoesNotMatter) {
 }
 
 TEST(Phosphor, LightAddsUpBeforeTheFilmAnswers) {
+  NEEDS_OPTIMISED_CODE();
   const std::vector<core::Stroke> one{flash(0, 300, 300, 7), flash(1000, 301, 300, 7)};
   const std::vector<core::Stroke> two{flash(5000, 301, 301, 2), flash(9000, 300, 300, 7)};
   std::vector<core::Stroke> both = one;
@@ -130,6 +132,7 @@ TEST(Phosphor, LightAddsUpBeforeTheFilmAnswers) {
 }
 
 TEST(Phosphor, ExposuresInSequenceAddUp) {
+  NEEDS_OPTIMISED_CODE();
   const std::vector<core::Stroke> strokes{flash(3 * millisecond, 512, 512, 7)};
   const double first = total(photograph(strokes, 0, 40 * millisecond).light().yellow);
   const double second = total(photograph(strokes, 40 * millisecond, 90 * millisecond).light().yellow);
@@ -157,6 +160,7 @@ TEST(Phosphor, YellowFadesAndBlueIsGone) {
 }
 
 TEST(Phosphor, HigherIntensityIsBrighter) {
+  NEEDS_OPTIMISED_CODE();
   double before = 0.0;
   for (int intensity = 0; intensity < intensity_levels; ++intensity) {
     const double now = total(photograph({flash(0, 512, 512, intensity)}, 0, 100 * millisecond).light().blue);

@@ -41,7 +41,9 @@ void expect_twins(const scene::PolyScene& scene, const View& view, const std::st
 }
 
 TEST(StripesGuest, IsItsTwinOnCommonScenes) {
-  for (const std::string_view name : compare::common_scene_names()) {
+  const auto names = compare::common_scene_names();
+  for (std::size_t n = 0; n < names.size(); n += tests::effort(std::size_t{1}, std::size_t{2})) {
+    const std::string_view name = names[n];
     const compare::CommonScene scene = compare::common_scene(name);
     if (scene.heights) continue;  // thousands of triangles
     const std::size_t views = tests::effort(scene.views.size(), std::size_t{1});

@@ -15,6 +15,7 @@
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "tests/host/scene/scene_support.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -117,6 +118,7 @@ TEST(GenerateScene, CamerasAreOrthogonal) {
 
 // The largest size keeps within the coordinate limit; tried where that is cheap.
 TEST(GenerateScene, TheLargestSizeFits) {
+  NEEDS_OPTIMISED_CODE();
   for (const std::string_view family : {"rooms", "town", "prisms"}) {
     const auto result = generate_scene(family, largest_generated_size(family));
     const PolyScene& scene = *result;
