@@ -19,7 +19,7 @@ set(RULES
   "host/picture=host/base,host/geometry,host/scene,emulators/core,emulators/devices/calcomp565.hpp"
   "host/algorithms/*=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/registry=host/base,host/algorithms,host/guests/skala,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
-  "host/guests/i8080=host/base,tools/asm"
+  "host/guests/i8080=host/base,emulators/core,emulators/machines,tools/asm"
   "host/guests/run=host/base,host/picture,emulators,tools/image,tools/asm,tools/disasm"
   "host/guests/jones=host/base,host/geometry,host/scene,emulators,tools/asm"
   "host/guests/jones/precision=host/base,host/geometry,host/scene,host/guests/jones,host/algorithms/oracle,emulators/core,emulators/machines/pdp7.hpp"

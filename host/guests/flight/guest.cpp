@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "emulators/machines/flight_ports.hpp"
-#include "emulators/machines/i8080_machine.hpp"
+#include "host/guests/i8080/machine.hpp"
 
 namespace sightline::guests::flight {
 
@@ -16,12 +16,12 @@ namespace display = devices::priority_display;
 }  // namespace
 
 // Those of the machine, noting every frame and how long the program looked for the display to be free.
-class Guest::Ports : private core::NoStrokes, public machines::FlightPorts {
+class Guest::Ports final : private core::NoStrokes, public GuestPorts, public machines::FlightPorts {
  public:
   Ports(const machines::FlightConfiguration& configuration, const GuestOptions& options, GuestFlight& flight)
       : FlightPorts(configuration, static_cast<core::NoStrokes&>(*this)), options_(options), flight_(flight) {}
 
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     if (port != control_port || priority() == nullptr) return FlightPorts::in(port, at);
     hand_on_scanned(at);
     if (!looked_) first_look_ = at;
@@ -29,17 +29,12 @@ class Guest::Ports : private core::NoStrokes, public machines::FlightPorts {
     last_look_ = at;
     return FlightPorts::in(port, at);
   }
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     const bool shows = port == control_port && priority() != nullptr && (value & 1U) != 0;
     if (shows && options_.give) options_.give(static_cast<std::uint32_t>(flight_.frames.size()), *priority());
     FlightPorts::out(port, value, at);
     if (shows) note(at);
   }
-
-  // Nothing is wired to INT.
-  void advance(core::TStateInstant) {}
-  [[nodiscard]] static constexpr core::TStateInstant deadline() { return core::never_t; }
-  [[nodiscard]] static constexpr bool interrupt() { return false; }
 
   // After the program's end: the last frame is shown, too.
   void end() {
@@ -94,14 +89,13 @@ struct Guest::Machine {
     return configuration;
   }
   Machine(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options, GuestFlight& flight)
-      : ports(configuration_of(stream, options), options, flight), machine(ports, observer), status(program.status) {
+      : ports(configuration_of(stream, options), options, flight), machine(ports), status(program.status) {
     std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
     machine.registers().pc = program.start;
   }
 
   Ports ports;
-  machines::NoI8080Observer observer;
-  machines::I8080Machine<Ports> machine;
+  GuestI8080 machine;
   i8080::Address status;
 };
 

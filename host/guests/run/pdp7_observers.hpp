@@ -324,12 +324,16 @@ class Pdp7Reporter {
   bool told() { return listener_ && listener_->told(); }
   // Out of line: they are called from where every instruction and every cycle ends.
   [[gnu::noinline]] void instruction(const machines::InstructionRecord& record) {
-    if (tracer_ != nullptr) tracer_->instruction(record);
-    if (vcd_ != nullptr) vcd_->instruction(record);
+    if constexpr (!few_observers) {
+      if (tracer_ != nullptr) tracer_->instruction(record);
+      if (vcd_ != nullptr) vcd_->instruction(record);
+    }
     if (listener_) listener_->instruction(record);
   }
   [[gnu::noinline]] void cycle(const pdp7::Cycle& cycle) {
-    if (vcd_ != nullptr) vcd_->cycle(cycle);
+    if constexpr (!few_observers) {
+      if (vcd_ != nullptr) vcd_->cycle(cycle);
+    }
     if (listener_) listener_->cycle(cycle);
   }
 

@@ -20,8 +20,8 @@
 
 namespace sightline::guests::run {
 
-// A module for browsers has each machine but twice, without an observer and with the one that hears everything: a page shows no run so
-// fast that the others would be missed, and each is a fiftieth of its size.
+// A module for browsers has no traces and no VCDs, and no machine without a display: a page shows none, and each is a hundredth of its
+// size or more.
 #if defined(__wasm__)
 inline constexpr bool few_observers = true;
 #else

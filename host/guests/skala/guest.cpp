@@ -7,8 +7,8 @@
 #include <limits>
 #include <memory>
 
-#include "emulators/machines/i8080_machine.hpp"
 #include "emulators/machines/skala_ports.hpp"
+#include "host/guests/i8080/machine.hpp"
 
 namespace sightline::guests::skala {
 
@@ -64,7 +64,7 @@ struct PortStrokes {
 // The ports of a Skala run: those of the machine, stopping it where the link says that a block of commands
 // has come or the next one is asked for, and noting every movement of a plotter. They own their sink, which
 // the devices hold by reference from construction on.
-class LinkPorts : private PortStrokes, public machines::SkalaPorts<PortStrokes> {
+class LinkPorts final : private PortStrokes, public GuestPorts, public machines::SkalaPorts<PortStrokes> {
  public:
   using Base = machines::SkalaPorts<PortStrokes>;
 
@@ -74,21 +74,15 @@ class LinkPorts : private PortStrokes, public machines::SkalaPorts<PortStrokes> 
 
   void keep_strokes(bool kept) { keep = kept; }
 
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     const std::uint8_t value = Base::in(port, at);
     if (port >= first_link_port) note(port);
     return value;
   }
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     Base::out(port, value, at);
     if (plotter_) note_movement();
   }
-  [[nodiscard]] bool stopped() const { return stopped_; }
-
-  // Nothing is wired to INT, so no device need be brought up to date but when the program touches it.
-  void advance(core::TStateInstant) {}
-  [[nodiscard]] static constexpr core::TStateInstant deadline() { return core::never_t; }
-  [[nodiscard]] static constexpr bool interrupt() { return false; }
 
   // Bytes counted from the first one of all.
   void stop_after_bytes(std::size_t count) {
@@ -154,7 +148,6 @@ class LinkPorts : private PortStrokes, public machines::SkalaPorts<PortStrokes> 
   std::size_t taken_ = 0;
   std::size_t stop_at_ = std::numeric_limits<std::size_t>::max();
   bool at_link_ = false;
-  bool stopped_ = false;
   devices::PlotterPlace place_{};
   bool pen_down_ = false;
   std::vector<PlotterMove> moves_;
@@ -215,7 +208,7 @@ class GuestMachine {
       : program_(program),
         blocks_(block_ends(stream)),
         ports_(std::make_unique<LinkPorts>(configuration_for(stream, options))),
-        machine_(*ports_, observer_) {
+        machine_(*ports_) {
     std::copy(program.memory.begin(), program.memory.end(), machine_.memory().begin());
     machine_.deposit(program.labels.link_switch, options.link == Link::serial ? 1 : 0);
     machine_.registers().pc = program.labels.start;
@@ -285,8 +278,7 @@ class GuestMachine {
   const Program& program_;
   std::vector<std::size_t> blocks_;
   std::unique_ptr<LinkPorts> ports_;  // large
-  machines::NoI8080Observer observer_;
-  machines::I8080Machine<LinkPorts> machine_;
+  GuestI8080 machine_;
   machines::I8080Limits limits_;
 };
 

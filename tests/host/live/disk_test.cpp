@@ -14,6 +14,7 @@
 
 #include "tests/host/app/command_line.hpp"
 #include "tests/host/live/disk_system.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::test {
 namespace {
@@ -98,7 +99,7 @@ TEST_F(Disk, AKilledRunLeavesAWholeImage) {
   const auto begun = std::chrono::steady_clock::now();
   static_cast<void>(sightline(words));
   const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begun);
-  for (int n = 0; n < 12; ++n) {
+  for (int n = 0; n < sightline::tests::effort(12, 4); ++n) {
     write("disk", image_);
     killed(words, whole * (70 + static_cast<int>(random() % 35)) / 100);
     const std::string now = read("disk");
