@@ -93,9 +93,18 @@ class CommandLine : public ::testing::Test {
     posix_spawn_file_actions_addopen(&actions, 0, ".stdin", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 1, stdout_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, ".stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    // A shell starts tests in the background with Ctrl-C ignored, and the command would inherit that.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    sigaddset(&defaults, SIGINT);
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     pid_t process = 0;
-    const int failed = posix_spawn(&process, words.front().c_str(), &actions, nullptr, argv.data(), environ);
+    const int failed = posix_spawn(&process, words.front().c_str(), &actions, &attributes, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     if (failed != 0) throw std::system_error(failed, std::generic_category(), "posix_spawn");
     if (interrupt_after.count() != 0) {
       std::this_thread::sleep_for(interrupt_after);
