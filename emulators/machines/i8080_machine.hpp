@@ -398,6 +398,10 @@ class I8080Machine {
   [[gnu::noinline]] void output(i8080::Byte port, i8080::Byte byte, core::TStateInstant at) {
     ports_.out(port, byte, at);
   }
+  [[nodiscard]] bool is_settled() const {
+    if constexpr (requires { ports_.settled(); }) return ports_.settled();
+    else return false;
+  }
 
   // The fetch that ends a halt still says HLTA.
   template <bool ends_of_halts = true, class Report>

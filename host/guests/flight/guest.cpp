@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "emulators/machines/flight_ports.hpp"
-#include "host/guests/i8080/machine.hpp"
+#include "host/guests/run/i8080_processor.hpp"
 
 namespace sightline::guests::flight {
 
@@ -16,7 +16,7 @@ namespace display = devices::priority_display;
 }  // namespace
 
 // Those of the machine, noting every frame and how long the program looked for the display to be free.
-class Guest::Ports final : private core::NoStrokes, public GuestPorts, public machines::FlightPorts {
+class Guest::Ports final : private core::NoStrokes, public run::I8080Ports, public machines::FlightPorts {
  public:
   Ports(const machines::FlightConfiguration& configuration, const GuestOptions& options, GuestFlight& flight)
       : FlightPorts(configuration, static_cast<core::NoStrokes&>(*this)), options_(options), flight_(flight) {}
@@ -95,7 +95,7 @@ struct Guest::Machine {
   }
 
   Ports ports;
-  GuestI8080 machine;
+  run::I8080Processor machine;
   i8080::Address status;
 };
 

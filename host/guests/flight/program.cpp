@@ -1,11 +1,11 @@
 #include "host/guests/flight/program.hpp"
 
-#include "host/guests/i8080/program.hpp"
+#include "host/guests/run/i8080_program.hpp"
 
 namespace sightline::guests::flight {
 
 Program assemble_program() {
-  const I8080Program assembled(embedded_sources(), "flight.asm", "the flight program");
+  const run::I8080Program assembled(embedded_sources(), "flight.asm", "the flight program");
   Program program;
   program.memory = assembled.memory();
   for (const auto& symbol : assembled.assembly().symbols) program.symbols.emplace(symbol.name, symbol.value);

@@ -25,6 +25,7 @@
 #include "host/guests/run/cpm.hpp"
 #include "host/guests/run/i8080_observers.hpp"
 #include "host/guests/run/i8080_ports.hpp"
+#include "host/guests/run/i8080_processor.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
@@ -84,8 +85,9 @@ class I8080Run final : public Machine {
       : setup_(std::move(setup)),
         plotter_(setup_.drawing),
         devices_(setup_.machine, plotter_),
-        ports_(devices_, setup_.hold, setup_.cpm.has_value(), setup_.strict),
-        processor_(ports_, nobody_) {
+        lines_(devices_, setup_.hold),
+        ports_(devices_, lines_, setup_.cpm.has_value(), setup_.strict),
+        processor_(ports_) {
     if (setup_.monitored) probe_.emplace(std::size_t{0x10000}, std::size_t{0x100});
     if (setup_.observed) recorder_.emplace();
     if (setup_.cpm) {
@@ -495,13 +497,13 @@ class I8080Run final : public Machine {
   I8080Setup setup_;
   PlotterTaker plotter_;
   RunDevices devices_;
+  RunLines lines_;
   RunPorts ports_;
   std::optional<I8080Recorder> recorder_;
   std::optional<Probe> probe_;
   std::optional<I8080Watcher> watcher_;
   std::uint64_t watched_version_ = 0;
-  machines::NoI8080Observer nobody_;
-  machines::I8080Machine<RunPorts> processor_;
+  I8080Processor processor_;
   std::bitset<0x10000> loaded_;
   TextTaker console_;
   std::string kept_console_;

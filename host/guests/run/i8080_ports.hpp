@@ -15,6 +15,7 @@
 #include "emulators/machines/i8080_hold.hpp"
 #include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/cpm.hpp"
+#include "host/guests/run/i8080_processor.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/stroke_log.hpp"
@@ -129,6 +130,23 @@ class PlotterTaker {
 
 using RunDevices = machines::SkalaPorts<PlotterTaker>;
 
+// What the devices do by themselves, and a board that takes the bus.
+class RunLines final : public I8080Lines {
+ public:
+  RunLines(RunDevices& devices, const machines::HoldTimes& hold) : devices_(devices), hold_(hold) {}
+
+  [[nodiscard]] core::TStateInstant deadline() const override { return devices_.deadline(); }
+  void advance(core::TStateInstant now) override { devices_.advance(now); }
+  [[nodiscard]] bool interrupt() const override { return devices_.interrupt(); }
+  [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant now) override { return devices_.acknowledge(now); }
+  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant t) const override { return hold_.next_hold(t); }
+  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant t) const override { return hold_.hold_ends(t); }
+
+ private:
+  RunDevices& devices_;
+  machines::HoldTimes hold_;
+};
+
 struct PortCall {
   std::uint8_t port;
   std::uint8_t value;
@@ -140,41 +158,36 @@ struct PortCall {
 // Ports see no registers, so a call of CP/M only ends the run at the next instruction boundary; the
 // caller then reads the registers there and continues the run. An OUT to those ports that turns out to be none of an
 // entry's is handed back to the devices.
-class RunPorts {
+class RunPorts final : public I8080Ports {
  public:
-  static constexpr bool waits = RunDevices::waits;
+  RunPorts(RunDevices& devices, I8080Lines& lines, bool cpm, bool strict)
+      : I8080Ports(&lines), devices_(devices), cpm_(cpm), strict_(strict) {}
 
-  RunPorts(RunDevices& devices, const machines::HoldTimes& hold, bool cpm, bool strict)
-      : devices_(devices), hold_(hold), cpm_(cpm), strict_(strict) {}
-
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     const std::uint64_t before = devices_.unanswered()[port].reads;
     const std::uint8_t value = devices_.in(port, at);
-    if (strict_ && devices_.unanswered()[port].reads != before) unanswered_ = true;
+    if (strict_ && devices_.unanswered()[port].reads != before) stop_unanswered();
     return value;
   }
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     if (cpm_ && port <= Cpm::last_port) {
       call_ = {port, value, at};
+      stopped_ = true;
       return;
     }
     pass_on({port, value, at});
   }
-  [[nodiscard]] core::TStateInstant deadline() const { return devices_.deadline(); }
-  void advance(core::TStateInstant now) { devices_.advance(now); }
-  [[nodiscard]] bool interrupt() const { return devices_.interrupt(); }
-  [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant now) { return devices_.acknowledge(now); }
-  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant t) const { return hold_.next_hold(t); }
-  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant t) const { return hold_.hold_ends(t); }
-  [[nodiscard]] bool stopped() const { return call_.has_value() || unanswered_; }
 
   // The OUT to a port of an entry that ended the run, once.
-  [[nodiscard]] std::optional<PortCall> take_call() { return std::exchange(call_, std::nullopt); }
+  [[nodiscard]] std::optional<PortCall> take_call() {
+    stopped_ = unanswered_;
+    return std::exchange(call_, std::nullopt);
+  }
   // An OUT as if there were no CP/M.
   void pass_on(const PortCall& call) {
     const std::uint64_t before = devices_.unanswered()[call.port].writes;
     devices_.out(call.port, call.value, call.at);
-    if (strict_ && devices_.unanswered()[call.port].writes != before) unanswered_ = true;
+    if (strict_ && devices_.unanswered()[call.port].writes != before) stop_unanswered();
   }
   // A port did not answer and the run is strict.
   [[nodiscard]] bool unanswered() const { return unanswered_; }
@@ -185,13 +198,14 @@ class RunPorts {
     devices_.visit_state(visit);
     if constexpr (Visitor::restores) {
       call_.reset();
-      unanswered_ = false;
+      stopped_ = unanswered_ = false;
     }
   }
 
  private:
+  void stop_unanswered() { stopped_ = unanswered_ = true; }
+
   RunDevices& devices_;
-  machines::HoldTimes hold_;
   std::optional<PortCall> call_;
   bool cpm_;
   bool strict_;

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "emulators/machines/skala_ports.hpp"
-#include "host/guests/i8080/machine.hpp"
+#include "host/guests/run/i8080_processor.hpp"
 
 namespace sightline::guests::skala {
 
@@ -64,7 +64,7 @@ struct PortStrokes {
 // The ports of a Skala run: those of the machine, stopping it where the link says that a block of commands
 // has come or the next one is asked for, and noting every movement of a plotter. They own their sink, which
 // the devices hold by reference from construction on.
-class LinkPorts final : private PortStrokes, public GuestPorts, public machines::SkalaPorts<PortStrokes> {
+class LinkPorts final : private PortStrokes, public run::I8080Ports, public machines::SkalaPorts<PortStrokes> {
  public:
   using Base = machines::SkalaPorts<PortStrokes>;
 
@@ -278,7 +278,7 @@ class GuestMachine {
   const Program& program_;
   std::vector<std::size_t> blocks_;
   std::unique_ptr<LinkPorts> ports_;  // large
-  GuestI8080 machine_;
+  run::I8080Processor machine_;
   machines::I8080Limits limits_;
 };
 

@@ -1,11 +1,11 @@
 #include "host/guests/skala/program.hpp"
 
-#include "host/guests/i8080/program.hpp"
+#include "host/guests/run/i8080_program.hpp"
 
 namespace sightline::guests::skala {
 
 Program assemble_program() {
-  const I8080Program assembled(embedded_sources(), "skala.asm", "the Skala program");
+  const run::I8080Program assembled(embedded_sources(), "skala.asm", "the Skala program");
   Labels labels;
   labels.start = assembled.at("START");
   labels.status = assembled.at("STATUS");

@@ -3,68 +3,32 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
-#include "emulators/machines/i8080_machine.hpp"
 #include "emulators/machines/skala_ports.hpp"
+#include "host/guests/run/i8080_processor.hpp"
 
 namespace sightline::guests::stripes {
 
-// A member of a class with linkage cannot have a type without.
-namespace watching {
+namespace {
 
-// The link, a device, and what the plotter was told. Nothing is wired to INT.
-class Ports : public machines::SkalaPorts<> {
+// The link, a device, and what the plotter was told.
+class Ports final : public run::I8080Ports, public machines::SkalaPorts<> {
  public:
   using Base = machines::SkalaPorts<>;
   Ports(const machines::SkalaConfiguration& configuration, core::NoStrokes& sink) : Base(configuration, sink) {}
 
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) {
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return Base::in(port, at); }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     if (port == plotter_port && calcomp565() != nullptr) commands.push_back(value);
     Base::out(port, value, at);
   }
-  void advance(core::TStateInstant) {}
-  [[nodiscard]] static constexpr core::TStateInstant deadline() { return core::never_t; }
-  [[nodiscard]] static constexpr bool interrupt() { return false; }
 
   std::vector<std::uint8_t> commands;
 
  private:
   static constexpr std::uint8_t plotter_port = machines::CalComp565Row::writes[0].first;
 };
-
-// When the program comes to its labels for the first time.
-class Watch {
- public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = false;
-  static constexpr bool stops = true;
-
-  explicit Watch(const Labels& labels) : places_{labels.check, labels.rank, labels.drawing} {}
-
-  struct Filter {
-    std::array<i8080::Address, 3> places;
-    [[nodiscard]] bool arrives(i8080::Address next) const {
-      return next == places[0] || next == places[1] || next == places[2];
-    }
-  };
-  [[nodiscard]] Filter filter() const { return {places_}; }
-  bool stop(core::TStateInstant now, i8080::Address next) {
-    for (std::size_t k = 0; k < places_.size(); ++k)
-      if (next == places_[k] && times[k] == core::never_t) times[k] = now;
-    return false;
-  }
-
-  std::array<core::TStateInstant, 3> times{core::never_t, core::never_t, core::never_t};
-
- private:
-  std::array<i8080::Address, 3> places_;
-};
-
-}  // namespace watching
-
-namespace {
 
 void add_faults(const devices::Ef9365Counts& counts, GuestPicture& picture) {
   const auto add = [&picture](std::string_view what, std::uint64_t count) {
@@ -101,15 +65,26 @@ GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> str
   configuration.calcomp565 = options.device == Device::calcomp;
   configuration.parallel = stream;
   core::NoStrokes sink;
-  const auto ports = std::make_unique<watching::Ports>(configuration, sink);  // large
-  watching::Watch watch(program.labels);
-  machines::I8080Machine<watching::Ports, watching::Watch> machine(*ports, watch);
+  const auto ports = std::make_unique<Ports>(configuration, sink);  // large
+  run::I8080Processor machine(*ports);
   std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
   machine.registers().pc = program.labels.start;
   machines::I8080Limits limits;
   limits.until = core::at_t_state(options.t_state_limit > 0 ? options.t_state_limit : limit_for(options));
+  // When the program comes to its labels; at the end, if it does not.
+  core::TStateInstant check = core::never_t;
+  core::TStateInstant drawing = core::never_t;
+  machines::I8080StopReason reason = machine.run_to(program.labels.check, limits);
+  if (reason == machines::I8080StopReason::observer) {
+    check = machine.now();
+    reason = machine.run_to(program.labels.drawing, limits);
+  }
+  if (reason == machines::I8080StopReason::observer) {
+    drawing = machine.now();
+    reason = machine.run(limits);
+  }
   GuestPicture picture;
-  picture.ended = machine.run(limits) == machines::I8080StopReason::halt;
+  picture.ended = reason == machines::I8080StopReason::halt;
   picture.status = static_cast<Status>(machine.peek(program.labels.status));
   picture.fault = machine.peek(program.labels.fault);
   picture.instructions = machine.instructions();
@@ -125,11 +100,10 @@ GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> str
     add_faults(plotter->counts(), picture);
   }
   picture.commands = std::move(ports->commands);
-  const auto reached = [&](std::size_t k) { return std::min(watch.times[k], end); };
-  picture.receiving = reached(0).time_since_epoch();
-  picture.ranking = reached(2) - reached(0);
-  picture.drawing = end - reached(2);
-  if (watch.times[2] != core::never_t) {
+  picture.receiving = std::min(check, end).time_since_epoch();
+  picture.ranking = std::min(drawing, end) - std::min(check, end);
+  picture.drawing = end - std::min(drawing, end);
+  if (drawing != core::never_t) {
     const auto order = machine.memory().subspan(program.labels.order, stream[header_bytes - 1]);
     picture.order.assign(order.begin(), order.end());
   }

@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "host/guests/i8080/program.hpp"
+#include "host/guests/run/i8080_program.hpp"
 
 namespace sightline::guests::stripes {
 
 Program assemble_program() {
-  const I8080Program assembled(embedded_sources(), "stripes.asm", "the program of stripes");
+  const run::I8080Program assembled(embedded_sources(), "stripes.asm", "the program of stripes");
   const auto at = [&assembled](std::string_view label) { return assembled.at(label); };
   std::vector<std::uint8_t> memory = assembled.memory();
   if (memory.size() > program_room) base::give_up("the program of stripes reaches into its data");
-  return {std::move(memory), {at("START"), at("STATUS"), at("FAULT"), at("CHECK"), at("RANKIT"), at("DRAWIT"), at("ORDER")}};
+  return {std::move(memory), {at("START"), at("STATUS"), at("FAULT"), at("CHECK"), at("DRAWIT"), at("ORDER")}};
 }
 
 }  // namespace sightline::guests::stripes

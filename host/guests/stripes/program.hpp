@@ -20,7 +20,6 @@ struct Labels {
   i8080::Address status = 0;   // why the program stopped
   i8080::Address fault = 0;    // at which face
   i8080::Address check = 0;    // CHECK: the stream is in memory
-  i8080::Address rank = 0;     // RANKIT: it is right, and the device is there
   i8080::Address drawing = 0;  // DRAWIT: the priority list is complete
   i8080::Address order = 0;    // ORDER: that list
 };

@@ -16,7 +16,7 @@
 #include "host/base/result.hpp"
 #include "tools/asm/i8080.hpp"
 
-namespace sightline::guests {
+namespace sightline::guests::run {
 
 class I8080Program {
  public:
@@ -56,4 +56,4 @@ class I8080Program {
   assembler::I8080Assembly assembly_;
 };
 
-}  // namespace sightline::guests
+}  // namespace sightline::guests::run
