@@ -7,6 +7,8 @@
 //   Filter filter() const;
 //     bool arrives(Address next) const      stop() is asked at these boundaries, and at the one after a cycle that was told
 //     bool wants(const Cycle&) const        only these are told; where the observer wants cycles
+//     bool asks_again() const               may be left out; of the PDP-7: stop() is asked at the boundary after the one at which devices
+//                                           have been attended to, too, because what they did there may have asked for a stop
 //
 // An observer that looks at registers has a value of another kind, which the run keeps, too:
 //   using Look = ...;
@@ -107,6 +109,10 @@ class Arrivals<Observer> {
   template <class Address>
   SIGHTLINE_INLINE constexpr bool operator()(Address next) const {
     return filter_.arrives(next);
+  }
+  [[nodiscard]] SIGHTLINE_INLINE constexpr bool asks_again() const {
+    if constexpr (requires { filter_.asks_again(); }) return filter_.asks_again();
+    else return false;
   }
 
  private:

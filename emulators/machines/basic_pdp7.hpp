@@ -217,7 +217,11 @@ class BasicPdp7 {
         }
         if (frame.now() >= until) return StopReason::time_limit;
         [[maybe_unused]] const core::Instant arrived = frame.now();
-        if (attend(frame, until, left)) continue;
+        const bool interrupted = attend(frame, until, left);
+        if constexpr (core::Filtered<Watcher> && !core::Looks<Watcher>) {
+          if (frame.arrives.asks_again()) frame.look_around_at(frame.now(), frame.now(), 1);
+        }
+        if (interrupted) continue;
         // What the devices have done here an observer that looks sees at the next boundary: a flag, or a word by a break, which takes time.
         if constexpr (core::Looks<Watcher>) {
           if (frame.arrives.look().looks_again([this, &frame] { return device_flags(frame.now()); }, frame.now() != arrived))

@@ -3,162 +3,85 @@
 #include <algorithm>
 #include <utility>
 
-#include "emulators/core/inline.hpp"
-#include "emulators/machines/observer.hpp"
-#include "emulators/machines/pdp7.hpp"
-#include "emulators/pdp7/bus.hpp"
+#include "host/guests/pdp7/machine.hpp"
 
 namespace sightline::guests::jones {
 
 namespace {
 
-// A machine observer that counts fetches at the program's labels, marks the cells whose words the processor
-// reads, and stops the run when a view is published.
-class Watch {
+// Counts fetches at the program's labels, notes the cells whose words the processor reads, and stops the run when a view is
+// published; while views are measured also when one begins, behind its first instruction.
+class Watch final : public GuestWatch {
  public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
   // `immediate`: a view ends when it is counted, not when its file is first shown.
   Watch(const Program& program, bool immediate);
 
-  void instruction(const machines::InstructionRecord& record);
-  void cycle(const pdp7::Cycle& cycle);
-  // The part of instruction() that looks for labels; true at the beginning of a view.
-  bool fetched(core::Instant time, pdp7::Address pc);
-  [[nodiscard]] bool is_of_cell(pdp7::Address address) const { return cell_of_[address & pdp7::in_bank_mask] >= 0; }
-  // True once after each published view, and whenever `until` says so.
-  bool stop(core::Instant now, pdp7::Address next);
+  void told(const pdp7::Cycle& cycle) override;
 
   struct View {
     core::Instant begun;
     core::Instant ended;
-    std::uint64_t instructions = 0;
-    std::uint64_t stolen_cycles = 0;
     std::uint64_t visits = 0;
     std::uint64_t openings = 0;
     std::uint64_t lines = 0;
     std::uint64_t pieces = 0;
     std::uint64_t distinct_cells = 0;
   };
+  // A view has begun, and the run stopped there; asked once.
+  [[nodiscard]] bool has_begun() { return std::exchange(begins_, false); }
   // The view that ended last.
   [[nodiscard]] const View& view() const { return view_; }
-  // Ends the run at the next boundary.
-  void request_stop() { stop_ = true; }
+  // From now on the run stops only where views end.
+  void end_measuring() { measures_ = false; }
 
  private:
+  void fetched_at(pdp7::Address pc, core::Instant time);
   void begin(core::Instant time);
   void end(core::Instant time);
 
   Labels labels_;
-  bool immediate_;
+  pdp7::Address last_written_;  // by the instruction that ends a view
+  bool measures_ = true;
+  bool begins_ = false;
   bool in_view_ = false;
-  bool stop_ = false;
   View current_;
   View view_;
   std::vector<std::int32_t> cell_of_;  // by core address: the cell whose element is there, or -1
   std::vector<bool> seen_;             // by cell
 };
 
-// The same of a run without display, which nothing else stops: only the labels' fetches, the words of cells and the ends of
-// views are told, so that the machine runs nearly as fast as alone. It stops at the beginning of a view, too, where the
-// instructions are counted from.
-class ViewWatch {
+// Keeps one pass of one display file and stops the run when it has what it waits for.
+class PassWatch final : public GuestSink {
  public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
+  explicit PassWatch(Watch& watch) : watch_(watch) {}
 
-  struct Filter {
-    const std::uint8_t* marks;
-
-    SIGHTLINE_INLINE bool arrives(pdp7::Address) const { return false; }
-    SIGHTLINE_INLINE bool wants(const pdp7::Cycle& cycle) const {
-      switch (cycle.verb) {
-        case pdp7::Verb::fetch: return (marks[cycle.address] & (is_label | is_of_cell)) != 0;
-        case pdp7::Verb::read: return (marks[cycle.address] & is_of_cell) != 0;
-        case pdp7::Verb::write: return (marks[cycle.address] & ends_when_written) != 0;
-        case pdp7::Verb::modify: return (marks[cycle.address] & ends_when_modified) != 0;
-        case pdp7::Verb::break_read:
-        case pdp7::Verb::break_write:
-        case pdp7::Verb::break_modify: return true;
-        case pdp7::Verb::interrupt:
-        case pdp7::Verb::iot:
-        case pdp7::Verb::idle: return false;
-      }
-      return true;
-    }
-  };
-
-  ViewWatch(const Program& program, bool immediate) : watch_(program, immediate), labels_(program.labels) {
-    for (const pdp7::Address label : {labels_.search, labels_.visit, labels_.opening, labels_.line, labels_.piece})
-      marks_[label] |= is_label;
-    for (std::size_t address = 0; address < marks_.size(); ++address)
-      if (watch_.is_of_cell(static_cast<pdp7::Address>(address))) marks_[address] |= is_of_cell;
-    marks_[immediate ? labels_.views : labels_.file] |= immediate ? ends_when_modified : ends_when_written;
-  }
-
-  [[nodiscard]] Filter filter() const { return {marks_.data()}; }
-  void cycle(const pdp7::Cycle& cycle) {
-    if (cycle.verb == pdp7::Verb::fetch) begins_ = watch_.fetched(cycle.time, cycle.address) || begins_;
-    watch_.cycle(cycle);
-  }
-  bool stop(core::Instant now, pdp7::Address next) { return watch_.stop(now, next) || begins_; }
-
-  // A view has begun, and the run stopped after its first instruction; asked once.
-  [[nodiscard]] bool has_begun() { return std::exchange(begins_, false); }
-  // Without `instructions`.
-  [[nodiscard]] const Watch::View& view() const { return watch_.view(); }
-
- private:
-  static constexpr std::uint8_t is_label = 1;
-  static constexpr std::uint8_t is_of_cell = 2;
-  static constexpr std::uint8_t ends_when_written = 4;
-  static constexpr std::uint8_t ends_when_modified = 8;
-
-  Watch watch_;
-  Labels labels_;
-  std::vector<std::uint8_t> marks_ = std::vector<std::uint8_t>(pdp7::address_mask + 1);
-  bool begins_ = false;
-};
-
-// A sink that keeps the passes of one display file and asks for a stop when it has what it waits for.
-class PassWatch {
- public:
-  static constexpr bool consumes = true;
-
-  // Wait for a pass that begins at or after `from`: a stop is asked for when it is complete, and again when
-  // the next pass begins.
-  void wait_from(core::Instant from, Watch& watch);
+  // Wait for a pass that begins at or after `from`: the run stops when it is complete, and again when the next pass begins.
+  void wait_from(core::Instant from) { from_ = from; }
+  // Or the strokes so far of one that has not ended. Nothing is waited for any longer.
+  [[nodiscard]] std::vector<core::Stroke> take_pass();
   // Keep every stroke from now on, for a photograph.
-  void keep_strokes() { keeping_ = true; }
+  void photograph() { keep_strokes(true); }
+  [[nodiscard]] std::vector<core::Stroke> take_photograph() { return take_strokes(); }
 
-  void begin_pass(core::Instant t);
-  void stroke(const core::Stroke& stroke);
-  void end_pass(core::Instant t);
+  void begin_pass(core::Instant t) override;
+  void end_pass(core::Instant t) override;
 
   [[nodiscard]] bool complete() const { return ended_; }
   [[nodiscard]] bool repeated() const { return next_begun_.has_value(); }
-  [[nodiscard]] const std::vector<core::Stroke>& pass() const { return pass_; }
   // From its beginning to that of the next pass; 0 while that has not begun.
   [[nodiscard]] core::Duration period() const;
-  [[nodiscard]] const std::vector<core::Stroke>& kept() const { return kept_; }
 
  private:
-  Watch* watch_ = nullptr;
+  Watch& watch_;
   core::Instant from_ = core::never;
   std::optional<core::Instant> begun_;  // of the pass waited for
   bool ended_ = false;
   std::optional<core::Instant> next_begun_;
-  bool keeping_ = false;
-  std::vector<core::Stroke> pass_;
-  std::vector<core::Stroke> kept_;
 };
 
 Watch::Watch(const Program& program, bool immediate)
     : labels_(program.labels),
-      immediate_(immediate),
+      last_written_(immediate ? labels_.views : labels_.file),
       cell_of_(core_words, -1),
       seen_(program.scene.cell_addresses.size(), false) {
   // Cell-elements follow each other; the first opening-element ends the last of them.
@@ -167,9 +90,13 @@ Watch::Watch(const Program& program, bool immediate)
     const std::uint32_t end = cell + 1 < cells.size()
                                   ? cells[cell + 1]
                                   : cells.front() + static_cast<std::uint32_t>(program.scene.cell_words);
-    for (std::uint32_t address = cells[cell]; address < end; ++address)
+    for (std::uint32_t address = cells[cell]; address < end; ++address) {
       cell_of_[address] = static_cast<std::int32_t>(cell);
+      mark(address, fetched | read);
+    }
   }
+  for (const pdp7::Address label : {labels_.search, labels_.visit, labels_.opening, labels_.line, labels_.piece}) mark(label, fetched);
+  mark(last_written_, immediate ? modified : written);
 }
 
 void Watch::begin(core::Instant time) {
@@ -177,6 +104,9 @@ void Watch::begin(core::Instant time) {
   current_ = View{};
   current_.begun = time;
   seen_.assign(seen_.size(), false);
+  if (!measures_) return;
+  begins_ = true;
+  request_stop();
 }
 
 void Watch::end(core::Instant time) {
@@ -185,81 +115,48 @@ void Watch::end(core::Instant time) {
   current_.ended = time;
   for (const bool seen : seen_) current_.distinct_cells += seen ? 1 : 0;
   view_ = current_;
-  stop_ = true;
+  request_stop();
 }
 
-void Watch::instruction(const machines::InstructionRecord& record) {
-  ++current_.instructions;
-  fetched(record.time, record.pc);
-}
-
-bool Watch::fetched(core::Instant time, pdp7::Address pc) {
+void Watch::fetched_at(pdp7::Address pc, core::Instant time) {
   if (pc == labels_.search) begin(time);
   if (pc == labels_.visit) ++current_.visits;
   if (pc == labels_.opening) ++current_.openings;
   if (pc == labels_.line) ++current_.lines;
   if (pc == labels_.piece) ++current_.pieces;
-  return pc == labels_.search;
 }
 
-void Watch::cycle(const pdp7::Cycle& cycle) {
-  switch (cycle.verb) {
-    case pdp7::Verb::fetch:
-    case pdp7::Verb::read:
-      if (const std::int32_t cell = cell_of_[cycle.address & pdp7::in_bank_mask]; cell >= 0)
-        seen_[static_cast<std::size_t>(cell)] = true;
-      break;
-    case pdp7::Verb::write:
-      if (!immediate_ && cycle.address == labels_.file) end(cycle.time + cycle.length);
-      break;
-    case pdp7::Verb::modify:
-      if (immediate_ && cycle.address == labels_.views) end(cycle.time + cycle.length);
-      break;
-    case pdp7::Verb::break_read:
-    case pdp7::Verb::break_write:
-    case pdp7::Verb::break_modify: ++current_.stolen_cycles; break;
-    case pdp7::Verb::interrupt:
-    case pdp7::Verb::iot:
-    case pdp7::Verb::idle: break;
-  }
-}
-
-bool Watch::stop(core::Instant, pdp7::Address) {
-  const bool stopping = stop_;
-  stop_ = false;
-  return stopping;
-}
-
-void PassWatch::wait_from(core::Instant from, Watch& watch) {
-  watch_ = &watch;
-  from_ = from;
-  begun_.reset();
-  ended_ = false;
-  next_begun_.reset();
-  pass_.clear();
+void Watch::told(const pdp7::Cycle& cycle) {
+  if (cycle.address == last_written_) return end(cycle.time + cycle.length);
+  if (cycle.verb == pdp7::Verb::fetch) fetched_at(cycle.address, cycle.time);
+  if (const std::int32_t cell = cell_of_[cycle.address]; cell >= 0) seen_[static_cast<std::size_t>(cell)] = true;
 }
 
 void PassWatch::begin_pass(core::Instant t) {
-  if (watch_ == nullptr || t < from_) return;
+  if (t < from_) return;
   if (!ended_) {
     begun_ = t;
-    pass_.clear();
+    forget_strokes();
+    keep_strokes(true);
     return;
   }
   if (next_begun_) return;
   next_begun_ = t;
-  watch_->request_stop();
-}
-
-void PassWatch::stroke(const core::Stroke& stroke) {
-  if (begun_ && !ended_) pass_.push_back(stroke);
-  if (keeping_) kept_.push_back(stroke);
+  watch_.request_stop();
 }
 
 void PassWatch::end_pass(core::Instant) {
   if (!begun_ || ended_) return;
   ended_ = true;
-  watch_->request_stop();
+  keep_strokes(false);
+  watch_.request_stop();
+}
+
+std::vector<core::Stroke> PassWatch::take_pass() {
+  from_ = core::never;
+  begun_.reset();
+  keep_strokes(false);
+  return take_strokes();
 }
 
 core::Duration PassWatch::period() const {
@@ -270,9 +167,7 @@ constexpr std::uint32_t stop_word = 0003000;
 // Far longer than the interrupt handler takes to start the display again.
 constexpr core::Duration longest_pause = core::milliseconds(10);
 
-template <class Machine>
-void load(Machine& machine, const Program& program, std::span<const core::Word18> core,
-          const GuestOptions& options) {
+void load(GuestPdp7& machine, const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
   deposit_core(machine, core);
   if (options.scale)
     machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(*options.scale)));
@@ -283,8 +178,7 @@ void load(Machine& machine, const Program& program, std::span<const core::Word18
 }
 
 // The file being made, which is the one just published, up to its stop word.
-template <class Machine>
-std::vector<core::Word18> display_file(const Machine& machine, const Program& program) {
+std::vector<core::Word18> display_file(const GuestPdp7& machine, const Program& program) {
   std::vector<core::Word18> words;
   pdp7::Address address = machine.peek(program.labels.file_begun).value();
   while (words.size() < program.labels.file_words) {
@@ -294,13 +188,14 @@ std::vector<core::Word18> display_file(const Machine& machine, const Program& pr
   return words;
 }
 
-template <class Machine>
-GuestView report(const Machine& machine, const Program& program, const Watch::View& watched) {
+// `begun`: when the first instruction of the view had been done. Neither that nor the last, which has just been done, is counted.
+GuestView report(const GuestPdp7& machine, const Program& program, const Watch::View& watched, const machines::Counts& begun) {
+  const machines::Counts ended = machine.counts();
   GuestView view;
   view.status = static_cast<Status>(machine.peek(program.labels.status).value());
   view.time = watched.ended - watched.begun;
-  view.instructions = watched.instructions;
-  view.stolen_cycles = watched.stolen_cycles;
+  view.instructions = ended.instructions - begun.instructions - 1;
+  view.stolen_cycles = ended.stolen_cycles - begun.stolen_cycles;
   view.visits = watched.visits;
   view.distinct_cells = watched.distinct_cells;
   view.openings_tested = watched.openings;
@@ -317,30 +212,28 @@ machines::Pdp7Options machine_for(const GuestOptions& options) {
   return machine;
 }
 
-GuestRun run_without_display(const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
-  ViewWatch watch(program, options.immediate);
-  PassWatch passes;
-  machines::Pdp7<PassWatch, ViewWatch> machine(machine_for(options), passes, watch);
-  load(machine, program, core, options);
+// The first pass through the file that has just been published, and a photograph behind it.
+void watch_display(GuestPdp7& machine, Watch& watch, PassWatch& passes, const GuestOptions& options, GuestRun& run) {
   machines::Limits limits;
   limits.until = core::Instant(options.time_limit);
-
-  GuestRun run;
-  std::uint64_t begun = 0;  // instructions before the view, its first one included
-  while (static_cast<int>(run.views.size()) < options.views && !run.timed_out) {
-    if (machine.run(limits) != machines::StopReason::observer) {
-      run.timed_out = true;
-    } else if (watch.has_begun()) {
-      begun = machine.counts().instructions;
-    } else {
-      run.views.push_back(report(machine, program, watch.view()));
-      // The one that ended the view is not counted.
-      run.views.back().instructions = machine.counts().instructions - begun - 1;
-    }
+  watch.end_measuring();
+  // The file is taken up at the next stop: the pass that begins from now on is its first.
+  passes.wait_from(machine.now());
+  while (!passes.complete() && !run.timed_out) run.timed_out = machine.run(limits) != machines::StopReason::observer;
+  // A picture of nothing is not refreshed.
+  machines::Limits soon = limits;
+  soon.until = std::min(limits.until, machine.now() + longest_pause);
+  while (!run.timed_out && !passes.repeated() && machine.run(soon) == machines::StopReason::observer) {
   }
-  run.instructions = machine.counts().instructions;
-  run.emulated = machine.now().time_since_epoch();
-  return run;
+  run.refresh_period = passes.period();
+  run.pass = passes.take_pass();
+  if (options.photograph.count() <= 0) return;
+  passes.photograph();
+  run.shutter_close = machine.now() + options.photograph;
+  limits.until = run.shutter_close;
+  while (machine.run(limits) == machines::StopReason::observer) {
+  }
+  run.photograph = passes.take_photograph();
 }
 
 }  // namespace
@@ -350,43 +243,25 @@ GuestRun run_guest(const Program& program, const GuestOptions& options) {
 }
 
 GuestRun run_guest(const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
-  if (!options.display) return run_without_display(program, core, options);
   Watch watch(program, options.immediate);
-  PassWatch passes;
-  machines::Pdp7<PassWatch, Watch> machine(machine_for(options), passes, watch);
+  PassWatch passes(watch);
+  GuestPdp7 machine(machine_for(options), passes, watch);
   load(machine, program, core, options);
   machines::Limits limits;
   limits.until = core::Instant(options.time_limit);
 
   GuestRun run;
-  for (int n = 0; n < options.views && !run.timed_out; ++n) {
+  machines::Counts begun;
+  while (static_cast<int>(run.views.size()) < options.views && !run.timed_out) {
     if (machine.run(limits) != machines::StopReason::observer) {
       run.timed_out = true;
+    } else if (watch.has_begun()) {
+      begun = machine.counts();
     } else {
-      run.views.push_back(report(machine, program, watch.view()));
+      run.views.push_back(report(machine, program, watch.view(), begun));
     }
   }
-  if (options.display && !run.timed_out) {
-    // The file just published is taken up at the next stop: the pass that begins from now on is its first.
-    passes.wait_from(machine.now(), watch);
-    while (!passes.complete() && !run.timed_out)
-      run.timed_out = machine.run(limits) != machines::StopReason::observer;
-    // A picture of nothing is not refreshed.
-    machines::Limits soon = limits;
-    soon.until = std::min(limits.until, machine.now() + longest_pause);
-    while (!run.timed_out && !passes.repeated() && machine.run(soon) == machines::StopReason::observer) {
-    }
-    run.pass = passes.pass();
-    run.refresh_period = passes.period();
-    if (options.photograph.count() > 0) {
-      passes.keep_strokes();
-      run.shutter_close = machine.now() + options.photograph;
-      limits.until = run.shutter_close;
-      while (machine.run(limits) == machines::StopReason::observer) {
-      }
-      run.photograph = passes.kept();
-    }
-  }
+  if (options.display && !run.timed_out) watch_display(machine, watch, passes, options, run);
   run.instructions = machine.counts().instructions;
   run.emulated = machine.now().time_since_epoch();
   return run;

@@ -2,9 +2,7 @@
 
 #include <utility>
 
-#include "emulators/machines/observer.hpp"
-#include "emulators/machines/pdp7.hpp"
-#include "emulators/pdp7/bus.hpp"
+#include "host/guests/pdp7/machine.hpp"
 
 namespace sightline::guests::turn {
 
@@ -12,27 +10,16 @@ namespace sightline::guests::turn {
 namespace watching {
 
 // Sees the stores that end pictures, the waiting for the display, and stores into display files.
-class Watch {
+class Watch final : public GuestWatch {
  public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
+  explicit Watch(const Labels& labels, std::uint32_t first_file, std::uint32_t file_words) : labels_(labels), file_words_(file_words) {
+    mark(labels.wait, fetched);
+    mark(labels.waited, fetched);
+    mark(labels.file, written);
+    for (pdp7::Address address = first_file; address < model_end(Memory::words_8k); ++address) mark(address, written);
+  }
 
-  explicit Watch(const Labels& labels, std::uint32_t first_file, std::uint32_t file_words)
-      : labels_(labels), first_file_(first_file), file_words_(file_words) {}
-
-  struct Filter {
-    pdp7::Address file, wait, waited, first_file;
-    [[nodiscard]] static bool arrives(pdp7::Address) { return false; }
-    [[nodiscard]] bool wants(const pdp7::Cycle& cycle) const {
-      if (cycle.verb == pdp7::Verb::fetch) return cycle.address == wait || cycle.address == waited;
-      return cycle.verb == pdp7::Verb::write &&
-             (cycle.address == file || (cycle.address >= first_file && cycle.address < model_end(Memory::words_8k)));
-    }
-  };
-  [[nodiscard]] Filter filter() const { return {labels_.file, labels_.wait, labels_.waited, first_file_}; }
-
-  void cycle(const pdp7::Cycle& cycle) {
+  void told(const pdp7::Cycle& cycle) override {
     if (cycle.verb == pdp7::Verb::fetch) {
       if (cycle.address == labels_.wait && !waits_) {
         waits_ = true;
@@ -44,13 +31,13 @@ class Watch {
     } else if (cycle.address == labels_.file) {
       published_ = cycle.data.value();
       ended_ = cycle.time + cycle.length;
-      stop_ = published_ != 0;
-      if (stop_) ++pictures_;
+      if (published_ == 0) return;
+      ++pictures_;
+      request_stop();
     } else if (inside(cycle.address, shown_) || inside(cycle.address, published_)) {
       ++torn_;
     }
   }
-  bool stop(core::Instant, pdp7::Address) { return std::exchange(stop_, false); }
 
   void pass_begins() {
     shown_ = published_;
@@ -69,9 +56,7 @@ class Watch {
   }
 
   Labels labels_;
-  std::uint32_t first_file_;
   std::uint32_t file_words_;
-  bool stop_ = false;
   bool waits_ = false;
   core::Instant wait_begun_{};
   core::Instant ended_{};
@@ -83,31 +68,30 @@ class Watch {
   std::uint64_t torn_ = 0;
 };
 
-class Sink {
+class Sink final : public GuestSink {
  public:
-  static constexpr bool consumes = true;
-
   Sink(Watch& watch, bool keeps) : watch_(watch), keeps_(keeps) {}
-  void begin_pass(core::Instant) {
+  void begin_pass(core::Instant) override {
     watch_.pass_begins();
-    keeping_ = keeps_ && watch_.pictures() != pictures_;
+    keep(keeps_ && watch_.pictures() != pictures_);
     pictures_ = watch_.pictures();
   }
-  void stroke(const core::Stroke& stroke) {
-    if (keeping_) strokes_.push_back(stroke);
-  }
-  void end_pass(core::Instant) {
-    if (keeping_) shown_.push_back({pictures_ - 1, std::exchange(strokes_, {})});
-    keeping_ = false;
+  void end_pass(core::Instant) override {
+    if (keeping_) shown_.push_back({pictures_ - 1, take_strokes()});
+    keep(false);
   }
   [[nodiscard]] std::vector<ShownPass> take() { return std::exchange(shown_, {}); }
 
  private:
+  void keep(bool keeping) {
+    keeping_ = keeping;
+    keep_strokes(keeping);
+  }
+
   Watch& watch_;
   bool keeps_;
   bool keeping_ = false;
   std::uint32_t pictures_ = 0;
-  std::vector<core::Stroke> strokes_;
   std::vector<ShownPass> shown_;
 };
 
@@ -141,7 +125,7 @@ class Guest::Machine {
   Program program_;
   watching::Watch watch_;
   watching::Sink sink_;
-  machines::Pdp7<watching::Sink, watching::Watch> machine_;
+  GuestPdp7 machine_;
   core::Instant last_{};
   bool first_ = true;
   bool halted_ = false;

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "emulators/machines/pdp7.hpp"
+#include "host/guests/pdp7/machine.hpp"
 
 namespace sightline::guests::jones {
 namespace {
@@ -18,22 +18,20 @@ struct Cell {
   [[nodiscard]] std::int32_t number() const { return word.twos_complement(); }
 };
 
-class PieceWatch {
+class PieceWatch final : public GuestWatch {
  public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
   explicit PieceWatch(const Program& program)
       : labels_(program.labels), piece_(program.symbols.at("piece") + 1) {
     constexpr std::array names{"lax", "lay", "lbx", "lby", "pax", "pay", "pbx", "pby"};
     for (std::size_t i = 0; i < names.size(); ++i) cells_[i].address = program.symbols.at(names[i]);
     cells_[pointer].address = vector_pointer;
+    for (const Cell& cell : cells_) mark(cell.address, written | modified);
+    mark(labels_.file, written | modified);
+    for (const pdp7::Address label : {labels_.search, labels_.piece, piece_}) mark(label, fetched);
   }
 
-  void cycle(const pdp7::Cycle& cycle) {
-    if (cycle.verb == pdp7::Verb::fetch) return fetched(cycle);
-    if (cycle.verb != pdp7::Verb::write && cycle.verb != pdp7::Verb::modify) return;
+  void told(const pdp7::Cycle& cycle) override {
+    if (cycle.verb == pdp7::Verb::fetch) return fetched_at(cycle.address, cycle.time);
     for (Cell& cell : cells_) {
       if (cell.address == cycle.address) cell.word = cycle.data;
     }
@@ -43,23 +41,22 @@ class PieceWatch {
     }
     if (searching_ && cycle.address == labels_.file) {
       pieces_.time = cycle.time + cycle.length - begun_;
-      stop_ = true;
+      request_stop();
     }
   }
-  bool stop(core::Instant, pdp7::Address) { return std::exchange(stop_, false); }
   [[nodiscard]] GuestPieces result() && { return std::move(pieces_); }
 
  private:
   static constexpr std::size_t last_point = 7, pointer = 8;
 
   [[nodiscard]] std::int32_t at(std::size_t cell) const { return cells_[cell].number(); }
-  void fetched(const pdp7::Cycle& cycle) {
-    if (cycle.address == labels_.search) {
-      begun_ = cycle.time;
+  void fetched_at(pdp7::Address pc, core::Instant time) {
+    if (pc == labels_.search) {
+      begun_ = time;
       searching_ = true;
     }
-    if (cycle.address == labels_.piece && searching_) pieces_.clipped.back().drawn = true;
-    if (cycle.address != piece_ || !searching_) return;
+    if (pc == labels_.piece && searching_) pieces_.clipped.back().drawn = true;
+    if (pc != piece_ || !searching_) return;
     Piece piece;
     piece.vector_address = static_cast<std::uint16_t>(cells_[pointer].word.value() & pdp7::in_bank_mask);
     piece.line = {{at(0), at(1)}, {at(2), at(3)}};
@@ -71,7 +68,6 @@ class PieceWatch {
   pdp7::Address piece_;
   std::array<Cell, 9> cells_;
   bool searching_ = false;
-  bool stop_ = false;
   core::Instant begun_{};
   GuestPieces pieces_;
 };
@@ -82,8 +78,8 @@ GuestPieces run_for_pieces(const Program& program, bool eae, std::int32_t scale)
   PieceWatch watch(program);
   machines::Pdp7Options options;
   options.configuration.model.eae = eae;
-  core::NoStrokes nobody;
-  machines::Pdp7<core::NoStrokes, PieceWatch> machine(options, nobody, watch);
+  GuestSink nobody;
+  GuestPdp7 machine(options, nobody, watch);
   deposit_core(machine, program.core);
   machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(scale)));
   machine.deposit(program.labels.clock, core::Word18(clock_off));

@@ -1,0 +1,166 @@
+// The PDP-7 of guests: what its watch is told, which strokes its sink keeps, and at which boundary a run stops.
+#include "host/guests/pdp7/machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace sightline::guests {
+namespace {
+
+class Watch final : public GuestWatch {
+ public:
+  using Told = std::pair<pdp7::Verb, pdp7::Address>;
+
+  explicit Watch(bool stops = false) : stops_(stops) {
+    mark(0101, fetched);
+    mark(0110, read | modified);
+    mark(0111, written);
+  }
+  [[nodiscard]] const std::vector<Told>& told() const { return told_; }
+
+ private:
+  void told(const pdp7::Cycle& cycle) override {
+    told_.emplace_back(cycle.verb, cycle.address);
+    if (stops_) request_stop();
+  }
+
+  bool stops_;
+  std::vector<Told> told_;
+};
+
+enum class At : std::uint8_t { nothing, begin, end };
+
+// Keeps the first pass and stops the run where it begins or ends.
+class Sink final : public GuestSink {
+ public:
+  Sink(Watch& watch, At stop) : watch_(watch), stop_(stop) {}
+  void begin_pass(core::Instant) override {
+    keep_strokes(!ended());
+    if (stop_ == At::begin) watch_.request_stop();
+  }
+  void end_pass(core::Instant t) override {
+    keep_strokes(false);
+    if (!ended()) end_ = t;
+    if (stop_ == At::end) watch_.request_stop();
+  }
+  [[nodiscard]] bool ended() const { return end_ != core::never; }
+  [[nodiscard]] core::Instant end() const { return end_; }
+  [[nodiscard]] std::vector<core::Stroke> take() { return take_strokes(); }
+
+ private:
+  Watch& watch_;
+  At stop_;
+  core::Instant end_ = core::never;
+};
+
+struct Rig {
+  explicit Rig(At stop = At::nothing, bool stops = false)
+      : watch(stops), sink(watch, stop), machine({{}, type340::Options{}}, sink, watch) {}
+
+  void load(pdp7::Address at, std::initializer_list<std::uint32_t> words) {
+    for (const std::uint32_t word : words) machine.deposit(at++, core::Word18(word));
+  }
+  // Starts the display at 200 and waits; a point, a vector of 15 flashes, a stop with its interrupt.
+  void load_display(bool interrupts) {
+    load(0, {0, 0600001});
+    load(0100, {0200120, 0700606, interrupts ? 0700042U : 0740000U, 0740000, 0600103});
+    load(0120, {0200});
+    load(0200, {0020117, 0220400, 0102400, 0600017, 0003000});
+    machine.start(0100);
+  }
+
+  Watch watch;
+  Sink sink;
+  GuestPdp7 machine;
+};
+
+constexpr machines::Limits a_second{~std::uint64_t{0}, core::at_nanoseconds(1'000'000'000)};
+
+TEST(GuestPdp7, TellsWhatIsMarked) {
+  Rig rig;
+  // LAC 110, DAC 111, ISZ 110, DAC 110, LAC 111, HLT
+  rig.load(0100, {0200110, 0040111, 0440110, 0040110, 0200111, 0740040});
+  rig.machine.start(0100);
+  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::halt);
+  EXPECT_EQ(rig.watch.told(), (std::vector<Watch::Told>{{pdp7::Verb::read, 0110},
+                                                         {pdp7::Verb::fetch, 0101},
+                                                         {pdp7::Verb::write, 0111},
+                                                         {pdp7::Verb::modify, 0110}}));
+}
+
+TEST(GuestPdp7, StopsBehindTheInstruction) {
+  Rig rig(At::nothing, true);
+  rig.load(0100, {0740000, 0740000, 0740000, 0740040});
+  rig.machine.start(0100);
+  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::observer);
+  EXPECT_EQ(rig.machine.registers().pc, 0102U);
+  EXPECT_EQ(rig.machine.counts().instructions, 2U);
+  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::halt);
+}
+
+// The last instruction of a run is told, too, where no boundary is asked about behind it.
+TEST(GuestPdp7, TellsAHalt) {
+  Rig rig(At::nothing, true);
+  rig.load(0101, {0740040});
+  rig.machine.start(0101);
+  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::halt);
+  EXPECT_EQ(rig.watch.told().size(), 1U);
+}
+
+TEST(GuestPdp7, StopsWhereAPassBegins) {
+  Rig rig(At::begin);
+  rig.load_display(false);
+  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::observer);
+  EXPECT_EQ(rig.machine.registers().pc, 0102U);
+}
+
+// The display is asked for its next word at the first boundary at or after the pass's end, and so the sink hears of the end there;
+// one instruction later, or behind the interrupt, the run stops.
+TEST(GuestPdp7, StopsBehindTheBoundaryAtWhichAPassEnds) {
+  for (const bool interrupts : {false, true}) {
+    Rig free;
+    free.load_display(interrupts);
+    EXPECT_EQ(free.machine.run(a_second), machines::StopReason::time_limit);
+    ASSERT_TRUE(free.sink.ended());
+
+    Rig rig(At::end);
+    rig.load_display(interrupts);
+    machines::Limits until_end;
+    until_end.until = free.sink.end();
+    Rig first;
+    first.load_display(interrupts);
+    EXPECT_EQ(first.machine.run(until_end), machines::StopReason::time_limit);
+
+    EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::observer);
+    EXPECT_EQ(rig.machine.now(), first.machine.now() + pdp7::machine_cycle);
+    EXPECT_EQ(rig.machine.registers().pc == 1, interrupts);
+    // Asked once.
+    EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::time_limit);
+  }
+}
+
+TEST(GuestPdp7, KeepsStrokesWhereItIsTold) {
+  Rig rig;
+  rig.load_display(false);
+  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::time_limit);
+  const auto strokes = rig.sink.take();
+  ASSERT_EQ(strokes.size(), 16U);
+  for (std::size_t n = 1; n < strokes.size(); ++n) {
+    EXPECT_GT(strokes[n].time, strokes[n - 1].time);
+    EXPECT_EQ(strokes[n].x, strokes[n - 1].x + 1);
+  }
+  EXPECT_TRUE(rig.sink.take().empty());
+  // The next pass is not kept.
+  rig.machine.start(0100);
+  machines::Limits more = a_second;
+  more.until += core::seconds(1);
+  EXPECT_EQ(rig.machine.run(more), machines::StopReason::time_limit);
+  EXPECT_TRUE(rig.sink.take().empty());
+}
+
+}  // namespace
+}  // namespace sightline::guests
