@@ -62,7 +62,7 @@ function(sightline_embed)
             "-DEMBED_FUNCTION=${ARG_FUNCTION}" "-DEMBED_FILES=${inputs}" -P "${SIGHTLINE_EMBED_SCRIPT}"
     DEPENDS ${inputs} "${SIGHTLINE_EMBED_SCRIPT}"
     COMMENT "Embedding files as ${ARG_NAMESPACE}::${ARG_FUNCTION}" VERBATIM)
-  # The caller's header adds [[nodiscard]] to the declaration: not to be read before the definition.
-  set_source_files_properties("${output}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  target_sources(${ARG_TARGET} PRIVATE "${output}")
+  # In a library of its own: a file made for a target that links libraries is made after these, and whoever links it waits.
+  add_library(${ARG_TARGET}_${ARG_FUNCTION} OBJECT "${output}")
+  target_sources(${ARG_TARGET} PRIVATE $<TARGET_OBJECTS:${ARG_TARGET}_${ARG_FUNCTION}>)
 endfunction()
