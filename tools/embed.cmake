@@ -62,7 +62,7 @@ function(sightline_embed)
             "-DEMBED_FUNCTION=${ARG_FUNCTION}" "-DEMBED_FILES=${inputs}" -P "${SIGHTLINE_EMBED_SCRIPT}"
     DEPENDS ${inputs} "${SIGHTLINE_EMBED_SCRIPT}"
     COMMENT "Embedding files as ${ARG_NAMESPACE}::${ARG_FUNCTION}" VERBATIM)
-  # In a library of its own: a file made for a target that links libraries is made after these, and whoever links it waits.
+  # In a library of its own: a generated source waits for all libraries that its target links, and each target that links this one waits for the source.
   add_library(${ARG_TARGET}_${ARG_FUNCTION} OBJECT "${output}")
   target_sources(${ARG_TARGET} PRIVATE $<TARGET_OBJECTS:${ARG_TARGET}_${ARG_FUNCTION}>)
 endfunction()

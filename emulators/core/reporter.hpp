@@ -7,8 +7,8 @@
 //   Filter filter() const;
 //     bool arrives(Address next) const      stop() is asked at these boundaries, and at the one after a cycle that was told
 //     bool wants(const Cycle&) const        only these are told; where the observer wants cycles
-//     bool asks_again() const               may be left out; of the PDP-7: stop() is asked at the boundary after the one at which devices
-//                                           have been attended to, too, because what they did there may have asked for a stop
+//     bool asks_again() const               optional, PDP-7 only; true: stop() is asked at the next boundary, too. Asked after the devices have
+//                                           been served, because a sink may have asked for a stop there
 //
 // An observer that looks at registers has a value of another kind, which the run keeps, too:
 //   using Look = ...;

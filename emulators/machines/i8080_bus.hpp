@@ -147,7 +147,7 @@ class I8080Bus {
     const i8080::Byte byte = frame_->machine->input(port, now() + third_t_state);
     report_at(begun, cycle, i8080::joined(port, port), byte);
     allowance_.pass(core::TStates(3));
-    if (!frame_->machine->is_settled()) attention();
+    if (frame_->machine->ports_want_look()) attention();
     return byte;
   }
   void out(i8080::Status cycle, i8080::Byte port, i8080::Byte byte) {
@@ -155,7 +155,7 @@ class I8080Bus {
     wait(i8080::CycleKind::output, i8080::joined(port, port));
     frame_->machine->output(port, byte, now() + third_t_state);
     allowance_.pass(core::TStates(3));
-    if (!frame_->machine->is_settled()) attention();
+    if (frame_->machine->ports_want_look()) attention();
   }
   SIGHTLINE_INLINE void internal(i8080::Byte, i8080::Byte) { allowance_.pass(core::TStates(3)); }
   SIGHTLINE_INLINE void extend(int t_states) { allowance_.pass(core::TStates(t_states)); }

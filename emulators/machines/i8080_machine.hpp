@@ -398,9 +398,9 @@ class I8080Machine {
   [[gnu::noinline]] void output(i8080::Byte port, i8080::Byte byte, core::TStateInstant at) {
     ports_.out(port, byte, at);
   }
-  [[nodiscard]] bool is_settled() const {
-    if constexpr (requires { ports_.settled(); }) return ports_.settled();
-    else return false;
+  [[nodiscard]] bool ports_want_look() const {
+    if constexpr (requires { ports_.wants_look(); }) return ports_.wants_look();
+    else return true;
   }
 
   // The fetch that ends a halt still says HLTA.

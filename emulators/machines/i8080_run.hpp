@@ -11,8 +11,8 @@
 //   bool stopped() const                               the run is to end at the next instruction boundary
 //   int wait_states(i8080::CycleKind, i8080::Address, TStateInstant)   where `waits`: TWs, READY first low in that T2
 // Ports may have
-//   bool settled() const                               the last access has changed none of deadline(), interrupt() and stopped()
-// without which each access is followed by a look at all three.
+//   bool wants_look() const                            false: the last access changed none of deadline(), interrupt() and stopped()
+// Without it each access is followed by a look at all three.
 // Times never decrease from call to call, except that advance() may name an instant that is past.
 // Ports that ask for HOLD know beforehand when; without these two the machine has no HOLD:
 //   TStateInstant next_hold(TStateInstant t) const     the first T-state at or after t in which HOLD is high, or never_t

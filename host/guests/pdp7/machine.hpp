@@ -68,7 +68,7 @@ class GuestWatch {
   }
   // Hands on what has been kept: a run that ends otherwise than by stop() may leave some.
   void tell();
-  // Ends the run: called by told(), at this boundary; by a sink, at the next one.
+  // Ends the run: called by told(), at this boundary; by a sink, at the next one. If the run ends otherwise, the next one ends where it begins.
   void request_stop() { stop_ = true; }
 
  protected:
@@ -80,14 +80,14 @@ class GuestWatch {
   static constexpr std::uint8_t fetched = 1;
   static constexpr std::uint8_t read = 2;  // not as an instruction
   static constexpr std::uint8_t written = 4;
-  static constexpr std::uint8_t modified = 8;  // one added to it
+  static constexpr std::uint8_t modified = 8;  // by ISZ or auto-index
 
   // `marks`: one or several of these.
   void mark(pdp7::Address address, std::uint8_t marks) { marks_[address & pdp7::address_mask] |= marks; }
 
  private:
   bool stop_ = false;
-  std::array<pdp7::Cycle, 64> kept_{};  // an instruction has fewer, with sixteen XCTs before it, too
+  std::array<pdp7::Cycle, 64> kept_{};  // more than one instruction has, a chain of sixteen XCTs included
   std::size_t kept_count_ = 0;
   std::vector<std::uint8_t> marks_ = std::vector<std::uint8_t>(std::size_t{pdp7::address_mask} + 1);
 };
@@ -102,7 +102,7 @@ class GuestSink {
   virtual void begin_pass(core::Instant) {}
   virtual void end_pass(core::Instant) {}
   SIGHTLINE_INLINE void stroke(const core::Stroke& stroke) { *room(1) = stroke; }
-  // What is not to be kept is overwritten by what comes next: that is less work than to leave it out.
+  // While nothing is kept, each stroke overwrites the last: that is less work than a test.
   [[nodiscard]] SIGHTLINE_INLINE core::Stroke* room(std::size_t count) {
     if (strokes_.size() - kept_ < count) [[unlikely]]
       grow(count);
@@ -125,7 +125,7 @@ class GuestSink {
 
   bool keeps_ = false;
   std::size_t kept_ = 0;
-  std::vector<core::Stroke> strokes_;  // and room for more
+  std::vector<core::Stroke> strokes_;  // the first kept_ are kept, the others are room
 };
 
 class GuestPdp7 : public machines::Pdp7<GuestSink, GuestWatch> {
@@ -133,7 +133,7 @@ class GuestPdp7 : public machines::Pdp7<GuestSink, GuestWatch> {
   // Both must outlive the machine.
   GuestPdp7(const machines::Pdp7Options& options, GuestSink& sink, GuestWatch& watch);
   ~GuestPdp7();
-  // These reach into the display and the processor.
+  // Out of line: they instantiate the processor and the display.
   void start(pdp7::Address address);
   machines::StopReason run(const machines::Limits& limits);
 

@@ -4,10 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <bitset>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,10 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/core/inline.hpp"
 #include "emulators/i8080/bus.hpp"
 #include "emulators/machines/i8080_hold.hpp"
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/i8080_run.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/cpm.hpp"
 #include "host/guests/run/i8080_observers.hpp"

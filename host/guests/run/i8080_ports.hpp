@@ -133,7 +133,8 @@ using RunDevices = machines::SkalaPorts<PlotterTaker>;
 // What the devices do by themselves, and a board that takes the bus.
 class RunLines final : public I8080Lines {
  public:
-  RunLines(RunDevices& devices, const machines::HoldTimes& hold) : devices_(devices), hold_(hold) {}
+  RunLines(RunDevices& devices, const machines::HoldTimes& hold)
+      : I8080Lines(hold.length != 0), devices_(devices), hold_(hold) {}
 
   [[nodiscard]] core::TStateInstant deadline() const override { return devices_.deadline(); }
   void advance(core::TStateInstant now) override { devices_.advance(now); }

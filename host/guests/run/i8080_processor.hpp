@@ -1,5 +1,5 @@
-// The 8080 of all that runs one here: any program, and the guests' own. A machine is compiled for its ports and for each of its observers,
-// which takes longer than all else of a guest: it is compiled once, and what is behind its ports is virtual functions.
+// The 8080 that every program here runs on, those of `sightline run` and those of the guests. A machine is compiled for its ports and for each
+// of its observers, which takes longer than all else of a guest: it is compiled once, and its ports are virtual functions.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,13 @@ namespace sightline::guests::run {
 class I8080Watcher;
 class I8080Reporter;
 
-// What may be wired to INT and HOLD, and change by itself: as emulators/machines/i8080_run.hpp asks of ports.
+// Devices that raise INT or HOLD, or change with time. The functions are those of ports in emulators/machines/i8080_run.hpp.
 class I8080Lines {
  public:
+  // False: none of them ever raises HOLD.
+  explicit I8080Lines(bool holds) : holds_(holds) {}
+  [[nodiscard]] bool holds() const { return holds_; }
+
   virtual void advance(core::TStateInstant now) = 0;
   [[nodiscard]] virtual core::TStateInstant deadline() const = 0;
   [[nodiscard]] virtual bool interrupt() const = 0;
@@ -25,6 +29,9 @@ class I8080Lines {
 
  protected:
   ~I8080Lines() = default;
+
+ private:
+  bool holds_;
 };
 
 // What is on the ports.
@@ -39,16 +46,23 @@ class I8080Ports {
   virtual void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) = 0;
   // Ends a run after the instruction that touched the ports.
   [[nodiscard]] bool stopped() const { return stopped_; }
-  [[nodiscard]] bool settled() const { return lines_ == nullptr && !stopped_; }
+  [[nodiscard]] bool wants_look() const {
+    return stopped_ || (lines_ != nullptr && (lines_->deadline() != seen_deadline_ || lines_->interrupt() != seen_interrupt_));
+  }
 
   void advance(core::TStateInstant now) {
     if (lines_ != nullptr) lines_->advance(now);
   }
-  [[nodiscard]] core::TStateInstant deadline() const { return lines_ != nullptr ? lines_->deadline() : core::never_t; }
+  // Each look of the processor at its lines ends with this.
+  [[nodiscard]] core::TStateInstant deadline() {
+    if (lines_ == nullptr) return core::never_t;
+    seen_interrupt_ = lines_->interrupt();
+    return seen_deadline_ = lines_->deadline();
+  }
   [[nodiscard]] bool interrupt() const { return lines_ != nullptr && lines_->interrupt(); }
   [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant now) { return lines_ != nullptr ? lines_->acknowledge(now) : 0xFF; }
   [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant t) const {
-    return lines_ != nullptr ? lines_->next_hold(t) : core::never_t;
+    return lines_ != nullptr && lines_->holds() ? lines_->next_hold(t) : core::never_t;
   }
   [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant t) const { return lines_ != nullptr ? lines_->hold_ends(t) : t; }
 
@@ -58,6 +72,8 @@ class I8080Ports {
 
  private:
   I8080Lines* lines_;
+  core::TStateInstant seen_deadline_{};
+  bool seen_interrupt_ = false;
 };
 
 class I8080Processor : public machines::I8080Machine<I8080Ports> {
@@ -68,7 +84,7 @@ class I8080Processor : public machines::I8080Machine<I8080Ports> {
   machines::I8080StopReason run(const machines::I8080Limits& limits);
   machines::I8080StopReason run(const machines::I8080Limits& limits, I8080Watcher& watcher);
   machines::I8080StopReason run(const machines::I8080Limits& limits, I8080Reporter& reporter);
-  // Ends with `observer` where the program comes to a place; an instruction there at which the run begins is passed over.
+  // Runs until the next instruction is at `place`, and ends with `observer`. If the run begins there, that instruction is executed first.
   machines::I8080StopReason run_to(i8080::Address place, const machines::I8080Limits& limits);
 
  private:

@@ -1,6 +1,6 @@
 // Runs the program of firmware/i8080/stripes on the emulated 8080 with its parallel link and one device, the EF9365 board or the
-// CalComp 565, and measures it: receipt, priority list, drawing. The run is stopped where labels are reached; nothing is added to
-// the program.
+// CalComp 565, and measures it: receipt, priority list, drawing. The run stops at CHECK and DRAWIT and goes on from there; nothing
+// is added to the program.
 #pragma once
 
 #include <cstdint>

@@ -208,6 +208,45 @@ TEST(I8080Machine, HoldDoesNotKeepAHaltFromEndingTheRun) {
   }
 }
 
+// INT rises with the OUT of a value, and one of another ends the run; nothing else is worth a look.
+struct QuietPorts : machines::NoI8080Ports {
+  bool high = false, stops = false;
+  std::uint8_t acknowledge(core::TStateInstant) {
+    high = false;
+    return 0xFF;
+  }
+  void out(std::uint8_t, std::uint8_t value, core::TStateInstant) {
+    high = value == 2;
+    stops = value == 3;
+  }
+  [[nodiscard]] bool interrupt() const { return high; }
+  [[nodiscard]] bool stopped() const { return stops; }
+  [[nodiscard]] bool wants_look() const { return high || stops; }
+};
+
+TEST(I8080Machine, PortsMaySayThatAnAccessIsWorthNoLook) {
+  QuietPorts ports;
+  machines::NoI8080Observer nobody;
+  machines::I8080Machine<QuietPorts> machine(ports, nobody);
+  i8080::Address at = 0;
+  // EI; IN; MVI A,1; OUT; INR A; OUT; INR A; OUT; HLT
+  for (const int byte : {0xFB, 0xDB, 0x10, 0x3E, 0x01, 0xD3, 0x10, 0x3C, 0xD3, 0x10, 0x3C, 0xD3, 0x10, 0x76})
+    machine.deposit(at++, static_cast<i8080::Byte>(byte));
+  machine.deposit(0x38, 0xC9);  // RET
+  machine.registers().sp = 0x8000;
+  EXPECT_EQ(machine.run({}), I8080StopReason::ports);
+  EXPECT_EQ(machine.registers().pc, 0x0D);
+  EXPECT_EQ(core::t_states_of(machine.now()), 4 + 10 + 7 + 10 + 5 + 10 + (11 + 10) + 5 + 10);
+  EXPECT_EQ(machine.peek(0x7FFE), 0x0A);  // the interrupt came behind the second OUT
+  ports.stops = false;
+  machines::I8080Limits limits;
+  limits.instructions = 1;
+  machine.registers().pc = 1;
+  EXPECT_EQ(machine.run(limits), I8080StopReason::instruction_limit);
+  EXPECT_EQ(machine.registers().pc, 3);
+  EXPECT_EQ(machine.run({}), I8080StopReason::ports);
+}
+
 TEST(I8080Machine, ALongHoldIsPassedOver) {
   HeldPorts ports;
   ports.times = {2'000, 4'000'000'000, 0};

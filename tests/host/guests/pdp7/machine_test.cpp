@@ -67,7 +67,7 @@ struct Rig {
   // Starts the display at 200 and waits; a point, a vector of 15 flashes, a stop with its interrupt.
   void load_display(bool interrupts) {
     load(0, {0, 0600001});
-    load(0100, {0200120, 0700606, interrupts ? 0700042U : 0740000U, 0740000, 0600103});
+    load(0100, {0200120, 0740000, 0700606, interrupts ? 0700042U : 0740000U, 0740000, 0600104});
     load(0120, {0200});
     load(0200, {0020117, 0220400, 0102400, 0600017, 0003000});
     machine.start(0100);
@@ -115,11 +115,11 @@ TEST(GuestPdp7, StopsWhereAPassBegins) {
   Rig rig(At::begin);
   rig.load_display(false);
   EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::observer);
-  EXPECT_EQ(rig.machine.registers().pc, 0102U);
+  EXPECT_EQ(rig.machine.registers().pc, 0103U);
 }
 
-// The display is asked for its next word at the first boundary at or after the pass's end, and so the sink hears of the end there;
-// one instruction later, or behind the interrupt, the run stops.
+// The display is brought up to date at the first boundary at or after the end of its pass, and so the sink hears of the end there; one
+// instruction later, or behind the interrupt, the run stops.
 TEST(GuestPdp7, StopsBehindTheBoundaryAtWhichAPassEnds) {
   for (const bool interrupts : {false, true}) {
     Rig free;
@@ -156,9 +156,11 @@ TEST(GuestPdp7, KeepsStrokesWhereItIsTold) {
   EXPECT_TRUE(rig.sink.take().empty());
   // The next pass is not kept.
   rig.machine.start(0100);
+  const auto passes = rig.machine.display()->counters().passes_started;
   machines::Limits more = a_second;
   more.until += core::seconds(1);
   EXPECT_EQ(rig.machine.run(more), machines::StopReason::time_limit);
+  EXPECT_GT(rig.machine.display()->counters().passes_started, passes);
   EXPECT_TRUE(rig.sink.take().empty());
 }
 

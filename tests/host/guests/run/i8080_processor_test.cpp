@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <vector>
 
@@ -12,11 +13,20 @@ namespace {
 
 using machines::I8080StopReason;
 
-// INT is high from the OUT of an odd byte to the acknowledge, which is given RST 7.
+// INT is high from the OUT of an odd byte, or a time after it, to the acknowledge, which is given RST 7.
 class Line final : public I8080Lines {
  public:
-  void advance(core::TStateInstant) override {}
-  [[nodiscard]] core::TStateInstant deadline() const override { return core::never_t; }
+  explicit Line(std::int64_t delay = 0) : I8080Lines(false), delay_(delay) {}
+  void start(core::TStateInstant now) {
+    rises_ = now + core::TStates(delay_);
+    advance(now);
+  }
+  void advance(core::TStateInstant now) override {
+    if (now < rises_) return;
+    high = true;
+    rises_ = core::never_t;
+  }
+  [[nodiscard]] core::TStateInstant deadline() const override { return rises_; }
   [[nodiscard]] bool interrupt() const override { return high; }
   [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant) override {
     high = false;
@@ -26,16 +36,20 @@ class Line final : public I8080Lines {
   [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant t) const override { return t; }
 
   bool high = false;
+
+ private:
+  std::int64_t delay_;
+  core::TStateInstant rises_ = core::never_t;
 };
 
 class Ports final : public I8080Ports {
  public:
   explicit Ports(Line* line = nullptr) : I8080Ports(line), line_(line) {}
   [[nodiscard]] std::uint8_t in(std::uint8_t, core::TStateInstant) override { return 0; }
-  void out(std::uint8_t, std::uint8_t value, core::TStateInstant) override {
+  void out(std::uint8_t, std::uint8_t value, core::TStateInstant at) override {
     written.push_back(value);
     stopped_ = value == stop_at;
-    if (line_ != nullptr && value % 2 != 0) line_->high = true;
+    if (line_ != nullptr && value % 2 != 0) line_->start(at);
   }
 
   std::vector<std::uint8_t> written;
@@ -89,6 +103,29 @@ TEST(I8080Processor, AnInterruptThatAnOutBringsFollowsTheOut) {
     EXPECT_EQ(processor.run({}), I8080StopReason::halt);
     EXPECT_EQ(processor.registers().pc, wired ? 0x39 : 6);
     EXPECT_EQ(now(processor), 4 + 4 + 5 + 10 + 7 + (wired ? 11 : 0));
+  }
+}
+
+// The OUT has T3 of its last cycle in T-state 22; the NOPs behind it begin in 23, 27, and so on.
+TEST(I8080Processor, AnInterruptThatAnOutBringsLaterComesInTime) {
+  for (const std::int64_t delay : {1, 4, 5, 100, 1000}) {
+    Line line(delay);
+    Ports ports(&line);
+    I8080Processor processor(ports);
+    put(processor, {0xFB, 0x00, 0x3C, 0xD3, 0x10});  // EI; NOP; INR A; OUT 10; NOPs
+    processor.deposit(0x38, 0x00);
+    processor.registers().sp = 0x8000;
+    processor.registers().pc = 0;
+    machines::I8080Limits limits;
+    limits.until = core::at_t_state(22 + delay + 1);
+    EXPECT_EQ(processor.run(limits), I8080StopReason::time_limit);
+    const std::int64_t nops = (delay + 3) / 4;  // up to the one whose last T-state finds INT high
+    EXPECT_EQ(now(processor), 23 + 4 * nops) << delay;
+    EXPECT_TRUE(processor.registers().interrupts_on);
+    limits.instructions = 1;
+    limits.until = core::never_t;
+    EXPECT_EQ(processor.run(limits), I8080StopReason::instruction_limit);
+    EXPECT_EQ(processor.registers().pc, 0x38) << delay;
   }
 }
 
