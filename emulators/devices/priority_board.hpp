@@ -90,18 +90,18 @@ class PriorityBoard {
 
  private:
   void show(core::Instant now) {
-    using Register = PriorityDisplay::Register;
-    display_.write(Register::control, PriorityDisplay::empty, now);
+    using DisplayRegister = PriorityDisplay::Register;
+    display_.write(DisplayRegister::control, PriorityDisplay::empty, now);
     for (const HostSurface& surface : surfaces_) {
-      display_.write(Register::priority, priorities_[surface.number], now);
-      display_.write(Register::colour, surface.colour, now);
-      display_.write(Register::line, surface.first_line, now);
+      display_.write(DisplayRegister::priority, priorities_[surface.number], now);
+      display_.write(DisplayRegister::colour, surface.colour, now);
+      display_.write(DisplayRegister::line, surface.first_line, now);
       for (std::uint32_t i = 0; i < surface.line_count; ++i) {
         const HostSpan span = spans_[surface.first_span + i];
-        display_.write(Register::span, std::uint32_t{span.to} << 16U | span.from, now);
+        display_.write(DisplayRegister::span, std::uint32_t{span.to} << 16U | span.from, now);
       }
     }
-    display_.write(Register::control, PriorityDisplay::show, now);
+    display_.write(DisplayRegister::control, PriorityDisplay::show, now);
     ++counts_.shows;
   }
 

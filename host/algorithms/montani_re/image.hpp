@@ -62,7 +62,7 @@ struct Ordinate {
 
 // The middle of an ordinate's bounds, and how far apart they are.
 struct Middle {
-  explicit Middle(const Ordinate& y) : y(y.middle()), spread(y.high - y.low) {}
+  explicit Middle(const Ordinate& ordinate) : y(ordinate.middle()), spread(ordinate.high - ordinate.low) {}
 
   double y;
   double spread;

@@ -15,7 +15,7 @@ class Watch final : public GuestWatch {
  public:
   using Told = std::pair<pdp7::Verb, pdp7::Address>;
 
-  explicit Watch(bool stops = false) : stops_(stops) {
+  explicit Watch(bool stops_when_told = false) : stops_(stops_when_told) {
     mark(0101, fetched);
     mark(0110, read | modified);
     mark(0111, written);
@@ -58,8 +58,8 @@ class Sink final : public GuestSink {
 };
 
 struct Rig {
-  explicit Rig(At stop = At::nothing, bool stops = false)
-      : watch(stops), sink(watch, stop), machine({{}, type340::Options{}}, sink, watch) {}
+  explicit Rig(At stop = At::nothing, bool stops_when_told = false)
+      : watch(stops_when_told), sink(watch, stop), machine({{}, type340::Options{}}, sink, watch) {}
 
   void load(pdp7::Address at, std::initializer_list<std::uint32_t> words) {
     for (const std::uint32_t word : words) machine.deposit(at++, core::Word18(word));
