@@ -193,31 +193,31 @@ std::optional<std::vector<std::uint32_t>> Debugger::places_of_conditions(const s
 }
 
 guests::run::Condition Debugger::compiled(const Expression& expression, bool is_true) const {
-  using Step = guests::run::ConditionStep;
+  using guests::run::ConditionStep;
   guests::run::Condition made;
   made.is_true = is_true;
   made.steps = expression.steps();
   made.words = expression.has_words();
   std::vector<std::string> names;
   for (const std::string& name : expression.names()) names.push_back(base::lower_case(name));
-  for (Step& step : made.steps) {
-    if (step.kind != Step::Kind::name) continue;
+  for (ConditionStep& step : made.steps) {
+    if (step.kind != ConditionStep::Kind::name) continue;
     const std::string& name = names[static_cast<std::size_t>(step.number)];
     if (const auto number = register_named(name)) {
-      step = {Step::Kind::register_value, {}, static_cast<std::int64_t>(*number)};
+      step = {ConditionStep::Kind::register_value, {}, static_cast<std::int64_t>(*number)};
       made.registers.push_back(*number);
     } else if (name == "time") {
-      step.kind = Step::Kind::time;
+      step.kind = ConditionStep::Kind::time;
       made.time = true;
     } else if (is_state(name)) {
       made.devices = true;
     } else {
       const Pair pair = *pair_named(name);
-      step = {Step::Kind::register_pair, {}, static_cast<std::int64_t>(pair.high)};
+      step = {ConditionStep::Kind::register_pair, {}, static_cast<std::int64_t>(pair.high)};
       made.registers.insert(made.registers.end(), {pair.high, pair.low});
     }
   }
-  made.steps = made.devices ? std::vector<Step>{} : guests::run::fused(made.steps);
+  made.steps = made.devices ? std::vector<ConditionStep>{} : guests::run::fused(made.steps);
   // Nothing: a name that is in no register.
   const auto place_of = [&](const Expression::Range& part) -> std::optional<guests::run::MaskedRegister> {
     const std::string& name = names[part.name];
