@@ -9,6 +9,7 @@
 
 #include "host/base/json_reader.hpp"
 #include "host/scene/check/poly_shells.hpp"
+#include "host/scene/model/file_units.hpp"
 #include "host/scene/read/json_documents.hpp"
 #include "host/scene/read/poly_import.hpp"
 #include "host/scene/read/poly_quantise.hpp"
