@@ -79,6 +79,10 @@ constexpr std::array crash_signals{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
 
 }  // namespace
 
+bool stderr_is_terminal() {
+  return isatty(STDERR_FILENO) != 0;
+}
+
 bool stdin_is_terminal() {
   return isatty(STDIN_FILENO) != 0;
 }

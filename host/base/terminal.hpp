@@ -8,8 +8,9 @@
 
 namespace sightline::base {
 
-// Whether standard input is a terminal.
+// Whether standard input, or standard error, is a terminal.
 [[nodiscard]] bool stdin_is_terminal();
+[[nodiscard]] bool stderr_is_terminal();
 
 // While it lives each key of the terminal on standard input arrives at once, unechoed and untranslated, Ctrl-C included,
 // and lines that are printed need their own carriage return. The settings are restored by its end, by a signal that

@@ -1,6 +1,7 @@
 // See dxf.hpp.
 #include "host/picture/dxf.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -44,7 +45,10 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
   put(2, "TABLES");
   put(0, "TABLE");
   put(2, "LTYPE");
-  put(70, "1");
+  const auto dash = std::max_element(drawing.layers.begin(), drawing.layers.end(),
+                                     [](const DrawingLayer& a, const DrawingLayer& b) { return a.dash < b.dash; });
+  const bool dashed = dash != drawing.layers.end() && dash->dash > 0;
+  put(70, dashed ? "2" : "1");
   put(0, "LTYPE");
   put(2, "CONTINUOUS");
   put(70, "64");
@@ -52,6 +56,18 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
   put(72, "65");
   put(73, "0");
   number(40, 0);
+  if (dashed) {
+    put(0, "LTYPE");
+    put(2, "DASHED");
+    put(70, "64");
+    put(3, "__ __ __ __");
+    put(72, "65");
+    put(73, "2");
+    const double millimetres = dash->dash * across;
+    number(40, 1.75 * millimetres);
+    number(49, millimetres);
+    number(49, -0.75 * millimetres);
+  }
   put(0, "ENDTAB");
   put(0, "TABLE");
   put(2, "LAYER");
@@ -62,7 +78,7 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
     put(70, "64");
     // 7 is black on white; then the colours of the first pens: red, yellow, green, cyan, blue, magenta.
     put(62, layer == 0 ? "7" : std::to_string(1 + (layer - 1) % 6));
-    put(6, "CONTINUOUS");
+    put(6, drawing.layers[layer].dash > 0 ? "DASHED" : "CONTINUOUS");
   }
   put(0, "ENDTAB");
   put(0, "ENDSEC");
@@ -87,6 +103,7 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
       put(0, "POLYLINE");
       put(8, name);
       put(66, "1");
+      if (drawing.layers[layer].dash > 0) put(70, "128");  // dashes go on around corners
       for (const int code : {10, 20, 30}) number(code, 0);
       for (std::uint32_t i = 0; i < line.count; ++i) {
         put(0, "VERTEX");

@@ -10,32 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "host/scene/model/face_cut.hpp"
-
 namespace sightline::picture {
 namespace {
 
 using Place = std::array<double, 2>;
 
-struct Stroke {
-  Place from{};
-  Place to{};
-
-  friend bool operator==(const Stroke&, const Stroke&) = default;
-  // Not <=>, which the arrays of libc++ 14 do not have.
-  friend bool operator<(const Stroke& a, const Stroke& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; }
-};
-
 // x and y within these.
 using Window = ImageWindow;
-
-double dot(const std::array<double, 3>& a, const scene::PolyPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double length(const scene::PolyPoint& v) {
-  return std::sqrt(dot({double(v[0]), double(v[1]), double(v[2])}, v));
-}
 
 // Cuts the part of t in [0, 1] away where from + t (to - from) is negative; false if nothing is left.
 bool cut(double from, double to, double& low, double& high) {
@@ -45,50 +26,28 @@ bool cut(double from, double to, double& low, double& high) {
   return low < high;
 }
 
-class Projection {
- public:
-  Projection(const scene::PolyScene& scene, const scene::PolyCamera& camera)
-      : scene_(scene),
-        camera_(camera),
-        lengths_{length(camera.right), length(camera.up), length(camera.forward)} {}
-
-  // The piece in a window, which must be bounded in perspective; false if nothing of it is there.
-  bool stroke(const LineEdge& edge, double low, double high, const Window& window, Stroke& result) const {
-    const std::array<double, 3> a = point(edge, low);
-    const std::array<double, 3> b = point(edge, high);
-    double t0 = 0;
-    double t1 = 1;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      // Homogeneous: x >= low w and x <= high w, w being the depth.
-      if (!cut(a[axis] - window.low[axis] * a[2], b[axis] - window.low[axis] * b[2], t0, t1)) return false;
-      if (!cut(window.high[axis] * a[2] - a[axis], window.high[axis] * b[2] - b[axis], t0, t1)) return false;
-    }
-    result = {place(a, b, t0), place(a, b, t1)};
-    return std::isfinite(result.from[0]) && std::isfinite(result.to[0]) && std::isfinite(result.from[1]) &&
-           std::isfinite(result.to[1]);
+// The line in a window, which must be bounded in perspective; false if nothing of it is there.
+bool place_in(const UnitedLine& line, const Window& window, LineStroke& stroke) {
+  const std::array<double, 3>& a = line.from;
+  const std::array<double, 3>& b = line.to;
+  double t0 = 0;
+  double t1 = 1;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    // Homogeneous: x >= low w and x <= high w, w being the depth.
+    if (!cut(a[axis] - window.low[axis] * a[2], b[axis] - window.low[axis] * b[2], t0, t1)) return false;
+    if (!cut(window.high[axis] * a[2] - a[axis], window.high[axis] * b[2] - b[axis], t0, t1)) return false;
   }
-
- private:
-  // Right, up and depth of a place on an edge; the depth is 1 without perspective.
-  [[nodiscard]] std::array<double, 3> point(const LineEdge& edge, double s) const {
-    const std::array<double, 3> from = scene::place_of(scene_, edge.from);
-    const std::array<double, 3> to = scene::place_of(scene_, edge.to);
-    std::array<double, 3> d{};
-    for (std::size_t a = 0; a < 3; ++a) d[a] = (s == 1 ? to[a] : from[a] + s * (to[a] - from[a])) - camera_.eye[a];
-    return {dot(d, camera_.right) / lengths_[0], dot(d, camera_.up) / lengths_[1],
-            camera_.perspective ? dot(d, camera_.forward) / lengths_[2] : 1};
-  }
-  [[nodiscard]] static Place place(const std::array<double, 3>& a, const std::array<double, 3>& b, double t) {
+  const auto place = [&](double t) -> Place {
     std::array<double, 3> p = t == 1 ? b : a;
     if (t != 0 && t != 1)
       for (std::size_t i = 0; i < 3; ++i) p[i] = a[i] + t * (b[i] - a[i]);
     return {p[0] / p[2], p[1] / p[2]};
-  }
-
-  const scene::PolyScene& scene_;
-  const scene::PolyCamera& camera_;
-  std::array<double, 3> lengths_;
-};
+  };
+  stroke = {place(t0), place(t1), line.layer, line.first_source, line.source_count};
+  if (stroke.to < stroke.from) std::swap(stroke.from, stroke.to);
+  return stroke.from != stroke.to && std::isfinite(stroke.from[0]) && std::isfinite(stroke.to[0]) &&
+         std::isfinite(stroke.from[1]) && std::isfinite(stroke.to[1]);
+}
 
 Window square(double half) {
   return {{-half, -half}, {half, half}};
@@ -99,41 +58,17 @@ double half_extent(double degrees) {
   return std::tan(degrees * pi / 360);
 }
 
-std::vector<Stroke> strokes_of(const LinePicture& picture, const Projection& projection,
-                               const Window& window) {
-  std::vector<Stroke> strokes;
-  strokes.reserve(picture.pieces.size());
-  for (const LinePiece& piece : picture.pieces) {
-    Stroke stroke;
-    if (projection.stroke(piece.edge, piece.low.to_double(), piece.high.to_double(), window, stroke))
-      strokes.push_back(stroke);
-  }
-  return strokes;
-}
-
-// What of whole edges, ascending as a picture's are, the picture has not.
-std::vector<Stroke> hidden_strokes(const LinePicture& edges, const LinePicture& picture,
-                                   const Projection& projection, const Window& window) {
-  std::vector<Stroke> strokes;
-  auto seen = picture.pieces.begin();
-  for (const LinePiece& whole : edges.pieces) {
-    double low = 0;
-    const auto add = [&](double high) {
-      Stroke stroke;
-      if (low < high && projection.stroke(whole.edge, low, high, window, stroke)) strokes.push_back(stroke);
-    };
-    while (seen != picture.pieces.end() && seen->edge < whole.edge) ++seen;
-    for (; seen != picture.pieces.end() && seen->edge == whole.edge; ++seen) {
-      add(seen->low.to_double());
-      low = seen->high.to_double();
-    }
-    add(1);
-  }
+std::vector<LineStroke> strokes_of(const UnitedLines& lines, const Window& window) {
+  std::vector<LineStroke> strokes;
+  strokes.reserve(lines.lines.size());
+  LineStroke stroke;
+  for (const UnitedLine& line : lines.lines)
+    if (place_in(line, window, stroke)) strokes.push_back(stroke);
   return strokes;
 }
 
 // The wanted extent, or that of the strokes, made as wide or as high as the field is.
-Window framed(const std::vector<Stroke>& strokes, const DrawingField& field, bool perspective) {
+Window framed(const std::vector<LineStroke>& strokes, const DrawingField& field, bool perspective) {
   const double shorter = std::min(field.width, field.height);
   if (field.extent) {
     const double half = perspective ? half_extent(*field.extent) : *field.extent / 2;
@@ -142,7 +77,7 @@ Window framed(const std::vector<Stroke>& strokes, const DrawingField& field, boo
   }
   if (strokes.empty()) return square(1);
   Window bounds{strokes.front().from, strokes.front().from};
-  for (const Stroke& stroke : strokes) {
+  for (const LineStroke& stroke : strokes) {
     for (const Place& p : {stroke.from, stroke.to}) {
       for (std::size_t a = 0; a < 2; ++a) {
         bounds.low[a] = std::min(bounds.low[a], p[a]);
@@ -163,10 +98,9 @@ Window framed(const std::vector<Stroke>& strokes, const DrawingField& field, boo
 }
 
 // Whether the image is wider than can be fitted, beyond which all of it would be corners.
-bool beyond(const LinePicture& picture, const Projection& projection) {
-  const std::vector<Stroke> strokes = strokes_of(picture, projection, square(1e9));
+bool beyond(const std::vector<LineStroke>& strokes) {
   const double half = half_extent(widest_fitted_angle);
-  return std::any_of(strokes.begin(), strokes.end(), [half](const Stroke& stroke) {
+  return std::any_of(strokes.begin(), strokes.end(), [half](const LineStroke& stroke) {
     return std::max({std::abs(stroke.from[0]), std::abs(stroke.from[1]), std::abs(stroke.to[0]),
                      std::abs(stroke.to[1])}) > half;
   });
@@ -178,7 +112,7 @@ struct Meetings {
   std::vector<std::uint32_t> starts;    // of the ends at each place
   std::vector<std::uint32_t> place_of;  // of each end
 
-  explicit Meetings(const std::vector<Stroke>& strokes) : place_of(2 * strokes.size()) {
+  explicit Meetings(std::span<const LineStroke> strokes) : place_of(2 * strokes.size()) {
     const auto at = [&strokes](std::uint32_t end) -> const Place& {
       return end % 2 == 0 ? strokes[end / 2].from : strokes[end / 2].to;
     };
@@ -197,14 +131,11 @@ struct Meetings {
 
 class Pen {
  public:
-  Pen(VectorDrawing& drawing, const Window& window) : drawing_(drawing), window_(window) {}
+  Pen(VectorDrawing& drawing, const Window& window, const DrawingField& field)
+      : drawing_(drawing), window_(window), field_(field) {}
 
   // Each stroke is continued with the first of those left that begins or ends where it ends.
-  void lines(std::vector<Stroke> strokes, std::uint32_t layer) {
-    for (Stroke& stroke : strokes)
-      if (stroke.to < stroke.from) std::swap(stroke.from, stroke.to);
-    std::sort(strokes.begin(), strokes.end());
-    strokes.erase(std::unique(strokes.begin(), strokes.end()), strokes.end());
+  void lines(std::span<const LineStroke> strokes, std::uint32_t layer) {
     const Meetings meetings(strokes);
     std::vector<std::uint32_t> next(meetings.starts.begin(), meetings.starts.end() - 1);  // of each place
     std::vector<bool> drawn(strokes.size(), false);
@@ -229,101 +160,155 @@ class Pen {
     }
   }
 
-  // A dash, a gap of three quarters of it; each stroke begins and ends with a dash.
-  void dashes(const std::vector<Stroke>& strokes, std::uint32_t layer, double dash) {
-    constexpr double gap = 0.75;
-    for (const Stroke& stroke : strokes) {
-      const double size = std::hypot(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]) * scale();
-      const double periods = std::min(std::floor((size / dash + gap) / (1 + gap) + 0.5), 1e4);
-      const double count = std::max(periods, 1.0);
-      const double step = 1 / (count * (1 + gap) - gap);  // one dash, as a share of the stroke
-      for (int i = 0; i < static_cast<int>(count); ++i) {
-        const double from = i * (1 + gap) * step;
-        begin(layer);
-        add(between(stroke, from));
-        add(between(stroke, std::min(from + step, 1.0)));
-      }
+  // Dashes are measured from end to end of each stroke.
+  void dashed(std::span<const LineStroke> strokes, std::uint32_t layer) {
+    for (const LineStroke& stroke : strokes) {
+      begin(layer);
+      add(stroke.from);
+      add(stroke.to);
     }
   }
 
  private:
-  [[nodiscard]] double scale() const { return drawing_.width / (window_.high[0] - window_.low[0]); }
-  static Place between(const Stroke& stroke, double t) {
-    return {stroke.from[0] + t * (stroke.to[0] - stroke.from[0]),
-            stroke.from[1] + t * (stroke.to[1] - stroke.from[1])};
-  }
   void begin(std::uint32_t layer) {
     drawing_.lines.push_back({layer, static_cast<std::uint32_t>(drawing_.points.size()), 0});
   }
   void add(const Place& p) {
-    const double x = std::clamp((p[0] - window_.low[0]) * scale(), 0.0, drawing_.width);
-    const double y = std::clamp((p[1] - window_.low[1]) * scale(), 0.0, drawing_.height);
-    drawing_.points.push_back({static_cast<float>(x), static_cast<float>(y)});
+    const std::array<double, 2> at = window_.in_field(p, field_);
+    drawing_.points.push_back({static_cast<float>(at[0]), static_cast<float>(at[1])});
     ++drawing_.lines.back().count;
   }
 
   VectorDrawing& drawing_;
   const Window& window_;
+  const DrawingField& field_;
 };
 
-}  // namespace
+// The layers of a drawing: each begins a label that the one before it does not have.
+std::vector<std::uint32_t> drawing_layers(std::span<const LineLayer> layers) {
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const bool begins = i > 0 && layers[i].label != layers[i - 1].label;
+    numbers.push_back(i == 0 ? 0 : numbers.back() + (begins ? 1 : 0));
+  }
+  return numbers;
+}
 
-namespace {
-
-LinePicture together(std::span<const LineLayer> layers) {
-  LinePicture all;
-  for (const LineLayer& layer : layers)
-    all.pieces.insert(all.pieces.end(), layer.picture.pieces.begin(), layer.picture.pieces.end());
-  if (layers.size() == 1) return all;
-  std::sort(all.pieces.begin(), all.pieces.end(), [](const LinePiece& a, const LinePiece& b) {
-    return a.edge == b.edge ? a.low < b.low : a.edge < b.edge;
-  });
-  return all;
+// See DrawingField::min_length. A line goes on through a place where just two strokes meet, if both are of one layer of the
+// drawing.
+void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer> layers, const Window& window,
+                     const DrawingField& field) {
+  const std::vector<std::uint32_t> numbers = drawing_layers(layers);
+  const Meetings meetings(strokes);
+  const auto ends_at = [&](std::uint32_t place) { return meetings.starts[place + 1] - meetings.starts[place]; };
+  const double unit = window.units(field);
+  std::vector<bool> known(strokes.size(), false);
+  std::vector<bool> left_out(strokes.size(), false);
+  std::vector<std::uint32_t> line;
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
+    if (known[i]) continue;
+    known[i] = true;
+    line = {i};
+    bool is_free = false;
+    for (const std::uint32_t side : {0U, 1U}) {
+      std::uint32_t end = 2 * i + side;  // where the line goes on
+      while (true) {
+        const std::uint32_t place = meetings.place_of[end];
+        if (ends_at(place) == 1) is_free = true;
+        if (ends_at(place) != 2) break;
+        const std::uint32_t first = meetings.ends[meetings.starts[place]];
+        const std::uint32_t other = first == end ? meetings.ends[meetings.starts[place] + 1] : first;
+        if (known[other / 2] || numbers[strokes[other / 2].layer] != numbers[strokes[i].layer]) break;
+        known[other / 2] = true;
+        line.push_back(other / 2);
+        end = other ^ 1U;
+      }
+    }
+    double length = 0;
+    for (const std::uint32_t s : line)
+      length += std::hypot(strokes[s].to[0] - strokes[s].from[0], strokes[s].to[1] - strokes[s].from[1]) * unit;
+    if (is_free && length < field.min_length)
+      for (const std::uint32_t s : line) left_out[s] = true;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+    if (!left_out[i]) strokes[kept++] = strokes[i];
+  strokes.resize(kept);
 }
 
 }  // namespace
 
-ImageWindow drawing_window(std::span<const LineLayer> layers, const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                           const DrawingField& field, const LinePicture* edges) {
-  const Projection projection(scene, camera);
+std::array<double, 2> ImageWindow::in_field(const std::array<double, 2>& place, const DrawingField& field) const {
+  const double unit = units(field);
+  return {std::clamp((place[0] - low[0]) * unit, 0.0, field.width), std::clamp((place[1] - low[1]) * unit, 0.0, field.height)};
+}
+
+ImageWindow drawing_window(const UnitedLines& lines, const scene::PolyCamera& camera, const DrawingField& field) {
   DrawingField settled = field;
-  const LinePicture seen = together(layers);
-  const LinePicture& widest = edges != nullptr ? *edges : seen;
-  if (!field.extent && camera.perspective && beyond(widest, projection)) settled.extent = usual_angle;
   constexpr double everything = 1e9;  // more than any image of coordinates below 2^18 without perspective
-  const Window window = square(camera.perspective ? half_extent(widest_fitted_angle) : everything);
-  return framed(settled.extent ? std::vector<Stroke>() : strokes_of(widest, projection, window), settled,
-                camera.perspective);
+  std::vector<LineStroke> strokes;
+  if (!field.extent) strokes = strokes_of(lines, square(everything));
+  if (!field.extent && camera.perspective && beyond(strokes)) settled.extent = usual_angle;
+  return framed(strokes, settled, camera.perspective);
 }
 
-VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                           const DrawingField& field, const LinePicture* edges) {
-  return line_drawing(layers, scene, camera, field, drawing_window(layers, scene, camera, field, edges), edges);
+std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window,
+                                   const DrawingField& field) {
+  // The window's own rounding clips nothing: what is beyond it by less is placed on its border.
+  ImageWindow wider = window;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const double slack = 1e-9 * (window.high[a] - window.low[a]) + 1e-14 * std::max(-window.low[a], window.high[a]);
+    wider.low[a] -= slack;
+    wider.high[a] += slack;
+  }
+  std::vector<LineStroke> strokes = strokes_of(lines, wider);
+  std::sort(strokes.begin(), strokes.end(), [](const LineStroke& a, const LineStroke& b) {
+    if (a.layer != b.layer) return a.layer < b.layer;
+    // Not <=>, which the arrays of libc++ 14 do not have.
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
+  if (field.min_length > 0) leave_out_short(strokes, layers, window, field);
+  return strokes;
 }
 
-VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                           const DrawingField& field, const ImageWindow& window, const LinePicture* edges) {
-  const Projection projection(scene, camera);
+VectorDrawing line_drawing(std::span<const LineStroke> strokes, std::span<const LineLayer> layers, const ImageWindow& window,
+                           const DrawingField& field) {
   VectorDrawing drawing;
   drawing.width = field.width;
   drawing.height = field.height;
-  Pen pen(drawing, window);
-  for (const LineLayer& layer : layers) {
-    pen.lines(strokes_of(layer.picture, projection, window), static_cast<std::uint32_t>(drawing.layers.size()));
-    drawing.layers.push_back({layer.label, layer.colour});
-  }
-  if (edges != nullptr) {
-    pen.dashes(hidden_strokes(*edges, together(layers), projection, window), static_cast<std::uint32_t>(drawing.layers.size()),
-               field.dash);
-    drawing.layers.push_back({std::string(dashed_layer), {150, 150, 150}});
+  const std::vector<std::uint32_t> numbers = drawing_layers(layers);
+  Pen pen(drawing, window, field);
+  auto begin = strokes.begin();
+  for (std::size_t i = 0; i < layers.size();) {
+    const std::uint32_t number = numbers[i];
+    drawing.layers.push_back({layers[i].label, layers[i].colour, layers[i].hidden ? field.dash : 0});
+    const bool hidden = layers[i].hidden;
+    while (i < layers.size() && numbers[i] == number) ++i;
+    const auto end = std::find_if(begin, strokes.end(), [i](const LineStroke& stroke) { return stroke.layer >= i; });
+    std::vector<LineStroke> of_layer(begin, end);
+    std::sort(of_layer.begin(), of_layer.end(),
+              [](const LineStroke& a, const LineStroke& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
+    hidden ? pen.dashed(of_layer, number) : pen.lines(of_layer, number);
+    begin = end;
   }
   return drawing;
 }
 
-VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene,
-                           const scene::PolyCamera& camera, const DrawingField& field, const LinePicture* edges) {
+VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                           const DrawingField& field) {
+  const UnitedLines lines = united_lines(layers, scene, camera);
+  const ImageWindow window = drawing_window(lines, camera, field);
+  return line_drawing(strokes_in(lines, layers, window, field), layers, window, field);
+}
+
+VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                           const DrawingField& field) {
   const LineLayer layer{"visible", picture};
-  return line_drawing({&layer, 1}, scene, camera, field, edges);
+  return line_drawing({&layer, 1}, scene, camera, field);
+}
+
+LineLayer hidden_layer(LinePicture picture, std::string kind) {
+  return {"hidden", std::move(picture), {150, 150, 150}, std::move(kind), true};
 }
 
 LinePicture wire_frame(const scene::PolyScene& scene) {

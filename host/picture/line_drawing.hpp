@@ -1,16 +1,19 @@
-// An exact line picture as a drawing: projected, cut to a window, pieces that follow each other joined to
-// lines, parts that are hidden as dashes.
+// An exact line picture as a drawing: lines that coincide united, projected, cut to a window, lines that follow each other
+// joined, hidden ones as a layer of dashed lines.
 //
-// The camera's image (see PolyCamera) is placed undistorted in the middle of the drawing's field. Only here
-// do exact parameters become real coordinates. Lines that coincide are drawn once where both their ends do.
+// In three steps, which a caller may take one by one: united_lines (line_union.hpp) gives each stretch of the image once;
+// drawing_window chooses what is shown; strokes_in places the stretches in it. line_drawing joins strokes to lines.
+// The camera's image (see PolyCamera) is placed undistorted in the middle of the drawing's field.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
+#include <vector>
 
 #include "host/picture/line_picture.hpp"
+#include "host/picture/line_union.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -28,37 +31,46 @@ struct DrawingField {
   // widest_fitted_angle, it is cut to usual_angle.
   std::optional<double> extent;
   double dash = 2;  // of hidden lines, and the gap after it three quarters of that
-};
-
-// Lines of one layer of a drawing.
-struct LineLayer {
-  std::string label;
-  LinePicture picture;
-  Colour colour = {};  // black
+  // Lines shorter than this are left out, unless both of their ends meet other lines: then they close a gap.
+  double min_length = 0;
 };
 
 // The part of the image that a drawing shows; it is as wide and as high as the drawing.
 struct ImageWindow {
   std::array<double, 2> low{};
   std::array<double, 2> high{};
+
+  // Units of the field for one of the image.
+  [[nodiscard]] double units(const DrawingField& field) const { return field.width / (high[0] - low[0]); }
+  // Where a place of the image lies in the field, in its unit from the bottom left.
+  [[nodiscard]] std::array<double, 2> in_field(const std::array<double, 2>& place, const DrawingField& field) const;
 };
 
-// Of pictures of this scene from this camera, which share no piece: a layer each. With `edges`, whole edges from
-// parameter 0 to 1, the last layer is what of them is before the eye and in none of the pictures.
+// A straight line of a drawing: a stretch of the image that is drawn once.
+struct LineStroke {
+  std::array<double, 2> from{};  // in the image; the lower of both ends, by x and then by y
+  std::array<double, 2> to{};
+  std::uint32_t layer = 0;         // of the layers that were united
+  std::uint32_t first_source = 0;  // of UnitedLines::sources
+  std::uint32_t source_count = 0;
+};
+
+[[nodiscard]] ImageWindow drawing_window(const UnitedLines& lines, const scene::PolyCamera& camera, const DrawingField& field);
+// By layer, and then ascending. A stroke on the border of the window is in it as a whole.
+[[nodiscard]] std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const LineLayer> layers,
+                                                 const ImageWindow& window, const DrawingField& field);
+[[nodiscard]] VectorDrawing line_drawing(std::span<const LineStroke> strokes, std::span<const LineLayer> layers,
+                                         const ImageWindow& window, const DrawingField& field);
+
+// All steps: pictures of this scene from this camera, which share no piece of an edge.
 [[nodiscard]] VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
-                                         const scene::PolyCamera& camera, const DrawingField& field,
-                                         const LinePicture* edges = nullptr);
-// The window that such a drawing has, and a drawing with a window.
-[[nodiscard]] ImageWindow drawing_window(std::span<const LineLayer> layers, const scene::PolyScene& scene,
-                                         const scene::PolyCamera& camera, const DrawingField& field,
-                                         const LinePicture* edges = nullptr);
-[[nodiscard]] VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
-                                         const scene::PolyCamera& camera, const DrawingField& field,
-                                         const ImageWindow& window, const LinePicture* edges = nullptr);
+                                         const scene::PolyCamera& camera, const DrawingField& field);
 // With one layer, "visible".
 [[nodiscard]] VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene,
-                                         const scene::PolyCamera& camera, const DrawingField& field,
-                                         const LinePicture* edges = nullptr);
+                                         const scene::PolyCamera& camera, const DrawingField& field);
+
+// The layer of hidden lines.
+[[nodiscard]] LineLayer hidden_layer(LinePicture picture, std::string kind = {});
 
 // Every edge whole, hidden or not: what a wire frame shows.
 [[nodiscard]] LinePicture wire_frame(const scene::PolyScene& scene);

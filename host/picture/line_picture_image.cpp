@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <cstdint>
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
@@ -26,10 +26,10 @@ Int128 along(std::int64_t a, std::int64_t b, const Rational& s) {
   return Int128{a} * (s.denominator() - s.numerator()) + Int128{b} * s.numerator();
 }
 
-ImageRatio reduced(Int128 numerator, Int128 denominator) {
-  if (denominator == 0) return {sign(numerator), 0};
-  const Int128 divisor = geometry::common_divisor(numerator, denominator);
-  return {numerator / divisor, denominator / divisor};
+ImageRatio reduced(const ImageRatio& ratio) {
+  if (ratio.denominator == 0) return ratio;
+  const Int128 divisor = geometry::common_divisor(ratio.numerator, ratio.denominator);
+  return {ratio.numerator / divisor, ratio.denominator / divisor};
 }
 
 // One edge as the camera has it: right, up and forward of both ends.
@@ -47,37 +47,24 @@ struct EdgeImage {
   [[nodiscard]] Int128 at(std::size_t axis, const Rational& s) const {
     return along(ends[0][axis], ends[1][axis], s);
   }
-};
 
-std::array<std::int64_t, 4> line_of(const LineEdge& edge, const scene::PolyScene& scene,
-                                    const scene::PolyCamera& camera) {
-  const scene::PolyPoint& a = scene.vertices[edge.from];
-  const scene::PolyPoint& b = scene.vertices[edge.to];
-  const Vector normal = camera.perspective ? cross(difference(a, camera.eye), difference(b, camera.eye))
-                                           : cross(difference(b, a), vector_of(camera.forward));
-  std::array<std::int64_t, 4> line{normal[0], normal[1], normal[2],
-                                   camera.perspective ? 0 : dot(normal, vector_of(a))};
-  std::int64_t divisor = 0;
-  for (const std::int64_t part : line) divisor = std::gcd(divisor, part);
-  if (divisor == 0) return line;
-  const auto leading = std::find_if(line.begin(), line.end(), [](std::int64_t part) { return part != 0; });
-  if (*leading < 0) divisor = -divisor;
-  for (std::int64_t& part : line) part /= divisor;
-  return line;
-}
+  [[nodiscard]] ImageRatio ratio(std::size_t axis, const Rational& s, bool perspective) const {
+    const Int128 numerator = at(axis, s);
+    const Int128 denominator = perspective ? at(2, s) : Int128{s.denominator()};
+    return denominator == 0 ? ImageRatio{sign(numerator), 0} : ImageRatio{numerator, denominator};
+  }
+};
 
 ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
                         const scene::PolyCamera& camera) {
   ImageSegment segment;
-  segment.line = line_of(piece.edge, scene, camera);
+  segment.line = image_line(piece.edge, scene, camera);
   const EdgeImage image(piece.edge, scene, camera);
   const Vector& a = image.ends[0];
   const Vector& b = image.ends[1];
   const bool upright = camera.perspective ? Int128{a[0]} * b[2] == Int128{b[0]} * a[2] : a[0] == b[0];
   const std::size_t axis = upright ? 1 : 0;
-  const auto ratio = [&](const Rational& s) {
-    return reduced(image.at(axis, s), camera.perspective ? image.at(2, s) : Int128{s.denominator()});
-  };
+  const auto ratio = [&](const Rational& s) { return reduced(image.ratio(axis, s, camera.perspective)); };
   segment.low = ratio(piece.low);
   segment.high = ratio(piece.high);
   if (compare(segment.low, segment.high) > 0) std::swap(segment.low, segment.high);
@@ -85,6 +72,30 @@ ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
 }
 
 }  // namespace
+
+std::array<std::int64_t, 4> image_line(const LineEdge& edge, const scene::PolyScene& scene,
+                                       const scene::PolyCamera& camera) {
+  const scene::PolyPoint& a = scene.vertices[edge.from];
+  const scene::PolyPoint& b = scene.vertices[edge.to];
+  const Vector normal = camera.perspective ? cross(difference(a, camera.eye), difference(b, camera.eye))
+                                           : cross(difference(b, a), vector_of(camera.forward));
+  std::array<std::int64_t, 4> line{normal[0], normal[1], normal[2],
+                                   camera.perspective ? 0 : dot(normal, vector_of(a))};
+  std::uint64_t common = 0;
+  for (const std::int64_t part : line)
+    if (common != 1) common = geometry::common_divisor(common, static_cast<std::uint64_t>(part < 0 ? -part : part));
+  if (common == 0) return line;
+  auto divisor = static_cast<std::int64_t>(common);
+  const auto leading = std::find_if(line.begin(), line.end(), [](std::int64_t part) { return part != 0; });
+  if (*leading < 0) divisor = -divisor;
+  for (std::int64_t& part : line) part /= divisor;
+  return line;
+}
+
+ImageRatio image_coordinate(const LineEdge& edge, const Rational& parameter, std::size_t axis, const scene::PolyScene& scene,
+                            const scene::PolyCamera& camera) {
+  return EdgeImage(edge, scene, camera).ratio(axis, parameter, camera.perspective);
+}
 
 int compare(const ImageRatio& a, const ImageRatio& b) {
   if (a.denominator == 0 || b.denominator == 0) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -46,6 +47,14 @@ struct ImageSet {
 
   friend bool operator==(const ImageSet&, const ImageSet&) = default;
 };
+
+// The line of the image on which an edge lies, as ImageSegment::line; all zero if the edge is seen as a point.
+[[nodiscard]] std::array<std::int64_t, 4> image_line(const LineEdge& edge, const scene::PolyScene& scene,
+                                                     const scene::PolyCamera& camera);
+// Where the point of an edge with this parameter lies along right (axis 0) or up (1), as ImageSegment::low, but not in lowest
+// terms.
+[[nodiscard]] ImageRatio image_coordinate(const LineEdge& edge, const geometry::Rational& parameter, std::size_t axis,
+                                          const scene::PolyScene& scene, const scene::PolyCamera& camera);
 
 // The picture is one of these vertices under this camera; pieces whose image is a point are left out.
 [[nodiscard]] ImageSet image_set(const LinePicture& picture, const scene::PolyScene& scene,

@@ -553,7 +553,7 @@ VectorDrawing in_pen_order(const VectorDrawing& drawing, const Paper& paper, con
     }
     Joins joins(places, lines);
     joins.join(options.join, options.join);
-    if (drawing.layers[layer].label != dashed_layer) joins.join(options.min_gap, std::max(options.min_gap / 8, options.join));
+    if (drawing.layers[layer].dash == 0) joins.join(options.min_gap, std::max(options.min_gap / 8, options.join));
     lines = joins.result();
     for (Corners& line : lines) line = straightened(line, places, options.straight);
     for (const std::uint32_t begun : Tour(places, lines, pen).run()) {

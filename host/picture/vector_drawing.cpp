@@ -133,6 +133,36 @@ std::string svg_of(const VectorDrawing& drawing, const Paper& paper, const std::
   return DrawingSvg(drawing, paper, title).write();
 }
 
+VectorDrawing with_dashes(const VectorDrawing& drawing) {
+  VectorDrawing result = drawing;
+  const auto dashed = [&](const DrawingLine& line) { return drawing.layers[line.layer].dash > 0; };
+  if (std::none_of(drawing.lines.begin(), drawing.lines.end(), dashed)) return result;
+  result.lines.clear();
+  constexpr double gap = 0.75;
+  for (const DrawingLine& line : drawing.lines) {
+    if (!dashed(line)) {
+      result.lines.push_back(line);
+      continue;
+    }
+    for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
+      const DrawingPoint a = drawing.points[i - 1];
+      const DrawingPoint b = drawing.points[i];
+      const double across = double{b.x} - a.x;
+      const double up = double{b.y} - a.y;
+      const double size = std::hypot(across, up) / drawing.layers[line.layer].dash;
+      const double count = std::clamp(std::floor((size + gap) / (1 + gap) + 0.5), 1.0, 1e4);
+      const double step = 1 / (count * (1 + gap) - gap);  // one dash, as a share of the line
+      for (int n = 0; n < static_cast<int>(count); ++n) {
+        const double from = n * (1 + gap) * step;
+        result.lines.push_back({line.layer, static_cast<std::uint32_t>(result.points.size()), 2});
+        for (const double t : {from, std::min(from + step, 1.0)})
+          result.points.push_back({static_cast<float>(a.x + t * across), static_cast<float>(a.y + t * up)});
+      }
+    }
+  }
+  return result;
+}
+
 VectorDrawing with_margin(VectorDrawing drawing, const Paper& paper) {
   const double across = drawing.width / (paper.width - 2 * paper.margin);  // units of a millimetre
   const double up = drawing.height / (paper.height - 2 * paper.margin);

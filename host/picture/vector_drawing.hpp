@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "host/picture/image.hpp"
@@ -28,10 +27,8 @@ struct DrawingPoint {
 struct DrawingLayer {
   std::string label;
   Colour colour;
+  double dash = 0;  // in the drawing's unit, the gap after it three quarters of that; 0: its lines are solid
 };
-
-// The label of a layer of dashes, whose gaps mean something.
-inline constexpr std::string_view dashed_layer = "hidden";
 
 // `count` points from `first` on; a line of one point is a dot.
 struct DrawingLine {
@@ -91,6 +88,9 @@ struct ImageSize {
   double pen = 1.2;
 };
 [[nodiscard]] Image image_of(const VectorDrawing& drawing, const ImageSize& size);
+
+// Lines of dashed layers as dashes, each straight part of a line from end to end; for what draws no dashes by itself.
+[[nodiscard]] VectorDrawing with_dashes(const VectorDrawing& drawing);
 
 // The same drawing with the paper's margin around it, for an image of the whole sheet.
 [[nodiscard]] VectorDrawing with_margin(VectorDrawing drawing, const Paper& paper);

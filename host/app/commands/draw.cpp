@@ -20,11 +20,13 @@
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/draw_view.hpp"
 #include "host/app/edge_options.hpp"
+#include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
+#include "host/base/terminal.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/face_shades.hpp"
 #include "host/picture/line_drawing.hpp"
@@ -142,6 +144,8 @@ struct DrawLinesArguments {
   LineViewOptions view;
   std::string hatch;  // "ANGLE,SPACING"
   std::string light;  // "X,Y,Z"
+  double min_length = 0;
+  std::string strokes;  // a file
   int turntable = 1;
   bool go_on = false;
   bool json = false;
@@ -153,6 +157,7 @@ struct DrawLinesArguments {
 picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format) {
   picture::DrawingField field;
   field.extent = arguments.field;
+  field.min_length = arguments.min_length;
   if (format == DrawingFormat::png && !arguments.output.is_sheet()) {
     constexpr double pixels_per_unit = 4;
     field.width = arguments.output.image.width / pixels_per_unit;
@@ -214,6 +219,7 @@ Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& fil
                 {"edges", drawn.edges ? *drawn.edges : picture::edges_of(source.scene).size()},
                 {"pieces", drawn.view.picture.pieces.size()},
                 {"pieces_drawn", drawn.pieces},
+                {"strokes", drawn.strokes},
                 {"visible_length", drawn.visible_length},
                 {"counts", counts}};
   if (drawn.by_kind) {
@@ -240,6 +246,12 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
     throw Failure(ExitCode::usage, fmt::format("--output: found - with {}, expected a file",
                                                arguments.json ? "--json" : "--turntable"));
+  const bool on_paper = format != DrawingFormat::png || arguments.output.is_sheet();
+  if (!on_paper)
+    for (const char* option : {"--strokes", "--min-length"}) refuse_option(arguments.output, option, "--size, or a name that does not end in .png");
+  if (arguments.strokes == "-" && arguments.turntable > 1)
+    throw Failure(ExitCode::usage, "--strokes: found - with --turntable, expected a file");
+  if (!arguments.strokes.empty()) arguments.view.strokes_margin = arguments.output.paper.margin;
   check_edges(arguments.view.edges);
   read_hatching(arguments);
   if (arguments.view.layers.empty())
@@ -264,25 +276,44 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     }
   }
   std::optional<LineViews> views;
-  base::ProgressLine line;
+  std::optional<base::ProgressLine> line(std::in_place);
   Json documents = Json::array();
+  std::size_t strokes_drawn = 0;
+  double length_drawn = 0;
   for (int i = 0; i < arguments.turntable; ++i) {
     AimedCamera camera = aimed;
     camera.camera = cameras[static_cast<std::size_t>(i)];
-    if (arguments.turntable > 1) line.show(fmt::format("view {} of {}", i + 1, arguments.turntable));
+    if (arguments.turntable > 1) line->show(fmt::format("view {} of {}", i + 1, arguments.turntable));
     DrawOutput output = arguments.output;
     output.file = numbered(arguments.output.file, i + 1, arguments.turntable);
-    Output file(output.file);
+    const std::string strokes_name = arguments.strokes.empty() ? "" : numbered(arguments.strokes, i + 1, arguments.turntable);
+    std::optional<Output> file;
+    std::optional<Output> strokes;
+    const std::array outputs{NamedOutput{&output.file, &file}, NamedOutput{&strokes_name, &strokes}};
+    static_cast<void>(open_outputs(outputs, arguments.json, "-: named by --output and --strokes"));
     std::optional<base::ProgressClock> clock;
     if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
     if (!views) views.emplace(algorithm, source, arguments.view);
     const DrawnView drawn = views->at(camera.camera, field_of(arguments, format));
     clock.reset();
-    const auto plot = write_drawing(drawn.drawing, output, format, source.name, file);
+    const auto plot = write_drawing(drawn.drawing, output, format, source.name, *file);
+    if (strokes) {
+      strokes->write(std::string_view(drawn.strokes_text));
+      strokes->commit();
+    }
+    strokes_drawn += drawn.strokes;
+    length_drawn += drawn.drawn_length;
     if (!arguments.json) continue;
     Json document = summary_of(algorithm, output.file, source, camera, drawn);
     if (plot) document["plot"] = *plot;
     documents.push_back(std::move(document));
+  }
+  line.reset();
+  if (base::stderr_is_terminal()) {
+    std::string summary = fmt::format("{}: {} strokes", arguments.output.file, strokes_drawn);
+    if (on_paper) summary += fmt::format(", {:.3g} m", length_drawn / 1000);
+    if (arguments.turntable > 1) summary += fmt::format(", {} drawings", arguments.turntable);
+    complain(summary);
   }
   if (arguments.json) print_json(arguments.turntable == 1 ? documents[0] : documents);
   return ExitCode::ok;
@@ -321,6 +352,13 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
         .needs(hatch)
         .group("Hatching");
   }
+  command
+      .option("--min-length", arguments->min_length,
+              "Leave out lines shorter than this on the paper, in mm, unless they join two others: stray ticks on smooth meshes")
+      .range(0.0, 1000.0)
+      .default_value()
+      .value("MM")
+      .group("Edges");
   add_mesh_options(command, arguments->mesh);
   if (algorithm.mesh_time.seconds > 0) add_go_on_option(command, arguments->go_on);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
@@ -334,6 +372,11 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
         .range(1U, 1024U)
         .default_value()
         .value("N");
+  command
+      .option("--strokes", arguments->strokes,
+              "Also write each straight line of the drawing as a line of JSON: its ends on the paper in mm from the bottom left, its "
+              "kind, its layer, its edges and faces")
+      .value("FILE");
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }

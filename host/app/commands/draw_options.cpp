@@ -285,15 +285,18 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, con
   if (found.lines.empty() && found.facets.empty())
     warn(fmt::format("{}: the drawing is empty, nothing is in view", output.file));
   if (format == DrawingFormat::png) {
-    const auto bytes = picture::encode_png(image_of(output.is_sheet() ? with_margin(found, output.paper) : found, output.image),
+    const picture::VectorDrawing dashed = with_dashes(found);
+    const auto bytes = picture::encode_png(image_of(output.is_sheet() ? with_margin(dashed, output.paper) : dashed, output.image),
                                            {{"Title", title}, {"Software", "sightline"}});
     if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
     file.write(std::span<const std::uint8_t>(*bytes));
     file.commit();
     return std::nullopt;
   }
+  // DXF has dashed lines of its own.
+  const picture::VectorDrawing lines = format == DrawingFormat::dxf ? found : with_dashes(found);
   const picture::VectorDrawing drawing =
-      output.as_found ? found : in_pen_order(found, output.paper, {.min_gap = output.min_gap});
+      output.as_found ? lines : in_pen_order(lines, output.paper, {.min_gap = output.min_gap});
   std::optional<double> seconds;
   switch (format) {
     case DrawingFormat::png: break;

@@ -5,15 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "host/app/command_line.hpp"
+#include "host/base/json.hpp"
 #include "host/picture/hatching.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/line_picture_image.hpp"
+#include "host/picture/line_union.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/edge_table.hpp"
+#include "host/scene/model/file_units.hpp"
 
 namespace sightline::app {
 
@@ -23,47 +29,72 @@ using picture::LineLayer;
 using picture::LinePicture;
 using picture::LinePiece;
 
-// Layers of one kind each.
-std::vector<LineLayer> layers_by_kind(const LinePicture& drawn, const picture::ChosenEdges& chosen) {
-  std::vector<LineLayer> layers;
-  for (const std::string_view name : picture::edge_kind_names) layers.push_back({std::string(name), {}});
-  std::size_t edge = 0;
-  for (const LinePiece& piece : drawn.pieces) {
-    while (chosen.edges[edge] < piece.edge) ++edge;
-    layers[static_cast<std::size_t>(chosen.kinds[edge])].picture.pieces.push_back(piece);
-  }
-  return layers;
-}
-
 // Pens that are easily distinguished on white paper.
 constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
 
-// A layer for each body. An edge of several is the first one's, and so is a line in which two cross.
-std::vector<LineLayer> layers_by_body(const LinePicture& drawn, const scene::PolyScene& scene) {
-  std::vector<LineLayer> layers;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const std::string& name = scene.bodies[b].name;
-    layers.push_back({name.empty() ? fmt::format("body {}", b + 1) : name, {}, body_colours[b % body_colours.size()]});
+// The body of each edge of a picture, asked for in ascending order. An edge of several is the first one's, and so is a line in
+// which two cross.
+class BodyOfEdge {
+ public:
+  explicit BodyOfEdge(const scene::PolyScene& scene) : scene_(scene), firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
+
+  [[nodiscard]] std::size_t operator()(const picture::LineEdge& edge) {
+    const auto number_of = [this](std::size_t e) { return picture::LineEdge{edges_[e].low, edges_[e].high}; };
+    while (edge_ < edges_.size() && number_of(edge_) < edge) ++edge_;
+    if (edge_ < edges_.size() && number_of(edge_) == edge) return body_of(edges_.uses(edge_).front().face);
+    return body_of(scene_.crossings[(edge.from - scene_.crossings.front().from) / 2].face_a);
   }
-  const std::vector<std::uint32_t> firsts = scene::first_face_numbers(scene);
-  const auto body_of = [&firsts](std::uint32_t face) {
-    return static_cast<std::size_t>(std::upper_bound(firsts.begin(), firsts.end(), face + 1) - firsts.begin()) - 1;
-  };
-  const scene::EdgeTable edges(scene);
-  std::size_t edge = 0;
-  std::size_t crossing = 0;
-  for (const LinePiece& piece : drawn.pieces) {
-    while (edge < edges.size() && picture::LineEdge{edges[edge].low, edges[edge].high} < piece.edge) ++edge;
-    if (edge < edges.size() && picture::LineEdge{edges[edge].low, edges[edge].high} == piece.edge) {
-      layers[body_of(edges.uses(edge).front().face)].picture.pieces.push_back(piece);
-      continue;
+
+ private:
+  [[nodiscard]] std::size_t body_of(std::uint32_t face) const {
+    return static_cast<std::size_t>(std::upper_bound(firsts_.begin(), firsts_.end(), face + 1) - firsts_.begin()) - 1;
+  }
+
+  const scene::PolyScene& scene_;
+  std::vector<std::uint32_t> firsts_;
+  scene::EdgeTable edges_;
+  std::size_t edge_ = 0;
+};
+
+// Edges as text knows them: by their ends in the unit of the file, those of crossings rounded to the grid, and with their faces.
+class EdgesInFile {
+ public:
+  explicit EdgesInFile(const scene::PolyScene& scene) : scene_(scene), edges_(scene) {}
+
+  // Members "edges" and "faces".
+  void add(std::span<const picture::LineEdge> edges, base::Json& line) const {
+    base::Json ends = base::Json::array();
+    std::set<std::uint32_t> faces;
+    for (const picture::LineEdge& edge : edges) {
+      ends.push_back(base::Json::array({scene::file_point(scene_, scene_.vertices[edge.from]),
+                                        scene::file_point(scene_, scene_.vertices[edge.to])}));
+      if (!scene_.crossings.empty() && edge.from >= scene_.crossings.front().from) {
+        const scene::PolyCrossing& crossing = scene_.crossings[(edge.from - scene_.crossings.front().from) / 2];
+        faces.insert({crossing.face_a + 1, crossing.face_b + 1});
+      } else {
+        for (const scene::EdgeTable::Use& use : edges_.uses(number_of(edge))) faces.insert(use.face + 1);
+      }
     }
-    while (crossing < scene.crossings.size() && scene.crossings[crossing].from < piece.edge.from) ++crossing;
-    if (crossing < scene.crossings.size()) layers[body_of(scene.crossings[crossing].face_a)].picture.pieces.push_back(piece);
+    line["edges"] = ends;
+    line["faces"] = faces;
   }
-  return layers;
-}
+
+ private:
+  [[nodiscard]] std::size_t number_of(const picture::LineEdge& edge) const {
+    std::size_t low = 0;
+    std::size_t high = edges_.size();
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (picture::LineEdge{edges_[middle].low, edges_[middle].high} < edge) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  const scene::PolyScene& scene_;
+  scene::EdgeTable edges_;
+};
 
 std::array<double, 3> length_one(const scene::PolyPoint& p) {
   const double size = std::sqrt(double(p[0]) * p[0] + double(p[1]) * p[1] + double(p[2]) * p[2]);
@@ -95,6 +126,8 @@ class LineViews::Work {
     } else if (!seams_) {
       if (const auto choice = edge_choice_of(options.edges, scene())) chooser_.emplace(scene(), *choice);
     }
+    chosen_by_user_ = chooser_.has_value();
+    if (options.strokes_margin && !chooser_) chooser_.emplace(scene(), *picture::edge_choice_named("all"));
     if (const auto reason = algorithm.why_not(scene()))
       throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
     prepared_ = source.decomposition && algorithm.prepare_cells != nullptr
@@ -108,39 +141,28 @@ class LineViews::Work {
                                                      source_.name, algorithm_.name, *reason));
     }
     DrawnView result;
-    LinePicture whole = options_.hidden ? whole_edges() : LinePicture();
-    std::vector<LineLayer> layers;
-    if (chooser_) {
-      const picture::ChosenEdges chosen = chooser_->at(camera);
-      result.view = value_of(view_of(prepared_, camera, chosen), source_.name);
-      result.edges = chosen.edges.size();
-      result.by_kind = chosen.counts();
-      whole = picture::only(whole, chosen);
-      LinePicture drawn = result.view.picture;
-      if (seams_) {
-        drawn = without_seams(drawn, camera);
-        whole = without_seams(whole, camera);
-      }
-      layers = options_.layers == "body"                                   ? layers_by_body(drawn, scene())
-               : options_.layers == "kind" && (!seams_ || has_crossings()) ? seams_ ? apart(drawn) : layers_by_kind(drawn, chosen)
-                                                                           : std::vector<LineLayer>{{"visible", drawn}};
-    } else {
-      result.view = value_of(prepared_.view(camera), source_.name);
-      LinePicture drawn = seams_ ? picture::without_seams(result.view.picture, scene(), camera) : result.view.picture;
-      if (seams_) whole = picture::without_seams(whole, scene(), camera);
-      if (options_.layers == "body") {
-        layers = layers_by_body(drawn, scene());
-      } else {
-        layers.push_back({"visible", std::move(drawn)});
-      }
+    std::optional<picture::ChosenEdges> chosen;
+    if (chooser_) chosen = chooser_->at(camera);
+    result.view = value_of(chosen ? view_of(prepared_, camera, *chosen) : prepared_.view(camera), source_.name);
+    if (chosen && chosen_by_user_) {
+      result.edges = chosen->edges.size();
+      result.by_kind = chosen->counts();
     }
-    for (const LineLayer& layer : layers) result.pieces += layer.picture.pieces.size();
     result.visible_length = picture::image_length(result.view.picture, scene(), camera);
-    const LinePicture* const edges = options_.hidden ? &whole : nullptr;
+    LinePicture drawn = seams_ ? without_seams(result.view.picture, camera) : result.view.picture;
+    result.pieces = drawn.pieces.size();
+    std::vector<LineLayer> layers = divided(drawn, chosen, false);
+    std::vector<LineLayer> hidden;
+    if (options_.hidden) {
+      LinePicture whole = chosen ? picture::only(whole_edges(), *chosen) : whole_edges();
+      if (seams_) whole = without_seams(whole, camera);
+      hidden = divided(picture::hidden_pieces(whole, drawn), chosen, true);
+    }
     if (!options_.hatch) {
-      result.drawing = picture::line_drawing(layers, scene(), camera, field, edges);
+      add_all(layers, hidden);
+      draw(layers, scene(), camera, field, std::nullopt, result);
     } else {
-      add_hatching(camera, field, std::move(layers), edges, result);
+      add_hatching(camera, field, std::move(layers), std::move(hidden), result);
     }
     return result;
   }
@@ -179,6 +201,7 @@ class LineViews::Work {
 
   // Seams are between faces; lines in which faces cross are none.
   [[nodiscard]] LinePicture without_seams(LinePicture picture, const scene::PolyCamera& camera) const {
+    if (!has_crossings()) return picture::without_seams(picture, scene(), camera);
     const auto crossings = picture.pieces.begin() + static_cast<std::ptrdiff_t>(first_crossing(picture));
     const std::vector<LinePiece> kept(crossings, picture.pieces.end());
     picture.pieces.erase(crossings, picture.pieces.end());
@@ -187,23 +210,97 @@ class LineViews::Work {
     return result;
   }
 
-  // Edges and crossings as layers.
-  [[nodiscard]] std::vector<LineLayer> apart(const LinePicture& picture) const {
-    const auto crossings = picture.pieces.begin() + static_cast<std::ptrdiff_t>(first_crossing(picture));
-    return {{"visible", {{picture.pieces.begin(), crossings}}}, {"intersection", {{crossings, picture.pieces.end()}}}};
+  // A picture as layers: by body if that is asked for, and by kind where the kinds are known; of kinds that share a label those
+  // before others keep what they have in common. Hidden lines are one layer of a drawing.
+  [[nodiscard]] std::vector<LineLayer> divided(const LinePicture& picture, const std::optional<picture::ChosenEdges>& chosen,
+                                               bool hidden) const {
+    const std::size_t kinds = chosen ? picture::edge_kind_count : 1;
+    const bool by_body = options_.layers == "body" && !hidden;
+    std::vector<LineLayer> layers;
+    for (std::size_t b = 0; b < (by_body ? scene().bodies.size() : 1); ++b) {
+      for (std::size_t k = 0; k < kinds; ++k) {
+        LineLayer layer = hidden ? picture::hidden_layer({}) : LineLayer{"visible", {}};
+        if (chosen) layer.kind = picture::edge_kind_names[k];
+        if (by_body) {
+          const std::string& name = scene().bodies[b].name;
+          layer.label = name.empty() ? fmt::format("body {}", b + 1) : name;
+          layer.colour = body_colours[b % body_colours.size()];
+        } else if (!hidden && options_.layers == "kind" && chosen && (!seams_ || is_intersection(k))) {
+          layer.label = layer.kind;
+        }
+        layers.push_back(std::move(layer));
+      }
+    }
+    std::optional<BodyOfEdge> body_of;
+    if (by_body) body_of.emplace(scene());
+    std::size_t edge = 0;
+    for (const LinePiece& piece : picture.pieces) {
+      std::size_t layer = by_body ? (*body_of)(piece.edge) * kinds : 0;
+      if (chosen) {
+        while (chosen->edges[edge] < piece.edge) ++edge;
+        layer += static_cast<std::size_t>(chosen->kinds[edge]);
+      }
+      layers[layer].picture.pieces.push_back(piece);
+    }
+    if (seams_ && chosen && !by_body) {
+      // One layer of the drawing for all but crossings.
+      const auto crossings = std::find_if(layers.begin(), layers.end(), [](const LineLayer& layer) {
+        return layer.kind == picture::edge_kind_names[static_cast<std::size_t>(picture::EdgeKind::intersection)];
+      });
+      std::rotate(crossings, crossings + 1, layers.end());
+    }
+    return layers;
+  }
+
+  static bool is_intersection(std::size_t kind) { return kind == static_cast<std::size_t>(picture::EdgeKind::intersection); }
+
+  static void add_all(std::vector<LineLayer>& layers, std::vector<LineLayer>& more) {
+    layers.insert(layers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
+
+  // Into a window if one is given. The layers' pictures are given up.
+  void draw(std::vector<LineLayer>& layers, const scene::PolyScene& of, const scene::PolyCamera& camera,
+            const picture::DrawingField& field, const std::optional<picture::ImageWindow>& given, DrawnView& result) const {
+    const picture::UnitedLines lines = picture::united_lines(layers, of, camera);
+    for (LineLayer& layer : layers) layer.picture = {};
+    const picture::ImageWindow window = given ? *given : picture::drawing_window(lines, camera, field);
+    const std::vector<picture::LineStroke> strokes = picture::strokes_in(lines, layers, window, field);
+    result.strokes = strokes.size();
+    for (const picture::LineStroke& stroke : strokes)
+      result.drawn_length += std::hypot(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
+    result.drawn_length *= window.units(field);
+    result.drawing = picture::line_drawing(strokes, layers, window, field);
+    if (!options_.strokes_margin) return;
+    const EdgesInFile edges(of);
+    for (const picture::LineStroke& stroke : strokes) {
+      const LineLayer& layer = layers[stroke.layer];
+      const auto on_paper = [&](const std::array<double, 2>& end) {
+        base::Json point = base::Json::array();
+        constexpr double parts = 1e6;  // finer than any file of a drawing
+        for (const double c : window.in_field(end, field))
+          point.push_back(std::round((c + *options_.strokes_margin) * parts) / parts);
+        return point;
+      };
+      base::Json line{{"from", on_paper(stroke.from)}, {"to", on_paper(stroke.to)}, {"kind", layer.kind}, {"layer", layer.label},
+                      {"hidden", layer.hidden}};
+      edges.add({lines.sources.data() + stroke.first_source, stroke.source_count}, line);
+      result.strokes_text += line.dump() + "\n";
+    }
   }
 
   void add_hatching(const scene::PolyCamera& camera, const picture::DrawingField& field, std::vector<LineLayer> layers,
-                    const LinePicture* edges, DrawnView& result) const {
-    const picture::ImageWindow window = picture::drawing_window(layers, scene(), camera, field, edges);
-    const double units = field.width / (window.high[0] - window.low[0]);
+                    std::vector<LineLayer> hidden, DrawnView& result) const {
+    std::vector<LineLayer> edges = layers;
+    edges.insert(edges.end(), hidden.begin(), hidden.end());
+    const picture::ImageWindow window = picture::drawing_window(picture::united_lines(edges, scene(), camera), camera, field);
+    const double units = window.units(field);
     const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing,
                                        options_.hatch->light.value_or(usual_light(camera))};
     const picture::Hatching hatching = value_of(picture::hatched(scene(), camera, window, units, wanted), "--hatch");
     const registry::PreparedScene lines = prepared(hatching.scene);
     const registry::LineView seen = value_of(view_of(lines, camera, hatching.lines), source_.name);
-    LineLayer along{"hatching", {}};
-    LineLayer across{"cross-hatching", {}};
+    LineLayer along{"hatching", {}, {}, "hatching"};
+    LineLayer across{"cross-hatching", {}, {}, "cross-hatching"};
     std::size_t line = 0;
     for (const LinePiece& piece : seen.picture.pieces) {
       while (hatching.lines.edges[line] < piece.edge) ++line;
@@ -213,13 +310,15 @@ class LineViews::Work {
     result.hatch_pieces = seen.picture.pieces.size();
     layers.push_back(std::move(along));
     layers.push_back(std::move(across));
-    result.drawing = picture::line_drawing(layers, hatching.scene, camera, field, window, edges);
+    add_all(layers, hidden);
+    draw(layers, hatching.scene, camera, field, window, result);
   }
 
   const registry::LineAlgorithm& algorithm_;
   const scene::LoadedScene& source_;
   LineViewOptions options_;
   std::optional<scene::PolyScene> own_scene_;  // with crossings
+  bool chosen_by_user_ = false;
   bool seams_ = false;                         // are left out: of a scene that is no mesh, and of which nothing is asked
   std::optional<picture::EdgeChooser> chooser_;
   registry::PreparedScene prepared_;

@@ -29,6 +29,8 @@ struct LineViewOptions {
     std::optional<std::array<double, 3>> light = {};
   };
   std::optional<Hatch> hatch = {};
+  // Strokes as text are wanted, their ends this far from the bottom left of the field's surroundings.
+  std::optional<double> strokes_margin = {};
   unsigned jobs = 1;  // threads for a view, of an algorithm that can use more than one
 };
 
@@ -41,6 +43,11 @@ struct DrawnView {
   double visible_length = 0;    // of `view`, see picture::image_length
   std::size_t hatch_lines = 0;  // before any was hidden
   std::size_t hatch_pieces = 0;
+  std::size_t strokes = 0;      // straight lines of the drawing, each stretch of paper once
+  double drawn_length = 0;      // of all of them, in the unit of the field
+  // If wanted: JSON, one line for each stroke. Its ends; its kind and layer; the edges that it comes from, by their ends in the
+  // unit of the file; the numbers of the faces at these.
+  std::string strokes_text;
   picture::VectorDrawing drawing;
 };
 

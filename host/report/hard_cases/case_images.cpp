@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/vector_drawing.hpp"
@@ -32,12 +33,13 @@ picture::Image image_of(const picture::VectorDrawing& drawing) {
 
 picture::Image lines_image(const picture::LinePicture& lines, const scene::PolyScene& scene, const scene::PolyCamera& camera,
                            std::optional<double> extent) {
-  const picture::LinePicture edges = picture::wire_frame(scene);
   picture::DrawingField field;
   field.dash = 3;
   field.extent = extent;
   if (!extent && camera.perspective) field.extent = picture::usual_angle;
-  return image_of(picture::line_drawing(lines, scene, camera, field, extent ? nullptr : &edges));
+  std::vector<picture::LineLayer> layers{{"visible", lines}};
+  if (!extent) layers.push_back(picture::hidden_layer(picture::hidden_pieces(picture::wire_frame(scene), lines)));
+  return image_of(picture::with_dashes(picture::line_drawing(layers, scene, camera, field)));
 }
 
 picture::Image screen_image(const std::vector<picture::DrawnPiece>& pieces) {
