@@ -94,7 +94,8 @@ TEST(LineDrawing, HiddenPartsAreDashedFromEndToEnd) {
   seen.pieces[0].high = geometry::Rational(1, 2);
   DrawingField f = field(100, 100);
   f.dash = 2;
-  const VectorDrawing drawing = line_drawing(seen, scene, {}, f, &edges);
+  const std::array layers{LineLayer{"visible", seen}, hidden_layer(hidden_pieces(edges, seen))};
+  const VectorDrawing drawing = with_dashes(line_drawing(layers, scene, {}, f));
   ASSERT_EQ(drawing.layers.size(), 2U);
   EXPECT_EQ(count_in(drawing, 0), 1U);
   // 3 sides of 100 with about 29 dashes of 2 and gaps of 1.5, and half a side.

@@ -143,7 +143,7 @@ TEST(PenOrder, LinesThatMeetAreJoinedTheStraightestFirst) {
 
 TEST(PenOrder, ShortGapsAreDrawnOnlyWhenAskedAndNeverThoseOfDashes) {
   VectorDrawing drawing = sheet();
-  drawing.layers.push_back({std::string(dashed_layer), {150, 150, 150}});
+  drawing.layers.push_back({"hidden", {150, 150, 150}, 2});
   for (std::uint32_t layer = 0; layer < 2; ++layer)
     for (int i = 0; i < 5; ++i)
       add_line(drawing, {{10.0F + 10 * static_cast<float>(i), 50}, {19.5F + 10 * static_cast<float>(i), 50}}, layer);

@@ -84,7 +84,7 @@ Hatched hatch(const scene::PolyScene& scene, const scene::PolyCamera& camera, co
   result.camera = camera;
   const picture::DrawingField field{100, 100, {}};
   const picture::LineLayer edges{"", exact::visible_edges(scene, camera)};
-  result.window = picture::drawing_window({&edges, 1}, scene, camera, field);
+  result.window = picture::drawing_window(picture::united_lines({&edges, 1}, scene, camera), camera, field);
   result.units = 100 / (result.window.high[0] - result.window.low[0]);
   auto hatching = picture::hatched(scene, camera, result.window, result.units, options);
   EXPECT_TRUE(hatching);
@@ -138,8 +138,9 @@ TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
     for (std::size_t l = 0; l < made.hatching.lines.edges.size(); ++l) {
       const picture::LineEdge& edge = made.hatching.lines.edges[l];
       const picture::LineLayer layer{"", {{{edge, 0, 1}}}};
-      const picture::VectorDrawing drawing =
-          picture::line_drawing({&layer, 1}, made.hatching.scene, made.camera, field, made.window);
+      const picture::UnitedLines united = picture::united_lines({&layer, 1}, made.hatching.scene, made.camera);
+      const auto strokes = picture::strokes_in(united, {&layer, 1}, made.window, field);
+      const picture::VectorDrawing drawing = picture::line_drawing(strokes, {&layer, 1}, made.window, field);
       if (drawing.points.size() != 2) continue;  // outside of the window
       const double angle = (degrees + (made.hatching.across[l] != 0 ? 90 : 0)) * std::numbers::pi / 180;
       for (const picture::DrawingPoint& p : drawing.points) {
