@@ -73,14 +73,18 @@ ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
 
 }  // namespace
 
-std::array<std::int64_t, 4> image_line(const LineEdge& edge, const scene::PolyScene& scene,
-                                       const scene::PolyCamera& camera) {
+std::array<std::int64_t, 4> image_plane(const LineEdge& edge, const scene::PolyScene& scene,
+                                        const scene::PolyCamera& camera) {
   const scene::PolyPoint& a = scene.vertices[edge.from];
   const scene::PolyPoint& b = scene.vertices[edge.to];
   const Vector normal = camera.perspective ? cross(difference(a, camera.eye), difference(b, camera.eye))
                                            : cross(difference(b, a), vector_of(camera.forward));
-  std::array<std::int64_t, 4> line{normal[0], normal[1], normal[2],
-                                   camera.perspective ? 0 : dot(normal, vector_of(a))};
+  return {normal[0], normal[1], normal[2], camera.perspective ? 0 : dot(normal, vector_of(a))};
+}
+
+std::array<std::int64_t, 4> image_line(const LineEdge& edge, const scene::PolyScene& scene,
+                                       const scene::PolyCamera& camera) {
+  std::array<std::int64_t, 4> line = image_plane(edge, scene, camera);
   std::uint64_t common = 0;
   for (const std::int64_t part : line)
     if (common != 1) common = geometry::common_divisor(common, static_cast<std::uint64_t>(part < 0 ? -part : part));

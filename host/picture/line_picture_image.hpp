@@ -48,7 +48,10 @@ struct ImageSet {
   friend bool operator==(const ImageSet&, const ImageSet&) = default;
 };
 
-// The line of the image on which an edge lies, as ImageSegment::line; all zero if the edge is seen as a point.
+// The line of the image on which an edge lies: the plane as ImageSegment::line has it, but not in lowest terms, and in lowest
+// terms. The normal is zero if the edge is seen as a point.
+[[nodiscard]] std::array<std::int64_t, 4> image_plane(const LineEdge& edge, const scene::PolyScene& scene,
+                                                      const scene::PolyCamera& camera);
 [[nodiscard]] std::array<std::int64_t, 4> image_line(const LineEdge& edge, const scene::PolyScene& scene,
                                                      const scene::PolyCamera& camera);
 // Where the point of an edge with this parameter lies along right (axis 0) or up (1), as ImageSegment::low, but not in lowest

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
@@ -85,18 +84,31 @@ class LineUnion {
     const LinePiece* piece = nullptr;
     std::uint32_t layer = 0;
   };
-  // Of an item on its line of the image.
+  // Of an item of `group_`, on its line of the image.
   struct End {
-    std::uint32_t item = 0;
-    bool high = false;  // of the piece's parameters
+    std::uint32_t item = 0;  // among those of its line
+    bool high = false;       // of the piece's parameters
     SightPoint at{};
     double place = 0;      // along the line
     double tolerance = 0;  // of `place`: beyond it, doubles decide
+    ImageRatio ratio = {};  // the exact place; only of ends that others are near
   };
   struct Span {
     std::uint32_t item = 0;
     std::uint32_t low = 0;  // ranks of its ends
     std::uint32_t high = 0;
+  };
+  // Where a span begins or ends.
+  struct Event {
+    std::uint32_t rank = 0;
+    bool begins = false;
+    std::uint32_t layer = 0;
+  };
+  // From rank to rank, kept by one layer.
+  struct Stretch {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    std::uint32_t layer = 0;
   };
 
   [[nodiscard]] bool is_crossing(const LineEdge& edge) const {
@@ -158,19 +170,37 @@ class LineUnion {
     const bool one_edge = std::all_of(run.begin(), run.end(), [&](std::uint32_t i) { return items_[i].piece->edge == first; });
     if (one_edge) {
       // Its pieces share no stretch.
-      for (const std::uint32_t i : run) add_line(end_of(i, false), end_of(i, true), items_[i].layer, std::span(&first, 1));
+      for (const std::uint32_t i : run) {
+        result_.lines.push_back({end_of(i, false), end_of(i, true), items_[i].layer,
+                                 static_cast<std::uint32_t>(result_.sources.size()), 1});
+        result_.sources.push_back(first);
+      }
       return;
     }
     // Different lines with one hash are next to impossible.
-    std::vector<std::uint32_t> rest = run;
+    std::vector<std::uint32_t>& rest = rest_;
+    rest = run;
     while (!rest.empty()) {
-      const LineKey key = key_of(items_[rest[0]].piece->edge);
-      std::vector<std::uint32_t> same;
-      std::vector<std::uint32_t> others;
-      for (const std::uint32_t i : rest) (key_of(items_[i].piece->edge) == key ? same : others).push_back(i);
-      unite(same, key);
-      rest = std::move(others);
+      const LineEdge edge = items_[rest[0]].piece->edge;
+      group_.clear();
+      std::size_t others = 0;
+      for (const std::uint32_t i : rest) {
+        if (items_[i].piece->edge == edge || on_one_line(items_[i].piece->edge, edge)) group_.push_back(i);
+        else rest[others++] = i;
+      }
+      rest.resize(others);
+      unite(edge);
     }
+  }
+
+  [[nodiscard]] bool on_one_line(const LineEdge& a, const LineEdge& b) const {
+    if (is_crossing(a) || is_crossing(b)) return key_of(a) == key_of(b);
+    const std::array<std::int64_t, 4> m = image_plane(a, scene_, camera_);
+    const std::array<std::int64_t, 4> n = image_plane(b, scene_, camera_);
+    const std::size_t k = m[0] != 0 ? 0 : m[1] != 0 ? 1 : 2;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (Int128{m[i]} * n[k] != Int128{n[i]} * m[k]) return false;
+    return n[k] != 0;
   }
 
   // Of a point of an edge: from + s (to - from).
@@ -185,16 +215,16 @@ class LineUnion {
             camera_.perspective ? dot(d, camera_.forward) / lengths_[2] : 1};
   }
 
-  void add_line(const SightPoint& from, const SightPoint& to, std::uint32_t layer, std::span<const LineEdge> sources) {
-    result_.lines.push_back({from, to, layer, static_cast<std::uint32_t>(result_.sources.size()),
-                             static_cast<std::uint32_t>(sources.size())});
-    result_.sources.insert(result_.sources.end(), sources.begin(), sources.end());
-  }
-
   // The axis, right or up, along which a line of the image is longer.
-  [[nodiscard]] std::size_t axis_of(const LineKey& key) const {
+  [[nodiscard]] std::size_t axis_of(const LineEdge& edge) const {
     std::array<double, 3> normal{};
-    for (std::size_t i = 0; i < 3; ++i) normal[i] = static_cast<double>(key[i]);
+    if (is_crossing(edge)) {
+      const LineKey key = key_of(edge);
+      for (std::size_t i = 0; i < 3; ++i) normal[i] = static_cast<double>(key[i]);
+    } else {
+      const std::array<std::int64_t, 4> plane = image_plane(edge, scene_, camera_);
+      for (std::size_t i = 0; i < 3; ++i) normal[i] = static_cast<double>(plane[i]);
+    }
     return std::abs(dot(normal, camera_.up)) * lengths_[0] >= std::abs(dot(normal, camera_.right)) * lengths_[1] ? 0 : 1;
   }
 
@@ -202,7 +232,7 @@ class LineUnion {
     // The places are computed to about 10^-10 of a step.
     constexpr double error = 1e-9;
     constexpr double least_depth = 1e-8;
-    End end{item, high, end_of(item, high)};
+    End end{item, high, end_of(group_[item], high)};
     const double depth = end.at[2];
     if (depth > least_depth) {
       end.place = end.at[axis] / depth;
@@ -214,131 +244,133 @@ class LineUnion {
     return end;
   }
 
-  // Negative, zero or positive; of ends of edges between vertices.
-  [[nodiscard]] int compare_exactly(const End& a, const End& b, std::size_t axis) const {
-    const LinePiece& m = *items_[a.item].piece;
-    const LinePiece& n = *items_[b.item].piece;
-    const geometry::Rational& s = a.high ? m.high : m.low;
-    const geometry::Rational& t = b.high ? n.high : n.low;
-    const auto vertex = [](const LinePiece& piece, const geometry::Rational& r) {
-      return r == geometry::Rational(0) ? piece.edge.from : piece.edge.to;
+  [[nodiscard]] const LinePiece& piece_of(const End& end) const { return *items_[group_[end.item]].piece; }
+
+  // Negative, zero or positive.
+  static int compare_exactly(const ImageRatio& a, const ImageRatio& b) {
+    // Ends at vertices are short.
+    const auto is_short = [](const ImageRatio& r) {
+      constexpr std::int64_t limit = std::int64_t{1} << 62;
+      return r.denominator > 0 && r.denominator < limit && r.numerator < limit && r.numerator > -limit;
     };
-    if (s.denominator() == 1 && t.denominator() == 1 && vertex(m, s) == vertex(n, t)) return 0;
-    return compare(image_coordinate(m.edge, s, axis, scene_, camera_), image_coordinate(n.edge, t, axis, scene_, camera_));
+    if (is_short(a) && is_short(b)) return geometry::sign(a.numerator * b.denominator - b.numerator * a.denominator);
+    return compare(a, b);
   }
 
-  // Sorts the ends along the line and numbers their places; equal places have one number.
-  std::vector<std::uint32_t> ranked(std::vector<End>& ends, std::size_t axis) const {
-    std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.place < b.place; });
+  // Sorts the ends along the line and numbers their places in `ranks_`; equal places have one number.
+  void rank_ends(std::size_t axis) {
+    std::vector<End>& ends = ends_;
+    const auto earlier = [](const End& a, const End& b) { return a.item != b.item ? a.item < b.item : a.high < b.high; };
+    std::sort(ends.begin(), ends.end(),
+              [&](const End& a, const End& b) { return a.place != b.place ? a.place < b.place : earlier(a, b); });
     const auto near = [&](std::size_t i) {
       return !(ends[i].place - ends[i - 1].place > std::max(ends[i].tolerance, ends[i - 1].tolerance));
     };
-    std::vector<std::uint32_t> ranks(ends.size());
+    ranks_.assign(ends.size(), 0);
     std::uint32_t rank = 0;
     for (std::size_t begin = 0; begin < ends.size();) {
       std::size_t end = begin + 1;
       while (end < ends.size() && near(end)) ++end;
       const auto first = ends.begin() + static_cast<std::ptrdiff_t>(begin);
       const auto last = ends.begin() + static_cast<std::ptrdiff_t>(end);
-      const bool exact = std::none_of(first, last, [this](const End& e) { return is_crossing(items_[e.item].piece->edge); });
-      if (exact && end - begin > 1)
-        std::stable_sort(first, last, [&](const End& a, const End& b) { return compare_exactly(a, b, axis) < 0; });
+      const bool exact = std::none_of(first, last, [this](const End& e) { return is_crossing(piece_of(e).edge); });
+      if (exact && end - begin > 1) {
+        for (auto e = first; e != last; ++e) {
+          const LinePiece& piece = piece_of(*e);
+          e->ratio = image_coordinate(piece.edge, e->high ? piece.high : piece.low, axis, scene_, camera_);
+        }
+        std::sort(first, last, [&](const End& a, const End& b) {
+          const int order = compare_exactly(a.ratio, b.ratio);
+          return order != 0 ? order < 0 : earlier(a, b);
+        });
+      }
       for (std::size_t i = begin; i < end; ++i) {
         bool same = i > begin;
-        if (same && exact) same = compare_exactly(ends[i - 1], ends[i], axis) == 0;
+        if (same && exact) same = compare_exactly(ends[i - 1].ratio, ends[i].ratio) == 0;
         if (same && !exact) {
           const double a = ends[i - 1].place;
           const double b = ends[i].place;
           same = a == b || b - a <= 1e-9 * (1 + std::abs(a));
         }
         if (i > 0 && !same) ++rank;
-        ranks[i] = rank;
+        ranks_[i] = rank;
       }
       begin = end;
     }
-    return ranks;
   }
 
-  void unite(const std::vector<std::uint32_t>& items, const LineKey& key) {
-    const std::size_t axis = axis_of(key);
-    std::vector<End> ends;
-    for (const std::uint32_t i : items)
-      for (const bool high : {false, true}) ends.push_back(placed_end(i, high, axis));
-    const std::vector<std::uint32_t> ranks = ranked(ends, axis);
-    std::vector<SightPoint> places;  // of each rank
-    std::vector<Span> spans(items.size());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> number_of;  // of an item, among `items`
-    for (std::uint32_t i = 0; i < items.size(); ++i) number_of.emplace_back(items[i], i);
-    std::sort(number_of.begin(), number_of.end());
-    for (std::size_t e = 0; e < ends.size(); ++e) {
-      if (ranks[e] == places.size()) places.push_back(ends[e].at);
-      const auto found = std::lower_bound(number_of.begin(), number_of.end(), std::pair(ends[e].item, std::uint32_t{0}));
-      Span& span = spans[found->second];
-      const bool seen = span.item == ends[e].item + 1;
-      span.item = ends[e].item + 1;  // until all are known, 0 is none
-      (seen ? span.high : span.low) = ranks[e];
+  // `group_`, all on the line of this edge.
+  void unite(const LineEdge& edge) {
+    const std::size_t axis = axis_of(edge);
+    ends_.clear();
+    for (std::uint32_t i = 0; i < group_.size(); ++i)
+      for (const bool high : {false, true}) ends_.push_back(placed_end(i, high, axis));
+    rank_ends(axis);
+    places_.clear();
+    constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+    spans_.assign(group_.size(), {0, unknown, 0});
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+      if (ranks_[e] == places_.size()) places_.push_back(ends_[e].at);
+      Span& span = spans_[ends_[e].item];
+      span.item = group_[ends_[e].item];
+      (span.low == unknown ? span.low : span.high) = ranks_[e];
     }
-    for (Span& span : spans) --span.item;
-    spans.erase(std::remove_if(spans.begin(), spans.end(), [](const Span& span) { return span.low == span.high; }), spans.end());
-    sweep(spans, places);
+    spans_.erase(std::remove_if(spans_.begin(), spans_.end(), [](const Span& span) { return span.low == span.high; }),
+                 spans_.end());
+    sweep();
+    add_stretches();
   }
 
-  // A stretch from rank to rank that one layer keeps.
-  struct Stretch {
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    std::uint32_t layer = 0;
-  };
-
-  void sweep(const std::vector<Span>& spans, const std::vector<SightPoint>& places) {
-    struct Event {
-      std::uint32_t rank;
-      bool begins;
-      std::uint32_t layer;
-    };
-    std::vector<Event> events;
-    for (const Span& span : spans) {
-      events.push_back({span.low, true, items_[span.item].layer});
-      events.push_back({span.high, false, items_[span.item].layer});
+  // The first layer that is active keeps the stretch.
+  void sweep() {
+    events_.clear();
+    for (const Span& span : spans_) {
+      events_.push_back({span.low, true, items_[span.item].layer});
+      events_.push_back({span.high, false, items_[span.item].layer});
     }
-    std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.rank < b.rank; });
-    std::vector<Stretch> stretches;
-    std::multiset<std::uint32_t> active;
+    std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return a.rank < b.rank; });
+    stretches_.clear();
+    active_.clear();
     bool open = false;
-    for (std::size_t i = 0; i < events.size();) {
-      const std::uint32_t rank = events[i].rank;
+    for (std::size_t i = 0; i < events_.size();) {
+      const std::uint32_t rank = events_[i].rank;
       std::size_t next = i;
-      for (; next < events.size() && events[next].rank == rank; ++next)
-        if (events[next].begins) active.insert(events[next].layer);
+      for (; next < events_.size() && events_[next].rank == rank; ++next)
+        if (events_[next].begins)
+          active_.insert(std::upper_bound(active_.begin(), active_.end(), events_[next].layer), events_[next].layer);
       for (; i < next; ++i)
-        if (!events[i].begins) active.erase(active.find(events[i].layer));
-      if (open && (active.empty() || *active.begin() != stretches.back().layer)) {
-        stretches.back().high = rank;
+        if (!events_[i].begins) active_.erase(std::lower_bound(active_.begin(), active_.end(), events_[i].layer));
+      if (open && (active_.empty() || active_.front() != stretches_.back().layer)) {
+        stretches_.back().high = rank;
         open = false;
       }
-      if (!open && !active.empty()) {
-        stretches.push_back({rank, rank, *active.begin()});
+      if (!open && !active_.empty()) {
+        stretches_.push_back({rank, rank, active_.front()});
         open = true;
       }
     }
-    // The edges at each stretch.
-    std::vector<std::pair<std::size_t, LineEdge>> sources;
-    for (const Span& span : spans) {
-      auto stretch = std::upper_bound(stretches.begin(), stretches.end(), span.low,
+  }
+
+  // With the edges that lie on each.
+  void add_stretches() {
+    sources_.clear();
+    for (const Span& span : spans_) {
+      auto stretch = std::upper_bound(stretches_.begin(), stretches_.end(), span.low,
                                       [](std::uint32_t low, const Stretch& s) { return low < s.high; });
-      for (; stretch != stretches.end() && stretch->low < span.high; ++stretch) {
+      for (; stretch != stretches_.end() && stretch->low < span.high; ++stretch) {
         if (layers_[stretch->layer].hidden == layers_[items_[span.item].layer].hidden)
-          sources.emplace_back(static_cast<std::size_t>(stretch - stretches.begin()), items_[span.item].piece->edge);
+          sources_.emplace_back(static_cast<std::uint32_t>(stretch - stretches_.begin()), items_[span.item].piece->edge);
       }
     }
-    std::sort(sources.begin(), sources.end());
-    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
-    std::vector<LineEdge> edges;
-    auto source = sources.begin();
-    for (std::size_t n = 0; n < stretches.size(); ++n) {
-      edges.clear();
-      for (; source != sources.end() && source->first == n; ++source) edges.push_back(source->second);
-      add_line(places[stretches[n].low], places[stretches[n].high], stretches[n].layer, std::span<const LineEdge>(edges));
+    std::sort(sources_.begin(), sources_.end());
+    sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
+    auto source = sources_.begin();
+    for (std::uint32_t n = 0; n < stretches_.size(); ++n) {
+      const Stretch& stretch = stretches_[n];
+      const auto first = static_cast<std::uint32_t>(result_.sources.size());
+      for (; source != sources_.end() && source->first == n; ++source) result_.sources.push_back(source->second);
+      result_.lines.push_back({places_[stretch.low], places_[stretch.high], stretch.layer, first,
+                               static_cast<std::uint32_t>(result_.sources.size()) - first});
     }
   }
 
@@ -350,6 +382,17 @@ class LineUnion {
   std::vector<Item> items_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> by_line_;  // hash of the line, item
   UnitedLines result_;
+  // Of the line at work.
+  std::vector<std::uint32_t> rest_;
+  std::vector<std::uint32_t> group_;
+  std::vector<End> ends_;
+  std::vector<std::uint32_t> ranks_;  // of the ends
+  std::vector<SightPoint> places_;    // of each rank
+  std::vector<Span> spans_;
+  std::vector<Event> events_;
+  std::vector<std::uint32_t> active_;  // layers, ascending
+  std::vector<Stretch> stretches_;
+  std::vector<std::pair<std::uint32_t, LineEdge>> sources_;  // of stretches
 };
 
 }  // namespace
