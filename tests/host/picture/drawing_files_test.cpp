@@ -12,11 +12,12 @@
 
 #include "host/picture/dxf.hpp"
 #include "host/picture/pdf.hpp"
+#include "tests/support/read_drawing.hpp"
 
 namespace sightline::picture {
 namespace {
 
-using DrawnLines = std::vector<std::vector<std::pair<double, double>>>;
+using tests::DrawnLines;
 
 const Paper a_sheet{120, 90, 10, 0.3};
 
@@ -29,29 +30,6 @@ VectorDrawing three_lines() {
   drawing.lines = {{0, 0, 3}, {1, 3, 2}, {1, 5, 1}};
   drawing.facets = {{6, 3, {128, 128, 128}}};
   return drawing;
-}
-
-// Lines of an SVG of paths: "M x y", then distances, of which one with a sign needs no blank before it. In mm, from the bottom left.
-DrawnLines lines_of_paths(const std::string& svg, double height) {
-  DrawnLines lines;
-  for (std::size_t at = svg.find(" d=\""); at != std::string::npos; at = svg.find(" d=\"", at + 1)) {
-    const std::string text = svg.substr(at + 4, svg.find('"', at + 4) - at - 4);
-    double x = 0;
-    double y = 0;
-    for (const char* next = text.c_str(); *next != 0 && *next != 'z';) {
-      const bool begins = *next == 'M';
-      if (begins) {
-        lines.emplace_back();
-        x = y = 0;
-      }
-      char* end = nullptr;
-      x += std::strtod(begins || *next == 'l' ? next + 1 : next, &end);
-      y += std::strtod(end, &end);
-      lines.back().push_back({x, height - y});
-      next = end;
-    }
-  }
-  return lines;
 }
 
 const DrawnLines expected_lines{{{10, 10}, {110, 10}, {110, 80}}, {{30, 20}, {50, 40}}, {{60, 45}}};
@@ -84,16 +62,7 @@ TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
   EXPECT_EQ(pdf.substr(stream + length, 9), "endstream");
   EXPECT_NE(pdf.find("/MediaBox [0 0 340.157 255.118]"), std::string::npos);  // 120 and 90 mm in points
   EXPECT_NE(pdf.find("/Name (crease \\(30\\))"), std::string::npos);
-  DrawnLines lines;
-  std::istringstream words(pdf.substr(stream, length));
-  std::vector<std::string> before;
-  for (std::string word; words >> word;) {
-    if (word == "m" || word == "l") {
-      if (word == "m") lines.emplace_back();
-      lines.back().emplace_back(std::atof(before[before.size() - 2].c_str()), std::atof(before.back().c_str()));
-    }
-    before.push_back(word);
-  }
+  const DrawnLines lines = tests::lines_of_pdf(pdf);
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[0], (std::vector<std::pair<double, double>>{{12, 11}, {14, 11}, {14, 12}}));  // the facet
   EXPECT_EQ(lines[1], expected_lines[0]);
@@ -102,7 +71,8 @@ TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
 }
 
 TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
-  std::istringstream text(dxf_of(three_lines(), a_sheet));
+  const std::string dxf = dxf_of(three_lines(), a_sheet);
+  std::istringstream text(dxf);
   std::vector<std::pair<int, std::string>> groups;
   for (std::string code, value; std::getline(text, code) && std::getline(text, value);)
     groups.emplace_back(std::atoi(code.c_str()), value);
@@ -112,21 +82,28 @@ TEST(Dxf, EntitiesAreOfLayersThatTheTableHas) {
   std::map<std::string, int> layers;
   std::string entity;
   std::string of;
-  DrawnLines lines;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const auto& [code, value] = groups[i];
+  for (const auto& [code, value] : groups) {
     if (code == 0) entity = value;
     if (entity == "LAYER" && code == 2) of = value;
     if (entity == "LAYER" && code == 62) layers[of] = std::atoi(value.c_str());
     if (code == 8) {
       EXPECT_TRUE(layers.contains(value)) << value;
     }
-    if ((entity == "POLYLINE" || entity == "POINT") && code == 8) lines.emplace_back();
-    if ((entity == "VERTEX" || entity == "POINT") && code == 10)
-      lines.back().emplace_back(std::atof(value.c_str()), std::atof(groups[i + 1].second.c_str()));
   }
   EXPECT_EQ(layers, (std::map<std::string, int>{{"1-SILHOUETTE", 7}, {"2-CREASE__30_", 1}}));
-  EXPECT_EQ(lines, expected_lines);
+  EXPECT_EQ(tests::lines_of_dxf(dxf), expected_lines);
+}
+
+// A layer of dashed lines has a linetype with the dash and the gap of the drawing, and whole lines.
+TEST(Dxf, DashedLayersHaveALinetype) {
+  VectorDrawing drawing = three_lines();
+  drawing.layers[1].dash = 4;  // drawing units across: two millimetres each
+  const std::string dxf = dxf_of(drawing, a_sheet);
+  EXPECT_NE(dxf.find("  2\nDASHED\n 70\n64\n  3\n__ __ __ __\n 72\n65\n 73\n2\n 40\n14.000\n 49\n8.000\n 49\n-6.000\n"),
+            std::string::npos);
+  EXPECT_NE(dxf.find("2-CREASE__30_\n 70\n64\n 62\n1\n  6\nDASHED\n"), std::string::npos);
+  EXPECT_NE(dxf.find("1-SILHOUETTE\n 70\n64\n 62\n7\n  6\nCONTINUOUS\n"), std::string::npos);
+  EXPECT_EQ(tests::lines_of_dxf(dxf), expected_lines);
 }
 
 // Distances do not add up their roundings: after thousands of them a line is where it should be.
@@ -147,7 +124,7 @@ TEST(Svg, LinesAreWhereThePaperHasThem) {
     drawing.lines.push_back({0, first, 300});
   }
   const std::string svg = svg_of(drawing, a_sheet, "lines");
-  const DrawnLines read = lines_of_paths(svg, a_sheet.height);
+  const DrawnLines read = tests::lines_of_svg(svg, a_sheet.height);
   ASSERT_EQ(read.size(), expected.size());
   for (std::size_t n = 0; n < read.size(); ++n) {
     ASSERT_EQ(read[n].size(), expected[n].size());
@@ -174,7 +151,7 @@ TEST(Svg, VeryManyLinesShareAPath) {
   std::size_t paths = 0;
   for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) ++paths;
   EXPECT_EQ(paths, (count + 63) / 64);
-  const DrawnLines read = lines_of_paths(svg, a_sheet.height);
+  const DrawnLines read = tests::lines_of_svg(svg, a_sheet.height);
   ASSERT_EQ(read.size(), count);
   for (const std::uint32_t n : {1U, 63U, 64U, 65U, 77'777U, count - 1}) {
     EXPECT_NEAR(read[n][0].first, 10 + 2 * (n % 50) - (n % 3 == 0 ? 0.01 : 0), 1e-6) << n;
