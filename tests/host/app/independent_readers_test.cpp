@@ -17,7 +17,7 @@ class IndependentReaders : public sightline::test::CommandLine {
   }
   void draw(const std::string& file) {
     const std::string source = std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/bracket.obj";
-    std::vector<std::string> arguments{"draw", "exact", source, "--hatch", "30,4", "--hidden", "--size", "210x160", "-o", file};
+    std::vector<std::string> arguments{"draw", "exact", source, "--hatch", "30,4", "--hidden", "--size", "210x160", "--strokes", "strokes.jsonl", "-o", file};
     if (file.ends_with(".png")) arguments.insert(arguments.end(), {"--dpi", "101.6", "--pen", "0.3"});
     if (file.ends_with(".svg") || file.ends_with(".pdf")) arguments.insert(arguments.end(), {"--pen", "0.3"});
     const auto ran = sightline(arguments);
@@ -87,7 +87,7 @@ TEST_F(IndependentReaders, DxfByEzdxf) {
   if (!shell("/usr/bin/python3 -c 'import ezdxf'")) GTEST_SKIP() << "python3-ezdxf is not installed";
   draw("a.dxf");
   draw("a.svg");
-  write("read.py", R"py(import re
+  write("read.py", R"py(import json, math, re
 import ezdxf
 document = ezdxf.readfile("a.dxf")
 assert not document.audit().errors
@@ -109,6 +109,14 @@ for row in open("a.svg"):
             corners.append((round(x, 3), round(160 - y, 3)))
         expected.setdefault(layer, []).append(corners)
 assert set(lines) == set(expected), (set(lines), set(expected))
+# Hidden lines are whole, of a dashed linetype.
+hidden = [name for name in lines if name.endswith("HIDDEN")]
+assert len(hidden) == 1 and document.layers.get(hidden[0]).dxf.linetype == "DASHED"
+assert len(document.linetypes.get("DASHED").pattern_tags.tags) > 0
+drawn = sum(math.dist(a, b) for line in lines.pop(hidden[0]) for a, b in zip(line, line[1:]))
+rows = [json.loads(row) for row in open("strokes.jsonl")]
+wanted = sum(math.dist(row["from"], row["to"]) for row in rows if row["hidden"])
+assert wanted > 10 and abs(drawn - wanted) < 0.02, (drawn, wanted)
 for name in lines:
     assert len(lines[name]) == len(expected[name]), name
     for a, b in zip(lines[name], expected[name]):
