@@ -208,4 +208,92 @@ base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyC
   return Hatcher(scene, camera, window, units, options).run();
 }
 
+namespace {
+
+// A straight line of the image: where it is across a direction, and from where to where along it.
+struct Ruled {
+  double offset = 0;
+  double low = 0;
+  double high = 0;
+};
+
+using ImageEnds = std::array<std::array<double, 2>, 2>;
+
+ImageEnds ends_of(const UnitedLine& line) {
+  return {{{line.from[0] / line.from[2], line.from[1] / line.from[2]}, {line.to[0] / line.to[2], line.to[1] / line.to[2]}}};
+}
+
+Ruled ruled(const ImageEnds& ends, const std::array<double, 2>& along) {
+  const auto at = [&along](const std::array<double, 2>& p) { return p[0] * along[0] + p[1] * along[1]; };
+  const auto across = [&along](const std::array<double, 2>& p) { return p[1] * along[0] - p[0] * along[1]; };
+  return {(across(ends[0]) + across(ends[1])) / 2, std::min(at(ends[0]), at(ends[1])), std::max(at(ends[0]), at(ends[1]))};
+}
+
+}  // namespace
+
+void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers) {
+  for (const std::string_view kind : {hatching_kind, cross_hatching_kind}) {
+    const auto is_hatching = [&](const UnitedLine& line) { return layers[line.layer].kind == kind; };
+    // All of a kind are parallel: the longest says how.
+    std::array<double, 2> along{};
+    double longest = 0;
+    double size = 0;
+    for (const UnitedLine& line : lines.lines) {
+      const ImageEnds ends = ends_of(line);
+      const double length = std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
+      if (!std::isfinite(length)) continue;
+      size = std::max(size, length);
+      if (!is_hatching(line) || length <= longest) continue;
+      longest = length;
+      along = {(ends[1][0] - ends[0][0]) / length, (ends[1][1] - ends[0][1]) / length};
+    }
+    if (longest == 0) continue;
+    const double near = 1e-6 * size;
+    std::vector<Ruled> drawn;  // lines of other kinds along the hatching
+    for (const UnitedLine& line : lines.lines) {
+      const LineLayer& layer = layers[line.layer];
+      if (layer.hidden || layer.kind == hatching_kind || layer.kind == cross_hatching_kind) continue;
+      const ImageEnds ends = ends_of(line);
+      const double off = (ends[1][1] - ends[0][1]) * along[0] - (ends[1][0] - ends[0][0]) * along[1];
+      if (std::abs(off) <= near) drawn.push_back(ruled(ends, along));
+    }
+    std::sort(drawn.begin(), drawn.end(), [](const Ruled& a, const Ruled& b) { return a.offset < b.offset; });
+    std::vector<UnitedLine> kept;
+    std::vector<std::pair<double, double>> covered;
+    for (const UnitedLine& line : lines.lines) {
+      covered.clear();
+      const Ruled at = ruled(ends_of(line), along);
+      if (is_hatching(line)) {
+        for (auto other = std::lower_bound(drawn.begin(), drawn.end(), at.offset - near,
+                                           [](const Ruled& r, double offset) { return r.offset < offset; });
+             other != drawn.end() && other->offset <= at.offset + near; ++other)
+          if (other->low < at.high - near && other->high > at.low + near) covered.emplace_back(other->low, other->high);
+      }
+      if (covered.empty()) {
+        kept.push_back(line);
+        continue;
+      }
+      // What is left, as points between the ends; these are in homogeneous coordinates.
+      std::sort(covered.begin(), covered.end());
+      const bool rises = ruled({{ends_of(line)[0], ends_of(line)[0]}}, along).low == at.low;
+      const auto point = [&](double place) {
+        const std::array<double, 3>& low = rises ? line.from : line.to;
+        const std::array<double, 3>& high = rises ? line.to : line.from;
+        const double t = (place - at.low) / (at.high - at.low) * low[2];
+        const double s = (at.high - place) / (at.high - at.low) * high[2];
+        std::array<double, 3> p{};
+        for (std::size_t i = 0; i < 3; ++i) p[i] = (low[i] * s + high[i] * t) / (s + t);
+        return p;
+      };
+      double low = at.low;
+      covered.emplace_back(at.high, at.high);
+      for (const auto& [from, to] : covered) {
+        if (from > low + near) kept.push_back({point(low), point(std::min(from, at.high)), line.layer, line.first_source, line.source_count});
+        low = std::max(low, to);
+      }
+    }
+    lines.lines = std::move(kept);
+  }
+}
+
 }  // namespace sightline::picture

@@ -10,11 +10,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "host/base/result.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_drawing.hpp"
+#include "host/picture/line_union.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::picture {
@@ -36,6 +39,10 @@ struct Hatching {
   std::vector<std::uint8_t> across;  // of each line: one of those across
 };
 
+// Kinds of layers of what is seen of these lines.
+inline constexpr std::string_view hatching_kind = "hatching";
+inline constexpr std::string_view cross_hatching_kind = "cross-hatching";
+
 inline constexpr std::size_t most_hatch_lines = 2'000'000;
 
 // Of faces that are turned to the eye, and of sheets; for a drawing with this window, of `units` to one of the image.
@@ -43,5 +50,9 @@ inline constexpr std::size_t most_hatch_lines = 2'000'000;
 [[nodiscard]] base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                              const ImageWindow& window, double units,
                                              const HatchOptions& options);
+
+// Takes from the hatching what lies on a visible line of another layer: an edge along the hatching may be one of its lines but for
+// rounding, within a millionth of the picture.
+void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers);
 
 }  // namespace sightline::picture

@@ -261,7 +261,8 @@ class LineViews::Work {
   // Into a window if one is given. The layers' pictures are given up.
   void draw(std::vector<LineLayer>& layers, const scene::PolyScene& of, const scene::PolyCamera& camera,
             const picture::DrawingField& field, const std::optional<picture::ImageWindow>& given, DrawnView& result) const {
-    const picture::UnitedLines lines = picture::united_lines(layers, of, camera);
+    picture::UnitedLines lines = picture::united_lines(layers, of, camera);
+    if (options_.hatch) picture::leave_out_hatching_on_lines(lines, layers);
     for (LineLayer& layer : layers) layer.picture = {};
     const picture::ImageWindow window = given ? *given : picture::drawing_window(lines, camera, field);
     const std::vector<picture::LineStroke> strokes = picture::strokes_in(lines, layers, window, field);
@@ -299,8 +300,8 @@ class LineViews::Work {
     const picture::Hatching hatching = value_of(picture::hatched(scene(), camera, window, units, wanted), "--hatch");
     const registry::PreparedScene lines = prepared(hatching.scene);
     const registry::LineView seen = value_of(view_of(lines, camera, hatching.lines), source_.name);
-    LineLayer along{"hatching", {}, {}, "hatching"};
-    LineLayer across{"cross-hatching", {}, {}, "cross-hatching"};
+    LineLayer along{"hatching", {}, {}, std::string(picture::hatching_kind)};
+    LineLayer across{"cross-hatching", {}, {}, std::string(picture::cross_hatching_kind)};
     std::size_t line = 0;
     for (const LinePiece& piece : seen.picture.pieces) {
       while (hatching.lines.edges[line] < piece.edge) ++line;

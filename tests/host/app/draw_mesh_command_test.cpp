@@ -63,6 +63,21 @@ TEST_F(DrawMesh, ALayerForEachBody) {
   expect_ok({"draw", "exact", "house", "--layers", "body", "--all-edges", "-o", "h.svg"});
 }
 
+// A cube of 180 mm on the paper, from the front, with a line every 10 mm: the first and the last of 19 would lie on its edges.
+TEST_F(DrawMesh, HatchingThatLiesOnAnEdgeIsLeftOut) {
+  write("cube.obj",
+        "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  for (const char* angle : {"0,10", "90,10"}) {
+    const auto ran = sightline({"draw", "exact", "cube.obj", "--view", "front", "--hatch", angle, "--light", "1,0,0", "--strokes", "s.jsonl", "-o", "h.svg"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    std::map<std::string, int> kinds;
+    std::istringstream rows(read("s.jsonl"));
+    for (std::string row; std::getline(rows, row);) ++kinds[row.substr(row.find("\"kind\":\"") + 8, 6)];
+    EXPECT_EQ(kinds, (std::map<std::string, int>{{"silhou", 4}, {"hatchi", 17}, {"cross-", 8}})) << angle;
+  }
+}
+
 TEST_F(DrawMesh, HatchingIsLayersOfItsOwn) {
   write("two.json", box_and_bar);
   expect_ok({"draw", "exact", "two.json", "-o", "plain.svg"});
