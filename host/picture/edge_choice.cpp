@@ -63,6 +63,10 @@ EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice
   find_surfaces();
   kinds_.reserve(edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) kinds_.push_back(kind_without_eye(e));
+  for (const auto& [from, to] : scene.wires) {
+    EdgeKind& kind = kinds_[edges_.find(from, to)];
+    if (kind == EdgeKind::flat) kind = EdgeKind::wire;
+  }
 }
 
 // Without surfaces each face is one.
@@ -114,6 +118,7 @@ bool EdgeChooser::bends(std::uint32_t a, std::uint32_t b, bool agree) const {
 
 EdgeKind EdgeChooser::kind_without_eye(std::size_t edge) const {
   const auto uses = edges_.uses(edge);
+  if (uses.empty()) return EdgeKind::wire;
   if (uses.size() > 2) return EdgeKind::junction;
   if (uses.size() == 1) return EdgeKind::boundary;
   const std::uint32_t a = surface_of_[uses[0].face];
@@ -139,7 +144,7 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto uses = edges_.uses(e);
     EdgeKind kind = kinds_[e];
-    bool away = true;
+    bool away = !uses.empty();
     for (const scene::EdgeTable::Use& use : uses) {
       const std::uint32_t surface = surface_of_[use.face];
       away = away && surfaces_[surface].solid && facing[surface] <= 0;

@@ -19,6 +19,7 @@ namespace sightline::app {
 
 namespace {
 
+using picture::EdgeKind;
 using picture::LineLayer;
 using picture::LinePicture;
 using picture::LinePiece;
@@ -32,6 +33,8 @@ std::vector<LineLayer> layers_by_kind(const LinePicture& drawn, const picture::C
     while (chosen.edges[edge] < piece.edge) ++edge;
     layers[static_cast<std::size_t>(chosen.kinds[edge])].picture.pieces.push_back(piece);
   }
+  const auto wires = layers.begin() + static_cast<std::ptrdiff_t>(EdgeKind::wire);
+  if (wires->picture.pieces.empty()) layers.erase(wires);
   return layers;
 }
 
@@ -39,13 +42,14 @@ std::vector<LineLayer> layers_by_kind(const LinePicture& drawn, const picture::C
 constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
 
-// A layer for each body. An edge of several is the first one's, and so is a line in which two cross.
+// A layer for each body, and one for wires. An edge of several is the first one's, and so is a line in which two cross.
 std::vector<LineLayer> layers_by_body(const LinePicture& drawn, const scene::PolyScene& scene) {
   std::vector<LineLayer> layers;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::string& name = scene.bodies[b].name;
     layers.push_back({name.empty() ? fmt::format("body {}", b + 1) : name, {}, body_colours[b % body_colours.size()]});
   }
+  if (!scene.wires.empty()) layers.push_back({"wires", {}, body_colours[scene.bodies.size() % body_colours.size()]});
   const std::vector<std::uint32_t> firsts = scene::first_face_numbers(scene);
   const auto body_of = [&firsts](std::uint32_t face) {
     return static_cast<std::size_t>(std::upper_bound(firsts.begin(), firsts.end(), face + 1) - firsts.begin()) - 1;
@@ -56,7 +60,8 @@ std::vector<LineLayer> layers_by_body(const LinePicture& drawn, const scene::Pol
   for (const LinePiece& piece : drawn.pieces) {
     while (edge < edges.size() && picture::LineEdge{edges[edge].low, edges[edge].high} < piece.edge) ++edge;
     if (edge < edges.size() && picture::LineEdge{edges[edge].low, edges[edge].high} == piece.edge) {
-      layers[body_of(edges.uses(edge).front().face)].picture.pieces.push_back(piece);
+      const auto uses = edges.uses(edge);
+      layers[uses.empty() ? scene.bodies.size() : body_of(uses.front().face)].picture.pieces.push_back(piece);
       continue;
     }
     while (crossing < scene.crossings.size() && scene.crossings[crossing].from < piece.edge.from) ++crossing;
@@ -90,7 +95,7 @@ class LineViews::Work {
     const bool crossing = find_crossings();
     if (crossing) own_scene_ = scene::with_crossings(source.scene);
     seams_ = !mesh && !options.edges.are_given();
-    if (seams_ && !scene().crossings.empty()) {
+    if (seams_ && has_lines_apart()) {
       chooser_.emplace(scene(), *picture::edge_choice_named("all"));
     } else if (!seams_) {
       if (const auto choice = edge_choice_of(options.edges, scene())) chooser_.emplace(scene(), *choice);
@@ -118,11 +123,11 @@ class LineViews::Work {
       whole = picture::only(whole, chosen);
       LinePicture drawn = result.view.picture;
       if (seams_) {
-        drawn = without_seams(drawn, camera);
-        whole = without_seams(whole, camera);
+        drawn = without_seams(drawn, chosen, camera);
+        whole = without_seams(whole, chosen, camera);
       }
       layers = options_.layers == "body"                                   ? layers_by_body(drawn, scene())
-               : options_.layers == "kind" && (!seams_ || has_crossings()) ? seams_ ? apart(drawn) : layers_by_kind(drawn, chosen)
+               : options_.layers == "kind" && (!seams_ || has_lines_apart()) ? seams_ ? apart(drawn, chosen) : layers_by_kind(drawn, chosen)
                                                                            : std::vector<LineLayer>{{"visible", drawn}};
     } else {
       result.view = value_of(prepared_.view(camera), source_.name);
@@ -150,7 +155,8 @@ class LineViews::Work {
   [[nodiscard]] registry::PreparedScene prepared(const scene::PolyScene& of) const {
     return value_of(options_.jobs > 1 ? algorithm_.prepare_threads(of, options_.jobs) : algorithm_.prepare(of), source_.name);
   }
-  [[nodiscard]] bool has_crossings() const { return !scene().crossings.empty(); }
+  // Lines that are no sides of faces: what bodies pass through each other in, and wires.
+  [[nodiscard]] bool has_lines_apart() const { return !scene().crossings.empty() || !scene().wires.empty(); }
 
   // Whether there are lines in which bodies pass through each other, and they are drawn; if not drawn, a warning.
   [[nodiscard]] bool find_crossings() const {
@@ -169,28 +175,34 @@ class LineViews::Work {
     return whole;
   }
 
-  // The first piece of a crossing: their vertices come after all others.
-  [[nodiscard]] std::size_t first_crossing(const LinePicture& picture) const {
-    const scene::VertexIndex first = scene().crossings.front().from;
-    const auto found = std::lower_bound(picture.pieces.begin(), picture.pieces.end(), first,
-                                        [](const LinePiece& piece, scene::VertexIndex v) { return piece.edge.from < v; });
-    return static_cast<std::size_t>(found - picture.pieces.begin());
-  }
-
-  // Seams are between faces; lines in which faces cross are none.
-  [[nodiscard]] LinePicture without_seams(LinePicture picture, const scene::PolyCamera& camera) const {
-    const auto crossings = picture.pieces.begin() + static_cast<std::ptrdiff_t>(first_crossing(picture));
-    const std::vector<LinePiece> kept(crossings, picture.pieces.end());
-    picture.pieces.erase(crossings, picture.pieces.end());
-    LinePicture result = picture::without_seams(picture, scene(), camera);
-    result.pieces.insert(result.pieces.end(), kept.begin(), kept.end());
+  // Seams are between faces; lines apart are none.
+  [[nodiscard]] LinePicture without_seams(const LinePicture& picture, const picture::ChosenEdges& chosen,
+                                          const scene::PolyCamera& camera) const {
+    const std::vector<LineLayer> layers = apart(picture, chosen);
+    LinePicture result = picture::without_seams(layers[0].picture, scene(), camera);
+    for (std::size_t layer = 1; layer < layers.size(); ++layer) {
+      const std::size_t before = result.pieces.size();
+      const auto& more = layers[layer].picture.pieces;
+      result.pieces.insert(result.pieces.end(), more.begin(), more.end());
+      std::inplace_merge(result.pieces.begin(), result.pieces.begin() + static_cast<std::ptrdiff_t>(before), result.pieces.end(),
+                         [](const LinePiece& a, const LinePiece& b) { return a.edge < b.edge; });
+    }
     return result;
   }
 
-  // Edges and crossings as layers.
-  [[nodiscard]] std::vector<LineLayer> apart(const LinePicture& picture) const {
-    const auto crossings = picture.pieces.begin() + static_cast<std::ptrdiff_t>(first_crossing(picture));
-    return {{"visible", {{picture.pieces.begin(), crossings}}}, {"intersection", {{crossings, picture.pieces.end()}}}};
+  // Sides of faces and lines apart as layers.
+  [[nodiscard]] std::vector<LineLayer> apart(const LinePicture& picture, const picture::ChosenEdges& chosen) const {
+    std::vector<LineLayer> layers{{"visible", {}}};
+    if (!scene().crossings.empty()) layers.push_back({"intersection", {}});
+    if (!scene().wires.empty()) layers.push_back({"wire", {}});
+    std::size_t edge = 0;
+    for (const LinePiece& piece : picture.pieces) {
+      while (chosen.edges[edge] < piece.edge) ++edge;
+      const EdgeKind kind = chosen.kinds[edge];
+      const std::size_t layer = kind == EdgeKind::wire ? layers.size() - 1 : kind == EdgeKind::intersection ? 1 : 0;
+      layers[layer].picture.pieces.push_back(piece);
+    }
+    return layers;
   }
 
   void add_hatching(const scene::PolyCamera& camera, const picture::DrawingField& field, std::vector<LineLayer> layers,

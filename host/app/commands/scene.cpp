@@ -55,6 +55,11 @@ void write_scene(const scene::PolyScene& scene, const std::string& name, const s
         ExitCode::usage,
         fmt::format("--output: found \"{}\", expected a name that ends in {}", path, scene::poly_endings));
   }
+  const bool keeps_wires = !format || *format == scene::PolyFormat::json || *format == scene::PolyFormat::obj;
+  if (!scene.wires.empty() && !keeps_wires) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--output: found \"{}\" for a scene with lines without faces, expected .json or .obj, which keep them", path));
+  }
   const std::string text = value_of(scene::write_poly(scene, format.value_or(scene::PolyFormat::json)), name);
   Output output(path);
   output.write(text);
@@ -212,6 +217,7 @@ Json polyhedra_json(const scene::PolyScene& scene) {
           {"holes", counts.holes},
           {"bodies", scene.bodies.size()},
           {"sheets", counts.sheets},
+          {"wires", scene.wires.size()},
           {"bounds", Json::array({scene::file_point(scene, bounds.low), scene::file_point(scene, bounds.high)})},
           {"bounds_steps", Json::array({bounds.low, bounds.high})},
           {"surfaces", scene.surfaces.size()},
@@ -228,6 +234,7 @@ void list_polyhedra(const scene::PolyScene& scene, TextTable& facts) {
   facts.row({"faces", fmt::format("{}, with {} holes", scene::face_count(scene), counts.holes)});
   facts.row(
       {"bodies", fmt::format("{} solids, {} sheets", scene.bodies.size() - counts.sheets, counts.sheets)});
+  if (!scene.wires.empty()) facts.row({"lines", fmt::format("{} without faces", scene.wires.size())});
   if (!scene.surfaces.empty()) facts.row({"surfaces", fmt::format("{} planes and single faces", scene.surfaces.size())});
   const auto low = scene::file_point(scene, bounds.low);
   const auto high = scene::file_point(scene, bounds.high);
@@ -329,7 +336,7 @@ struct ConvertArguments {
 };
 
 ExitCode convert(const ConvertArguments& arguments) {
-  const scene::LoadedScene loaded = load_scene(arguments.scene, arguments.mesh);
+  const scene::LoadedScene loaded = load_scene(arguments.scene, arguments.mesh, Wires::kept);
   write_scene(loaded.scene, loaded.name, arguments.output);
   return ExitCode::ok;
 }

@@ -99,6 +99,7 @@ base::Result<std::string> write_obj(const PolyScene& scene) {
       }
     }
   }
+  for (const PolyWire& wire : scene.wires) text += "l " + std::to_string(wire[0] + 1) + " " + std::to_string(wire[1] + 1) + '\n';
   return text;
 }
 
@@ -218,6 +219,9 @@ std::string write_json(const PolyScene& scene) {
   }
   text += ']';
   append_surfaces(text, scene);
+  for (std::size_t w = 0; w < scene.wires.size(); ++w)
+    text += (w > 0 ? ",\n" : ",\n\"wires\":[\n") + json_array(scene.wires[w]);
+  if (!scene.wires.empty()) text += ']';
   const PolyCamera& camera = scene.camera;
   return text + ",\n\"camera\":{\"perspective\":" + (camera.perspective ? "true" : "false") +
          ",\"eye\":" + json_array(camera.eye) + ",\"forward\":" + json_array(camera.forward) +

@@ -33,6 +33,7 @@ class Import {
     quantise();
     scene().name = std::move(mesh_.name);
     scene().bodies = std::move(mesh_.bodies);
+    scene().wires = std::move(mesh_.wires);
     if (options_.mend) {
       mend_faces();
     } else {
@@ -78,9 +79,10 @@ class Import {
     const std::vector<MendedFace> mended = mend(scene(), options, faces());
     faces().largest_deviation *= report().step;
     report().mended = true;
+    if (mended.empty() && !scene().wires.empty()) return;
     if (mended.empty()) {
       if (file.size() == 0) {
-        error_ = base::Error{mesh_.source, "", "found no faces", "a mesh", "points and lines hide nothing"};
+        error_ = base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"};
         return;
       }
       error_ = base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),
@@ -107,6 +109,7 @@ class Import {
   void keep_faces() {
     if (report().quantised) {
       merge_vertices();
+      tidy_wires(scene().wires, faces());
       const std::vector<bool> used = used_vertices();
       drop_faces();
       drop_unused(used);
@@ -160,6 +163,8 @@ class Import {
         for (Ring& hole : face.holes) apply(hole);
       }
     }
+    for (PolyWire& wire : scene().wires)
+      for (VertexIndex& v : wire) v = number[target[v]];
   }
 
   // Rings lose vertices that follow themselves, bodies faces that lost their area.
@@ -247,6 +252,7 @@ class Import {
           for (const VertexIndex v : hole) used[v] = true;
       }
     }
+    for (const PolyWire& wire : scene().wires) used[wire[0]] = used[wire[1]] = true;
     return used;
   }
 

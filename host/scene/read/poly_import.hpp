@@ -47,6 +47,7 @@ struct PolyMesh {
   std::optional<std::size_t> vertical;  // the axis that the format says is upwards: 0, 1, 2 = x, y, z
   std::string unit;                     // of the coordinates, as the format says: "m", "mm", "inch"; or empty
   std::vector<std::string> notes;       // what was passed over, a phrase each: "3 statements \"s\""
+  std::vector<PolyWire> wires;          // every index is below vertices.size()
 };
 
 struct PolyImportOptions {

@@ -120,6 +120,19 @@ class PolyReader {
     of_faces(document, "material_of", std::numeric_limits<std::uint32_t>::max(), scene_.material_of);
   }
 
+  void read_wires(const Json& document) {
+    const Json* wires = json_.optional_field(document, "wires", "");
+    if (wires == nullptr || !json_.array(*wires, "wires")) return;
+    const auto last = static_cast<std::int64_t>(scene_.vertices.size()) - 1;
+    for (std::size_t w = 0; w < wires->size() && !json_.failed(); ++w) {
+      const std::string place = base::indexed("wires", w);
+      if (!json_.array((*wires)[w], place, 2)) return;
+      PolyWire& wire = scene_.wires.emplace_back();
+      for (std::size_t i = 0; i < 2; ++i)
+        wire[i] = static_cast<VertexIndex>(json_.integer((*wires)[w][i], base::indexed(place, i), 0, last));
+    }
+  }
+
   void read(const Json& document) {
     constexpr std::int64_t largest = poly_coordinate_limit - 1;
     if (const Json* text = json_.optional_field(document, "name", ""))
@@ -143,6 +156,8 @@ class PolyReader {
       scene_.bodies.push_back(body((*bodies)[b], base::indexed("bodies", b)));
     if (json_.failed()) return;
     read_surfaces(document);
+    if (json_.failed()) return;
+    read_wires(document);
     if (json_.failed()) return;
     const Json* camera = json_.optional_field(document, "camera", "");
     if (camera == nullptr) {
