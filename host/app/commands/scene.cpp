@@ -55,11 +55,6 @@ void write_scene(const scene::PolyScene& scene, const std::string& name, const s
         ExitCode::usage,
         fmt::format("--output: found \"{}\", expected a name that ends in {}", path, scene::poly_endings));
   }
-  const bool keeps_wires = !format || *format == scene::PolyFormat::json || *format == scene::PolyFormat::obj;
-  if (!scene.wires.empty() && !keeps_wires) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--output: found \"{}\" for a scene with lines without faces, expected .json or .obj, which keep them", path));
-  }
   const std::string text = value_of(scene::write_poly(scene, format.value_or(scene::PolyFormat::json)), name);
   Output output(path);
   output.write(text);

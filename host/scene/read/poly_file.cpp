@@ -327,6 +327,11 @@ base::Result<PolyImport> read_poly(std::string_view text, std::string_view sourc
 }
 
 base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format) {
+  if (!scene.wires.empty() && format != PolyFormat::obj && format != PolyFormat::json) {
+    const std::string count = std::to_string(scene.wires.size());
+    return base::Error{"", "", "has " + count + (scene.wires.size() == 1 ? " line" : " lines") + " without faces, for which this format has no place",
+                       "a scene of faces alone", "JSON and OBJ keep the lines"};
+  }
   switch (format) {
     case PolyFormat::off: return write_off(scene);
     case PolyFormat::obj: return write_obj(scene);
