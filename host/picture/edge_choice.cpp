@@ -67,6 +67,9 @@ EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice
     EdgeKind& kind = kinds_[edges_.find(from, to)];
     if (kind == EdgeKind::flat) kind = EdgeKind::wire;
   }
+  for (const auto& [wire, surface] : scene.wires_on)
+    wires_on_.push_back({static_cast<std::uint32_t>(edges_.find(scene.wires[wire][0], scene.wires[wire][1])), surface});
+  std::sort(wires_on_.begin(), wires_on_.end());
 }
 
 // Without surfaces each face is one.
@@ -141,7 +144,9 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
   }
   const bool mesh = !scene_.surfaces.empty();
   ChosenEdges chosen;
+  auto on = wires_on_.begin();
   for (std::size_t e = 0; e < edges_.size(); ++e) {
+    while (on != wires_on_.end() && (*on)[0] < e) ++on;
     const auto uses = edges_.uses(e);
     EdgeKind kind = kinds_[e];
     bool away = !uses.empty();
@@ -166,6 +171,7 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
     chosen.turned_away.push_back(away ? 1 : 0);
     if (mesh)
       for (const scene::EdgeTable::Use& use : uses) chosen.surfaces.push_back(surface_of_[use.face]);
+    for (; on != wires_on_.end() && (*on)[0] == e; ++on) chosen.surfaces.push_back((*on)[1]);
     chosen.first_surface.push_back(static_cast<std::uint32_t>(chosen.surfaces.size()));
   }
   if (!choice_.kinds[number_of(EdgeKind::intersection)]) return chosen;

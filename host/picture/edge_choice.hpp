@@ -93,6 +93,7 @@ class EdgeChooser {
   std::vector<std::uint32_t> surface_of_;  // of each face
   std::vector<Surface> surfaces_;
   std::vector<EdgeKind> kinds_;  // without an eye
+  std::vector<std::array<std::uint32_t, 2>> wires_on_;  // PolyScene::wires_on, with the number of the edge; ascending
 };
 
 // What of a picture is of these edges.

@@ -252,6 +252,7 @@ class Shrinker {
 
 PolyScene shrunk(PolyScene scene, const ShowsDefect& shows_defect) {
   scene.name.clear();
+  scene.wires_on.clear();
   scene.step = 1;
   scene.origin = {};
   for (PolyBody& body : scene.bodies) body.name.clear();

@@ -8,6 +8,7 @@ namespace sightline::scene {
 PolyScene without_wires(PolyScene scene) {
   if (scene.wires.empty()) return scene;
   scene.wires.clear();
+  scene.wires_on.clear();
   std::vector<bool> used(scene.vertices.size());
   const auto for_corners = [&scene](auto visit) {
     for (PolyBody& body : scene.bodies) {

@@ -107,6 +107,9 @@ struct PolyScene {
   std::vector<PolyCrossing> crossings = {};
   std::vector<geometry::Plane> cut_planes = {};  // normals below 2^39, values at vertices and eyes below 2^60
   std::vector<PolyWire> wires = {};              // belong to no body; they alone can be a scene
+  // Of a mesh: numbers of a wire and of a surface in whose plane it lies, so that its faces do not hide the wire, although
+  // both were rounded; ascending.
+  std::vector<std::array<std::uint32_t, 2>> wires_on = {};
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };

@@ -201,6 +201,12 @@ void append_surfaces(std::string& text, const PolyScene& scene) {
   if (!scene.material_of.empty()) text += ",\n\"material_of\":" + json_array(scene.material_of);
 }
 
+void append_pairs(std::string& text, const std::string& name, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    text += (p > 0 ? std::string(",\n") : ",\n\"" + name + "\":[\n") + json_array(pairs[p]);
+  if (!pairs.empty()) text += ']';
+}
+
 // One vertex or face a line, so that versions can be compared.
 std::string write_json(const PolyScene& scene) {
   std::string text = "{\"name\":" + json_string(scene.name) + ",\"step\":";
@@ -219,9 +225,8 @@ std::string write_json(const PolyScene& scene) {
   }
   text += ']';
   append_surfaces(text, scene);
-  for (std::size_t w = 0; w < scene.wires.size(); ++w)
-    text += (w > 0 ? ",\n" : ",\n\"wires\":[\n") + json_array(scene.wires[w]);
-  if (!scene.wires.empty()) text += ']';
+  append_pairs(text, "wires", scene.wires);
+  append_pairs(text, "wires_on", scene.wires_on);
   const PolyCamera& camera = scene.camera;
   return text + ",\n\"camera\":{\"perspective\":" + (camera.perspective ? "true" : "false") +
          ",\"eye\":" + json_array(camera.eye) + ",\"forward\":" + json_array(camera.forward) +

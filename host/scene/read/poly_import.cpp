@@ -91,9 +91,33 @@ class Import {
     }
     const double tolerance = options_.planar_tolerance.value_or(std::max(4 * mesh_.precision, options_.weld));
     find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
+    if (report().quantised) find_surfaces_of_wires();
     if (mesh_.materials.empty()) return;
     scene().material_of.reserve(mended.size());
     for (const MendedFace& face : mended) scene().material_of.push_back(mesh_.materials[face.source]);
+  }
+
+  // A wire and a corner of a surface are up to 0.87 steps from where the file has them. If that is much of the scene, the
+  // numbers are so short that they have to be meant as they are.
+  void find_surfaces_of_wires() {
+    const double tolerance = std::min(2.0, static_cast<double>(bounds_of(scene()).half_size()) / 5000);
+    const auto along = [](const std::array<double, 3>& normal, const PolyPoint& p) { return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]; };
+    std::vector<double> heights(scene().surfaces.size());
+    std::size_t face = 0;
+    for (const PolyBody& body : scene().bodies) {
+      for (const PolyFace& of_body : body.faces) {
+        const std::uint32_t s = scene().surface_of[face++];
+        heights[s] = along(scene().surfaces[s].normal, scene().vertices[of_body.outline[0]]);
+      }
+    }
+    for (std::uint32_t w = 0; w < scene().wires.size(); ++w) {
+      for (std::uint32_t s = 0; s < heights.size(); ++s) {
+        const auto is_on = [&](VertexIndex v) {
+          return std::abs(along(scene().surfaces[s].normal, scene().vertices[v]) - heights[s]) <= tolerance;
+        };
+        if (is_on(scene().wires[w][0]) && is_on(scene().wires[w][1])) scene().wires_on.push_back({w, s});
+      }
+    }
   }
 
   // What double coordinates leave uncertain of a plane.

@@ -120,16 +120,19 @@ class PolyReader {
     of_faces(document, "material_of", std::numeric_limits<std::uint32_t>::max(), scene_.material_of);
   }
 
-  void read_wires(const Json& document) {
-    const Json* wires = json_.optional_field(document, "wires", "");
-    if (wires == nullptr || !json_.array(*wires, "wires")) return;
-    const auto last = static_cast<std::int64_t>(scene_.vertices.size()) - 1;
-    for (std::size_t w = 0; w < wires->size() && !json_.failed(); ++w) {
-      const std::string place = base::indexed("wires", w);
-      if (!json_.array((*wires)[w], place, 2)) return;
-      PolyWire& wire = scene_.wires.emplace_back();
-      for (std::size_t i = 0; i < 2; ++i)
-        wire[i] = static_cast<VertexIndex>(json_.integer((*wires)[w][i], base::indexed(place, i), 0, last));
+  // Pairs of numbers of things of which there are so many.
+  void pairs(const Json& document, const char* name, const std::array<std::size_t, 2>& counts,
+             std::vector<std::array<std::uint32_t, 2>>& numbers) {
+    const Json* value = json_.optional_field(document, name, "");
+    if (value == nullptr || !json_.array(*value, name)) return;
+    for (std::size_t p = 0; p < value->size() && !json_.failed(); ++p) {
+      const std::string place = base::indexed(name, p);
+      if (!json_.array((*value)[p], place, 2)) return;
+      auto& pair = numbers.emplace_back();
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto last = static_cast<std::int64_t>(counts[i]) - 1;
+        pair[i] = static_cast<std::uint32_t>(json_.integer((*value)[p][i], base::indexed(place, i), 0, last));
+      }
     }
   }
 
@@ -157,7 +160,9 @@ class PolyReader {
     if (json_.failed()) return;
     read_surfaces(document);
     if (json_.failed()) return;
-    read_wires(document);
+    pairs(document, "wires", {scene_.vertices.size(), scene_.vertices.size()}, scene_.wires);
+    if (json_.failed()) return;
+    pairs(document, "wires_on", {scene_.wires.size(), scene_.surfaces.size()}, scene_.wires_on);
     if (json_.failed()) return;
     const Json* camera = json_.optional_field(document, "camera", "");
     if (camera == nullptr) {

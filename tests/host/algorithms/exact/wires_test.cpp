@@ -2,6 +2,8 @@
 // lines inside, outside and through bodies, on their faces and along their edges.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/poly_builder.hpp"
 #include "host/scene/model/vertex_pool.hpp"
+#include "host/scene/read/poly_import.hpp"
 #include "tests/host/algorithms/agreement/random_scene.hpp"
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
 
@@ -95,6 +98,71 @@ TEST(WireKinds, AFlatEdgeAndALineOfItsOwn) {
   EXPECT_EQ(kinds("wire"), "02 wire\n34 wire\n");
   EXPECT_EQ(kinds("feature"), "01 boundary\n02 wire\n03 boundary\n12 boundary\n23 boundary\n34 wire\n");
   EXPECT_EQ(kinds("boundary"), "01 boundary\n03 boundary\n12 boundary\n23 boundary\n");
+}
+
+using Point = std::array<double, 3>;
+
+// A cube of side 3 with a wire inside each face, in coordinates of the file.
+scene::PolyMesh cube_with_wires(Point (*placed)(const Point&)) {
+  const std::vector<std::vector<scene::VertexIndex>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  std::vector<Point> corners{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {0, 0, 3}, {3, 0, 3}, {3, 3, 3}, {0, 3, 3}};
+  scene::PolyMesh mesh;
+  mesh.source = "test";
+  mesh.bodies.emplace_back();
+  for (const auto& face : faces) {
+    mesh.bodies[0].faces.push_back({face, {}});
+    const auto first = static_cast<scene::VertexIndex>(corners.size());
+    mesh.wires.push_back({first, first + 1});
+    for (const auto& [u, v] : {std::array{0.2, 0.3}, {0.7, 0.6}}) {
+      Point p{};
+      for (std::size_t a = 0; a < 3; ++a)
+        p[a] = corners[face[0]][a] * (1 - u - v) + corners[face[1]][a] * u + corners[face[3]][a] * v;
+      corners.push_back(p);
+    }
+  }
+  for (const Point& corner : corners) mesh.vertices.push_back(placed(corner));
+  return mesh;
+}
+
+// How many wires are seen whole, and in part; the same by `exact` and by the oracle.
+std::array<std::size_t, 2> wires_seen(const PolyScene& scene, const scene::PolyCamera& camera) {
+  const picture::ChosenEdges chosen = picture::EdgeChooser(scene, *picture::edge_choice_named("wire")).at(camera);
+  const picture::LinePicture picture = exact::visible_edges(exact::make_edge_mesh(scene), camera, &chosen);
+  EXPECT_TRUE(picture == oracle::visible_edges(scene, camera, chosen));
+  std::array<std::size_t, 2> counts{};
+  for (const picture::LinePiece& piece : picture.pieces) ++counts[piece.low == 0 && piece.high == 1 ? 0 : 1];
+  return counts;
+}
+
+// Turned, so that rounding leaves no wire in the plane of its face: three faces are turned to the eye, whatever it is.
+TEST(RoundedWires, AreSeenOnTheirFaces) {
+  const auto mesh = cube_with_wires([](const Point& p) -> Point {
+    return {(2 * p[0] - 2 * p[1] + p[2]) / 3, (-0.4 * p[0] + p[1] + 2.8 * p[2]) / 3, (2.2 * p[0] + 2 * p[1] - 0.4 * p[2]) / 3};
+  });
+  const auto import = import_poly(mesh, {.mend = true});
+  ASSERT_TRUE(import);
+  ASSERT_EQ(import->scene.wires.size(), 6U);
+  ASSERT_EQ(import->scene.surfaces.size(), 6U);
+  scene::PolyCamera camera{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(wires_seen(import->scene, camera), (std::array<std::size_t, 2>{3, 0}));
+  camera.forward = {0, 0, 1};
+  EXPECT_EQ(wires_seen(import->scene, camera), (std::array<std::size_t, 2>{3, 0}));
+}
+
+// A tenth behind the face is behind it, if tenths are the steps of the file.
+TEST(RoundedWires, ShortNumbersAreMeantAsTheyAre) {
+  scene::PolyMesh mesh = cube_with_wires([](const Point& p) -> Point { return p; });
+  const scene::PolyCamera camera{false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}};
+  const auto seen = [&] {
+    const auto import = import_poly(mesh, {.mend = true});
+    EXPECT_TRUE(import);
+    EXPECT_EQ(import->scene.step, 0.1);
+    return wires_seen(import->scene, camera);
+  };
+  for (Point& p : mesh.vertices) p = {std::round(p[0] * 10) / 10, std::round(p[1] * 10) / 10, std::round(p[2] * 10) / 10};
+  EXPECT_EQ(seen(), (std::array<std::size_t, 2>{3, 0}));
+  for (const scene::VertexIndex v : mesh.wires[1]) mesh.vertices[v][2] = 2.9;
+  EXPECT_EQ(seen(), (std::array<std::size_t, 2>{2, 0}));
 }
 
 // Anywhere, a vertex, between two of a face, and where the line through two goes on.

@@ -36,6 +36,9 @@ TEST(WritePoly, WiresAreKeptByObjAndJsonAndRefusedByTheOthers) {
   PolyScene scene = generate_triangles(1);
   scene.vertices.push_back({7, 8, 9});
   scene.wires = {{0, 1}, {2, 3}};
+  scene.surfaces = {{{0, 0, 1}}};
+  scene.surface_of = {0};
+  scene.wires_on = {{1, 0}};
   ASSERT_EQ(problems(scene), "");
   EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene);
   EXPECT_EQ(read(written(scene, PolyFormat::obj), PolyFormat::obj).scene.wires, scene.wires);
