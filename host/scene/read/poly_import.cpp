@@ -101,21 +101,31 @@ class Import {
   // numbers are so short that they have to be meant as they are.
   void find_surfaces_of_wires() {
     const double tolerance = std::min(2.0, static_cast<double>(bounds_of(scene()).half_size()) / 5000);
-    const auto along = [](const std::array<double, 3>& normal, const PolyPoint& p) { return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]; };
-    std::vector<double> heights(scene().surfaces.size());
+    using Point = std::array<double, 3>;
+    const auto place_of = [this](VertexIndex v) {
+      const PolyPoint& p = scene().vertices[v];
+      return Point{double(p[0]), double(p[1]), double(p[2])};
+    };
+    const auto along = [](const Point& normal, const Point& p) { return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]; };
+    struct Plane {
+      Point normal{};
+      double height = 0;
+    };
+    std::vector<Plane> planes(scene().surfaces.size());
     std::size_t face = 0;
     for (const PolyBody& body : scene().bodies) {
       for (const PolyFace& of_body : body.faces) {
-        const std::uint32_t s = scene().surface_of[face++];
-        heights[s] = along(scene().surfaces[s].normal, scene().vertices[of_body.outline[0]]);
+        const std::uint32_t surface = scene().surface_of[face++];
+        const auto& normal = scene().surfaces[surface].normal;
+        planes[surface] = {normal, along(normal, place_of(of_body.outline[0]))};
       }
     }
     for (std::uint32_t w = 0; w < scene().wires.size(); ++w) {
-      for (std::uint32_t s = 0; s < heights.size(); ++s) {
-        const auto is_on = [&](VertexIndex v) {
-          return std::abs(along(scene().surfaces[s].normal, scene().vertices[v]) - heights[s]) <= tolerance;
-        };
-        if (is_on(scene().wires[w][0]) && is_on(scene().wires[w][1])) scene().wires_on.push_back({w, s});
+      const Point from = place_of(scene().wires[w][0]);
+      const Point to = place_of(scene().wires[w][1]);
+      for (std::uint32_t s = 0; s < planes.size(); ++s) {
+        const auto is_on = [&](const Point& p) { return std::abs(along(planes[s].normal, p) - planes[s].height) <= tolerance; };
+        if (is_on(from) && is_on(to)) scene().wires_on.push_back({w, s});
       }
     }
   }
