@@ -10,7 +10,7 @@ void add_edge_options(const Command& command, EdgeArguments& arguments) {
       command
           .option("--edges", arguments.kinds,
                   "Which edges are drawn: all, feature (silhouettes, boundaries, creases, borders of "
-                  "materials and lines in which bodies pass through each other), or "
+                  "materials, lines in which bodies pass through each other, and lines without faces), or "
                   "some of these kinds with commas between them")
           .default_value("feature")
           .value("KINDS")
@@ -29,7 +29,7 @@ void check_edges(const EdgeArguments& arguments) {
   if (!arguments.kinds.empty() && !picture::edge_choice_named(arguments.kinds)) {
     throw Failure(ExitCode::usage,
                   fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
-                              "boundary, crease, border, intersection",
+                              "boundary, crease, border, intersection, wire",
                               arguments.kinds));
   }
   if (arguments.crease) require_finite("--crease", *arguments.crease);
@@ -37,7 +37,7 @@ void check_edges(const EdgeArguments& arguments) {
 
 std::optional<picture::EdgeChoice> edge_choice_of(const EdgeArguments& arguments, const scene::PolyScene& scene) {
   const bool all = arguments.all || arguments.kinds == "all";
-  if (all && scene.crossings.empty()) return std::nullopt;
+  if (all && scene.crossings.empty() && scene.wires.empty()) return std::nullopt;
   picture::EdgeChoice choice = *picture::edge_choice_named(all ? "all" : arguments.kinds.empty() ? "feature" : arguments.kinds);
   choice.crease = arguments.crease.value_or(scene.surfaces.empty() ? 0 : choice.crease);
   return choice;

@@ -20,6 +20,17 @@ namespace {
 constexpr const char* cells_expected =
     "expected a scene of cells, which Jones's program can be given; `sightline draw jones` takes all scenes";
 
+void leave_out_wires(scene::LoadedScene& loaded) {
+  const std::size_t count = loaded.scene.wires.size();
+  const std::string found = fmt::format("{} {} without faces", count, count == 1 ? "line" : "lines");
+  if (loaded.scene.bodies.empty()) {
+    throw Failure(ExitCode::bad_input, fmt::format("{}: found only {}, expected a scene with faces; `sightline draw exact` draws {}",
+                                                   loaded.name, found, count == 1 ? "it" : "them"));
+  }
+  warn(fmt::format("{}: {} left out; `sightline draw exact` draws {}", loaded.name, found, count == 1 ? "it" : "them"));
+  loaded.scene = scene::without_wires(std::move(loaded.scene));
+}
+
 }  // namespace
 
 scene::SceneFile find_scene(const std::string& argument) {
@@ -87,11 +98,12 @@ void warn_of_units(const scene::LoadedScene& loaded, const MeshArguments& mesh) 
                                                 loaded.name, loaded.report.unit));
 }
 
-scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh) {
+scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh, Wires wires) {
   scene::LoadedScene loaded = load_found(find_scene(argument), mesh.import_options());
   warn_of_changes(loaded.report);
   warn_of_units(loaded, mesh);
   loaded.name = argument;
+  if (wires == Wires::left_out && !loaded.scene.wires.empty()) leave_out_wires(loaded);
   return loaded;
 }
 
@@ -159,6 +171,7 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   say(faces.turned_faces, "face turned the right side out", "faces turned the right side out");
   say(faces.one_sided, "part has but one side", "parts have but one side");
   say(faces.crowded_edges, "edge has three or more faces", "edges have three or more faces");
+  say(faces.dropped_wires, "line without length left out", "lines without length left out");
   if (faces.crossing_faces > 0) {
     said.push_back(fmt::format("{} {} left out, the first is face {} of the file", faces.crossing_faces,
                                faces.crossing_faces == 1 ? "face whose outline crosses itself"

@@ -44,9 +44,13 @@ void add_mesh_options(const Command& command, MeshArguments& arguments);
 [[nodiscard]] scene::LoadedScene load_found(scene::SceneFile file,
                                             const scene::PolyImportOptions& options = {});
 
+// Whether lines without faces (PolyScene::wires) are kept, or left out with a warning.
+enum class Wires { left_out, kept };
+
 // Found, read and checked; named as the argument is. What was changed while reading is said on standard
-// error. Failure as find_scene, or bad_input: the first thing that is wrong.
-[[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {});
+// error. Failure as find_scene, or bad_input: the first thing that is wrong, or nothing but wires to leave out.
+[[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {},
+                                            Wires wires = Wires::left_out);
 // The same; anything but a scene of cells is a Failure usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
 

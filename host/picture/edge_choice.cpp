@@ -63,6 +63,13 @@ EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice
   find_surfaces();
   kinds_.reserve(edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) kinds_.push_back(kind_without_eye(e));
+  for (const auto& [from, to] : scene.wires) {
+    EdgeKind& kind = kinds_[edges_.find(from, to)];
+    if (kind == EdgeKind::flat) kind = EdgeKind::wire;
+  }
+  for (const auto& [wire, surface] : scene.wires_on)
+    wires_on_.push_back({static_cast<std::uint32_t>(edges_.find(scene.wires[wire][0], scene.wires[wire][1])), surface});
+  std::sort(wires_on_.begin(), wires_on_.end());
 }
 
 // Without surfaces each face is one.
@@ -114,6 +121,7 @@ bool EdgeChooser::bends(std::uint32_t a, std::uint32_t b, bool agree) const {
 
 EdgeKind EdgeChooser::kind_without_eye(std::size_t edge) const {
   const auto uses = edges_.uses(edge);
+  if (uses.empty()) return EdgeKind::wire;
   if (uses.size() > 2) return EdgeKind::junction;
   if (uses.size() == 1) return EdgeKind::boundary;
   const std::uint32_t a = surface_of_[uses[0].face];
@@ -136,10 +144,12 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
   }
   const bool mesh = !scene_.surfaces.empty();
   ChosenEdges chosen;
+  auto on = wires_on_.begin();
   for (std::size_t e = 0; e < edges_.size(); ++e) {
+    while (on != wires_on_.end() && (*on)[0] < e) ++on;
     const auto uses = edges_.uses(e);
     EdgeKind kind = kinds_[e];
-    bool away = true;
+    bool away = !uses.empty();
     for (const scene::EdgeTable::Use& use : uses) {
       const std::uint32_t surface = surface_of_[use.face];
       away = away && surfaces_[surface].solid && facing[surface] <= 0;
@@ -161,6 +171,7 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
     chosen.turned_away.push_back(away ? 1 : 0);
     if (mesh)
       for (const scene::EdgeTable::Use& use : uses) chosen.surfaces.push_back(surface_of_[use.face]);
+    for (; on != wires_on_.end() && (*on)[0] == e; ++on) chosen.surfaces.push_back((*on)[1]);
     chosen.first_surface.push_back(static_cast<std::uint32_t>(chosen.surfaces.size()));
   }
   if (!choice_.kinds[number_of(EdgeKind::intersection)]) return chosen;

@@ -31,14 +31,15 @@ enum class EdgeKind : std::uint8_t {
   crease,      // between two that bend by more than the angle
   border,      // between two materials
   intersection,  // where two faces cross: PolyScene::crossings
+  wire,        // a line of no face, or one between two faces that is none of the above
   flat,        // the others: drawn only where all edges are
 };
-inline constexpr std::size_t edge_kind_count = 7;
-inline constexpr std::array<std::string_view, edge_kind_count> edge_kind_names{"silhouette", "junction", "boundary",
-                                                                              "crease",     "border",   "intersection", "flat"};
+inline constexpr std::size_t edge_kind_count = 8;
+inline constexpr std::array<std::string_view, edge_kind_count> edge_kind_names{"silhouette", "junction",     "boundary", "crease",
+                                                                              "border",     "intersection", "wire",     "flat"};
 
 struct EdgeChoice {
-  std::array<bool, edge_kind_count> kinds{true, true, true, true, true, true, false};
+  std::array<bool, edge_kind_count> kinds{true, true, true, true, true, true, true, false};
   double crease = 30;  // degrees
 
   // Creases from nothing on, and what is flat, too.
@@ -92,6 +93,7 @@ class EdgeChooser {
   std::vector<std::uint32_t> surface_of_;  // of each face
   std::vector<Surface> surfaces_;
   std::vector<EdgeKind> kinds_;  // without an eye
+  std::vector<std::array<std::uint32_t, 2>> wires_on_;  // PolyScene::wires_on, with the number of the edge; ascending
 };
 
 // What of a picture is of these edges.

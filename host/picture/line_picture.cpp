@@ -25,7 +25,7 @@ void append_ring(const std::vector<scene::VertexIndex>& ring, std::vector<LineEd
 
 std::vector<LineEdge> edges_of(const scene::PolyScene& scene) {
   std::vector<LineEdge> edges;
-  std::size_t sides = 0;
+  std::size_t sides = scene.wires.size();
   for (const scene::PolyBody& body : scene.bodies) {
     for (const scene::PolyFace& face : body.faces) {
       sides += face.outline.size();
@@ -39,6 +39,8 @@ std::vector<LineEdge> edges_of(const scene::PolyScene& scene) {
       for (const auto& hole : face.holes) append_ring(hole, edges);
     }
   }
+  for (const auto& [a, b] : scene.wires)
+    if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;

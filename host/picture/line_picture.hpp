@@ -1,7 +1,7 @@
 // The exactly visible parts of the edges of a polyhedral scene: the picture by which line algorithms are compared.
 //
-// An edge is a pair of vertices that follow each other on the outline or a hole of some face, named once, the
-// lower vertex first. A piece is a closed interval of s, the point being from + s (to - from). Law: pieces
+// An edge is a pair of vertices that follow each other on the outline or a hole of some face, or a wire, named
+// once, the lower vertex first. A piece is a closed interval of s, the point being from + s (to - from). Law: pieces
 // ascend by (from, to, low), pieces of one edge do not touch, and each has a positive length; two pictures of
 // the same visibility are therefore equal by ==. Edges that coincide in space or in the image keep their own
 // pieces; line_picture_image.hpp merges them.

@@ -50,7 +50,7 @@ Size size_of(const PolyScene& scene) {
   }
   for (const PolyPoint& p : scene.vertices) coordinates += length(p);
   const PolyCamera& camera = scene.camera;
-  return {scene.bodies.size(),
+  return {scene.bodies.size() + scene.wires.size(),
           faces,
           corners,
           solids,
@@ -75,6 +75,11 @@ void tidy_vertices(PolyScene& scene) {
       rename(face.outline);
       for (auto& hole : face.holes) rename(hole);
     }
+  }
+  for (scene::PolyWire& wire : scene.wires) {
+    std::vector<VertexIndex> ends(wire.begin(), wire.end());
+    rename(ends);
+    wire = {ends[0], ends[1]};
   }
   scene.vertices = std::move(kept);
 }
@@ -132,6 +137,7 @@ class Shrinker {
 
   void leave_out_bodies() {
     leave_out_of([](PolyScene& scene) -> std::vector<PolyBody>& { return scene.bodies; });
+    leave_out_of([](PolyScene& scene) -> std::vector<scene::PolyWire>& { return scene.wires; });
   }
 
   void leave_out_parts() {
@@ -246,6 +252,7 @@ class Shrinker {
 
 PolyScene shrunk(PolyScene scene, const ShowsDefect& shows_defect) {
   scene.name.clear();
+  scene.wires_on.clear();
   scene.step = 1;
   scene.origin = {};
   for (PolyBody& body : scene.bodies) body.name.clear();

@@ -15,7 +15,7 @@ namespace sightline::tests {
 using ShowsDefect = std::function<bool(const scene::PolyScene&)>;
 
 // The scene is a checked one, its eye in free space, and it shows the defect (preconditions). So does the
-// result, and none of these steps makes it smaller: leaving out a body, a face of a sheet, a hole or a
+// result, and none of these steps makes it smaller: leaving out a body, a wire, a face of a sheet, a hole or a
 // corner; a sheet in place of a solid; no perspective; a camera along the axes; all coordinates halved or
 // moved towards 0; a coordinate made smaller for one vertex, for all that share it, or for the eye. The
 // result has no names, and its units and origin are those of a scene that never was in a file.

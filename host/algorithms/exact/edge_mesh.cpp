@@ -59,11 +59,18 @@ void for_all_sides(const EdgeMesh& mesh, Visit visit) {
   }
 }
 
-// Sides sorted by their lower vertex by counting, then by the higher within the few of one vertex. Leaves room for
-// the edges of crossings.
-void number_edges(EdgeMesh& mesh, std::size_t crossings) {
+// Sides and wires sorted by their lower vertex by counting, then by the higher within the few of one vertex. Leaves
+// room for the edges of crossings.
+void number_edges(EdgeMesh& mesh, const scene::PolyScene& scene) {
+  constexpr std::uint32_t no_corner = ~0U;
+  const auto for_wires = [&scene](auto visit) {
+    for (const auto& [a, b] : scene.wires)
+      if (a != b) visit(no_corner, picture::LineEdge{std::min(a, b), std::max(a, b)});
+  };
   std::vector<std::uint32_t> start(mesh.vertices.size() + 1);
-  for_all_sides(mesh, [&](std::uint32_t, const picture::LineEdge& edge) { ++start[edge.from + 1]; });
+  const auto count = [&](std::uint32_t, const picture::LineEdge& edge) { ++start[edge.from + 1]; };
+  for_all_sides(mesh, count);
+  for_wires(count);
   for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
   struct Side {
     VertexIndex to = 0;
@@ -71,16 +78,18 @@ void number_edges(EdgeMesh& mesh, std::size_t crossings) {
   };
   std::vector<Side> sides(start.back());
   std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  for_all_sides(mesh, [&](std::uint32_t corner, const picture::LineEdge& edge) {
-    sides[fill[edge.from]++] = {edge.to, corner};
-  });
-  mesh.edges.reserve(sides.size() / 2 + crossings);
+  const auto add = [&](std::uint32_t corner, const picture::LineEdge& edge) { sides[fill[edge.from]++] = {edge.to, corner}; };
+  for_all_sides(mesh, add);
+  for_wires(add);
+  mesh.edges.reserve(sides.size() / 2 + scene.wires.size() + scene.crossings.size());
   for (VertexIndex v = 0; v + 1 < start.size(); ++v) {
     std::sort(sides.data() + start[v], sides.data() + start[v + 1],
               [](const Side& a, const Side& b) { return a.to < b.to; });
     for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
       if (i == start[v] || sides[i].to != sides[i - 1].to) mesh.edges.push_back({v, sides[i].to});
-      mesh.corners[sides[i].corner].side = static_cast<std::uint32_t>(mesh.edges.size() - 1);
+      const auto edge = static_cast<std::uint32_t>(mesh.edges.size() - 1);
+      if (sides[i].corner != no_corner) mesh.corners[sides[i].corner].side = edge;
+      else mesh.wires.push_back(edge);
     }
   }
 }
@@ -132,7 +141,7 @@ EdgeMesh make_edge_mesh(const scene::PolyScene& scene) {
       ++number;
     }
   }
-  number_edges(mesh, scene.crossings.size());
+  number_edges(mesh, scene);
   append_lines(scene, mesh);
   return mesh;
 }

@@ -73,6 +73,7 @@ struct EdgeMesh {
   std::span<const geometry::Point3> vertices;  // of the scene
   std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them, and then the scene's crossings
   std::vector<MeshLine> lines;           // the crossings
+  std::vector<std::uint32_t> wires;      // among the edges
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;
   std::vector<std::uint32_t> surfaces;  // of each face, as PolyScene::surface_of has it; empty: 0 for all

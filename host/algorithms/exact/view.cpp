@@ -218,6 +218,7 @@ View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera, const pict
   view.axes = {vector_of(camera.right), vector_of(camera.up)};
   place_points(view, camera, jobs);
   place_faces(view, jobs);
+  for (const std::uint32_t wire : mesh.wires) view.drawn[wire] = 1;
   if (chosen != nullptr) {
     view.drawn.assign(mesh.edges.size(), 0);
     auto edge = mesh.edges.begin();

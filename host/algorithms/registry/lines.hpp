@@ -67,7 +67,7 @@ struct LineAlgorithm {
   // `prepare` of a scene that already has cells; null if it does not use them. The complex is a
   // checked one (precondition).
   PreparedScene (*prepare_cells)(scene::CellComplex complex) = nullptr;
-  bool draws_crossings = false;  // bodies may pass through each other: PolyScene::crossings is drawn, too
+  bool draws_crossings = false;  // bodies may pass through each other: PolyScene::crossings and wires are drawn, too
   // `prepare` of views each of which uses so many threads, for the same picture; null if a view uses one.
   base::Result<PreparedScene> (*prepare_threads)(const scene::PolyScene& scene, unsigned jobs) = nullptr;
   MeshTime mesh_time = {};

@@ -257,7 +257,8 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   if (arguments.view.layers.empty())
     arguments.view.layers = format == DrawingFormat::png || format == DrawingFormat::hpgl ? "none" : "kind";
   arguments.mesh.eye = eye_of(arguments.camera);
-  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
+  const scene::LoadedScene source =
+      load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::kept : Wires::left_out);
   const std::size_t faces = scene::face_count(source.scene);
   refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);

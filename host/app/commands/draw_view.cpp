@@ -25,6 +25,7 @@ namespace sightline::app {
 
 namespace {
 
+using picture::EdgeKind;
 using picture::LineLayer;
 using picture::LinePicture;
 using picture::LinePiece;
@@ -34,7 +35,7 @@ constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, 
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
 
 // The body of each edge of a picture, asked for in ascending order. An edge of several is the first one's, and so is a line in
-// which two cross.
+// which two cross; that of a wire is the number of bodies.
 class BodyOfEdge {
  public:
   explicit BodyOfEdge(const scene::PolyScene& scene) : scene_(scene), firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
@@ -42,7 +43,10 @@ class BodyOfEdge {
   [[nodiscard]] std::size_t operator()(const picture::LineEdge& edge) {
     const auto number_of = [this](std::size_t e) { return picture::LineEdge{edges_[e].low, edges_[e].high}; };
     while (edge_ < edges_.size() && number_of(edge_) < edge) ++edge_;
-    if (edge_ < edges_.size() && number_of(edge_) == edge) return body_of(edges_.uses(edge_).front().face);
+    if (edge_ < edges_.size() && number_of(edge_) == edge) {
+      const auto uses = edges_.uses(edge_);
+      return uses.empty() ? scene_.bodies.size() : body_of(uses.front().face);
+    }
     return body_of(scene_.crossings[(edge.from - scene_.crossings.front().from) / 2].face_a);
   }
 
@@ -121,7 +125,7 @@ class LineViews::Work {
     const bool crossing = find_crossings();
     if (crossing) own_scene_ = scene::with_crossings(source.scene);
     seams_ = !mesh && !options.edges.are_given();
-    if (seams_ && !scene().crossings.empty()) {
+    if (seams_ && has_lines_apart()) {
       chooser_.emplace(scene(), *picture::edge_choice_named("all"));
     } else if (!seams_) {
       if (const auto choice = edge_choice_of(options.edges, scene())) chooser_.emplace(scene(), *choice);
@@ -149,13 +153,13 @@ class LineViews::Work {
       result.by_kind = chosen->counts();
     }
     result.visible_length = picture::image_length(result.view.picture, scene(), camera);
-    LinePicture drawn = seams_ ? without_seams(result.view.picture, camera) : result.view.picture;
+    LinePicture drawn = seams_ ? without_seams(result.view.picture, chosen, camera) : result.view.picture;
     result.pieces = drawn.pieces.size();
     std::vector<LineLayer> layers = divided(drawn, chosen, false);
     std::vector<LineLayer> hidden;
     if (options_.hidden) {
       LinePicture whole = chosen ? picture::only(whole_edges(), *chosen) : whole_edges();
-      if (seams_) whole = without_seams(whole, camera);
+      if (seams_) whole = without_seams(whole, chosen, camera);
       hidden = divided(picture::hidden_pieces(whole, drawn), chosen, true);
     }
     if (!options_.hatch) {
@@ -172,7 +176,8 @@ class LineViews::Work {
   [[nodiscard]] registry::PreparedScene prepared(const scene::PolyScene& of) const {
     return value_of(options_.jobs > 1 ? algorithm_.prepare_threads(of, options_.jobs) : algorithm_.prepare(of), source_.name);
   }
-  [[nodiscard]] bool has_crossings() const { return !scene().crossings.empty(); }
+  // Lines that are no sides of faces: what bodies pass through each other in, and wires.
+  [[nodiscard]] bool has_lines_apart() const { return !scene().crossings.empty() || !scene().wires.empty(); }
 
   // Whether there are lines in which bodies pass through each other, and they are drawn; if not drawn, a warning.
   [[nodiscard]] bool find_crossings() const {
@@ -191,22 +196,22 @@ class LineViews::Work {
     return whole;
   }
 
-  // The first piece of a crossing: their vertices come after all others.
-  [[nodiscard]] std::size_t first_crossing(const LinePicture& picture) const {
-    const scene::VertexIndex first = scene().crossings.front().from;
-    const auto found = std::lower_bound(picture.pieces.begin(), picture.pieces.end(), first,
-                                        [](const LinePiece& piece, scene::VertexIndex v) { return piece.edge.from < v; });
-    return static_cast<std::size_t>(found - picture.pieces.begin());
-  }
-
-  // Seams are between faces; lines in which faces cross are none.
-  [[nodiscard]] LinePicture without_seams(LinePicture picture, const scene::PolyCamera& camera) const {
-    if (!has_crossings()) return picture::without_seams(picture, scene(), camera);
-    const auto crossings = picture.pieces.begin() + static_cast<std::ptrdiff_t>(first_crossing(picture));
-    const std::vector<LinePiece> kept(crossings, picture.pieces.end());
-    picture.pieces.erase(crossings, picture.pieces.end());
-    LinePicture result = picture::without_seams(picture, scene(), camera);
-    result.pieces.insert(result.pieces.end(), kept.begin(), kept.end());
+  // Seams are between faces; lines that are no sides of faces are none.
+  [[nodiscard]] LinePicture without_seams(const LinePicture& picture, const std::optional<picture::ChosenEdges>& chosen,
+                                          const scene::PolyCamera& camera) const {
+    if (!has_lines_apart()) return picture::without_seams(picture, scene(), camera);
+    LinePicture sides;
+    LinePicture apart;
+    std::size_t edge = 0;
+    for (const LinePiece& piece : picture.pieces) {
+      while (chosen->edges[edge] < piece.edge) ++edge;
+      (is_apart(chosen->kinds[edge]) ? apart : sides).pieces.push_back(piece);
+    }
+    LinePicture result = picture::without_seams(sides, scene(), camera);
+    const auto end_of_sides = static_cast<std::ptrdiff_t>(result.pieces.size());
+    result.pieces.insert(result.pieces.end(), apart.pieces.begin(), apart.pieces.end());
+    std::inplace_merge(result.pieces.begin(), result.pieces.begin() + end_of_sides, result.pieces.end(),
+                       [](const LinePiece& a, const LinePiece& b) { return a.edge < b.edge; });
     return result;
   }
 
@@ -217,15 +222,16 @@ class LineViews::Work {
     const std::size_t kinds = chosen ? picture::edge_kind_count : 1;
     const bool by_body = options_.layers == "body" && !hidden;
     std::vector<LineLayer> layers;
-    for (std::size_t b = 0; b < (by_body ? scene().bodies.size() : 1); ++b) {
+    const std::size_t bodies = scene().bodies.size();
+    for (std::size_t b = 0; b < (by_body ? bodies + (scene().wires.empty() ? 0 : 1) : 1); ++b) {
       for (std::size_t k = 0; k < kinds; ++k) {
         LineLayer layer = hidden ? picture::hidden_layer({}) : LineLayer{"visible", {}};
         if (chosen) layer.kind = picture::edge_kind_names[k];
         if (by_body) {
-          const std::string& name = scene().bodies[b].name;
+          const std::string name = b < bodies ? scene().bodies[b].name : "wires";
           layer.label = name.empty() ? fmt::format("body {}", b + 1) : name;
           layer.colour = body_colours[b % body_colours.size()];
-        } else if (!hidden && options_.layers == "kind" && chosen && (!seams_ || is_intersection(k))) {
+        } else if (!hidden && options_.layers == "kind" && chosen && (!seams_ || is_apart(static_cast<EdgeKind>(k)))) {
           layer.label = layer.kind;
         }
         layers.push_back(std::move(layer));
@@ -242,17 +248,15 @@ class LineViews::Work {
       }
       layers[layer].picture.pieces.push_back(piece);
     }
-    if (seams_ && chosen && !by_body) {
-      // One layer of the drawing for all but crossings.
-      const auto crossings = std::find_if(layers.begin(), layers.end(), [](const LineLayer& layer) {
-        return layer.kind == picture::edge_kind_names[static_cast<std::size_t>(picture::EdgeKind::intersection)];
-      });
-      std::rotate(crossings, crossings + 1, layers.end());
+    if (seams_ && !by_body) {
+      // Sides of faces are one layer of the drawing.
+      std::stable_partition(layers.begin(), layers.end(), [](const LineLayer& layer) { return layer.label != layer.kind; });
     }
     return layers;
   }
 
-  static bool is_intersection(std::size_t kind) { return kind == static_cast<std::size_t>(picture::EdgeKind::intersection); }
+  // Whether an edge of this kind is no side of a face.
+  static bool is_apart(EdgeKind kind) { return kind == EdgeKind::intersection || kind == EdgeKind::wire; }
 
   static void add_all(std::vector<LineLayer>& layers, std::vector<LineLayer>& more) {
     layers.insert(layers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

@@ -212,6 +212,7 @@ Json polyhedra_json(const scene::PolyScene& scene) {
           {"holes", counts.holes},
           {"bodies", scene.bodies.size()},
           {"sheets", counts.sheets},
+          {"wires", scene.wires.size()},
           {"bounds", Json::array({scene::file_point(scene, bounds.low), scene::file_point(scene, bounds.high)})},
           {"bounds_steps", Json::array({bounds.low, bounds.high})},
           {"surfaces", scene.surfaces.size()},
@@ -228,6 +229,7 @@ void list_polyhedra(const scene::PolyScene& scene, TextTable& facts) {
   facts.row({"faces", fmt::format("{}, with {} holes", scene::face_count(scene), counts.holes)});
   facts.row(
       {"bodies", fmt::format("{} solids, {} sheets", scene.bodies.size() - counts.sheets, counts.sheets)});
+  if (!scene.wires.empty()) facts.row({"lines", fmt::format("{} without faces", scene.wires.size())});
   if (!scene.surfaces.empty()) facts.row({"surfaces", fmt::format("{} planes and single faces", scene.surfaces.size())});
   const auto low = scene::file_point(scene, bounds.low);
   const auto high = scene::file_point(scene, bounds.high);
@@ -329,7 +331,7 @@ struct ConvertArguments {
 };
 
 ExitCode convert(const ConvertArguments& arguments) {
-  const scene::LoadedScene loaded = load_scene(arguments.scene, arguments.mesh);
+  const scene::LoadedScene loaded = load_scene(arguments.scene, arguments.mesh, Wires::kept);
   write_scene(loaded.scene, loaded.name, arguments.output);
   return ExitCode::ok;
 }

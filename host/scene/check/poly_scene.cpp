@@ -345,12 +345,24 @@ bool check_references(const PolyScene& scene, std::vector<bool>& used, Problems&
       for (const auto& hole : body.faces[f].holes) mark(hole);
     }
   }
+  for (std::size_t w = 0; w < scene.wires.size() && !problems.full(); ++w) {
+    for (const VertexIndex v : scene.wires[w]) {
+      if (v < used.size()) {
+        used[v] = true;
+        continue;
+      }
+      problems.add("wire", w, "names vertex " + std::to_string(v) + ", of " + std::to_string(used.size()));
+      good = false;
+    }
+    if (scene.wires[w][0] == scene.wires[w][1])
+      problems.add("wire", w, "joins vertex " + std::to_string(scene.wires[w][0]) + " to itself");
+  }
   return good && !problems.full();
 }
 
 void check_vertices(const PolyScene& scene, const std::vector<bool>& used, Problems& problems) {
   for (std::size_t v = 0; v < used.size() && !problems.full(); ++v)
-    if (!used[v]) problems.add("vertex", v, "is not used by any face");
+    if (!used[v]) problems.add("vertex", v, scene.wires.empty() ? "is not used by any face" : "is not used by any face or wire");
   std::vector<VertexIndex> order(scene.vertices.size());
   std::iota(order.begin(), order.end(), VertexIndex{0});
   std::stable_sort(order.begin(), order.end(),
@@ -381,7 +393,7 @@ bool is_simple_face(const std::vector<PolyPoint>& vertices, const std::vector<Ve
 
 std::vector<base::Error> check_poly_scene(const PolyScene& scene) {
   Problems problems;
-  if (scene.bodies.empty()) problems.add("bodies", "expected at least one body, found none");
+  if (scene.bodies.empty() && scene.wires.empty()) problems.add("bodies", "expected at least one body, found none");
   check_camera(scene.camera, problems);
   const bool within_limits = check_coordinates(scene, problems);
   std::vector<bool> used(scene.vertices.size(), false);

@@ -1,7 +1,7 @@
 // Checks that a PolyScene is valid. Every test is exact, on integers.
 //
-// Checked: there is a face; coordinates and the eye are below poly_coordinate_limit; the camera's vectors are
-// orthogonal, not zero and below 2^15; no two vertices are equal, each is used; every outline and hole is a
+// Checked: there is a face or a wire; coordinates and the eye are below poly_coordinate_limit; the camera's vectors are
+// orthogonal, not zero and below 2^15; no two vertices are equal, each is used; the ends of a wire differ; every outline and hole is a
 // simple ring of three or more vertices with an area, touching itself nowhere, in one plane; holes lie inside
 // their outline, turn the other way, and touch neither it nor each other; a solid's edges belong to two of
 // its faces that pass them in opposite directions; its shells enclose a volume and face outwards, or inwards

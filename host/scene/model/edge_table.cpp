@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace sightline::scene {
 namespace {
 
+constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max();
+
+// Sides of faces, and wires as those of no face.
 template <class Visit>
 void for_sides(const PolyScene& scene, Visit visit) {
   std::uint32_t number = 0;
@@ -24,6 +29,8 @@ void for_sides(const PolyScene& scene, Visit visit) {
       ++number;
     }
   }
+  for (const auto& [from, to] : scene.wires)
+    if (from != to) visit(from, to, no_face);
 }
 
 struct UpperEnd {  // of a side
@@ -55,10 +62,19 @@ EdgeTable::EdgeTable(const PolyScene& scene) {
     for (const UpperEnd* side = begin; side != end; ++side) {
       if (side == begin || side->high != (side - 1)->high)
         edges_.push_back({v, side->high, static_cast<std::uint32_t>(uses_.size())});
-      uses_.push_back(side->use);
+      if (side->use.face != no_face) uses_.push_back(side->use);
     }
   }
   edges_.push_back({0, 0, static_cast<std::uint32_t>(uses_.size())});
+}
+
+std::size_t EdgeTable::find(VertexIndex a, VertexIndex b) const {
+  const auto [low, high] = std::minmax(a, b);
+  const auto end = edges_.end() - 1;
+  const auto found = std::lower_bound(edges_.begin(), end, std::pair(low, high), [](const Edge& edge, const auto& ends) {
+    return std::pair(edge.low, edge.high) < ends;
+  });
+  return static_cast<std::size_t>(found - edges_.begin());
 }
 
 }  // namespace sightline::scene

@@ -1,6 +1,6 @@
-// The edges of a scene's faces, numbered, with the faces at each.
+// The edges of a scene, numbered, with the faces at each.
 //
-// An edge is a pair of vertices that follow each other on an outline or a hole. Edges ascend by their lower
+// An edge is a pair of vertices that follow each other on an outline or a hole, or a wire. Edges ascend by their lower
 // and then by their higher vertex, as those of a LinePicture do, so that the numbers of both are the same.
 #pragma once
 
@@ -25,13 +25,15 @@ class EdgeTable {
     std::uint32_t first = 0;  // of its uses
   };
 
-  // Every index of a face is below the number of vertices. Sides from a vertex to itself are left out. Linear,
+  // Every index of a face or wire is below the number of vertices. Sides from a vertex to itself are left out. Linear,
   // but for sorting the sides at a vertex.
   explicit EdgeTable(const PolyScene& scene);
 
   [[nodiscard]] std::size_t size() const { return edges_.size() - 1; }
   [[nodiscard]] const Edge& operator[](std::size_t edge) const { return edges_[edge]; }
-  // Ascending by face.
+  // The number of the edge between two vertices, which is one of the table (precondition). Logarithmic.
+  [[nodiscard]] std::size_t find(VertexIndex a, VertexIndex b) const;
+  // Ascending by face; none of a wire that is no side.
   [[nodiscard]] std::span<const Use> uses(std::size_t edge) const {
     return std::span(uses_).subspan(edges_[edge].first, edges_[edge + 1].first - edges_[edge].first);
   }

@@ -55,6 +55,9 @@ struct PolyCamera {
   friend bool operator==(const PolyCamera&, const PolyCamera&) = default;
 };
 
+// A line between two vertices, a side of a face or not: faces hide it, and it hides nothing.
+using PolyWire = std::array<VertexIndex, 2>;
+
 // Faces of a mesh that are in one plane, as far as the numbers of its file can tell: their rounded vertices
 // cannot. Its edges are chosen, and what faces the eye is decided, by these (host/picture/edge_choice.hpp).
 struct PolySurface {
@@ -103,9 +106,16 @@ struct PolyScene {
   // vertices are the last ones, in the same order.
   std::vector<PolyCrossing> crossings = {};
   std::vector<geometry::Plane> cut_planes = {};  // normals below 2^39, values at vertices and eyes below 2^60
+  std::vector<PolyWire> wires = {};              // belong to no body; they alone can be a scene
+  // Of a mesh: numbers of a wire and of a surface in whose plane it lies, so that its faces do not hide the wire, although
+  // both were rounded; ascending.
+  std::vector<std::array<std::uint32_t, 2>> wires_on = {};
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };
+
+// The scene without its wires, and then without the vertices that no face has. The scene has no crossings (precondition).
+[[nodiscard]] PolyScene without_wires(PolyScene scene);
 
 // The faces of a scene numbered over all its bodies, from 1, as pictures of faces have them: 0 is no face.
 

@@ -45,6 +45,8 @@ class ObjReader {
       read_vertex();
     } else if (word == "f") {
       read_face();
+    } else if (word == "l" && lines_.fields().size() > 2) {
+      read_polyline();
     } else if (word == "o") {
       object_ = name();
       has_objects_ = true;
@@ -91,18 +93,30 @@ class ObjReader {
       error_ = lines_.error("found " + std::to_string(fields.size() - 1) + " vertices, expected 3 or more");
       return;
     }
-    NamedFace face{object_, group_, material_, {}};
+    NamedFace face{object_, group_, material_, {read_corners(), {}}};
+    if (!error_) faces_.push_back(std::move(face));
+  }
+
+  void read_polyline() {
+    const std::vector<VertexIndex> vertices = read_corners();
+    for (std::size_t i = 1; i < vertices.size(); ++i) mesh_.wires.push_back({vertices[i - 1], vertices[i]});
+  }
+
+  // The vertices that the statement names; an error if one is none.
+  std::vector<VertexIndex> read_corners() {
+    const auto& fields = lines_.fields();
+    std::vector<VertexIndex> vertices;
     for (std::size_t i = 1; i < fields.size(); ++i) {
       const auto vertex = vertex_of(fields[i]);
       if (!vertex) {
         error_ = lines_.unexpected(fields[i], "a vertex 1.." + std::to_string(mesh_.vertices.size()) +
                                                   " or the same from behind, -" +
                                                   std::to_string(mesh_.vertices.size()) + "..-1");
-        return;
+        break;
       }
-      face.face.outline.push_back(*vertex);
+      vertices.push_back(*vertex);
     }
-    faces_.push_back(std::move(face));
+    return vertices;
   }
 
   [[nodiscard]] std::optional<VertexIndex> vertex_of(std::string_view corner) const {

@@ -99,6 +99,7 @@ base::Result<std::string> write_obj(const PolyScene& scene) {
       }
     }
   }
+  for (const PolyWire& wire : scene.wires) text += "l " + std::to_string(wire[0] + 1) + " " + std::to_string(wire[1] + 1) + '\n';
   return text;
 }
 
@@ -200,6 +201,12 @@ void append_surfaces(std::string& text, const PolyScene& scene) {
   if (!scene.material_of.empty()) text += ",\n\"material_of\":" + json_array(scene.material_of);
 }
 
+void append_pairs(std::string& text, const std::string& name, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    text += (p > 0 ? std::string(",\n") : ",\n\"" + name + "\":[\n") + json_array(pairs[p]);
+  if (!pairs.empty()) text += ']';
+}
+
 // One vertex or face a line, so that versions can be compared.
 std::string write_json(const PolyScene& scene) {
   std::string text = "{\"name\":" + json_string(scene.name) + ",\"step\":";
@@ -218,6 +225,8 @@ std::string write_json(const PolyScene& scene) {
   }
   text += ']';
   append_surfaces(text, scene);
+  append_pairs(text, "wires", scene.wires);
+  append_pairs(text, "wires_on", scene.wires_on);
   const PolyCamera& camera = scene.camera;
   return text + ",\n\"camera\":{\"perspective\":" + (camera.perspective ? "true" : "false") +
          ",\"eye\":" + json_array(camera.eye) + ",\"forward\":" + json_array(camera.forward) +
@@ -323,6 +332,11 @@ base::Result<PolyImport> read_poly(std::string_view text, std::string_view sourc
 }
 
 base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format) {
+  if (!scene.wires.empty() && format != PolyFormat::obj && format != PolyFormat::json) {
+    const std::string count = std::to_string(scene.wires.size());
+    return base::Error{"", "", "has " + count + (scene.wires.size() == 1 ? " line" : " lines") + " without faces, for which this format has no place",
+                       "a scene of faces alone", "JSON and OBJ keep the lines"};
+  }
   switch (format) {
     case PolyFormat::off: return write_off(scene);
     case PolyFormat::obj: return write_obj(scene);

@@ -35,7 +35,8 @@ inline constexpr std::string_view poly_endings = ".json, .off, .obj, .stl or .pl
 // The text of a file, of a format that can be written and a checked scene, in the coordinates of the file the
 // scene came from (times step); JSON has the integers themselves. OFF and OBJ have no holes: a face with
 // holes is written as triangles, which hide the same; the diagonals are seams. STL (binary, float32) has
-// triangles only, PLY (binary) no holes either. An error names a face for which that cannot be done. None
+// triangles only, PLY (binary) no holes either. An error names a face for which that cannot be done, or says that there
+// are wires, which only OBJ and JSON keep. None
 // keeps the camera. OFF, STL and PLY have no names, nor which faces make a body: read again, connected parts
 // are the bodies. In OBJ names that are ambiguous or could not be read again are changed.
 [[nodiscard]] base::Result<std::string> write_poly(const PolyScene& scene, PolyFormat format);

@@ -33,6 +33,7 @@ class Import {
     quantise();
     scene().name = std::move(mesh_.name);
     scene().bodies = std::move(mesh_.bodies);
+    scene().wires = std::move(mesh_.wires);
     if (options_.mend) {
       mend_faces();
     } else {
@@ -78,9 +79,10 @@ class Import {
     const std::vector<MendedFace> mended = mend(scene(), options, faces());
     faces().largest_deviation *= report().step;
     report().mended = true;
+    if (mended.empty() && !scene().wires.empty()) return;
     if (mended.empty()) {
       if (file.size() == 0) {
-        error_ = base::Error{mesh_.source, "", "found no faces", "a mesh", "points and lines hide nothing"};
+        error_ = base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"};
         return;
       }
       error_ = base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),
@@ -89,9 +91,43 @@ class Import {
     }
     const double tolerance = options_.planar_tolerance.value_or(std::max(4 * mesh_.precision, options_.weld));
     find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
+    if (report().quantised) find_surfaces_of_wires();
     if (mesh_.materials.empty()) return;
     scene().material_of.reserve(mended.size());
     for (const MendedFace& face : mended) scene().material_of.push_back(mesh_.materials[face.source]);
+  }
+
+  // A wire and a corner of a surface are up to 0.87 steps from where the file has them. If that is much of the scene, the
+  // numbers are so short that they have to be meant as they are.
+  void find_surfaces_of_wires() {
+    const double tolerance = std::min(2.0, static_cast<double>(bounds_of(scene()).half_size()) / 5000);
+    using Point = std::array<double, 3>;
+    const auto place_of = [this](VertexIndex v) {
+      const PolyPoint& p = scene().vertices[v];
+      return Point{double(p[0]), double(p[1]), double(p[2])};
+    };
+    const auto along = [](const Point& normal, const Point& p) { return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]; };
+    struct Plane {
+      Point normal{};
+      double height = 0;
+    };
+    std::vector<Plane> planes(scene().surfaces.size());
+    std::size_t face = 0;
+    for (const PolyBody& body : scene().bodies) {
+      for (const PolyFace& of_body : body.faces) {
+        const std::uint32_t surface = scene().surface_of[face++];
+        const auto& normal = scene().surfaces[surface].normal;
+        planes[surface] = {normal, along(normal, place_of(of_body.outline[0]))};
+      }
+    }
+    for (std::uint32_t w = 0; w < scene().wires.size(); ++w) {
+      const Point from = place_of(scene().wires[w][0]);
+      const Point to = place_of(scene().wires[w][1]);
+      for (std::uint32_t s = 0; s < planes.size(); ++s) {
+        const auto is_on = [&](const Point& p) { return std::abs(along(planes[s].normal, p) - planes[s].height) <= tolerance; };
+        if (is_on(from) && is_on(to)) scene().wires_on.push_back({w, s});
+      }
+    }
   }
 
   // What double coordinates leave uncertain of a plane.
@@ -107,6 +143,7 @@ class Import {
   void keep_faces() {
     if (report().quantised) {
       merge_vertices();
+      tidy_wires(scene().wires, faces());
       const std::vector<bool> used = used_vertices();
       drop_faces();
       drop_unused(used);
@@ -160,6 +197,8 @@ class Import {
         for (Ring& hole : face.holes) apply(hole);
       }
     }
+    for (PolyWire& wire : scene().wires)
+      for (VertexIndex& v : wire) v = number[target[v]];
   }
 
   // Rings lose vertices that follow themselves, bodies faces that lost their area.
@@ -247,6 +286,7 @@ class Import {
           for (const VertexIndex v : hole) used[v] = true;
       }
     }
+    for (const PolyWire& wire : scene().wires) used[wire[0]] = used[wire[1]] = true;
     return used;
   }
 

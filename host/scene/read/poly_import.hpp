@@ -10,7 +10,8 @@
 // of a file of integers makes it shorter (PolyImportOptions::eye).
 //
 // What then happens to the faces is one of two things. Mending: poly_mend.hpp, and what lies in one plane is
-// found (poly_planes.hpp). Without it, of a rounded file: vertices that were different and fell together become
+// found (poly_planes.hpp); a wire of a rounded file is in such a plane if its ends are, within two steps and a ten-thousandth
+// of the scene's size. Without it, of a rounded file: vertices that were different and fell together become
 // one; faces that lost their area are left out; faces of four and more vertices that are no longer planar are
 // split into triangles along their own vertices. Triangles are always planar. All of it is counted; damage that
 // was in the file before (equal or unused vertices, faces turned the wrong way) stays for check_poly_scene to
@@ -47,6 +48,7 @@ struct PolyMesh {
   std::optional<std::size_t> vertical;  // the axis that the format says is upwards: 0, 1, 2 = x, y, z
   std::string unit;                     // of the coordinates, as the format says: "m", "mm", "inch"; or empty
   std::vector<std::string> notes;       // what was passed over, a phrase each: "3 statements \"s\""
+  std::vector<PolyWire> wires;          // every index is below vertices.size()
 };
 
 struct PolyImportOptions {

@@ -120,6 +120,22 @@ class PolyReader {
     of_faces(document, "material_of", std::numeric_limits<std::uint32_t>::max(), scene_.material_of);
   }
 
+  // Pairs of numbers of things of which there are so many.
+  void pairs(const Json& document, const char* name, const std::array<std::size_t, 2>& counts,
+             std::vector<std::array<std::uint32_t, 2>>& numbers) {
+    const Json* value = json_.optional_field(document, name, "");
+    if (value == nullptr || !json_.array(*value, name)) return;
+    for (std::size_t p = 0; p < value->size() && !json_.failed(); ++p) {
+      const std::string place = base::indexed(name, p);
+      if (!json_.array((*value)[p], place, 2)) return;
+      auto& pair = numbers.emplace_back();
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto last = static_cast<std::int64_t>(counts[i]) - 1;
+        pair[i] = static_cast<std::uint32_t>(json_.integer((*value)[p][i], base::indexed(place, i), 0, last));
+      }
+    }
+  }
+
   void read(const Json& document) {
     constexpr std::int64_t largest = poly_coordinate_limit - 1;
     if (const Json* text = json_.optional_field(document, "name", ""))
@@ -143,6 +159,10 @@ class PolyReader {
       scene_.bodies.push_back(body((*bodies)[b], base::indexed("bodies", b)));
     if (json_.failed()) return;
     read_surfaces(document);
+    if (json_.failed()) return;
+    pairs(document, "wires", {scene_.vertices.size(), scene_.vertices.size()}, scene_.wires);
+    if (json_.failed()) return;
+    pairs(document, "wires_on", {scene_.wires.size(), scene_.surfaces.size()}, scene_.wires_on);
     if (json_.failed()) return;
     const Json* camera = json_.optional_field(document, "camera", "");
     if (camera == nullptr) {

@@ -187,6 +187,8 @@ class Mending {
       }
     }
     file_faces_ = pieces_.size();
+    for (PolyWire& wire : scene_.wires) wire = {target[wire[0]], target[wire[1]]};
+    tidy_wires(scene_.wires, report_);
   }
 
   static void leave_out(Piece& piece, std::size_t& count) {
@@ -593,6 +595,7 @@ class Mending {
     for (const PolyBody& body : scene_.bodies)
       for (const PolyFace& face : body.faces)
         for (const VertexIndex v : face.outline) used[v] = true;
+    for (const PolyWire& wire : scene_.wires) used[wire[0]] = used[wire[1]] = true;
     std::vector<VertexIndex> number(points().size());
     VertexIndex count = 0;
     for (VertexIndex v = 0; v < number.size(); ++v) {
@@ -604,6 +607,7 @@ class Mending {
     for (PolyBody& body : scene_.bodies)
       for (PolyFace& face : body.faces)
         for (VertexIndex& v : face.outline) v = number[v];
+    for (PolyWire& wire : scene_.wires) wire = {number[wire[0]], number[wire[1]]};
     return std::move(mended_);
   }
 
@@ -619,6 +623,16 @@ class Mending {
 };
 
 }  // namespace
+
+void tidy_wires(std::vector<PolyWire>& wires, MendReport& report) {
+  for (PolyWire& wire : wires)
+    if (wire[1] < wire[0]) std::swap(wire[0], wire[1]);
+  const auto points = std::remove_if(wires.begin(), wires.end(), [](const PolyWire& wire) { return wire[0] == wire[1]; });
+  report.dropped_wires += static_cast<std::size_t>(wires.end() - points);
+  wires.erase(points, wires.end());
+  std::sort(wires.begin(), wires.end());
+  wires.erase(std::unique(wires.begin(), wires.end()), wires.end());
+}
 
 std::vector<MendedFace> mend(PolyScene& scene, const MendOptions& options, MendReport& report) {
   return Mending(scene, options, report).run();

@@ -10,7 +10,8 @@
 // are a part; its faces are turned to agree with its first one. A closed part is a solid: outside out, in
 // another one inside out, in that outside out again; a part that is open, or has but one side, is a sheet.
 // Without bodies in the file each part is a body, and a cavity belongs to the solid around it; the bodies of a
-// file are divided into what is solid and what is sheet. Vertices that no face has are left out.
+// file are divided into what is solid and what is sheet. Wires that became a point, and all but one of those that
+// are equal, are left out, and so are vertices that no face or wire has.
 #pragma once
 
 #include <cstddef>
@@ -40,6 +41,7 @@ struct MendReport {
   std::size_t crowded_edges = 0;      // of three or more faces
   std::size_t crossing_faces = 0;     // left out, because their outlines cross themselves
   std::size_t first_crossing = 0;     // in the file, counted over all bodies from 0
+  std::size_t dropped_wires = 0;      // without length
 };
 
 // What became of a face of the file.
@@ -50,7 +52,10 @@ struct MendedFace {
 
 // Of a scene of vertices and bodies without holes, indices in range and coordinates within the limit, nothing
 // else checked. Result: for each face of the scene, counted over all bodies, where it came from. What is left
-// passes check_poly_scene but for the camera, unless no face is left.
+// passes check_poly_scene but for the camera, unless no face and no wire is left.
 std::vector<MendedFace> mend(PolyScene& scene, const MendOptions& options, MendReport& report);
+
+// Wires from their lower vertex, ascending, each once; those from a vertex to itself are left out and counted.
+void tidy_wires(std::vector<PolyWire>& wires, MendReport& report);
 
 }  // namespace sightline::scene

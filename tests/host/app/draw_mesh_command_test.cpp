@@ -47,6 +47,67 @@ TEST_F(DrawMesh, BodiesThatPassThroughEachOtherInJson) {
   EXPECT_TRUE(has(other.err, "bodies pass through each other, the first at faces")) << other.err;
 }
 
+// A box, and a line through it.
+constexpr std::string_view box_and_line =
+    "v 0 0 0\nv 10 0 0\nv 10 6 0\nv 0 6 0\nv 0 0 4\nv 10 0 4\nv 10 6 4\nv 0 6 4\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\n"
+    "f 3 4 8 7\nf 4 1 5 8\nv -5 3 2\nv 15 3 2\nl 9 10\n";
+
+// In an isometric view it is seen before x = -2 and after x = 10 (tests/host/algorithms/exact/wires_test.cpp): so many parts
+// of the 20 units from the left border of the drawing, at 10 mm, to the right one, at 190.
+TEST_F(DrawMesh, LinesWithoutFacesAreHiddenByFaces) {
+  write("f.obj", box_and_line);
+  for (const char* method : {"exact", "oracle"}) {
+    const auto ran = sightline({"draw", method, "f.obj", "--view", "iso", "--json", "-o", std::string(method) + ".svg"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+    EXPECT_TRUE(has(ran.out, "\"wire\": 1")) << ran.out;
+    const std::string svg = read(std::string(method) + ".svg");
+    const std::string layer = svg.substr(std::min(svg.find(" wire\""), svg.size()));
+    EXPECT_TRUE(has(layer, "M145 ")) << svg;        // 10 + 180 * 15 / 20
+    EXPECT_TRUE(has(layer, "M37 ")) << svg;         // 10 + 180 * 3 / 20
+    EXPECT_TRUE(has(layer, "l45 25.981\"")) << svg;  // the slope of an isometric axis is tan 30 degrees
+    EXPECT_TRUE(has(layer, "l-27-15.589\"")) << svg;
+  }
+  expect_ok({"draw", "exact", "f.obj", "--layers", "body", "-o", "b.svg"});
+  EXPECT_TRUE(has(read("b.svg"), " wires\""));
+  expect_ok({"draw", "exact", "f.obj", "--edges", "crease", "-o", "c.svg"});
+  EXPECT_FALSE(has(read("c.svg"), " wire\""));
+}
+
+TEST_F(DrawMesh, LinesWithoutFacesAreLeftOutByTheOtherMethods) {
+  write("f.obj", box_and_line);
+  const std::string warning = "sightline: warning: f.obj: 1 line without faces left out; `sightline draw exact` draws it\n";
+  for (const char* method : {"jones", "montani-re", "plantinga"}) {
+    const auto ran = sightline({"draw", method, "f.obj", "--orthographic", "1,0,1", "-o", std::string(method) + ".svg"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.err, warning);
+    EXPECT_FALSE(has(read(std::string(method) + ".svg"), " wire")) << method;
+  }
+  const auto turn = sightline({"spin", "f.obj", "--step", "90", "-o", "t.apng"});
+  EXPECT_EQ(turn.exit_code, 0);
+  EXPECT_EQ(turn.err, warning);
+  const auto compared = sightline({"compare", "f.obj"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.out;
+  EXPECT_TRUE(has(compared.err, warning)) << compared.err;
+  const auto off = sightline({"scene", "convert", "f.obj", "-o", "f.off"});
+  EXPECT_EQ(off.exit_code, 4);
+  EXPECT_TRUE(has(off.err, "f.obj: has 1 line without faces, for which this format has no place")) << off.err;
+}
+
+TEST_F(DrawMesh, AFileOfLinesAlone) {
+  write("l.obj", "v 0 0 0\nv 3 0 0\nv 3 4.5 0\nl 1 2 3\n");
+  for (const std::string_view option : {"--json", "--strict", "--hidden", "--all-edges"})
+    EXPECT_EQ(sightline({"draw", "exact", "l.obj", std::string(option), "-o", "l.svg"}).exit_code, 0) << option;
+  expect_ok({"draw", "exact", "l.obj", "--view", "front", "-o", "l.svg"});
+  EXPECT_TRUE(has(read("l.svg"), "<path d=\"M40 190l120 0 0-180\"/>")) << read("l.svg");  // 4.5 units are 180 mm
+  const auto info = sightline({"scene", "info", "l.obj"});
+  EXPECT_TRUE(has(info.out, "2 without faces")) << info.out;
+  const auto jones = sightline({"draw", "jones", "l.obj", "-o", "j.svg"});
+  EXPECT_EQ(jones.exit_code, 4);
+  EXPECT_TRUE(has(jones.err, "l.obj: found only 2 lines without faces, expected a scene with faces; `sightline draw exact` draws them"))
+      << jones.err;
+}
+
 TEST_F(DrawMesh, ALayerForEachBody) {
   write("two.json", box_and_bar);
   expect_ok({"draw", "exact", "two.json", "--layers", "body", "-o", "b.svg"});

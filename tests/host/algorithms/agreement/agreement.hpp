@@ -1,5 +1,5 @@
 // All that give exact visible edges, on one scene: the oracle, `exact`, and native Jones by BSP and, where it
-// can be, by grid. Pictures are equal by ==, or it is a defect.
+// can be, by grid; without Jones if there are wires, which he does not draw. Pictures are equal by ==, or it is a defect.
 #pragma once
 
 #include <memory>
@@ -20,6 +20,7 @@ class Agreement {
  public:
   // The scene is a checked one and outlives this.
   explicit Agreement(const scene::PolyScene& scene) : scene_(scene), mesh_(exact::make_edge_mesh(scene)) {
+    if (!scene.wires.empty()) return;
     add("jones by bsp", scene::decompose_bsp(scene));
     if (!scene::why_no_grid(scene)) add("jones by grid", scene::decompose_grid(scene));
   }

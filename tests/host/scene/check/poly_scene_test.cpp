@@ -88,6 +88,14 @@ const Damage kinds[] = {
        s.vertices.push_back({1, 2, 3});
      },
      "vertex 16: is not used by any face\n"},
+    {"wire_of_no_vertex", [](PolyScene& s) { s.wires = {{0, 5}, {3, 16}}; }, "wire 1: names vertex 16, of 16\n"},
+    {"wire_of_a_point", [](PolyScene& s) { s.wires = {{0, 5}, {3, 3}}; }, "wire 1: joins vertex 3 to itself\n"},
+    {"unused_beside_wires",
+     [](PolyScene& s) {
+       s.vertices.push_back({1, 2, 3});
+       s.wires = {{0, 5}};
+     },
+     "vertex 16: is not used by any face or wire\n"},
     {"duplicate",
      [](PolyScene& s) {
        s.vertices.push_back(s.vertices[9]);

@@ -79,10 +79,33 @@ TEST(ReadPoly, GroupsOfOneSurfaceAndMaterialsAreBorders) {
 
 TEST(ReadPoly, WhatOfAnObjIsPassedOverIsCounted) {
   const auto import = read_poly(
-      "mtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\ns off\nl 1 2\nl 2 3\ncurv 0 1\nf 1 2 3\nvt 0 0\n", "test",
+      "mtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\ns off\np 1 2\np 2 3\ncurv 0 1\nl 2\nf 1 2 3\nvt 0 0\n", "test",
       PolyFormat::obj);
   ASSERT_TRUE(import) << import.error().message();
-  EXPECT_EQ(import->report.notes, (std::vector<std::string>{"1 statement \"curv\"", "2 statements \"l\""}));
+  EXPECT_EQ(import->report.notes, (std::vector<std::string>{"1 statement \"curv\"", "1 statement \"l\"", "2 statements \"p\""}));
+}
+
+// A triangle; lines of three and of two vertices, one of them a side of it.
+TEST(ReadPoly, PolylinesOfAnObjAreWires) {
+  const std::string text = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 9\nl -1/1 2/7 1\nf 1 2 3\nv 1 1 5\nl 5 4\n";
+  const std::vector<PolyWire> as_written{{3, 1}, {1, 0}, {4, 3}};
+  const std::vector<PolyWire> tidy{{0, 1}, {1, 3}, {3, 4}};
+  for (const bool mend : {false, true}) {
+    const PolyImport import = read(text, PolyFormat::obj, mend);
+    EXPECT_EQ(import.scene.wires, mend ? tidy : as_written);
+    EXPECT_EQ(import.scene.vertices.size(), 5U);
+    EXPECT_EQ(import.report.notes, std::vector<std::string>{});
+    EXPECT_EQ(problems(import.scene), "");
+  }
+}
+
+TEST(ReadPoly, AFileOfLinesAloneIsAScene) {
+  for (const bool mend : {false, true}) {
+    const PolyImport import = read("v 0 0 0\nv 1.5 2 3\nv 4 5 6\nl 1 2 3\n", PolyFormat::obj, mend);
+    EXPECT_EQ(import.scene.wires, (std::vector<PolyWire>{{0, 1}, {1, 2}}));
+    EXPECT_TRUE(import.scene.bodies.empty());
+    EXPECT_EQ(problems(import.scene), "");
+  }
 }
 
 TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
@@ -152,6 +175,14 @@ TEST(ReadPoly, DamageIsNamedByLine) {
       {PolyFormat::obj, "v 0 0 0\nf 1 1/x 1\n",
        "test: line 2: found \"1/x\", expected a vertex 1..1 or the same from behind, -1..-1"},
       {PolyFormat::json, "{\"vertices\":[[0,0,0]]}", "test: expected a field \"bodies\", found none"},
+      {PolyFormat::obj, "v 0 0 0\nl 1 2\n",
+       "test: line 2: found \"2\", expected a vertex 1..1 or the same from behind, -1..-1"},
+      {PolyFormat::obj, "v 0 0 0\nl 1 1/x 1\n",
+       "test: line 2: found \"1/x\", expected a vertex 1..1 or the same from behind, -1..-1"},
+      {PolyFormat::json, R"({"vertices":[[0,0,0]],"bodies":[],"wires":[[0,1]]})",
+       "test: wires[0][1]: expected an integer 0..0, found 1"},
+      {PolyFormat::json, R"({"vertices":[[0,0,0]],"bodies":[],"wires":[[0]]})",
+       "test: wires[0]: expected an array of 2, found an array of 1"},
       {PolyFormat::json, "[]", "test: expected an object, found an array of 0"},
       {PolyFormat::json, "{\"vertices\":[[0,0.5,0]],\"bodies\":[]}",
        "test: vertices[0][1]: expected an integer -262143..262143, found 0.5"},

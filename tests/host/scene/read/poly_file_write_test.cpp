@@ -32,6 +32,28 @@ TEST(WritePoly, WhatIsWrittenReadsAsTheSameScene) {
   }
 }
 
+TEST(WritePoly, WiresAreKeptByObjAndJsonAndRefusedByTheOthers) {
+  PolyScene scene = generate_triangles(1);
+  scene.vertices.push_back({7, 8, 9});
+  scene.wires = {{0, 1}, {2, 3}};
+  scene.surfaces = {{{0, 0, 1}}};
+  scene.surface_of = {0};
+  scene.wires_on = {{1, 0}};
+  ASSERT_EQ(problems(scene), "");
+  EXPECT_EQ(read(written(scene, PolyFormat::json), PolyFormat::json).scene, scene);
+  EXPECT_EQ(read(written(scene, PolyFormat::obj), PolyFormat::obj).scene.wires, scene.wires);
+  for (const PolyFormat format : {PolyFormat::off, PolyFormat::stl, PolyFormat::ply}) {
+    const auto text = write_poly(scene, format);
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().message(),
+              "has 2 lines without faces, for which this format has no place, expected a scene of faces alone; JSON and OBJ keep the lines");
+  }
+  const PolyScene faces = without_wires(scene);
+  EXPECT_EQ(faces.vertices, (std::vector<PolyPoint>(scene.vertices.begin(), scene.vertices.end() - 1)));
+  EXPECT_EQ(faces.bodies, scene.bodies);
+  EXPECT_EQ(problems(faces), "");
+}
+
 // A wall with a hatch as triangles: its area, and no edge that its outline and hole do not have is left
 // alone.
 TEST(WritePoly, FacesWithHolesBecomeTriangles) {

@@ -44,6 +44,28 @@ std::vector<std::array<double, 3>> moved(std::vector<std::array<double, 3>> poin
   return points;
 }
 
+// Two corners that nearly meet become one: a wire between them is a point, and two wires to them are the same.
+TEST(PolyMend, WiresFollowTheirVertices) {
+  PolyMesh mesh = mesh_of({{9, 9, 9}, {0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 1, 0}, {20, 20, 20}}, {{1, 2, 3}});
+  mesh.wires = {{5, 1}, {4, 5}, {4, 1}, {2, 1}};
+  const PolyImport import = mended(mesh, 1);
+  EXPECT_EQ(import.scene.vertices, (std::vector<PolyPoint>{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {20, 20, 20}}));
+  EXPECT_EQ(import.scene.wires, (std::vector<PolyWire>{{0, 1}, {0, 3}}));
+  EXPECT_EQ(import.report.faces.merged_vertices, 1U);
+  EXPECT_EQ(import.report.faces.dropped_vertices, 1U);
+  EXPECT_EQ(import.report.faces.dropped_wires, 1U);
+}
+
+TEST(PolyMend, WiresStayWhenNoFaceDoes) {
+  PolyMesh mesh = mesh_of({{0, 0, 0}, {8, 0, 0}, {16, 0, 0}, {0, 0, 5}}, {{0, 1, 2}});
+  mesh.wires = {{0, 3}};
+  const PolyImport import = mended(mesh);
+  EXPECT_TRUE(import.scene.bodies.empty());
+  EXPECT_EQ(import.scene.vertices, (std::vector<PolyPoint>{{0, 0, 0}, {0, 0, 5}}));
+  EXPECT_EQ(import.scene.wires, (std::vector<PolyWire>{{0, 1}}));
+  EXPECT_EQ(import.report.faces.dropped_faces, 1U);
+}
+
 TEST(PolyMend, WhatIsInOrderIsNotTouched) {
   const PolyImport cube = mended(mesh_of(cube_corners, cube_faces));
   const MendReport& report = cube.report.faces;
