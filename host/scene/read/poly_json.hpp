@@ -8,7 +8,8 @@
 // "perspective" is true unless said. Everything else is ignored. Coordinates are integers, and "step" says
 // what one unit stands for (default 1); "origin" is added before that. Names are up to 200 printable ASCII
 // characters. Of a mesh, "surfaces": [[x,y,z]...] are the normals of its surfaces, "surface_of" the surface of
-// each face, counted over all bodies, and "material_of" its material. Reading checks form only:
+// each face, counted over all bodies, and "material_of" its material; with "materials_are_colours": true the materials
+// are colours of single faces, whose borders are drawn only where they are asked for. Reading checks form only:
 // check_poly_scene the rest.
 #pragma once
 
