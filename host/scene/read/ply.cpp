@@ -444,16 +444,21 @@ class PlyReader {
       mesh_.flaw = values.error(
           "found face " + std::to_string(number) + " of " + std::to_string(count) + " vertices", "3 or more");
     result.outline.reserve(count);
+    const double limit = vertex_limit();
     for (std::size_t i = 0; i < count && !error_; ++i) {
       const double v = value(property.type, values);
-      if (is_vertex(v, values)) result.outline.push_back(static_cast<VertexIndex>(v));
+      if (is_vertex(v, limit, values)) result.outline.push_back(static_cast<VertexIndex>(v));
     }
     return result;
   }
 
+  // Vertices that are read, or as many as there may be.
+  [[nodiscard]] double vertex_limit() const {
+    return static_cast<double>(vertices_ ? mesh_.vertices.size() : std::size_t{1} << 31U);
+  }
+
   // Whether there is such a vertex; else an error.
-  bool is_vertex(double v, const PlyValues& values) {
-    const auto limit = static_cast<double>(vertices_ ? mesh_.vertices.size() : std::size_t{1} << 31U);
+  bool is_vertex(double v, double limit, const PlyValues& values) {
     if (!error_ && !(v >= 0 && v < limit && std::floor(v) == v))
       error_ = values.error("found vertex " + whole_text(v), "0 to " + whole_text(limit - 1));
     return !error_;
@@ -479,7 +484,7 @@ class PlyReader {
           if (v == -1 || (v == minus_one && property.type == PlyType::uint32)) {
             add_strip(strip, values);
             strip.clear();
-          } else if (is_vertex(v, values)) {
+          } else if (is_vertex(v, vertex_limit(), values)) {
             strip.push_back(static_cast<VertexIndex>(v));
           }
         }
