@@ -67,7 +67,7 @@ class OffReader {
     return word.empty() || base::unsigned_number(word);
   }
 
-  // The keyword may be missing; the number of edges, too, where those of vertices and faces are on one line.
+  // The keyword may be missing; the number of edges, too, where everything has a line of its own.
   bool read_header() {
     const std::string_view word = lines_.take();
     if (word.empty()) return fail(lines_.error("found no text, expected OFF"));
@@ -84,7 +84,7 @@ class OffReader {
     const std::string_view faces = lines_.take();
     if (faces.empty()) return fail(lines_.error("expected the numbers of vertices, faces and edges"));
     if (!read_count(faces, faces_)) return false;
-    if (!one_line || !lines_.rest().empty()) {
+    if (layout_ != OffLayout::lines || !one_line || !lines_.rest().empty()) {
       static_cast<void>(lines_.take());
     } else if (lines_.next() && lines_.rest().size() == 1) {
       lines_.pass_over(1);

@@ -259,7 +259,7 @@ std::optional<PolyFormat> format_by_content(const std::string_view whole) {
     const std::string_view word = begins.substr(0, begins.find_first_of(" \t\r"));
     constexpr std::size_t longest_off = 8;  // STCNnOFF, perhaps with the first count right behind it
     const std::string_view keyword = word.substr(0, word.find_last_not_of("0123456789") + 1);
-    if (keyword.ends_with("OFF") && keyword.size() <= longest_off) return PolyFormat::off;
+    if (keyword == "off" || (keyword.ends_with("OFF") && keyword.size() <= longest_off)) return PolyFormat::off;
     if (begins.starts_with("{"))
       return is_gltf(whole.substr(static_cast<std::size_t>(begins.data() - whole.data()))) ? PolyFormat::gltf
                                                                                            : PolyFormat::json;
