@@ -66,7 +66,7 @@ base::Error PolyLines::error(const std::string& cause) const {
 }
 
 base::Error PolyLines::unexpected(std::string_view found, const std::string& expected) const {
-  return error("found " + quoted_excerpt(found) + ", expected " + expected);
+  return error("found " + (found.empty() ? "the end of the file" : quoted_excerpt(found)) + ", expected " + expected);
 }
 
 std::optional<double> coordinate_of(std::string_view field) {

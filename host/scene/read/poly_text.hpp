@@ -33,7 +33,7 @@ class PolyLines {
   void pass_over(std::size_t count) { taken_ += count; }
   // Error at the line last read, or at the end of the file when next() was false.
   [[nodiscard]] base::Error error(const std::string& cause) const;
-  // "found X, expected WHAT"
+  // "found X, expected WHAT"; no field is the end of the file.
   [[nodiscard]] base::Error unexpected(std::string_view found, const std::string& expected) const;
 
  private:

@@ -119,8 +119,7 @@ class TextStl {
   bool expect(std::string_view word) {
     const std::string_view found = lines_.take();
     if (same_word(found, word)) return true;
-    const std::string expected = "\"" + std::string(word) + "\"";
-    error_ = found.empty() ? lines_.error("found the end of the file, expected " + expected) : lines_.unexpected(found, expected);
+    error_ = lines_.unexpected(found, "\"" + std::string(word) + "\"");
     return false;
   }
 
@@ -160,8 +159,7 @@ class TextStl {
     std::string_view word = lines_.take();
     for (int i = 0; i < most && !word.empty() && !same_word(word, "outer"); ++i) word = lines_.take();
     if (!same_word(word, "outer")) {
-      error_ = word.empty() ? lines_.error("found the end of the file, expected \"outer loop\"")
-                            : lines_.unexpected(word, "\"outer loop\"");
+      error_ = lines_.unexpected(word, "\"outer loop\"");
       return;
     }
     if (!expect("loop")) return;
@@ -174,7 +172,7 @@ class TextStl {
         const std::string_view field = lines_.take();
         const auto number = coordinate_of(field);
         if (!number) {
-          error_ = field.empty() ? lines_.error("found the end of the file, expected a number") : lines_.unexpected(field, "a number");
+          error_ = lines_.unexpected(field, "a number");
           return;
         }
         if (!std::isfinite(*number) && !mesh_.flaw) mesh_.flaw = lines_.unexpected(field, "a finite number");
@@ -187,7 +185,7 @@ class TextStl {
     if (same_word(word, "vertex")) {
       error_ = lines_.error("found a fourth vertex, expected triangles");
     } else if (!same_word(word, "endloop")) {
-      error_ = word.empty() ? lines_.error("found the end of the file, expected \"endloop\"") : lines_.unexpected(word, "\"endloop\"");
+      error_ = lines_.unexpected(word, "\"endloop\"");
     } else if (expect("endfacet")) {
       mesh_.bodies.back().faces.push_back(std::move(face));
     }
