@@ -11,7 +11,8 @@ void add_edge_options(const Command& command, EdgeArguments& arguments) {
           .option("--edges", arguments.kinds,
                   "Which edges are drawn: all, feature (silhouettes, boundaries, creases, borders of "
                   "materials, lines in which bodies pass through each other, and lines without faces), or "
-                  "some of these kinds with commas between them")
+                  "some of these kinds with commas between them; borders of colours of single faces only "
+                  "where border is named")
           .default_value("feature")
           .value("KINDS")
           .group("Edges");
@@ -39,6 +40,8 @@ std::optional<picture::EdgeChoice> edge_choice_of(const EdgeArguments& arguments
   const bool all = arguments.all || arguments.kinds == "all";
   if (all && scene.crossings.empty() && scene.wires.empty()) return std::nullopt;
   picture::EdgeChoice choice = *picture::edge_choice_named(all ? "all" : arguments.kinds.empty() ? "feature" : arguments.kinds);
+  const bool named = !all && !arguments.kinds.empty() && arguments.kinds != "feature";
+  if (scene.materials_are_colours && !named) choice.kinds[static_cast<std::size_t>(picture::EdgeKind::border)] = false;
   choice.crease = arguments.crease.value_or(scene.surfaces.empty() ? 0 : choice.crease);
   return choice;
 }

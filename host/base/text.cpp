@@ -12,6 +12,17 @@ void append_formatted(std::string& text, fmt::string_view format, fmt::format_ar
   fmt::vformat_to(std::back_inserter(text), format, arguments);
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  if (text.substr(0, mark.size()) == mark) text.remove_prefix(mark.size());
+  return text;
+}
+
+bool begins_as_utf_16(std::string_view text) {
+  constexpr std::string_view utf_32 = {"\0\0\xfe\xff", 4};  // the mark of little-endian UTF-32 begins as that of UTF-16
+  return text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff" || text.substr(0, 4) == utf_32;
+}
+
 std::string_view without_blanks(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::size_t begin = text.find_first_not_of(blanks);

@@ -29,6 +29,10 @@ template <class Range>
   return text;
 }
 
+// Without the byte-order mark of UTF-8 (EF BB BF), which some editors write before a text.
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
+// Whether it begins with the byte-order mark of UTF-16 or UTF-32: a text that no reader takes.
+[[nodiscard]] bool begins_as_utf_16(std::string_view text);
 // Without blanks, tabs and line ends at both ends.
 [[nodiscard]] std::string_view without_blanks(std::string_view text);
 // What comes before the next line end, or all; `text` goes on behind it.

@@ -102,6 +102,7 @@ struct PolyScene {
   std::vector<PolySurface> surfaces = {};
   std::vector<std::uint32_t> surface_of = {};
   std::vector<std::uint32_t> material_of = {};
+  bool materials_are_colours = false;  // of single faces, as scans and plots have them: borders of theirs are no edges of a part
   // Where faces cross, for drawing (with_crossings in host/scene/check/crossings.hpp); empty in a checked scene. Their
   // vertices are the last ones, in the same order.
   std::vector<PolyCrossing> crossings = {};

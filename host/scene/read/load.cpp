@@ -5,6 +5,7 @@
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
+#include "host/base/text.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/generate/scene.hpp"
@@ -13,6 +14,7 @@
 #include "host/scene/read/cell_complex_file.hpp"
 #include "host/scene/read/json_documents.hpp"
 #include "host/scene/read/poly_file.hpp"
+#include "host/scene/read/stl.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -106,15 +108,20 @@ std::optional<base::Result<SceneFile>> named_scene(const std::string& name) {
 }
 
 bool can_be_mended(const SceneFile& file) {
-  return !file.builtin && !file.generated && poly_format_of(file.name, file.text) != PolyFormat::json;
+  return !file.builtin && !file.generated &&
+         poly_format_of(file.name, base::without_byte_order_mark(file.text)) != PolyFormat::json;
 }
 
 SceneReading read_scene(SceneFile file, const PolyImportOptions& options) {
   SceneReading reading;
   reading.loaded.name = file.name;
+  file.text.erase(0, file.text.size() - base::without_byte_order_mark(file.text).size());
   const PolyFormat format = poly_format_of(file.name, file.text);
   if (file.generated) {
     take_polyhedra(import_unchanged(std::move(*file.generated)), reading);
+  } else if (base::begins_as_utf_16(file.text) && !begins_as_binary_stl(file.text)) {
+    if (format == PolyFormat::json) reading.loaded.kind = SceneKind::cells;
+    reading.errors.push_back({file.name, "", "found a text in UTF-16", "UTF-8 or ASCII", "save it as UTF-8"});
   } else if (format == PolyFormat::json || is_cell_complex(file.text)) {
     read_json(file, reading);
   } else {

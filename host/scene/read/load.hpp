@@ -53,7 +53,7 @@ struct SceneReading {
   std::vector<base::Error>
       errors;  // all that a check names: see check_scene, check_poly_scene, check_complex
 };
-// Read and checked. The cameras of scenes are not checked: see eye_error.
+// Read and checked, without a byte-order mark of UTF-8. The cameras of scenes are not checked: see eye_error.
 [[nodiscard]] SceneReading read_scene(SceneFile file, const PolyImportOptions& options = {});
 
 // The scene, or the first of the errors, which says how many there are.

@@ -1,6 +1,7 @@
 // See obj.hpp.
 #include "host/scene/read/obj.hpp"
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -27,6 +28,10 @@ class ObjReader {
     while (!error_ && lines_.next()) read_statement();
     if (error_) return *error_;
     if (mesh_.vertices.empty()) return lines_.error("found no vertices, expected lines \"v x y z\"");
+    if (last_ahead_ > mesh_.vertices.size()) {
+      ahead_.found += expected_vertex();
+      return ahead_;
+    }
     gather();
     return std::move(mesh_);
   }
@@ -43,7 +48,7 @@ class ObjReader {
     const std::string_view word = lines_.fields()[0];
     if (word == "v") {
       read_vertex();
-    } else if (word == "f") {
+    } else if (word == "f" || word == "fo") {
       read_face();
     } else if (word == "l" && lines_.fields().size() > 2) {
       read_polyline();
@@ -76,11 +81,12 @@ class ObjReader {
     }
     std::array<double, 3> point{};
     for (std::size_t a = 0; a < 3; ++a) {
-      const auto number = base::decimal_number(fields[a + 1]);
+      const auto number = coordinate_of(fields[a + 1]);
       if (!number) {
         error_ = lines_.unexpected(fields[a + 1], "a number");
         return;
       }
+      if (!std::isfinite(*number) && !mesh_.flaw) mesh_.flaw = lines_.unexpected(fields[a + 1], "a finite number");
       point[a] = *number;
       precision_.add(fields[a + 1], *number);
     }
@@ -89,10 +95,8 @@ class ObjReader {
 
   void read_face() {
     const auto& fields = lines_.fields();
-    if (fields.size() < 4) {
-      error_ = lines_.error("found " + std::to_string(fields.size() - 1) + " vertices, expected 3 or more");
-      return;
-    }
+    if (fields.size() < 4 && !mesh_.flaw)
+      mesh_.flaw = lines_.error("found " + std::to_string(fields.size() - 1) + " vertices, expected 3 or more");
     NamedFace face{object_, group_, material_, {read_corners(), {}}};
     if (!error_) faces_.push_back(std::move(face));
   }
@@ -109,9 +113,7 @@ class ObjReader {
     for (std::size_t i = 1; i < fields.size(); ++i) {
       const auto vertex = vertex_of(fields[i]);
       if (!vertex) {
-        error_ = lines_.unexpected(fields[i], "a vertex 1.." + std::to_string(mesh_.vertices.size()) +
-                                                  " or the same from behind, -" +
-                                                  std::to_string(mesh_.vertices.size()) + "..-1");
+        error_ = lines_.unexpected(fields[i], expected_vertex());
         break;
       }
       vertices.push_back(*vertex);
@@ -119,7 +121,14 @@ class ObjReader {
     return vertices;
   }
 
-  [[nodiscard]] std::optional<VertexIndex> vertex_of(std::string_view corner) const {
+  [[nodiscard]] std::string expected_vertex() const {
+    const std::string count = std::to_string(mesh_.vertices.size());
+    return "a vertex 1.." + count + " or the same from behind, -" + count + "..-1";
+  }
+
+  // A positive number may be that of a vertex that follows.
+  [[nodiscard]] std::optional<VertexIndex> vertex_of(std::string_view corner) {
+    const std::string_view whole = corner;
     const std::size_t slash = corner.find('/');
     const auto number = base::signed_number(corner.substr(0, slash));
     if (!number) return std::nullopt;
@@ -129,7 +138,11 @@ class ObjReader {
       if (!part.empty() && !base::signed_number(part)) return std::nullopt;
     }
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
-    if (*number < -count || *number > count || *number == 0) return std::nullopt;
+    if (*number < -count || *number > std::numeric_limits<std::int32_t>::max() || *number == 0) return std::nullopt;
+    if (*number > count && static_cast<std::uint64_t>(*number) > last_ahead_) {
+      last_ahead_ = static_cast<std::size_t>(*number);
+      ahead_ = lines_.unexpected(whole, "");
+    }
     return static_cast<VertexIndex>(*number > 0 ? *number - 1 : *number + count);
   }
 
@@ -192,6 +205,8 @@ class ObjReader {
   bool has_groups_ = false;
   TextPrecision precision_;
   std::map<std::string, std::size_t> others_;  // statements that are passed over, and how many
+  std::size_t last_ahead_ = 0;  // the highest number of a vertex that was named before it was there
+  base::Error ahead_;           // if it never comes: where it was named
   std::optional<base::Error> error_;
 };
 

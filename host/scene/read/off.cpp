@@ -2,10 +2,14 @@
 #include "host/scene/read/off.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
@@ -15,15 +19,25 @@
 namespace sightline::scene {
 namespace {
 
+// How a file's numbers are laid out.
+enum class OffLayout : std::uint8_t {
+  lines,   // a line for each vertex and face; numbers of a vertex or face that are not known are ignored
+  faces,   // line ends are blanks, but what follows the vertices of a face on its line is its colour
+  stream,  // all line ends are blanks, and faces have no colours
+};
+
 class OffReader {
  public:
-  OffReader(std::string_view text, std::string_view source) : lines_(text, source), size_(text.size()) {
+  OffReader(std::string_view text, std::string_view source, OffLayout layout)
+      : lines_(text, source), size_(text.size()), layout_(layout) {
     mesh_.source = source;
   }
 
   base::Result<PolyMesh> run() {
-    if (read_header() && read_vertices() && read_faces() && lines_.next())
-      error_ = lines_.unexpected(lines_.fields()[0], "nothing after the last face");
+    if (read_header() && read_vertices() && read_faces()) {
+      if (const std::string_view more = lines_.take(); !more.empty())
+        error_ = lines_.unexpected(more, "nothing after the last face");
+    }
     if (error_) return *error_;
     return std::move(mesh_);
   }
@@ -34,32 +48,50 @@ class OffReader {
     return false;
   }
 
-  // ST, C and N in front of OFF, each at most once and in this order.
-  static bool known_variant(std::string_view word) {
-    for (const std::string_view prefix : {"ST", "C", "N"})
-      if (word.substr(0, prefix.size()) == prefix) word.remove_prefix(prefix.size());
-    return word == "OFF";
+  // The keyword, at which `word` begins, is taken from it: ST, C and N in front of OFF, each at most once and in this
+  // order. The first number may stand right behind it.
+  bool take_keyword(std::string_view& word) {
+    if (word.starts_with("off")) {
+      word.remove_prefix(3);
+      return word.empty() || base::unsigned_number(word);
+    }
+    constexpr std::array variants{std::pair{std::string_view("ST"), 2U}, std::pair{std::string_view("C"), 4U},
+                                  std::pair{std::string_view("N"), 3U}};
+    for (const auto& [prefix, numbers] : variants) {
+      if (!word.starts_with(prefix)) continue;
+      word.remove_prefix(prefix.size());
+      more_of_vertex_ += numbers;
+    }
+    if (!word.starts_with("OFF")) return false;
+    word.remove_prefix(3);
+    return word.empty() || base::unsigned_number(word);
   }
 
+  // The keyword may be missing; the number of edges, too, where everything has a line of its own.
   bool read_header() {
-    if (!lines_.next()) return fail(lines_.error("found no text, expected OFF"));
-    const std::string_view word = lines_.fields()[0];
-    if (!known_variant(word)) {
+    const std::string_view word = lines_.take();
+    if (word.empty()) return fail(lines_.error("found no text, expected OFF"));
+    std::string_view vertices = word;
+    if (!base::signed_number(word) && !take_keyword(vertices)) {
       const bool off = word.size() > 3 && word.size() < 9 && word.substr(word.size() - 3) == "OFF";
       return fail(lines_.unexpected(word, off ? "OFF, COFF, NOFF, CNOFF or STOFF: points of three dimensions"
                                               : "OFF in the first line"));
     }
-    std::size_t first = 1;
-    if (lines_.fields().size() > 1 && lines_.fields()[1] == "BINARY")
-      return fail(lines_.unexpected("BINARY", "OFF as text"));
-    if (lines_.fields().size() == 1) {
-      if (!lines_.next()) return fail(lines_.error("expected the numbers of vertices, faces and edges"));
-      first = 0;
+    if (vertices.empty()) vertices = lines_.take();
+    if (vertices == "BINARY") return fail(lines_.unexpected("BINARY", "OFF as text"));
+    const bool one_line = !lines_.rest().empty();
+    if (!vertices.empty() && !read_count(vertices, vertices_)) return false;
+    const std::string_view faces = lines_.take();
+    if (faces.empty()) return fail(lines_.error("expected the numbers of vertices, faces and edges"));
+    if (!read_count(faces, faces_)) return false;
+    if (layout_ != OffLayout::lines || !one_line || !lines_.rest().empty()) {
+      static_cast<void>(lines_.take());
+    } else if (lines_.next() && lines_.rest().size() == 1) {
+      lines_.pass_over(1);
     }
-    const auto& fields = lines_.fields();
-    if (fields.size() < first + 2 || fields.size() > first + 3)
+    if (layout_ == OffLayout::lines && !lines_.rest().empty() && !lines_.at_first_field())
       return fail(lines_.error("expected the numbers of vertices, faces and edges"));
-    return read_count(fields[first], vertices_) && read_count(fields[first + 1], faces_);
+    return true;
   }
 
   bool read_count(std::string_view field, std::size_t& count) {
@@ -70,23 +102,37 @@ class OffReader {
     return true;
   }
 
+  // A line of which nothing was taken.
+  bool find_line() { return !lines_.rest().empty() || lines_.next(); }
+
+  bool read_coordinate(std::string_view field, std::size_t i, std::array<double, 3>& point) {
+    const auto number = coordinate_of(field);
+    if (!number) return fail(lines_.unexpected(field, "a number"));
+    if (i >= 3) return true;
+    if (!std::isfinite(*number) && !mesh_.flaw) mesh_.flaw = lines_.unexpected(field, "a finite number");
+    point[i] = *number;
+    precision_.add(field, *number);
+    return true;
+  }
+
   bool read_vertices() {
     mesh_.vertices.reserve(std::min(vertices_, size_ / 6));  // "0 0 0\n"
     for (std::size_t v = 0; v < vertices_; ++v) {
-      if (!lines_.next()) {
+      std::array<double, 3> point{};
+      if (!find_line()) {
         return fail(
             lines_.error("found " + std::to_string(v) + " vertices, expected " + std::to_string(vertices_)));
       }
-      const auto& fields = lines_.fields();
-      if (fields.size() < 3)
-        return fail(lines_.error("found " + std::to_string(fields.size()) + " numbers, expected x, y and z"));
-      std::array<double, 3> point{};
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        const auto number = base::decimal_number(fields[i]);
-        if (!number) return fail(lines_.unexpected(fields[i], "a number"));
-        if (i >= 3) continue;
-        point[i] = *number;
-        precision_.add(fields[i], *number);
+      if (layout_ == OffLayout::lines) {
+        const auto& fields = lines_.fields();
+        if (fields.size() < 3)
+          return fail(lines_.error("found " + std::to_string(fields.size()) + " numbers, expected x, y and z"));
+        for (std::size_t i = 0; i < fields.size(); ++i)
+          if (!read_coordinate(fields[i], i, point)) return false;
+        lines_.pass_over(fields.size());
+      } else {
+        for (std::size_t i = 0; i < 3 + more_of_vertex_; ++i)
+          if (!read_coordinate(lines_.take(), i, point)) return false;
       }
       mesh_.vertices.push_back(point);
     }
@@ -99,44 +145,54 @@ class OffReader {
     auto& faces = mesh_.bodies.back().faces;
     faces.reserve(std::min(faces_, size_ / 8));
     for (std::size_t f = 0; f < faces_; ++f) {
-      if (!lines_.next()) {
+      if (!find_line()) {
         return fail(
             lines_.error("found " + std::to_string(f) + " faces, expected " + std::to_string(faces_)));
       }
       if (!read_face(faces.emplace_back())) return false;
     }
     if (materials_.size() < 2) mesh_.materials.clear();
+    mesh_.materials_are_colours = !mesh_.materials.empty();
     return true;
   }
 
   bool read_face(PolyFace& face) {
-    const auto& fields = lines_.fields();
-    const auto count = base::signed_number(fields[0]);
-    if (!count || *count < 3)
-      return fail(lines_.unexpected(fields[0], "how many vertices the face has, 3 or more"));
-    if (static_cast<std::uint64_t>(*count) > fields.size() - 1) {
-      return fail(lines_.error("found " + std::to_string(fields.size() - 1) + " vertices, expected " +
+    // Within a line a small number is rather the sign of a layout that is another one.
+    const std::int64_t least = lines_.at_first_field() ? 0 : 3;
+    const std::string_view corners = lines_.take();
+    const auto count = base::signed_number(corners);
+    if (!count || *count < least) return fail(lines_.unexpected(corners, how_many));
+    if (*count < 3 && !mesh_.flaw) mesh_.flaw = lines_.unexpected(corners, how_many);
+    if (layout_ == OffLayout::lines && static_cast<std::uint64_t>(*count) > lines_.rest().size()) {
+      return fail(lines_.error("found " + std::to_string(lines_.rest().size()) + " vertices, expected " +
                                std::to_string(*count)));
     }
-    face.outline.reserve(static_cast<std::size_t>(*count));
-    for (std::size_t i = 1; i <= static_cast<std::size_t>(*count); ++i) {
-      const auto vertex = base::signed_number(fields[i]);
+    face.outline.reserve(std::min(static_cast<std::size_t>(*count), lines_.rest().size()));
+    for (std::int64_t i = 0; i < *count; ++i) {
+      const std::string_view field = lines_.take();
+      const auto vertex = base::signed_number(field);
       if (!vertex || *vertex < 0 || static_cast<std::size_t>(*vertex) >= vertices_)
-        return fail(lines_.unexpected(fields[i], "a vertex below " + std::to_string(vertices_)));
+        return fail(lines_.unexpected(field, "a vertex below " + std::to_string(vertices_)));
       face.outline.push_back(static_cast<VertexIndex>(*vertex));
     }
+    if (layout_ == OffLayout::stream) return true;
     // What follows is a colour, in numbers or as the place in a map.
     std::string colour;
-    for (std::size_t i = static_cast<std::size_t>(*count) + 1; i < fields.size(); ++i) colour += std::string(fields[i]) + ' ';
+    for (const std::string_view field : lines_.rest()) colour += std::string(field) + ' ';
+    lines_.pass_over(lines_.rest().size());
     mesh_.materials.push_back(materials_.try_emplace(colour, static_cast<std::uint32_t>(materials_.size())).first->second);
     return true;
   }
 
+  static constexpr const char* how_many = "how many vertices the face has, 3 or more";
+
   PolyLines lines_;
   std::size_t size_;
+  OffLayout layout_;
   PolyMesh mesh_;
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
+  std::size_t more_of_vertex_ = 0;  // numbers behind x, y and z
   std::map<std::string, std::uint32_t> materials_;  // by the colour as written
   TextPrecision precision_;
   std::optional<base::Error> error_;
@@ -145,7 +201,12 @@ class OffReader {
 }  // namespace
 
 base::Result<PolyMesh> read_off(std::string_view text, std::string_view source) {
-  return OffReader(text, source).run();
+  auto mesh = OffReader(text, source, OffLayout::lines).run();
+  for (const OffLayout layout : {OffLayout::faces, OffLayout::stream}) {
+    if (mesh) break;
+    if (auto other = OffReader(text, source, layout).run()) return other;
+  }
+  return mesh;
 }
 
 }  // namespace sightline::scene

@@ -73,25 +73,28 @@ enum class PlyEncoding : std::uint8_t { text, little_endian, big_endian };
 // The values of a file one after the other, whatever the encoding.
 class PlyValues {
  public:
-  PlyValues(std::string_view body, std::size_t body_at, std::size_t first_line, PlyEncoding encoding, std::string_view source)
-      : body_(body), body_at_(body_at), line_(first_line), encoding_(encoding), source_(source) {}
+  PlyValues(std::string_view body, std::size_t body_at, std::size_t first_line, char line_end, PlyEncoding encoding,
+            std::string_view source)
+      : body_(body), body_at_(body_at), line_(first_line), line_end_(line_end), encoding_(encoding), source_(source) {}
 
   [[nodiscard]] bool is_text() const { return encoding_ == PlyEncoding::text; }
   [[nodiscard]] std::size_t bytes_left() const { return body_.size() - at_; }
   [[nodiscard]] std::string_view written() const { return written_; }  // the last value, of a text
 
-  // The next value; empty at the end of the file, or if it is not of the type.
+  // The next value; empty at the end of the file, or if it is not of the type. Those of float types may be infinite or
+  // NaN.
   std::optional<double> next(PlyType type) {
     last_ = at_;
     if (!is_text()) return next_binary(type);
     at_ = std::min(body_.find_first_not_of(" \t\r\n", at_), body_.size());
     line_ += static_cast<std::size_t>(std::count(body_.begin() + static_cast<std::ptrdiff_t>(last_),
-                                                 body_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
+                                                 body_.begin() + static_cast<std::ptrdiff_t>(at_), line_end_));
     const std::size_t end = std::min(body_.find_first_of(" \t\r\n", at_), body_.size());
     written_ = body_.substr(at_, end - at_);
     at_ = end;
+    if (is_float(type)) return coordinate_of(written_);
     const auto number = base::decimal_number(written_);
-    if (!number || is_float(type)) return number;
+    if (!number) return number;
     return std::floor(*number) == *number ? number : std::nullopt;
   }
 
@@ -113,11 +116,13 @@ class PlyValues {
   }
   // What is wrong with the value that next() did not return.
   [[nodiscard]] base::Error no_value(PlyType type) const {
-    const bool end = is_text() ? written_.empty() : body_.size() - last_ < bytes_of(type);
-    const std::string found = end ? "found the end of the file"
-                                  : "found " + (is_text() ? quoted_excerpt(written_)
-                                                          : std::string("a value that is no finite number"));
-    return error(found, is_float(type) ? "a number" : "a whole number");
+    return error(written_.empty() ? "found the end of the file" : "found " + quoted_excerpt(written_),
+                 is_float(type) ? "a number" : "a whole number");
+  }
+  // The same of one that it returned.
+  [[nodiscard]] base::Error not_finite() const {
+    return error(is_text() ? "found " + quoted_excerpt(written_) : "found a coordinate that is no finite number",
+                 "a finite number");
   }
 
  private:
@@ -130,8 +135,7 @@ class PlyValues {
       word |= std::uint64_t{static_cast<std::uint8_t>(body_[at_ + i])} << (8 * place);
     }
     at_ += size;
-    const double value = value_of_bits(type, word);
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return value_of_bits(type, word);
   }
 
   static double value_of_bits(PlyType type, std::uint64_t word) {
@@ -148,6 +152,7 @@ class PlyValues {
   std::string_view body_;
   std::size_t body_at_;  // in the file
   std::size_t line_;
+  char line_end_;
   PlyEncoding encoding_;
   std::string source_;
   std::size_t at_ = 0;
@@ -177,9 +182,8 @@ class PlyReader {
   // The fields of the next line of the header.
   std::vector<std::string_view> header_line() {
     ++line_;
-    const std::size_t end = bytes_.find('\n', at_);
-    constexpr std::size_t longest_line = 10'000;
-    if (end == std::string_view::npos || end - at_ > longest_line) {
+    const std::size_t end = bytes_.find(line_end_, at_);
+    if (end == std::string_view::npos) {
       fail_at_line("found no end of the header", "\"end_header\"");
       return {};
     }
@@ -197,6 +201,9 @@ class PlyReader {
   }
 
   void read_header() {
+    // Old Macintosh programs end lines by CR alone. The byte behind the header may be an LF then, and belongs to the body.
+    const std::size_t end = bytes_.find_first_of("\r\n");
+    if (end + 1 < bytes_.size() && bytes_[end] == '\r' && bytes_[end + 1] != '\n') line_end_ = '\r';
     const auto magic = header_line();
     if (!error_ && (magic.size() != 1 || magic[0] != "ply")) fail_at_line("found another text", "\"ply\"");
     bool format = false;
@@ -256,8 +263,7 @@ class PlyReader {
     property.type = *type;
     if (list) {
       property.count = type_named(fields[2]);
-      if (property.count && is_float(*property.count))
-        fail_at_line("found a list counted by " + std::string(fields[2]), "a whole number's type");
+      if (!property.count) return;
     }
     elements_.back().properties.push_back(std::move(property));
   }
@@ -265,17 +271,23 @@ class PlyReader {
   // --- the body
 
   void read_body() {
-    PlyValues values(bytes_.substr(at_), at_, line_ + 1, encoding_, source_);
-    for (const std::string_view needed : {"vertex", "face"}) {
-      const auto has_name = [needed](const PlyElement& element) { return element.name == needed; };
-      if (std::any_of(elements_.begin(), elements_.end(), has_name)) continue;
-      error_ = base::Error{source_, "the header", "found no element " + std::string(needed), "vertices and faces",
-                           needed == "face" ? "a cloud of points has no surface: make a mesh of it first" : ""};
+    PlyValues values(bytes_.substr(at_), at_, line_ + 1, line_end_, encoding_, source_);
+    const auto has_element = [&](std::string_view name) {
+      return std::any_of(elements_.begin(), elements_.end(), [name](const PlyElement& element) { return element.name == name; });
+    };
+    const bool surface = has_element("face") || has_element("tristrips");
+    if (!surface || !has_element("vertex")) {
+      error_ = base::Error{source_, "the header", std::string("found no element ") + (surface ? "vertex" : "face"),
+                           "vertices and faces",
+                           surface ? "" : "a cloud of points has no surface: make a mesh of it first"};
       return;
     }
+    mesh_.bodies.emplace_back();
     bool vertices = false;
     bool faces = false;
+    bool strips = false;
     for (const PlyElement& element : elements_) {
+      if (element.properties.empty() && element.name != "vertex" && element.name != "face") continue;
       const std::uint64_t least = values.is_text() ? 2 * element.properties.size() : element.least_bytes();
       // The last number of a text needs no blank after it.
       if (element.count > 0 && (least == 0 || (values.bytes_left() + 1) / least < element.count)) {
@@ -291,6 +303,9 @@ class PlyReader {
       } else if (element.name == "face" && !faces) {
         faces = true;
         read_faces(element, values);
+      } else if (element.name == "tristrips" && !strips) {
+        strips = true;
+        read_strips(element, values);
       } else {
         if (element.count > 0)
           mesh_.notes.push_back(std::to_string(element.count) + " of the element " +
@@ -300,6 +315,9 @@ class PlyReader {
       }
       if (error_) return;
     }
+    if (!mesh_.materials.empty()) add_uncoloured();
+    if (materials_.size() < 2) mesh_.materials.clear();
+    mesh_.materials_are_colours = !mesh_.materials.empty();
     // Faces may come before the vertices.
     for (const PolyFace& face : mesh_.bodies[0].faces)
       for (const VertexIndex v : face.outline)
@@ -320,7 +338,7 @@ class PlyReader {
     const double count = value(*property.count, values);
     if (error_) return 0;
     const std::size_t least = values.is_text() ? 1 : bytes_of(property.type);
-    if (!(count >= 0) || count > static_cast<double>(values.bytes_left() / least)) {
+    if (!(count >= 0) || std::floor(count) != count || count > static_cast<double>(values.bytes_left() / least)) {
       error_ = values.error("found a list of " + whole_text(count), "no more than the file has room for");
       return 0;
     }
@@ -354,6 +372,7 @@ class PlyReader {
           pass_over(element.properties[p], values);
         } else {
           point[axis] = value(element.properties[p].type, values);
+          if (!std::isfinite(point[axis]) && !mesh_.flaw) mesh_.flaw = values.not_finite();
           if (values.is_text()) precision.add(values.written(), point[axis]);
         }
       }
@@ -368,22 +387,38 @@ class PlyReader {
     return true;
   }
 
-  void read_faces(const PlyElement& element, PlyValues& values) {
-    constexpr std::array<std::string_view, 3> colours{"red", "green", "blue"};
-    std::optional<std::size_t> corners;
-    bool coloured = false;
+  // Which property is the list of vertices; else an error.
+  std::optional<std::size_t> list_of_vertices(const PlyElement& element) {
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const PlyProperty& property = element.properties[p];
-      if (property.count && !corners && (property.name == "vertex_indices" || property.name == "vertex_index")) corners = p;
+      if (property.count && (property.name == "vertex_indices" || property.name == "vertex_index")) return p;
+    }
+    error_ = base::Error{source_, "the header", "found no list of the vertices of the element " + quoted_excerpt(element.name),
+                         "vertex_indices or vertex_index"};
+    return std::nullopt;
+  }
+
+  std::uint32_t material_of(const std::array<double, 3>& colour) {
+    return materials_.try_emplace(colour, static_cast<std::uint32_t>(materials_.size())).first->second;
+  }
+
+  // Faces without a colour, up to the last one, have one material.
+  void add_uncoloured() {
+    constexpr std::array<double, 3> none{-2, -2, -2};
+    if (mesh_.materials.size() < mesh_.bodies[0].faces.size())
+      mesh_.materials.resize(mesh_.bodies[0].faces.size(), material_of(none));
+  }
+
+  void read_faces(const PlyElement& element, PlyValues& values) {
+    constexpr std::array<std::string_view, 3> colours{"red", "green", "blue"};
+    bool coloured = false;
+    for (const PlyProperty& property : element.properties)
       coloured = coloured || (!property.count && property.name == colours[0]);
-    }
-    if (!corners) {
-      error_ = base::Error{source_, "the header", "found no list of the vertices of a face", "vertex_indices or vertex_index"};
-      return;
-    }
-    std::vector<PolyFace>& faces = mesh_.bodies.emplace_back().faces;
-    faces.reserve(static_cast<std::size_t>(element.count));
-    std::map<std::array<double, 3>, std::uint32_t> materials;
+    const auto corners = list_of_vertices(element);
+    if (!corners) return;
+    std::vector<PolyFace>& faces = mesh_.bodies[0].faces;
+    faces.reserve(faces.size() + static_cast<std::size_t>(element.count));
+    if (coloured) add_uncoloured();
     for (std::uint64_t f = 0; f < element.count && !error_; ++f) {
       std::array<double, 3> colour{};
       for (std::size_t p = 0; p < element.properties.size() && !error_; ++p) {
@@ -393,32 +428,82 @@ class PlyReader {
           faces.push_back(face(property, f, values));
         } else if (c < 3 && !property.count) {
           colour[c] = value(property.type, values);
+          if (!std::isfinite(colour[c])) colour[c] = -1;
         } else {
           pass_over(property, values);
         }
       }
-      if (coloured)
-        mesh_.materials.push_back(
-            materials.try_emplace(colour, static_cast<std::uint32_t>(materials.size())).first->second);
+      if (coloured) mesh_.materials.push_back(material_of(colour));
     }
-    if (materials.size() == 1) mesh_.materials.clear();
   }
 
   PolyFace face(const PlyProperty& property, std::uint64_t number, PlyValues& values) {
     PolyFace result;
     const std::size_t count = length(property, values);
-    if (!error_ && count < 3)
-      error_ = values.error(
+    if (!error_ && count < 3 && !mesh_.flaw)
+      mesh_.flaw = values.error(
           "found face " + std::to_string(number) + " of " + std::to_string(count) + " vertices", "3 or more");
     result.outline.reserve(count);
+    const double limit = vertex_limit();
     for (std::size_t i = 0; i < count && !error_; ++i) {
       const double v = value(property.type, values);
-      const auto limit = static_cast<double>(vertices_ ? mesh_.vertices.size() : std::size_t{1} << 31U);
-      if (!error_ && !(v >= 0 && v < limit && std::floor(v) == v))
-        error_ = values.error("found vertex " + whole_text(v), "0 to " + whole_text(limit - 1));
-      if (!error_) result.outline.push_back(static_cast<VertexIndex>(v));
+      if (is_vertex(v, limit, values)) result.outline.push_back(static_cast<VertexIndex>(v));
     }
     return result;
+  }
+
+  // Vertices that are read, or as many as there may be.
+  [[nodiscard]] double vertex_limit() const {
+    return static_cast<double>(vertices_ ? mesh_.vertices.size() : std::size_t{1} << 31U);
+  }
+
+  // Whether there is such a vertex; else an error.
+  bool is_vertex(double v, double limit, const PlyValues& values) {
+    if (!error_ && !(v >= 0 && v < limit && std::floor(v) == v))
+      error_ = values.error("found vertex " + whole_text(v), "0 to " + whole_text(limit - 1));
+    return !error_;
+  }
+
+  // Strips of triangles: each vertex makes one with the two before it, every other one of them turned; -1 begins a new
+  // strip. Triangles with the same vertex twice join parts of a strip, and are none.
+  void read_strips(const PlyElement& element, PlyValues& values) {
+    const auto corners = list_of_vertices(element);
+    if (!corners) return;
+    for (std::uint64_t s = 0; s < element.count && !error_; ++s) {
+      for (std::size_t p = 0; p < element.properties.size() && !error_; ++p) {
+        const PlyProperty& property = element.properties[p];
+        if (p != *corners) {
+          pass_over(property, values);
+          continue;
+        }
+        std::vector<VertexIndex> strip;
+        const std::size_t count = length(property, values);
+        for (std::size_t i = 0; i < count && !error_; ++i) {
+          constexpr double minus_one = 0xffffffff;  // of an unsigned type
+          const double v = value(property.type, values);
+          if (v == -1 || (v == minus_one && property.type == PlyType::uint32)) {
+            add_strip(strip, values);
+            strip.clear();
+          } else if (is_vertex(v, vertex_limit(), values)) {
+            strip.push_back(static_cast<VertexIndex>(v));
+          }
+        }
+        add_strip(strip, values);
+      }
+    }
+  }
+
+  void add_strip(const std::vector<VertexIndex>& strip, const PlyValues& values) {
+    std::vector<PolyFace>& faces = mesh_.bodies[0].faces;
+    if (!strip.empty() && strip.size() < 3) {
+      if (!mesh_.flaw) mesh_.flaw = values.error("found a strip of " + std::to_string(strip.size()) + " vertices", "3 or more");
+      faces.push_back({strip, {}});
+    }
+    for (std::size_t i = 2; i < strip.size(); ++i) {
+      const VertexIndex a = strip[i - (i % 2 == 0 ? 2 : 1)];
+      const VertexIndex b = strip[i - (i % 2 == 0 ? 1 : 2)];
+      if (a != b && a != strip[i] && b != strip[i]) faces.push_back({{a, b, strip[i]}, {}});
+    }
   }
 
   std::string_view bytes_;
@@ -426,7 +511,9 @@ class PlyReader {
   std::size_t at_ = 0;
   std::size_t line_ = 0;
   PlyEncoding encoding_ = PlyEncoding::text;
+  char line_end_ = '\n';
   std::vector<PlyElement> elements_;
+  std::map<std::array<double, 3>, std::uint32_t> materials_;  // by colour
   bool vertices_ = false;  // are read
   PolyMesh mesh_;
   std::optional<base::Error> error_;

@@ -199,6 +199,7 @@ void append_surfaces(std::string& text, const PolyScene& scene) {
     text += "],\n\"surface_of\":" + json_array(scene.surface_of);
   }
   if (!scene.material_of.empty()) text += ",\n\"material_of\":" + json_array(scene.material_of);
+  if (scene.materials_are_colours) text += ",\n\"materials_are_colours\":true";
 }
 
 void append_pairs(std::string& text, const std::string& name, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
@@ -255,24 +256,23 @@ std::string small_letters(std::string_view text) {
 // As the first line says that is neither empty nor a comment; empty if it says nothing.
 std::optional<PolyFormat> format_by_content(const std::string_view whole) {
   std::string_view text = whole;
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return PolyFormat::ply;
+  if (text.starts_with("ply") && text.find_first_of(" \t\r\n") == 3) return PolyFormat::ply;
   if (text.starts_with("glTF")) return PolyFormat::glb;
   if (text.starts_with("PK\3\4")) return PolyFormat::threemf;
-  if (is_binary_stl(text)) return PolyFormat::stl;
   while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string_view::npos || line[first] == '#') continue;
     const std::string_view begins = line.substr(first);
     const std::string_view word = begins.substr(0, begins.find_first_of(" \t\r"));
-    constexpr std::size_t longest_off = 8;  // STCNnOFF
-    if (word.ends_with("OFF") && word.size() <= longest_off) return PolyFormat::off;
+    constexpr std::size_t longest_off = 8;  // STCNnOFF, perhaps with the first count right behind it
+    const std::string_view keyword = word.substr(0, word.find_last_not_of("0123456789") + 1);
+    if (keyword == "off" || (keyword.ends_with("OFF") && keyword.size() <= longest_off)) return PolyFormat::off;
     if (begins.starts_with("{"))
       return is_gltf(whole.substr(static_cast<std::size_t>(begins.data() - whole.data()))) ? PolyFormat::gltf
                                                                                            : PolyFormat::json;
-    // A binary file may begin so, too; then its name has to say what it is.
-    if (small_letters(word) == "solid" && text.find("facet") != std::string_view::npos) return PolyFormat::stl;
+    if (small_letters(word) == "solid") return PolyFormat::stl;
     for (const std::string_view obj : {"v", "o", "g", "vn", "vt", "f", "usemtl", "mtllib"})
       if (word == obj && word.size() < begins.size()) return PolyFormat::obj;
     return std::nullopt;
@@ -292,8 +292,12 @@ std::optional<PolyFormat> poly_format_of(std::string_view file) {
 }
 
 PolyFormat poly_format_of(std::string_view file, std::string_view text) {
+  const auto named = poly_format_of(file);
+  // A count that is less than the length allows may be chance, in a file that is no STL.
+  const bool stl = begins_as_binary_stl(text);
+  if (is_binary_stl(text) || (stl && named == PolyFormat::stl)) return PolyFormat::stl;
   if (const auto told = format_by_content(text)) return *told;
-  return poly_format_of(file).value_or(PolyFormat::json);
+  return named.value_or(stl ? PolyFormat::stl : PolyFormat::json);
 }
 
 PolyImport import_unchanged(PolyScene scene) {

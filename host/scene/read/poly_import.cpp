@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
@@ -19,6 +20,8 @@
 namespace sightline::scene {
 namespace {
 
+constexpr VertexIndex no_point = std::numeric_limits<VertexIndex>::max();
+
 using Ring = std::vector<VertexIndex>;
 using Triangles = std::vector<std::array<VertexIndex, 3>>;
 
@@ -27,9 +30,11 @@ class Import {
   Import(PolyMesh mesh, const PolyImportOptions& options) : mesh_(std::move(mesh)), options_(options) {}
 
   base::Result<PolyImport> run() {
+    if (mesh_.flaw && !options_.mend) return *mesh_.flaw;
     report().vertical = mesh_.vertical;
     report().unit = mesh_.unit.empty() ? options_.unit : std::move(mesh_.unit);
     report().notes = std::move(mesh_.notes);
+    if (mesh_.flaw) leave_out_flawed();
     quantise();
     scene().name = std::move(mesh_.name);
     scene().bodies = std::move(mesh_.bodies);
@@ -50,6 +55,58 @@ class Import {
   [[nodiscard]] PolyScene& scene() { return result_.scene; }
   [[nodiscard]] PolyImportReport& report() { return result_.report; }
   [[nodiscard]] MendReport& faces() { return result_.report.faces; }
+
+  // Faces of fewer than three vertices or with one that is no point, and the vertices that are none.
+  void leave_out_flawed() {
+    std::vector<VertexIndex> number(mesh_.vertices.size());
+    std::size_t points = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+      const auto& [x, y, z] = mesh_.vertices[v];
+      number[v] = no_point;
+      if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) continue;
+      number[v] = static_cast<VertexIndex>(points);
+      mesh_.vertices[points++] = mesh_.vertices[v];
+    }
+    const std::size_t no_points = number.size() - points;
+    mesh_.vertices.resize(points);
+    std::size_t thin = 0;
+    std::size_t nowhere = 0;
+    std::uint32_t face_number = 0;
+    for (PolyBody& body : mesh_.bodies) {
+      std::vector<PolyFace> kept;
+      for (PolyFace& face : body.faces) {
+        for (VertexIndex& v : face.outline) v = number[v];
+        if (face.outline.size() < 3) {
+          ++thin;
+        } else if (std::count(face.outline.begin(), face.outline.end(), no_point) > 0) {
+          ++nowhere;
+        } else {
+          kept.push_back(std::move(face));
+          number_in_file_.push_back(face_number);
+        }
+        ++face_number;
+      }
+      body.faces = std::move(kept);
+    }
+    std::erase_if(mesh_.bodies, [](const PolyBody& body) { return body.faces.empty(); });
+    if (!mesh_.materials.empty()) {
+      for (std::size_t f = 0; f < number_in_file_.size(); ++f) mesh_.materials[f] = mesh_.materials[number_in_file_[f]];
+      mesh_.materials.resize(number_in_file_.size());
+    }
+    std::size_t wires = 0;
+    for (const PolyWire& wire : mesh_.wires) {
+      const PolyWire kept{number[wire[0]], number[wire[1]]};
+      if (kept[0] != no_point && kept[1] != no_point) mesh_.wires[wires++] = kept;
+    }
+    mesh_.wires.resize(wires);
+    const auto note = [&](std::size_t count, const std::string& one, const std::string& many, const std::string& what) {
+      if (count > 0) report().notes.push_back(std::to_string(count) + " " + (count == 1 ? one : many) + what);
+    };
+    const std::string not_finite = " with a coordinate that is no finite number";
+    note(nowhere, "face", "faces", not_finite);
+    if (nowhere == 0) note(no_points, "vertex", "vertices", not_finite);
+    note(thin, "face", "faces", " of fewer than three vertices");
+  }
 
   void quantise() {
     const Quantisation q = quantisation_of(mesh_.vertices, options_.eye);
@@ -78,11 +135,13 @@ class Import {
     const MendOptions options{options_.weld / report().step, mesh_.grouped};
     const std::vector<MendedFace> mended = mend(scene(), options, faces());
     faces().largest_deviation *= report().step;
+    if (!number_in_file_.empty()) faces().first_crossing = number_in_file_[faces().first_crossing];
     report().mended = true;
     if (mended.empty() && !scene().wires.empty()) return;
     if (mended.empty()) {
       if (file.size() == 0) {
-        error_ = base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"};
+        error_ = mesh_.flaw.value_or(
+            base::Error{mesh_.source, "", "found no faces", "a mesh", "points alone make no drawing"});
         return;
       }
       error_ = base::Error{mesh_.source, "", "no face with an area is left of " + std::to_string(file.size()),
@@ -93,6 +152,7 @@ class Import {
     find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
     if (report().quantised) find_surfaces_of_wires();
     if (mesh_.materials.empty()) return;
+    scene().materials_are_colours = mesh_.materials_are_colours;
     scene().material_of.reserve(mended.size());
     for (const MendedFace& face : mended) scene().material_of.push_back(mesh_.materials[face.source]);
   }
@@ -301,6 +361,7 @@ class Import {
   }
 
   PolyMesh mesh_;
+  std::vector<std::uint32_t> number_in_file_;  // of each face, if some were left out
   PolyImportOptions options_;
   PolyImport result_;
   std::optional<base::Error> error_;

@@ -36,7 +36,7 @@ namespace sightline::scene {
 struct PolyMesh {
   std::string source;  // named in errors
   std::string name;
-  std::vector<std::array<double, 3>> vertices;  // finite
+  std::vector<std::array<double, 3>> vertices;  // finite, unless there is a flaw
   std::vector<PolyBody> bodies;                 // sheet is not used; every index is below vertices.size()
   bool grouped = false;  // the bodies are the file's; if not, connected parts become bodies (join_cavities)
   // The distance of neighbouring numbers that the file can hold where its coordinates are largest: of float32,
@@ -45,10 +45,14 @@ struct PolyMesh {
   // A number for the material (colour, texture, group within a body) of each face, in the order of the bodies
   // and their faces; empty if all have the same.
   std::vector<std::uint32_t> materials;
+  bool materials_are_colours = false;   // of single faces: PolyScene::materials_are_colours
   std::optional<std::size_t> vertical;  // the axis that the format says is upwards: 0, 1, 2 = x, y, z
   std::string unit;                     // of the coordinates, as the format says: "m", "mm", "inch"; or empty
   std::vector<std::string> notes;       // what was passed over, a phrase each: "3 statements \"s\""
   std::vector<PolyWire> wires;          // every index is below vertices.size()
+  // The first coordinate that is no finite number, or face of fewer than three vertices. Mending leaves out all these
+  // faces; otherwise, or if no other face is left, this is the error.
+  std::optional<base::Error> flaw;
 };
 
 struct PolyImportOptions {

@@ -118,6 +118,8 @@ class PolyReader {
       of_faces(document, "surface_of", static_cast<std::int64_t>(scene_.surfaces.size()) - 1, scene_.surface_of);
     }
     of_faces(document, "material_of", std::numeric_limits<std::uint32_t>::max(), scene_.material_of);
+    if (const Json* colours = json_.optional_field(document, "materials_are_colours", ""))
+      scene_.materials_are_colours = json_.boolean(*colours, "materials_are_colours");
   }
 
   // Pairs of numbers of things of which there are so many.

@@ -8,8 +8,10 @@
 // "perspective" is true unless said. Everything else is ignored. Coordinates are integers, and "step" says
 // what one unit stands for (default 1); "origin" is added before that. Names are up to 200 printable ASCII
 // characters. Of a mesh, "surfaces": [[x,y,z]...] are the normals of its surfaces, "surface_of" the surface of
-// each face, counted over all bodies, and "material_of" its material. "wires": [[a,b]...] are lines of no face, from
-// vertex to vertex, and "wires_on": [[w,s]...] numbers of a wire and of a surface in whose plane it lies. Reading checks form only: check_poly_scene the rest.
+// each face, counted over all bodies, and "material_of" its material; with "materials_are_colours": true the materials
+// are colours of single faces, whose borders are drawn only where they are asked for. "wires": [[a,b]...] are lines of no
+// face, from vertex to vertex, and "wires_on": [[w,s]...] numbers of a wire and of a surface in whose plane it lies. Reading
+// checks form only: check_poly_scene the rest.
 #pragma once
 
 #include <string_view>

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,8 @@
 
 namespace sightline::scene {
 
-// Line by line: comments from # to the end of the line and empty lines are passed over, a backslash at the
-// end of a line joins the next one to it. Lines end with LF or CRLF.
+// Line by line, or field by field: comments from # to the end of the line and empty lines are passed over, a backslash at
+// the end of a line joins the next one to it. Lines end with LF, CRLF or CR.
 class PolyLines {
  public:
   PolyLines(std::string_view text, std::string_view source) : text_(text), source_(source) {}
@@ -23,9 +24,16 @@ class PolyLines {
   // The next line with a field in it; false at the end of the file.
   [[nodiscard]] bool next();
   [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
+  // The next field, of this line or of a later one; empty at the end of the file.
+  std::string_view take() { return taken_ == fields_.size() && !next() ? std::string_view() : fields_[taken_++]; }
+  // The fields of this line that were not taken.
+  [[nodiscard]] std::span<const std::string_view> rest() const { return std::span(fields_).subspan(taken_); }
+  [[nodiscard]] bool at_first_field() const { return taken_ == 0; }
+  // Takes so many of them.
+  void pass_over(std::size_t count) { taken_ += count; }
   // Error at the line last read, or at the end of the file when next() was false.
   [[nodiscard]] base::Error error(const std::string& cause) const;
-  // "found X, expected WHAT"
+  // "found X, expected WHAT"; no field is the end of the file.
   [[nodiscard]] base::Error unexpected(std::string_view found, const std::string& expected) const;
 
  private:
@@ -34,10 +42,17 @@ class PolyLines {
 
   std::string_view text_;
   std::string source_;
+  std::size_t at_ = 0;       // in text_, where the next line begins
+  std::size_t newline_ = 0;  // the first LF from there on, or the end; below at_: to be found
   std::vector<std::string_view> fields_;
+  std::size_t taken_ = 0;
   std::size_t next_number_ = 1;
   std::size_t number_ = 0;  // 0: before the first line or behind the last
 };
+
+// A coordinate: a decimal number, or NaN for all spellings of what is no finite number ("nan", "-inf", "1.#IND", "1e999").
+// Empty for everything else.
+[[nodiscard]] std::optional<double> coordinate_of(std::string_view field);
 
 // A name as scenes have them: at most 200 characters, and "?" for what is not printable ASCII.
 [[nodiscard]] std::string printable_name(std::string text);

@@ -10,7 +10,8 @@ namespace {
 double largest_of(std::span<const std::array<double, 3>> vertices) {
   double largest = 0;
   for (const auto& vertex : vertices)
-    for (const double c : vertex) largest = std::max(largest, std::abs(c));
+    for (const double c : vertex)
+      if (std::abs(c) > largest && std::isfinite(c)) largest = std::abs(c);
   return largest;
 }
 
@@ -29,7 +30,7 @@ double float64_precision(std::span<const std::array<double, 3>> vertices) {
 }
 
 void TextPrecision::add(std::string_view written, double value) {
-  if (value == 0) return;
+  if (value == 0 || !std::isfinite(value)) return;
   int decimals = 0;
   int digits = 0;
   int exponent = 0;

@@ -9,7 +9,7 @@
 
 namespace sightline::scene {
 
-// The distance of neighbouring numbers of the type at the largest coordinate; 0 without coordinates.
+// The distance of neighbouring numbers of the type at the largest finite coordinate; 0 without coordinates.
 [[nodiscard]] double float32_precision(std::span<const std::array<double, 3>> vertices);
 [[nodiscard]] double float64_precision(std::span<const std::array<double, 3>> vertices);
 
@@ -19,7 +19,7 @@ namespace sightline::scene {
 // exact.
 class TextPrecision {
  public:
-  // A coordinate as written, and its value.
+  // A coordinate as written, and its value; one that is not finite does not count.
   void add(std::string_view written, double value);
   // 0: all are whole numbers, or there are none.
   [[nodiscard]] double result(std::span<const std::array<double, 3>> vertices) const;

@@ -1,6 +1,7 @@
 // See stl.hpp.
 #include "host/scene/read/stl.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -8,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "host/base/number.hpp"
 #include "host/scene/model/vertex_pool.hpp"
 #include "host/scene/read/poly_text.hpp"
 #include "host/scene/read/precision.hpp"
@@ -37,15 +37,18 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
   }
   const std::uint64_t triangles = little_endian_32(bytes, stl_header_bytes);
   const std::uint64_t expected = stl_triangles_at + triangles * stl_triangle_bytes;
-  if (bytes.size() != expected) {
-    return error(bytes.size() < expected ? bytes.size() : static_cast<std::size_t>(expected),
-                 bytes.size() < expected ? "found the end of the file after " + std::to_string(bytes.size()) + " bytes"
-                                         : "found " + std::to_string(bytes.size()) + " bytes",
+  if (bytes.size() < expected) {
+    return error(bytes.size(), "found the end of the file after " + std::to_string(bytes.size()) + " bytes",
                  std::to_string(expected) + ", as byte 80 says " + std::to_string(triangles) + " triangles",
                  "export the file again, or write it as text");
   }
-  if (triangles == 0) return error(stl_header_bytes, "found no triangles", "a mesh");
+  const std::uint64_t rest = bytes.size() - expected;
+  if (triangles == 0) {
+    return error(stl_header_bytes, "found no faces" + (rest > 0 ? ", and " + std::to_string(rest) + " bytes after them" : ""),
+                 "a mesh", rest >= stl_triangle_bytes ? "if the file has triangles, export it again with their number" : "");
+  }
   PolyMesh mesh;
+  if (rest > 0) mesh.notes.push_back(std::to_string(rest) + (rest == 1 ? " byte" : " bytes") + " after the last triangle");
   mesh.bodies.emplace_back().faces.reserve(static_cast<std::size_t>(triangles));
   VertexPool<double> pool(mesh.vertices);
   std::size_t at = stl_triangles_at;
@@ -57,9 +60,8 @@ base::Result<PolyMesh> read_binary_stl(std::string_view bytes, std::string_view 
       for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t place = at + 12 * (corner + 1) + 4 * a;
         point[a] = std::bit_cast<float>(little_endian_32(bytes, place));
-        if (!std::isfinite(point[a]))
-          return error(place, "found a coordinate that is no finite number", "a number",
-                       "triangle " + std::to_string(t) + " is damaged");
+        if (!std::isfinite(point[a]) && !mesh.flaw)
+          mesh.flaw = error(place, "found a coordinate of triangle " + std::to_string(t) + " that is no finite number", "a number");
       }
       face.outline.push_back(pool.add(point));
     }
@@ -78,15 +80,34 @@ bool same_word(std::string_view field, std::string_view lower) {
   return true;
 }
 
-// solid NAME, facet normal, outer loop, three times vertex, endloop, endfacet, endsolid: a statement a line.
+// solid NAME, facet normal, outer loop, three times vertex, endloop, endfacet, endsolid NAME.
 class TextStl {
  public:
   TextStl(std::string_view text, std::string_view source) : lines_(text, source), pool_(mesh_.vertices) {}
 
   base::Result<PolyMesh> run() {
-    while (!error_ && lines_.next()) read_solid();
-    if (!error_ && mesh_.vertices.empty()) error_ = lines_.error("found no triangles, expected \"facet\"");
+    bool inside = false;
+    while (!error_) {
+      const std::string_view word = lines_.take();
+      if (word.empty()) break;
+      if (inside && same_word(word, "facet")) {
+        read_facet();
+      } else if (same_word(word, "solid")) {
+        unfinished_ += inside ? 1U : 0U;
+        inside = true;
+        begin_solid();
+      } else if (inside && same_word(word, "endsolid")) {
+        inside = false;
+        pass_over_name();
+      } else {
+        error_ = lines_.unexpected(word, inside ? "\"facet\" or \"endsolid\"" : "\"solid\"");
+      }
+    }
+    if (!error_ && mesh_.vertices.empty()) error_ = lines_.error("found no faces, expected a mesh");
     if (error_) return *error_;
+    unfinished_ += inside ? 1U : 0U;
+    if (unfinished_ == 1) mesh_.notes.push_back("a missing \"endsolid\"");
+    if (unfinished_ > 1) mesh_.notes.push_back(std::to_string(unfinished_) + " missing \"endsolid\"");
     std::erase_if(mesh_.bodies, [](const PolyBody& body) { return body.faces.empty(); });
     mesh_.grouped = mesh_.bodies.size() > 1;
     mesh_.precision = precision_.result(mesh_.vertices);
@@ -94,89 +115,118 @@ class TextStl {
   }
 
  private:
-  // The words of a statement, and how many fields follow.
-  bool statement(std::string_view first, std::string_view second, std::size_t numbers) {
-    const auto& fields = lines_.fields();
-    const std::size_t words = second.empty() ? 1 : 2;
-    const bool fits = fields.size() >= words && same_word(fields[0], first) && (words == 1 || same_word(fields[1], second));
-    if (!fits || fields.size() != words + numbers) {
-      std::string expected = "\"" + std::string(first) + (words == 1 ? "" : " " + std::string(second)) + "\"";
-      if (numbers > 0) expected += " and " + std::to_string(numbers) + " numbers";
-      error_ = fits ? lines_.error("found " + std::to_string(fields.size() - words) + " fields after it, expected " + expected)
-                    : lines_.unexpected(fields[0], expected);
-    }
-    return !error_;
+  // The next word; a file may not end before it.
+  bool expect(std::string_view word) {
+    const std::string_view found = lines_.take();
+    if (same_word(found, word)) return true;
+    error_ = lines_.unexpected(found, "\"" + std::string(word) + "\"");
+    return false;
   }
 
-  // The next line; a file may not end here.
-  bool line(std::string_view expected) {
-    if (!error_ && !lines_.next()) error_ = lines_.error("found the end of the file, expected \"" + std::string(expected) + "\"");
-    return !error_;
+  // Where on this line a facet begins, or how many fields are left.
+  [[nodiscard]] std::size_t facet_in_line() const {
+    const auto rest = lines_.rest();
+    std::size_t at = 0;
+    while (at < rest.size() &&
+           !(same_word(rest[at], "facet") && at + 1 < rest.size() && same_word(rest[at + 1], "normal")))
+      ++at;
+    return at;
   }
 
-  void read_solid() {
-    if (!same_word(lines_.fields()[0], "solid")) {
-      error_ = lines_.unexpected(lines_.fields()[0], "\"solid\"");
+  void begin_solid() {
+    std::string& name = mesh_.bodies.emplace_back().name;
+    const auto rest = lines_.rest();
+    const std::size_t words = facet_in_line();
+    std::size_t taken = 0;
+    for (; taken < words && !same_word(rest[taken], "endsolid"); ++taken)
+      name += (taken > 0 ? " " : "") + std::string(rest[taken]);
+    name = printable_name(name);
+    lines_.pass_over(taken);
+  }
+
+  // Another solid may begin on the line.
+  void pass_over_name() {
+    const auto rest = lines_.rest();
+    std::size_t words = rest.size();
+    if (const std::size_t facet = facet_in_line(); facet < rest.size())
+      for (words = facet; words > 0 && !same_word(rest[words], "solid");) --words;
+    lines_.pass_over(words);
+  }
+
+  void read_facet() {
+    // The normal is passed over, however many numbers it has.
+    constexpr int most = 8;
+    std::string_view word = lines_.take();
+    for (int i = 0; i < most && !word.empty() && !same_word(word, "outer"); ++i) word = lines_.take();
+    if (!same_word(word, "outer")) {
+      error_ = lines_.unexpected(word, "\"outer loop\"");
       return;
     }
-    PolyBody& body = mesh_.bodies.emplace_back();
-    for (std::size_t i = 1; i < lines_.fields().size(); ++i)
-      body.name += (i > 1 ? " " : "") + std::string(lines_.fields()[i]);
-    body.name = printable_name(body.name);
-    while (line("endsolid") && !same_word(lines_.fields()[0], "endsolid")) read_facet(body);
-  }
-
-  void read_facet(PolyBody& body) {
-    const auto& fields = lines_.fields();
-    if (!same_word(fields[0], "facet")) {
-      error_ = lines_.unexpected(fields[0], "\"facet\" or \"endsolid\"");
-      return;
-    }
-    if (!line("outer loop") || !statement("outer", "loop", 0)) return;
+    if (!expect("loop")) return;
     PolyFace face;
     face.outline.reserve(3);
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      if (!line("vertex") || !statement("vertex", "", 3)) return;
+      if (!expect("vertex")) return;
       std::array<double, 3> point{};
       for (std::size_t a = 0; a < 3; ++a) {
-        const std::string_view field = lines_.fields()[a + 1];
-        const auto number = base::decimal_number(field);
+        const std::string_view field = lines_.take();
+        const auto number = coordinate_of(field);
         if (!number) {
           error_ = lines_.unexpected(field, "a number");
           return;
         }
+        if (!std::isfinite(*number) && !mesh_.flaw) mesh_.flaw = lines_.unexpected(field, "a finite number");
         point[a] = *number;
         precision_.add(field, *number);
       }
       face.outline.push_back(pool_.add(point));
     }
-    if (!line("endloop")) return;
-    if (same_word(lines_.fields()[0], "vertex")) {
+    word = lines_.take();
+    if (same_word(word, "vertex")) {
       error_ = lines_.error("found a fourth vertex, expected triangles");
-      return;
+    } else if (!same_word(word, "endloop")) {
+      error_ = lines_.unexpected(word, "\"endloop\"");
+    } else if (expect("endfacet")) {
+      mesh_.bodies.back().faces.push_back(std::move(face));
     }
-    if (!statement("endloop", "", 0) || !line("endfacet") || !statement("endfacet", "", 0)) return;
-    body.faces.push_back(std::move(face));
   }
 
   PolyLines lines_;
   PolyMesh mesh_;
   VertexPool<double> pool_;
   TextPrecision precision_;
+  std::size_t unfinished_ = 0;  // solids without "endsolid"
   std::optional<base::Error> error_;
 };
 
+// Whether the first word is "solid". The fourth byte of the count of a binary file is 0 below 16 million triangles; that of a
+// text never is.
+bool begins_as_text(std::string_view bytes) {
+  if (bytes.size() >= stl_triangles_at && bytes[stl_triangles_at - 1] == '\0') return false;
+  while (true) {
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return false;
+    bytes.remove_prefix(first);
+    if (bytes[0] != '#') return same_word(bytes.substr(0, 5), "solid");
+    bytes.remove_prefix(std::min(bytes.find_first_of("\r\n"), bytes.size()));
+  }
+}
+
 }  // namespace
 
-bool is_binary_stl(std::string_view bytes) {
+bool begins_as_binary_stl(std::string_view bytes) {
   return bytes.size() >= stl_triangles_at &&
-         bytes.size() == stl_triangles_at + std::uint64_t{little_endian_32(bytes, stl_header_bytes)} * stl_triangle_bytes;
+         bytes.size() >= stl_triangles_at + std::uint64_t{little_endian_32(bytes, stl_header_bytes)} * stl_triangle_bytes;
+}
+
+bool is_binary_stl(std::string_view bytes) {
+  return begins_as_binary_stl(bytes) && (bytes.size() - stl_triangles_at) ==
+                                            std::uint64_t{little_endian_32(bytes, stl_header_bytes)} * stl_triangle_bytes;
 }
 
 base::Result<PolyMesh> read_stl(std::string_view bytes, std::string_view source) {
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  const bool text = first != std::string_view::npos && same_word(bytes.substr(first, 5), "solid");
-  auto mesh = !is_binary_stl(bytes) && text ? TextStl(bytes, source).run() : read_binary_stl(bytes, source);
+  const bool text = !begins_as_binary_stl(bytes) && begins_as_text(bytes);
+  auto mesh = text ? TextStl(bytes, source).run() : read_binary_stl(bytes, source);
   if (!mesh) return mesh;
   mesh->source = source;
   mesh->vertical = 2;

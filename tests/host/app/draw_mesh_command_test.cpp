@@ -108,6 +108,29 @@ TEST_F(DrawMesh, AFileOfLinesAlone) {
       << jones.err;
 }
 
+// No two faces of the sphere bend by 30 degrees, and its silhouette from (1, 1, 1) has 40 of 792 edges.
+TEST_F(DrawMesh, ColoursOfFacesAreBordersWhereAskedFor) {
+  const std::string sphere = SIGHTLINE_TEST_DATA "/meshes/ply-face-colours.ply";
+  const auto edges_of = [&](const std::string& file, const sightline::test::Arguments& more) {
+    sightline::test::Arguments words{"draw", "exact", file, "--view", "iso", "--json", "-o", "s.svg"};
+    words.insert(words.end(), more.begin(), more.end());
+    const std::string out = sightline(words).out;
+    const std::size_t at = out.find("\"edges\": ");
+    return at == std::string::npos ? -1 : std::atoi(out.c_str() + at + 9);
+  };
+  EXPECT_EQ(edges_of(sphere, {}), 40);
+  EXPECT_EQ(edges_of(sphere, {"--edges", "feature"}), 40);
+  EXPECT_EQ(edges_of(sphere, {"--edges", "silhouette"}), 40);
+  EXPECT_EQ(edges_of(sphere, {"--edges", "silhouette,border"}), 792);
+  EXPECT_EQ(edges_of(sphere, {"--edges", "all"}), 792);
+  expect_ok({"scene", "convert", sphere, "-o", "s.json"});
+  EXPECT_EQ(edges_of("s.json", {}), 40);
+  EXPECT_EQ(edges_of("s.json", {"--edges", "silhouette,border"}), 792);
+  // A material of OBJ is a part's, and its border is drawn.
+  write("m.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n");
+  EXPECT_EQ(edges_of("m.obj", {}), 5);
+}
+
 TEST_F(DrawMesh, ALayerForEachBody) {
   write("two.json", box_and_bar);
   expect_ok({"draw", "exact", "two.json", "--layers", "body", "-o", "b.svg"});

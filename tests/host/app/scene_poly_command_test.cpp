@@ -98,6 +98,32 @@ TEST_F(ScenePolyCommand, MendRepairs) {
   EXPECT_EQ(read("d.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
 }
 
+// Each file is a box of 10 x 6 x 4 units: tests/data/meshes/README.md.
+TEST_F(ScenePolyCommand, ABoxWrittenInManyWays) {
+  struct Box {
+    const char* file;
+    int faces, edges, sheets;
+    const char* said;
+  };
+  for (const Box& box : {Box{"stl-bom.stl", 12, 18, 0, ""}, Box{"off-bom.off", 6, 12, 0, ""}, Box{"obj-bom.obj", 6, 12, 0, ""},
+                         Box{"stl-trailing-bytes.stl", 12, 18, 0, "37 bytes after the last triangle passed over"},
+                         Box{"off-glued.off", 6, 12, 0, ""}, Box{"ply-tristrips.ply", 12, 18, 0, ""},
+                         Box{"stl-nan-vertex.stl", 11, 18, 1, "1 face with a coordinate that is no finite number passed over"},
+                         Box{"obj-two-vertex-face.obj", 6, 12, 0, "1 face of fewer than three vertices passed over"}}) {
+    const std::string file = std::string(SIGHTLINE_TEST_DATA "/meshes/") + box.file;
+    const Ran ran = sightline({"scene", "info", "--json", file});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(sightline({"scene", "info", file}).err, *box.said == '\0' ? "" : std::string("sightline: warning: mended: ") + box.said + "\n");
+    const json info = json::parse(ran.out);
+    EXPECT_EQ(info.at("bounds"), json::parse("[[0,0,0],[10,6,4]]")) << box.file;
+    EXPECT_EQ(info.at("vertices"), 8) << box.file;
+    EXPECT_EQ(info.at("faces"), box.faces) << box.file;
+    EXPECT_EQ(info.at("edges"), box.edges) << box.file;
+    EXPECT_EQ(info.at("sheets"), box.sheets) << box.file;
+    EXPECT_EQ(info.at("surfaces"), 6) << box.file;
+  }
+}
+
 // A pipe can be read once.
 TEST_F(ScenePolyCommand, SceneFromAPipe) {
   const std::string polyhedra = sightline({"scene", "generate", "boxes", "2"}).out;

@@ -99,6 +99,41 @@ TEST(LoadScene, KnowsTheKindOfAText) {
   EXPECT_TRUE(loaded->decomposition);
 }
 
+TEST(LoadScene, AByteOrderMarkIsNoPartOfAText) {
+  const std::string mark = "\xef\xbb\xbf";
+  std::string complex;
+  const PolyScene boxes = generate_boxes(2);
+  write_cell_complex(boxes, *decomposition_of(boxes), [&](std::string_view piece) { complex += piece; });
+  const auto tetra = load_scene({.name = "a.off", .text = tetrahedron});
+  ASSERT_TRUE(tetra);
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                          "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const SceneFile files[] = {
+      {.name = "a.off", .text = tetrahedron},
+      {.name = "-", .text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+      {.name = "a", .text = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"},
+      {.name = "a.obj", .text = ply},
+      {.name = "a.json", .text = *write_poly(tetra->scene, PolyFormat::json)},
+      {.name = "b.json", .text = complex},
+      {.name = "c.json", .text = std::string(*builtin_scene_text("house"))},
+  };
+  for (const SceneFile& file : files) {
+    const auto expected = load_scene(file);
+    ASSERT_TRUE(expected) << expected.error().message();
+    SceneFile marked = file;
+    marked.text = mark + file.text;
+    EXPECT_EQ(can_be_mended(marked), can_be_mended(file)) << file.name;
+    const auto loaded = load_scene(marked);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    EXPECT_EQ(loaded->kind, expected->kind) << file.name;
+    EXPECT_EQ(loaded->scene, expected->scene) << file.name;
+  }
+  EXPECT_EQ(error_of({.name = "a.obj", .text = std::string("\xff\xfev\0 \0", 6)}),
+            "a.obj: found a text in UTF-16, expected UTF-8 or ASCII; save it as UTF-8");
+  EXPECT_EQ(error_of({.name = "a.json", .text = std::string("\xfe\xff\0{", 4)}),
+            "a.json: found a text in UTF-16, expected UTF-8 or ASCII; save it as UTF-8");
+}
+
 TEST(LoadScene, AnErrorSaysHowManyThereAre) {
   EXPECT_EQ(error_of({.name = "s.json", .text = "{\n \"name\": 3,,}"}).substr(0, 27),
             "s.json: line 2, column 12: ");

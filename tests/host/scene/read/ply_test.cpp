@@ -42,9 +42,20 @@ std::string binary_triangle(bool big) {
   return bytes.text();
 }
 
+// An error, or what only mending leaves out.
 std::string ply_error(const std::string& bytes) {
   const auto mesh = read_ply(bytes, "a.ply");
-  return mesh ? "" : mesh.error().message();
+  if (!mesh) return mesh.error().message();
+  return mesh->flaw ? mesh->flaw->message() : "";
+}
+
+using Outlines = std::vector<std::vector<VertexIndex>>;
+
+Outlines outlines(const base::Result<PolyMesh>& mesh) {
+  Outlines result;
+  if (mesh)
+    for (const PolyFace& face : mesh->bodies.at(0).faces) result.push_back(face.outline);
+  return result;
 }
 
 TEST(Ply, AllEncodingsAreTheSameMesh) {
@@ -89,7 +100,7 @@ TEST(Ply, EachKindOfDamageIsNamed) {
   EXPECT_EQ(ply_error(header("ascii") + rows + "1e300 0 1 2").substr(0, 32), "a.ply: line 15: found a list of ");
   EXPECT_EQ(ply_error(header("ascii") + rows + "2 0 1"), "a.ply: line 15: found face 0 of 2 vertices, expected 3 or more");
   EXPECT_EQ(ply_error(header("ascii") + "0 9 0 0\n3 9 inf 0\n0 9 -3 0\n3 2 1 0"),
-            "a.ply: line 13: found \"inf\", expected a number");
+            "a.ply: line 13: found \"inf\", expected a finite number");
   const std::string body = binary_triangle(false);
   const std::size_t begins = header("binary_little_endian").size();
   for (std::size_t length = 0; length < body.size(); ++length) {
@@ -99,7 +110,7 @@ TEST(Ply, EachKindOfDamageIsNamed) {
   std::string damaged = body;
   damaged.replace(0, 8, Bytes(false).put(0x7ff0000000000000U, 8).text());
   EXPECT_EQ(ply_error(header("binary_little_endian") + damaged),
-            "a.ply: byte " + std::to_string(begins) + ": found a value that is no finite number, expected a number");
+            "a.ply: byte " + std::to_string(begins) + ": found a coordinate that is no finite number, expected a finite number");
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty "
                       "float z\nend_header\n0 0 0\n"),
             "a.ply: the header: found no element face, expected vertices and faces; a cloud of points has no "
@@ -113,6 +124,55 @@ TEST(Ply, EachKindOfDamageIsNamed) {
           "ply\nformat ascii 1.0\nelement face 1\nproperty float list\nelement vertex 0\nend_header\n0\n")
           .find("vertex_indices"),
       std::string::npos);
+}
+
+constexpr const char* four_vertices =
+    "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+constexpr const char* four_rows = "0 0 0\n1 0 0\n0 1 0\n0 0 1.5\n";
+
+// Every other triangle of a strip is turned, and -1 begins another strip.
+TEST(Ply, StripsOfTriangles) {
+  const auto read = [](const std::string& element, const std::string& rows) {
+    return read_ply(std::string("ply\nformat ascii 1.0\n") + four_vertices + element + "end_header\n" + four_rows + rows, "a.ply");
+  };
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  EXPECT_EQ(outlines(read(strips, "4 0 1 2 3\n")), (Outlines{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(outlines(read(strips, "9 0 1 2 -1 3 2 1 0 -1\n")), (Outlines{{0, 1, 2}, {3, 2, 1}, {1, 2, 0}}));
+  // Degenerate triangles count when triangles are turned.
+  EXPECT_EQ(outlines(read(strips, "5 0 1 1 2 3\n")), (Outlines{{1, 2, 3}}));
+  const auto thin = read(strips, "6 0 1 -1 1 2 3\n");
+  EXPECT_EQ(outlines(thin), (Outlines{{0, 1}, {1, 2, 3}}));
+  EXPECT_TRUE(thin->flaw);
+  EXPECT_EQ(outlines(read("element tristrips 1\nproperty int a\nproperty list uchar uint vertex_index\n", "7 3 0 1 2\n")),
+            (Outlines{{0, 1, 2}}));
+  const auto both = read("element tristrips 1\nproperty list int int vertex_indices\nelement face 2\n"
+                         "property list uchar int vertex_indices\nproperty uchar red\n",
+                         "3 0 1 2\n3 0 2 3 9\n3 0 3 1 8\n");
+  EXPECT_EQ(outlines(both), (Outlines{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}));
+  EXPECT_EQ(both->materials, (std::vector<std::uint32_t>{0, 1, 2}));
+  const auto bad = read(strips, "3 0 1 4\n");
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().message(), "a.ply: line 14: found vertex 4, expected 0 to 3");
+  EXPECT_FALSE(read("element tristrips 1\nproperty list int int strip\n", "3 0 1 2\n"));
+}
+
+TEST(Ply, WhatTheFormatAllowsIsRead) {
+  const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
+  const std::string body = std::string("end_header\n") + four_rows + "3 0 1 2\n";
+  const std::string head = "ply\nformat ascii 1.0\n";
+  const Outlines one{{0, 1, 2}};
+  EXPECT_EQ(outlines(read_ply(head + "comment " + std::string(20'000, 'x') + "\nobj_info made\n" + four_vertices + face + body, "a.ply")), one);
+  EXPECT_EQ(outlines(read_ply(head + four_vertices + "element nothing 5\n" + face + body, "a.ply")), one);
+  EXPECT_EQ(outlines(read_ply(head + four_vertices + "element face 1\nproperty list float double vertex_index\n" + body, "a.ply")), one);
+  // Lines that end with CR, and a body that begins with the byte of an LF.
+  std::string old = "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty uchar first\nproperty list uchar uchar vertex_indices\n" +
+                    std::string(four_vertices) + "end_header\n";
+  for (char& c : old) c = c == '\n' ? '\r' : c;
+  old += std::string("\n\3\0\1\2", 5) + std::string(48, '\0');
+  EXPECT_EQ(outlines(read_ply(old, "a.ply")), one);
+  std::string text = head + four_vertices + face + body;
+  for (char& c : text) c = c == '\n' ? '\r' : c;
+  EXPECT_EQ(outlines(read_ply(text, "a.ply")), one);
 }
 
 TEST(Ply, FacesBeforeVertices) {

@@ -23,6 +23,12 @@ constexpr std::string_view tetrahedron_obj =
     "# a comment\nmtllib x.mtl\nv 0 0 0\nv 10 0 0 1.0\nv 0 10 0\nv 0 0 10\nvn 0 0 1\nvt 0 0\n"
     "f 1/1/1 3//1 2/1\nf -4 -3 -1\nusemtl red\nf 2 3 \\\n 4\ns off\nf 3 1 4\n";
 
+struct Damage {
+  PolyFormat format;
+  std::string text;
+  std::string message;
+};
+
 TEST(ReadPoly, ATetrahedronIsTheSameInOffAndObj) {
   const PolyImport off = read(tetrahedron_off, PolyFormat::off);
   const PolyImport obj = read(tetrahedron_obj, PolyFormat::obj);
@@ -108,6 +114,104 @@ TEST(ReadPoly, AFileOfLinesAloneIsAScene) {
   }
 }
 
+// Geomview's manual: the keyword may be missing, and only colours end with a line.
+TEST(ReadPoly, OffIsAStreamOfNumbers) {
+  const std::string vertices = "0 0 0\n10 0 0\n0 10 0\n0 0 10\n";
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  const auto blanks = [](std::string text) {
+    for (char& c : text) c = c == '\n' ? ' ' : c;
+    return text;
+  };
+  const auto lines = [](std::string text) {
+    for (char& c : text) c = c == ' ' ? '\n' : c;
+    return text;
+  };
+  const PolyScene expected = read("OFF\n4 4 6\n" + vertices + faces, PolyFormat::off).scene;
+  const std::string texts[] = {
+      "OFF4 4 6\n" + vertices + faces,
+      "OFF 4 4\n" + vertices + faces,
+      "off\n4 4 6\n" + vertices + faces,
+      "4 4 6\n" + vertices + faces,
+      "OFF\n4\n4\n6\n" + vertices + faces,
+      "OFF\n4 4\n6\n" + vertices + faces,
+      "OFF\n4 4 6\n" + blanks(vertices) + "\n" + faces,
+      "OFF\n4 4 6\n" + lines(vertices) + faces,
+      "OFF\n4 4 6\n" + vertices + blanks(faces),
+      "OFF\n4 4 6\n" + vertices + lines(faces),
+      lines("OFF 4 4 6\n" + vertices + faces),
+      blanks("OFF 4 4 6\n" + vertices + faces),
+      "OFF # a\n4 4 # b\n6\n0 0 0 10 0 0#c\n0 10 0 0 0 10\n" + faces,
+      "OFF\r4 4 6\r0 0 0\r10 0 0\r0 10 0\r0 0 10\r3 0 2 1\r3 0 1 3\r3 1 2 3\r3 2 0 3\r",
+      "NOFF 4 4 6\n" + blanks("0 0 0 1 0 0\n10 0 0 0 1 0\n0 10 0 0 0 1\n0 0 10 1 0 0\n") + faces,
+  };
+  for (const std::string& text : texts) EXPECT_EQ(read(text, PolyFormat::off).scene, expected) << text;
+  // Vertices on one line, and faces over several lines with their colours: a material each.
+  const auto coloured = read_poly("OFF 4 4 6 " + blanks(vertices) + "3 0\n2 1 255 0 0\n3 0 1\n3\n3 1 2 3 255 0 0\n3 2 0 3 0.5 1 1 1\n", "test",
+                                  PolyFormat::off, {.mend = true});
+  ASSERT_TRUE(coloured) << coloured.error().message();
+  EXPECT_EQ(coloured->scene.material_of, (std::vector<std::uint32_t>{0, 1, 0, 2}));
+  EXPECT_TRUE(coloured->scene.materials_are_colours);
+  // A coordinate that is missing is no other layout.
+  EXPECT_FALSE(read_poly("OFF\n4 4 6\n0 0 0\n10 0\n0 10 0\n0 0 10\n" + faces, "test", PolyFormat::off, {.mend = true}));
+}
+
+TEST(ReadPoly, ObjAsTheSpecificationAllows) {
+  const PolyScene expected = read(tetrahedron_obj, PolyFormat::obj).scene;
+  const std::string vertices = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\n";
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  std::string old = vertices + faces;
+  for (char& c : old) c = c == '\n' ? '\r' : c;
+  for (const std::string& text :
+       {faces + vertices, old, vertices + "f 1 3\\\n 2\nf 1 2 \\ # more\n 4\nf 2 3 4\nfo 3 1 4\n",
+        "v 0 0 0 1\nv 10 0 0 0.5 0.5 0.5\nv 0 10 0 1 0 0 1\nv 0 0 10\n" + faces, vertices + "f 1// 3//1 2/1/\n" + faces.substr(8)})
+    EXPECT_EQ(read(text, PolyFormat::obj).scene, expected) << text;
+}
+
+// In each format that can have them; --strict names the first one.
+TEST(ReadPoly, FacesThatAreNoneAreLeftOutAndCounted) {
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                          "element face 4\nproperty list uchar int vertex_index\nproperty uchar red\nend_header\n";
+  const std::vector<std::string> expected{"1 face with a coordinate that is no finite number", "2 faces of fewer than three vertices"};
+  const Damage texts[] = {
+      {PolyFormat::obj, "v 0 nan 0\nv 0 0 0\nv 9 0 0\nv 0 9 0\nf 2 3\nf 1 2 3\nf\nf 2 3 4\n",
+       "test: line 1: found \"nan\", expected a finite number"},
+      {PolyFormat::off, "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 -Infinity\n2 0 1 1 1 1\n3 0 1 3\n1 2\n3 0 1 2\n",
+       "test: line 6: found \"-Infinity\", expected a finite number"},
+      {PolyFormat::ply, ply + "0 0 0\n9 0 0\n0 9 0\n0 0 inf\n2 0 1 7\n3 0 1 3 8\n0 9\n3 0 1 2 8\n",
+       "test: line 14: found \"inf\", expected a finite number"},
+  };
+  for (const Damage& damage : texts) {
+    const auto mended = read_poly(damage.text, "test", damage.format, {.mend = true});
+    ASSERT_TRUE(mended) << mended.error().message();
+    EXPECT_EQ(mended->report.notes, expected) << damage.text;
+    ASSERT_EQ(mended->scene.bodies.size(), 1U);
+    EXPECT_EQ(mended->scene.bodies[0].faces.size(), 1U);
+    EXPECT_EQ(mended->scene.vertices.size(), 3U);
+    const auto strict = read_poly(damage.text, "test", damage.format);
+    ASSERT_FALSE(strict);
+    EXPECT_EQ(strict.error().message(), damage.message);
+  }
+  const auto none = read_poly("v 0 0 0\nv 1 1 1\nf 1 2\n", "test", PolyFormat::obj, {.mend = true});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message(), "test: line 3: found 2 vertices, expected 3 or more");
+  const auto alone = read_poly("v 0 0 0\nv 1 0 0\nv 0 1 0\nv inf 0 0\nf 1 2 3\n", "test", PolyFormat::obj, {.mend = true});
+  ASSERT_TRUE(alone) << alone.error().message();
+  EXPECT_EQ(alone->report.notes, (std::vector<std::string>{"1 vertex with a coordinate that is no finite number"}));
+}
+
+// Colours and faces that were left out stay together.
+TEST(ReadPoly, MaterialsOfTheFacesThatAreLeft) {
+  const auto import = read_poly("OFF\n5 5 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\nnan 0 0\n3 0 1 4 9\n3 0 2 1 8\n3 0 1 3 7\n3 1 2 3 8\n3 2 0 3 6\n",
+                                "test", PolyFormat::off, {.mend = true});
+  ASSERT_TRUE(import) << import.error().message();
+  EXPECT_EQ(import->scene.material_of, (std::vector<std::uint32_t>{1, 2, 1, 3}));
+  const auto text = write_poly(import->scene, PolyFormat::json);
+  ASSERT_TRUE(text);
+  const auto again = read_poly(*text, "test", PolyFormat::json);
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(again->scene, import->scene);
+}
+
 TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
   struct Model {
     const char* name;
@@ -128,12 +232,6 @@ TEST(ReadPoly, ModelsHaveTheCountsOfTheirTable) {
   }
 }
 
-struct Damage {
-  PolyFormat format;
-  std::string text;
-  std::string message;
-};
-
 TEST(ReadPoly, DamageIsNamedByLine) {
   const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
   const Damage damages[] = {
@@ -142,7 +240,7 @@ TEST(ReadPoly, DamageIsNamedByLine) {
       {PolyFormat::off, "4OFF\n",
        "test: line 1: found \"4OFF\", expected OFF, COFF, NOFF, CNOFF or STOFF: points of three dimensions"},
       {PolyFormat::off, "OFF BINARY\n", "test: line 1: found \"BINARY\", expected OFF as text"},
-      {PolyFormat::off, "OFF\n3\n", "test: line 2: expected the numbers of vertices, faces and edges"},
+      {PolyFormat::off, "OFF\n3\n", "test: end of file: expected the numbers of vertices, faces and edges"},
       {PolyFormat::off, "OFF\n", "test: end of file: expected the numbers of vertices, faces and edges"},
       {PolyFormat::off, "OFF\n-3 1 0\n",
        "test: line 2: found \"-3\", expected a number of vertices or faces"},
@@ -151,8 +249,8 @@ TEST(ReadPoly, DamageIsNamedByLine) {
       {PolyFormat::off, "OFF\n2000000000 1 0\n0 0 0\n",
        "test: end of file: found 1 vertices, expected 2000000000"},
       {PolyFormat::off, head + "0 x 0\n", "test: line 5: found \"x\", expected a number"},
-      {PolyFormat::off, head + "0 nan 0\n", "test: line 5: found \"nan\", expected a number"},
-      {PolyFormat::off, head + "0 1e999 0\n", "test: line 5: found \"1e999\", expected a number"},
+      {PolyFormat::off, head + "0 nan 0\n3 0 1 2\n", "test: line 5: found \"nan\", expected a finite number"},
+      {PolyFormat::off, head + "0 1e999 0\n3 0 1 2\n", "test: line 5: found \"1e999\", expected a finite number"},
       {PolyFormat::off, head + "0 1\n", "test: line 5: found 2 numbers, expected x, y and z"},
       {PolyFormat::off, head + "0 1 0\n", "test: end of file: found 0 faces, expected 1"},
       {PolyFormat::off, head + "0 1 0\n2 0 1\n",
@@ -166,8 +264,10 @@ TEST(ReadPoly, DamageIsNamedByLine) {
        "test: line 1: found \"O??\", expected OFF in the first line"},
       {PolyFormat::obj, "", "test: end of file: found no vertices, expected lines \"v x y z\""},
       {PolyFormat::obj, "v 0 0\n", "test: line 1: found 2 numbers, expected x, y and z"},
-      {PolyFormat::obj, "v 0 0 inf\n", "test: line 1: found \"inf\", expected a number"},
+      {PolyFormat::obj, "v 0 0 inf\n", "test: line 1: found \"inf\", expected a finite number"},
       {PolyFormat::obj, "v 0 0 0\nf 1 1\n", "test: line 2: found 2 vertices, expected 3 or more"},
+      {PolyFormat::obj, "v 0 0 0\nf 1 3/1 2\nv 1 1 1\n",
+       "test: line 2: found \"3/1\", expected a vertex 1..2 or the same from behind, -2..-1"},
       {PolyFormat::obj, "v 0 0 0\nf 1 0 1\n",
        "test: line 2: found \"0\", expected a vertex 1..1 or the same from behind, -1..-1"},
       {PolyFormat::obj, "v 0 0 0\nf 1 -2 1\n",

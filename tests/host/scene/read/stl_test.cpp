@@ -35,9 +35,18 @@ std::string facet(const std::string& a, const std::string& b, const std::string&
   return "facet normal 0 0 1\nouter loop\nvertex " + a + "\nvertex " + b + "\nvertex " + c + "\nendloop\nendfacet\n";
 }
 
+// An error, or what only mending leaves out.
 std::string stl_error(const std::string& bytes) {
   const auto mesh = read_stl(bytes, "a.stl");
-  return mesh ? "" : mesh.error().message();
+  if (!mesh) return mesh.error().message();
+  return mesh->flaw ? mesh->flaw->message() : "";
+}
+
+std::size_t face_count(const base::Result<PolyMesh>& mesh) {
+  std::size_t count = 0;
+  if (mesh)
+    for (const PolyBody& body : mesh->bodies) count += body.faces.size();
+  return count;
 }
 
 TEST(Stl, BinaryVerticesOnOnePointAreOne) {
@@ -70,12 +79,13 @@ TEST(Stl, EachKindOfDamageIsNamed) {
   EXPECT_EQ(stl_error(whole), "");
   EXPECT_EQ(stl_error(""), "a.stl: byte 0: found the end of the file, expected \"solid\" in the first line of a text, or "
                           "the 84 bytes of a binary header");
-  EXPECT_EQ(stl_error(whole.substr(0, whole.find("endsolid"))),
-            "a.stl: end of file: found the end of the file, expected \"endsolid\"");
+  EXPECT_EQ(stl_error(whole.substr(0, whole.find("endfacet"))),
+            "a.stl: end of file: found the end of the file, expected \"endfacet\"");
+  EXPECT_EQ(stl_error("solid s\nendsolid s\n"), "a.stl: end of file: found no faces, expected a mesh");
   EXPECT_EQ(stl_error("solid s\n" + facet("0 0 0", "1 0 nan", "0 1 0") + "endsolid"),
-            "a.stl: line 5: found \"nan\", expected a number");
+            "a.stl: line 5: found \"nan\", expected a finite number");
   EXPECT_EQ(stl_error("solid s\n" + facet("0 0 0", "1 0", "0 1 0") + "endsolid"),
-            "a.stl: line 5: found 2 fields after it, expected \"vertex\" and 3 numbers");
+            "a.stl: line 6: found \"vertex\", expected a number");
   EXPECT_EQ(stl_error("solid s\n" + facet("0 0 0", "1 0 0", "0 1 0\nvertex 1 1 0") + "endsolid"),
             "a.stl: line 7: found a fourth vertex, expected triangles");
   EXPECT_EQ(stl_error("solid s\nfacets\nendsolid"), "a.stl: line 2: found \"facets\", expected \"facet\" or \"endsolid\"");
@@ -87,17 +97,97 @@ TEST(Stl, EachKindOfDamageIsNamed) {
   std::string lies = binary(triangle);
   lies[83] = '\x7f';
   EXPECT_NE(stl_error(lies).find("byte 80 says 2130706433 triangles"), std::string::npos) << stl_error(lies);
-  EXPECT_NE(stl_error(binary(triangle) + "x").find("found 135 bytes, expected 134"), std::string::npos);
-  EXPECT_EQ(stl_error(binary({})), "a.stl: byte 80: found no triangles, expected a mesh");
+  // Cut off, with a header that begins as a text does.
+  EXPECT_EQ(stl_error(binary(triangle, "solid part facet").substr(0, 100)).substr(0, 55),
+            "a.stl: byte 100: found the end of the file after 100 by");
+  EXPECT_EQ(stl_error(binary({})), "a.stl: byte 80: found no faces, expected a mesh");
+  EXPECT_EQ(stl_error(binary({}) + std::string(50, 'x')),
+            "a.stl: byte 80: found no faces, and 50 bytes after them, expected a mesh; if the file has triangles, export it "
+            "again with their number");
   std::vector<float> infinite = triangle;
   infinite[4] = std::numeric_limits<float>::infinity();
   EXPECT_EQ(stl_error(binary(infinite)),
-            "a.stl: byte 112: found a coordinate that is no finite number, expected a number; triangle 0 is damaged");
+            "a.stl: byte 112: found a coordinate of triangle 0 that is no finite number, expected a number");
+}
+
+TEST(Stl, BytesAfterTheTrianglesArePassedOver) {
+  const std::vector<float> triangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  for (const char* header : {"", "solid", "solid facet normal endsolid", "COLOR=\x01\x02\x03\xff"}) {
+    const std::string bytes = binary(triangle, header) + std::string(37, 'x');
+    EXPECT_FALSE(is_binary_stl(bytes));
+    EXPECT_TRUE(begins_as_binary_stl(bytes));
+    const auto mesh = read_stl(bytes, "a.stl");
+    ASSERT_TRUE(mesh) << header << mesh.error().message();
+    EXPECT_EQ(face_count(mesh), 1U);
+    EXPECT_EQ(mesh->notes, (std::vector<std::string>{"37 bytes after the last triangle"}));
+    EXPECT_EQ(poly_format_of("a.stl", bytes), PolyFormat::stl);
+    EXPECT_EQ(poly_format_of("-", bytes), PolyFormat::stl);
+  }
+}
+
+// The specification gives line ends no meaning but for names.
+TEST(Stl, ATextMayBeLaidOutInAnyWay) {
+  const std::string lines = "solid a b\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("0 0 0", "0 1 0", "0 0 1") + "endsolid a b\n";
+  const auto replaced = [](std::string text, const std::string& end) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + end.size())) text.replace(at, 1, end);
+    return text;
+  };
+  const auto expected = read_stl(lines, "a.stl");
+  ASSERT_EQ(face_count(expected), 2U);
+  for (const char* end : {"\r", "\r\n", " ", "\n\n \t", "\r\r\n"}) {
+    const auto mesh = read_stl(replaced(lines, end), "a.stl");
+    ASSERT_EQ(face_count(mesh), 2U) << end;
+    EXPECT_EQ(mesh->vertices, expected->vertices);
+    EXPECT_EQ(mesh->bodies[0].name, "a b");
+    EXPECT_TRUE(mesh->notes.empty());
+  }
+  const auto two = read_stl(replaced(lines + lines, " "), "a.stl");
+  ASSERT_TRUE(two) << two.error().message();
+  ASSERT_EQ(two->bodies.size(), 2U);
+  EXPECT_EQ(two->bodies[1].faces.size(), 2U);
+  EXPECT_EQ(two->bodies[1].name, "a b");
+}
+
+TEST(Stl, AMissingEndIsNoted) {
+  const std::string one = "solid a\n" + facet("0 0 0", "1 0 0", "0 1 0");
+  const auto mesh = read_stl(one, "a.stl");
+  ASSERT_TRUE(mesh) << mesh.error().message();
+  EXPECT_EQ(mesh->notes, (std::vector<std::string>{"a missing \"endsolid\""}));
+  const auto two = read_stl(one + one, "a.stl");
+  ASSERT_TRUE(two) << two.error().message();
+  EXPECT_EQ(two->bodies.size(), 2U);
+  EXPECT_EQ(two->notes, (std::vector<std::string>{"2 missing \"endsolid\""}));
+}
+
+TEST(Stl, FacetsThatAreNowhereAreLeftOutWhenMended) {
+  for (const char* corner : {"nan 0 0", "0 -inf 0", "0 0 1e400", "-1.#IND 0 0", "0 1.#QNAN 0", "0 0 1.#INF00", "-nan(ind) 0 0"}) {
+    const std::string text = "solid a\n" + facet(corner, "1 0 0", "0 1 0") + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid\n";
+    const auto mended = read_poly(text, "a.stl", PolyFormat::stl, {.mend = true});
+    ASSERT_TRUE(mended) << mended.error().message();
+    EXPECT_EQ(mended->scene.vertices.size(), 3U) << corner;
+    ASSERT_EQ(mended->scene.bodies.size(), 1U);
+    EXPECT_EQ(mended->scene.bodies[0].faces.size(), 1U);
+    EXPECT_EQ(mended->report.notes, (std::vector<std::string>{"1 face with a coordinate that is no finite number"}));
+    const auto strict = read_poly(text, "a.stl", PolyFormat::stl);
+    ASSERT_FALSE(strict);
+    EXPECT_EQ(strict.error().place, "line 4") << corner;
+  }
+  std::vector<float> bad{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  bad[3] = std::numeric_limits<float>::quiet_NaN();
+  const auto none = read_poly(binary(bad), "a.stl", PolyFormat::stl, {.mend = true});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().place, "byte 108");
+  bad.insert(bad.end(), {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const auto some = read_poly(binary(bad), "a.stl", PolyFormat::stl, {.mend = true});
+  ASSERT_TRUE(some) << some.error().message();
+  EXPECT_EQ(some->scene.vertices.size(), 3U);
 }
 
 TEST(Stl, IsToldByWhatItIs) {
   EXPECT_EQ(poly_format_of("scan.off", binary({0, 0, 0, 1, 0, 0, 0, 1, 0})), PolyFormat::stl);
   EXPECT_EQ(poly_format_of("scan.ply", "solid x\n facet normal 0 0 1\n"), PolyFormat::stl);
+  EXPECT_EQ(poly_format_of("-", "SOLID x\r FACET NORMAL 0 0 1\r"), PolyFormat::stl);
+  EXPECT_EQ(poly_format_of("-", "OFF8 6 12\n"), PolyFormat::off);
   EXPECT_EQ(poly_format_of("scan.stl", "OFF\n3 1 0\n"), PolyFormat::off);
   EXPECT_EQ(poly_format_of("scan.stl", "# made by x\nv 0 0 0\n"), PolyFormat::obj);
   EXPECT_EQ(poly_format_of("scan.stl", "ply\nformat ascii 1.0\n"), PolyFormat::ply);
