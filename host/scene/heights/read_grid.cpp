@@ -1,6 +1,7 @@
 #include "host/scene/heights/read_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -20,6 +21,9 @@ base::Error error_in(std::string_view source, std::string place, std::string fou
   return {std::string(source), std::move(place), std::move(found), std::move(expected)};
 }
 
+// Of files that are taken for points because they have few columns: x y z, an intensity, a colour.
+constexpr std::size_t most_point_columns = 7;
+
 base::Result<HeightGrid> read_matrix(const HeightText& text, bool guessed, std::string_view source) {
   const HeightLine& first = text.lines.front();
   const std::size_t points = first.fields.size();
@@ -36,7 +40,10 @@ base::Result<HeightGrid> read_matrix(const HeightText& text, bool guessed, std::
   grid.z = even_positions(slices);
   grid.domain_x = {0, static_cast<double>(points - 1)};
   grid.domain_z = {0, static_cast<double>(slices - 1)};
-  if (guessed) grid.note = "read as a matrix of " + count_of(slices, "row") + " and " + count_of(points, "column");
+  if (!guessed) return grid;
+  grid.note = "read as a matrix of " + count_of(slices, "row") + " and " + count_of(points, "column");
+  // As long lists of points have.
+  if (points >= 3 && points <= most_point_columns && slices > points) grid.note += "; if they are x y z, use --layout points";
   return grid;
 }
 
@@ -51,19 +58,22 @@ base::Result<HeightGrid> read_as_table(const HeightLine& first, std::span<const 
 
 // Are there so few columns for so many lines that these are points, be they on a grid or not?
 bool has_few_columns(const HeightText& text) {
-  constexpr std::size_t most_columns = 7;
   const std::size_t columns = text.lines.front().fields.size();
   const std::size_t lines = text.lines.size();
-  if (columns < 3 || columns > most_columns) return false;
+  if (columns < 3 || columns > most_point_columns) return false;
   if (columns > 3 || lines < 3 || lines > 3 * columns) return lines > 3 * columns;
   if (std::any_of(text.lines.begin(), text.lines.end(), [](const HeightLine& line) { return line.after_blank; })) return true;
-  const auto are_places = [&text](std::size_t field) {
-    const double first = text.lines.front().fields[field].value;
-    const auto differs = [&](const HeightLine& line) { return line.fields[field].value != first; };
-    const auto finite = [&](const HeightLine& line) { return std::isfinite(line.fields[field].value); };
-    return std::all_of(text.lines.begin(), text.lines.end(), finite) && std::any_of(text.lines.begin(), text.lines.end(), differs);
-  };
-  return lines > 3 && are_places(0) && are_places(1);
+  if (lines == 3) return false;
+  // The values of x and of y in order.
+  std::array<std::vector<double>, 2> places;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (const HeightLine& line : text.lines) places[axis].push_back(line.fields[axis].value);
+    if (!std::all_of(places[axis].begin(), places[axis].end(), [](double place) { return std::isfinite(place); })) return false;
+    std::sort(places[axis].begin(), places[axis].end());
+  }
+  const auto constant = [](const std::vector<double>& values) { return values.front() == values.back(); };
+  const auto repeats = [](const std::vector<double>& values) { return std::adjacent_find(values.begin(), values.end()) != values.end(); };
+  return !(constant(places[0]) && repeats(places[1])) && !(constant(places[1]) && repeats(places[0]));
 }
 
 constexpr PointColumns first_columns{0, 1, 2};
@@ -77,6 +87,7 @@ void join_first_line(HeightText& text) {
 
 base::Result<HeightGrid> read_by_content(HeightText& text, std::string_view source) {
   if (text.heading.table) {
+    if (!text.words.empty()) return text.words.front().second;
     const bool corner_is_named = !text.heading.names.front().empty();
     if (corner_is_named || is_table(text.heading.line, text.lines)) return read_as_table(text.heading.line, text.lines, !corner_is_named, source);
     // A matrix whose first height is missing.
@@ -85,6 +96,7 @@ base::Result<HeightGrid> read_by_content(HeightText& text, std::string_view sour
   const auto named = columns_of_heading(text, source);
   if (!named) return named.error();
   if (*named) return read_points(text, **named, false, source);
+  if (!text.words.empty()) return text.words.front().second;
   if (auto error = unequal_lines(text.lines.front(), text.lines, source)) return *error;
   const std::span<const HeightLine> others = std::span<const HeightLine>(text.lines).subspan(1);
   if (!text.has_heading() && is_table(text.lines.front(), others)) return read_as_table(text.lines.front(), others, true, source);
@@ -93,6 +105,8 @@ base::Result<HeightGrid> read_by_content(HeightText& text, std::string_view sour
 }
 
 base::Result<HeightGrid> read_layout(HeightText& text, std::string_view source, const GridFileOptions& options) {
+  const bool numbers_only = options.layout == GridLayout::matrix || options.layout == GridLayout::table;
+  if (numbers_only && !text.words.empty()) return text.words.front().second;
   if (options.layout == GridLayout::matrix) {
     join_first_line(text);
     return read_matrix(text, false, source);

@@ -8,8 +8,9 @@
 //   points   A line is a point, in any order: x, y (our z), the height. Further columns are left out. So is gnuplot's grid data
 //            with blank lines between curves. Told by a heading that names the columns (x y z, lon lat elevation, ...); by the
 //            first two of three or more columns, which repeat as the places of a grid; or by few columns for many lines: more
-//            than 3 n lines of n = 3 to 7 numbers, more than three lines of three numbers of which the first two have values that
-//            differ and are never missing, three lines of three numbers with a blank line between two of them.
+//            than 3 n lines of n = 3 to 7 numbers, more than three lines of three numbers whose first two are never missing (but
+//            not if one of the first two is always the same and the other one has a value twice), three lines of three numbers
+//            with a blank line between two of them.
 //   matrix   Anything else with as many fields in every line. A line is a slice, the first one nearest to an eye that looks
 //            along +z. Places are counted from 0.
 //

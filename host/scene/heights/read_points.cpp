@@ -15,6 +15,7 @@
 namespace sightline::scene {
 namespace {
 
+constexpr const char* parametric = "parametric surfaces are not read";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The column whose name is one of these, in any case; "height (m)" is height.
@@ -88,11 +89,11 @@ class Points {
   [[nodiscard]] std::string place_text(const HeightLine& line) const {
     return name(0) + " = " + shortest_text(value(line, 0)) + ", " + name(1) + " = " + shortest_text(value(line, 1));
   }
-  [[nodiscard]] base::Error error_at(const HeightLine& line, std::size_t field, std::string found, std::string expected) const {
-    return {source_, place_of(line.number, line.fields[field].column), std::move(found), std::move(expected), remedy("")};
+  [[nodiscard]] base::Error error_at(const HeightLine& line, std::size_t field, std::string found, std::string expected, const std::string& what_to_do = "") const {
+    return {source_, place_of(line.number, line.fields[field].column), std::move(found), std::move(expected), remedy(what_to_do)};
   }
   [[nodiscard]] std::string remedy(const std::string& other) const {
-    if (!guessed_) return other;
+    if (!guessed_ || in_blocks()) return other;
     return other + (other.empty() ? "" : "; ") + "use --layout matrix if each line is a row of heights";
   }
 
@@ -101,6 +102,8 @@ class Points {
     if (auto error = unequal_lines(first, text_.lines, source_)) return error;
     if (*std::max_element(columns_.begin(), columns_.end()) >= first.fields.size())
       return base::Error{source_, "", count_of(text_.lines.size(), "line") + " of " + count_of(first.fields.size(), "field"), "three or more: x, y and height"};
+    for (const auto& [column, error] : text_.words)
+      if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) return error;
     for (const HeightLine& line : text_.lines)
       for (const std::size_t axis : {std::size_t{0}, std::size_t{1}})
         if (!std::isfinite(value(line, axis))) return error_at(line, columns_[axis], "no " + name(axis), "a number; only a height may be missing");
@@ -119,18 +122,28 @@ class Points {
 
   [[nodiscard]] base::Error two_heights(const HeightLine& first, const HeightLine& line) const {
     return error_at(line, columns_[0], "a second point at " + place_text(line) + " with the height " + shortest_text(value(line, 2)),
-                    "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number));
+                    "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number),
+                    in_blocks() ? parametric : "");
   }
 
-  // Do blank lines separate blocks, of which the first one changes both its x and its y?
+  // Do blank lines separate curves, as gnuplot writes them?
+  [[nodiscard]] bool in_blocks() const {
+    return std::any_of(text_.lines.begin(), text_.lines.end(), [](const HeightLine& line) { return line.after_blank; });
+  }
+  // Is there a block along which both x and y change?
   [[nodiscard]] bool turns(const Places& x, const Places& y) const {
-    const HeightLine& first = text_.lines.front();
+    if (!in_blocks()) return false;
+    const HeightLine* first = nullptr;
     bool x_changes = false;
     bool y_changes = false;
     for (const HeightLine& line : text_.lines) {
-      if (line.after_blank) return x_changes && y_changes;
-      x_changes = x_changes || x.index(value(line, 0)) != x.index(value(first, 0));
-      y_changes = y_changes || y.index(value(line, 1)) != y.index(value(first, 1));
+      if (first == nullptr || line.after_blank) {
+        first = &line;
+        x_changes = y_changes = false;
+      }
+      x_changes = x_changes || x.index(value(line, 0)) != x.index(value(*first, 0));
+      y_changes = y_changes || y.index(value(line, 1)) != y.index(value(*first, 1));
+      if (x_changes && y_changes) return true;
     }
     return false;
   }
@@ -141,7 +154,7 @@ class Points {
       const auto blocks = static_cast<std::size_t>(std::count_if(text_.lines.begin(), text_.lines.end(), is_first)) + 1;
       return {source_, "",
               count_of(blocks, "block") + " of points in which both " + name(0) + " and " + name(1) + " change: a parametric surface or a rotated grid",
-              "heights over a grid: in each block " + name(0) + " or " + name(1) + " is the same"};
+              "heights over a grid: in each block " + name(0) + " or " + name(1) + " is the same", parametric};
     }
     return {source_, "",
             count_of(text_.lines.size(), "scattered point") + " with " + std::to_string(x.count()) + " different values of " + name(0) + " and " +

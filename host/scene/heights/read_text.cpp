@@ -42,7 +42,7 @@ bool is_missing(std::string_view field) {
 std::string shown(std::string_view field) {
   constexpr std::size_t most = 24;
   std::string text = "'";
-  for (const char c : field.substr(0, most)) text += c >= ' ' && c <= '~' ? c : '?';
+  for (const char c : field.substr(0, most)) text += c == '\t' ? ' ' : c >= ' ' && c <= '~' ? c : '?';
   return text + (field.size() > most ? "...'" : "'");
 }
 
@@ -121,14 +121,19 @@ class LineReader {
 
   [[nodiscard]] const base::Error& error() const { return *error_; }
 
-  // A line of numbers. False: error() says what is wrong.
-  bool read(const RawLine& line, HeightLine& result) {
+  // A line of numbers and perhaps words, which are added to the others if they are the first of their column. False: error() says
+  // what is wrong.
+  bool read(const RawLine& line, HeightLine& result, std::vector<std::pair<std::size_t, base::Error>>& words) {
     if (!split(line)) return false;
     result = {{}, line.number, line.text.size() + 1, line.after_blank};
     for (const RawField& field : fields_) {
       const auto value = number(field.text);
-      if (!value) return fail(line.number, field.column, shown(field.text), expected_for(field.text));
-      result.fields.push_back({*value, field.column});
+      if (!value) {
+        const std::size_t index = result.fields.size();
+        const bool first = std::none_of(words.begin(), words.end(), [index](const auto& word) { return word.first == index; });
+        if (first) words.emplace_back(index, base::Error{source_, place_of(line.number, field.column), shown(field.text), expected_for(field.text)});
+      }
+      result.fields.push_back({value.value_or(std::numeric_limits<double>::quiet_NaN()), field.column});
     }
     return true;
   }
@@ -159,7 +164,7 @@ class LineReader {
   // Numbers with a blank between them where commas separate come of decimal commas: 1,5 2,5 is read as 1 and 5 2 and 5.
   [[nodiscard]] std::string expected_for(std::string_view field) const {
     if (separator_ == ',' && field.find_first_of(blanks) != std::string_view::npos && numbers_only(field))
-      return "one number between two commas; fractions need a decimal point, or semicolons between the numbers";
+      return "one number between two commas; where fractions have a comma, semicolons must separate the numbers";
     return separator_ != ';' && field.find(',') != std::string_view::npos ? "a finite number with a decimal point" : "a finite number or nan";
   }
   static bool numbers_only(std::string_view field) {
@@ -268,7 +273,7 @@ base::Result<HeightText> read_height_text(std::string_view text, std::string_vie
   for (const RawLine& line : lines) {
     if (&line == &lines.front() && reader.read_heading(line, result.heading)) continue;
     HeightLine fields;
-    if (!reader.read(line, fields)) return reader.error();
+    if (!reader.read(line, fields, result.words)) return reader.error();
     numbers += fields.fields.size();
     if (numbers > most_numbers + lines.size()) {
       return base::Error{std::string(source), place_of(line.number, 1), "more numbers than a file of the largest grid has",

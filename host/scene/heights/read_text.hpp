@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -35,12 +36,14 @@ struct HeightHeading {
 struct HeightText {
   HeightHeading heading;          // without names and fields: none
   std::vector<HeightLine> lines;  // at least one; none empty
+  // Fields below the first line that are neither numbers nor missing, and read as NaN: the first one of each column, in the order
+  // of the file, with its column from 0.
+  std::vector<std::pair<std::size_t, base::Error>> words;
 
   [[nodiscard]] bool has_heading() const { return !heading.names.empty(); }
 };
 
-// A field that is neither number nor missing below the first line, more than 1025 fields in a line (a table of 1024 columns has
-// so many) or a file without numbers is an error.
+// More than 1025 fields in a line (a table of 1024 columns has so many) or a file without numbers is an error.
 [[nodiscard]] base::Result<HeightText> read_height_text(std::string_view text, std::string_view source);
 
 // The error that names the first line which has not as many fields as `first`; none: all have.

@@ -94,15 +94,20 @@ TEST(ReadHeightGrid, IncompleteBlocks) {
 }
 
 TEST(ReadHeightGrid, DamagedPoints) {
-  const std::string matrix = "; use --layout matrix if each line is a row of heights";
   EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 5 4\n1.5 5 5\n"),
             "grid.txt: found 4 scattered points with 3 different values of x and 2 of y, no grid of columns and rows, expected a point at most places of a grid; "
-            "interpolate the points to a grid first, for example with gnuplot's dgrid3d" + matrix);
-  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 0 4\n1 0 5\n"), "grid.txt: found 4 points with the same y, expected at least two different values of y" + matrix);
+            "interpolate the points to a grid first, for example with gnuplot's dgrid3d");
+  EXPECT_EQ(error_of("0 0 1\n1 0 2\n\n0 0 4\n1 0 5\n"),
+            "grid.txt: found 4 points with the same y, expected at least two different values of y");
   EXPECT_EQ(error_of("0 0 1\n1 1 2\n\n0 5 4\n1 6 5\n"),
             "grid.txt: found 2 blocks of points in which both x and y change: a parametric surface or a rotated grid, expected heights over a grid: in each block x or "
-            "y is the same");
-  EXPECT_EQ(error_of("nan 0 1\nnan 1 2\n\n0 0 4\n0 1 2\n"), "grid.txt:1:1: found no x, expected a number; only a height may be missing" + matrix);
+            "y is the same; parametric surfaces are not read");
+  EXPECT_EQ(error_of("0 0 1\n0 1 2\n\n1 0 4\n2 1 2\n").substr(0, 31), "grid.txt: found 2 blocks of poi") << "the second block turns";
+  EXPECT_EQ(error_of("nan 0 1\nnan 1 2\n\n0 0 4\n0 1 2\n"), "grid.txt:1:1: found no x, expected a number; only a height may be missing");
+  // A sheet that stands upright.
+  EXPECT_EQ(error_of("0 0 0\n0 1 0\n\n0 0 1\n0 1 1\n\n1 0 1\n1 1 1\n"),
+            "grid.txt:4:1: found a second point at x = 0, y = 0 with the height 1, expected one height for each place; the first is 0 in line 1; "
+            "parametric surfaces are not read");
   EXPECT_NE(error_of("0 0 1\n5e-324 0 2\n\n0 5 4\n5e-324 5 5\n"), "no error");
 }
 
@@ -112,7 +117,7 @@ TEST(ReadHeightGrid, DamagedFields) {
   EXPECT_EQ(error_of("1,2\nx,y\n"), "grid.txt:2:1: found 'x', expected a finite number or nan");
   EXPECT_EQ(error_of("1,b\n3,4\n"), "grid.txt:1:3: found 'b', expected a finite number or nan");
   EXPECT_EQ(error_of("1 2\n3 4x\n"), "grid.txt:2:3: found '4x', expected a finite number or nan");
-  EXPECT_EQ(error_of("1 2\n3 4,5\n"), "grid.txt:2:1: found '3 4', expected one number between two commas; fractions need a decimal point, or semicolons between the numbers");
+  EXPECT_EQ(error_of("1 2\n3 4,5\n"), "grid.txt:2:1: found '3 4', expected one number between two commas; where fractions have a comma, semicolons must separate the numbers");
   EXPECT_EQ(error_of("1;2\n3;\"4\n"), "grid.txt:2:3: found a quotation mark without its second, expected one on the same line");
   for (const char* field :
        {"inf", "-inf", "1e999", "0x10", "1 2", "--1", "+-1", "1e", "?", "\"1\"2", "n/a/n", "\x01"})
@@ -269,6 +274,17 @@ TEST(GridLayouts, FurtherColumns) {
             "grid.txt:1:1: found the columns x, y, t, err, expected one called z or height; use --xyz x,y,NAME to name the column of heights");
 }
 
+// Words are read past in columns that are left out.
+TEST(GridLayouts, ColumnsOfWords) {
+  const std::string_view text = "name,x,y,z\na,0,0,1\nb,1,0,2\nc,4,0,3\nd,0,5,4\ne,1,5,5\nf,4,5,6\n";
+  EXPECT_EQ(grid_of(text).heights, one_to_six);
+  EXPECT_EQ(note_of(text, {{"y", "x", "name"}}), "grid.txt:2:1: found 'a', expected a finite number or nan");
+  EXPECT_EQ(error_of("x,y,z,t\n0,0,1,a\n1,0,b,c\n0,1,2,d\n"), "grid.txt:3:5: found 'b', expected a finite number or nan");
+  EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n"), "grid.txt:1:7: found 'a', expected a finite number or nan");
+  EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n", {{}, GridLayout::points}), "");
+  EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n", {{}, GridLayout::matrix}).substr(0, 13), "grid.txt:1:7:");
+}
+
 TEST(GridLayouts, RepeatedPoints) {
   const HeightGrid grid = grid_of("0 0 1\n1 0 2\n4 0 3\n0 5 4\n1 5 5\n4 5 6\n1 5 5\n0 0 1\n");
   EXPECT_EQ(grid.heights, one_to_six);
@@ -288,7 +304,8 @@ TEST(GridLayouts, FewColumnsAreNoMatrix) {
   for (int i = 0; i < 13; ++i) four += std::to_string(i * i % 23) + "." + std::to_string(i) + "," + std::to_string(i * i * i % 29) + ".5,3,4\n";
   EXPECT_NE(error_of(four).find("found 13 scattered points"), std::string::npos);
   EXPECT_EQ(note_of(four, {{}, GridLayout::matrix}), "");
-  EXPECT_EQ(note_of("0,1,0\n0,2,0\n0,3,0\n0,1,0\n"), "read as a matrix of 4 rows and 3 columns") << "one x";
+  EXPECT_EQ(note_of("0,1,0\n0,2,0\n0,3,0\n0,1,0\n"), "read as a matrix of 4 rows and 3 columns; if they are x y z, use --layout points") << "one x";
+  EXPECT_NE(error_of("0,1,0\n0,2,0\n0,3,0\n0,4,0\n").find("found 4 points with the same x"), std::string::npos);
   EXPECT_EQ(error_of("0 5 1\n1 5 2\n2 5 3\n3 5 2\n4 5 1\n5 5 1\n6 5 1\n7 5 0\n8 5 1\n9 5 1\n"),
             "grid.txt: found 10 points with the same y, expected at least two different values of y; use --layout matrix if each line is a row of heights");
   // Named or asked for, scattered points are no grid of holes either.
@@ -304,7 +321,7 @@ TEST(GridLayouts, Comments) {
 
 TEST(GridLayouts, DecimalCommas) {
   EXPECT_EQ(error_of("1,5\t2,5\n3,5\t4,5\n"),
-            "grid.txt:1:3: found '5?2', expected one number between two commas; fractions need a decimal point, or semicolons between the numbers");
+            "grid.txt:1:3: found '5 2', expected one number between two commas; where fractions have a comma, semicolons must separate the numbers");
 }
 
 TEST(GridLayouts, WhatIsNoText) {
