@@ -89,7 +89,8 @@ base::Result<HeightGrid> read_by_content(HeightText& text, std::string_view sour
   if (text.heading.table) {
     if (!text.words.empty()) return text.words.front().second;
     const bool corner_is_named = !text.heading.names.front().empty();
-    if (corner_is_named || is_table(text.heading.line, text.lines)) return read_as_table(text.heading.line, text.lines, !corner_is_named, source);
+    if (corner_is_named || is_table(text.heading.line, text.lines))
+      return read_as_table(text.heading.line, text.lines, !corner_is_named, source);
     // A matrix whose first height is missing.
     join_first_line(text);
   }
@@ -101,7 +102,10 @@ base::Result<HeightGrid> read_by_content(HeightText& text, std::string_view sour
   const std::span<const HeightLine> others = std::span<const HeightLine>(text.lines).subspan(1);
   if (!text.has_heading() && is_table(text.lines.front(), others)) return read_as_table(text.lines.front(), others, true, source);
   if (repeats_as_grid(text) || has_few_columns(text)) return read_points(text, first_columns, true, source);
-  return read_matrix(text, true, source);
+  auto grid = read_matrix(text, true, source);
+  if (grid && !text.has_heading() && has_places(text.lines.front(), others))
+    grid->note += "; if its first line and column are places, use --layout table";
+  return grid;
 }
 
 base::Result<HeightGrid> read_layout(HeightText& text, std::string_view source, const GridFileOptions& options) {
@@ -133,11 +137,13 @@ base::Result<HeightGrid> read_layout(HeightText& text, std::string_view source, 
 
 base::Result<HeightGrid> read_any(std::string_view text, std::string_view source, const GridFileOptions& options) {
   if (const std::string_view format = unread_format_of(text); !format.empty())
-    return base::Error{std::string(source), "", std::string(format), "a text of heights", "save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid"};
+    return base::Error{std::string(source), "", std::string(format), "a text of heights",
+                       "save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid"};
   text = base::without_byte_order_mark(text);
   if (const GridFormatReader read = grid_format_of(text)) {
     if (options.columns.empty() && options.layout == GridLayout::by_content) return read(text, source);
-    return base::Error{std::string(source), "", "an ASCII grid of ESRI or Surfer, whose layout is known", "a file of numbers", "leave out --layout and --xyz"};
+    return base::Error{std::string(source), "", "an ASCII grid of ESRI or Surfer, whose layout is known", "a file of numbers",
+                       "leave out --layout and --xyz"};
   }
   auto lines = read_height_text(text, source);
   if (!lines) return lines.error();

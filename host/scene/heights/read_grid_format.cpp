@@ -99,8 +99,10 @@ base::Result<HeightGrid> even_grid(const Words& words, std::string_view source, 
                                    std::vector<double> heights, bool rising) {
   if (words.error()) return *words.error();
   for (const Interval& domain : {x, y}) {
-    if (!std::isfinite(domain.low) || !std::isfinite(domain.high) || !(domain.high / 2 - domain.low / 2 >= std::numeric_limits<double>::min()))
-      return base::Error{std::string(source), "", "places from " + shortest_text(domain.low) + " to " + shortest_text(domain.high), "places that rise, of finite numbers"};
+    const double half = domain.high / 2 - domain.low / 2;
+    if (std::isfinite(half) && half >= std::numeric_limits<double>::min()) continue;
+    return base::Error{std::string(source), "", "places from " + shortest_text(domain.low) + " to " + shortest_text(domain.high),
+                       "places that rise, of finite numbers"};
   }
   if (!rising) {
     std::vector<double> reversed;
@@ -122,7 +124,8 @@ std::vector<double> heights_of(Words& words, std::size_t count, const Hole& hole
 
 // Keys and values in any order; then the rows, the northernmost first. Places are the middles of cells.
 base::Result<HeightGrid> read_esri(std::string_view text, std::string_view source) {
-  constexpr std::array<std::string_view, 10> keys{"ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "dx", "dy", "nodata_value"};
+  constexpr std::array<std::string_view, 10> keys{"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
+                                                  "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
   enum Key : std::size_t { ncols, nrows, xllcorner, xllcenter, yllcorner, yllcenter, cellsize, dx, dy, nodata };
   std::array<std::optional<double>, keys.size()> values{};
   Words words(text, source);
@@ -141,7 +144,8 @@ base::Result<HeightGrid> read_esri(std::string_view text, std::string_view sourc
   }
   if (words.error()) return *words.error();
   const auto missing = [source](const std::string& what) {
-    return base::Error{std::string(source), "", "an ESRI ASCII grid without " + what, "its header before the heights: ncols, nrows, xllcorner, yllcorner, cellsize"};
+    return base::Error{std::string(source), "", "an ESRI ASCII grid without " + what,
+                       "its header before the heights: ncols, nrows, xllcorner, yllcorner, cellsize"};
   };
   if (!values[ncols] || !values[nrows]) return missing(values[ncols] ? "nrows" : "ncols");
   if (!values[xllcorner] && !values[xllcenter]) return missing("xllcorner");

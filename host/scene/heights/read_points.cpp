@@ -101,19 +101,21 @@ class Points {
     const HeightLine& first = text_.has_heading() ? text_.heading.line : text_.lines.front();
     if (auto error = unequal_lines(first, text_.lines, source_)) return error;
     if (*std::max_element(columns_.begin(), columns_.end()) >= first.fields.size())
-      return base::Error{source_, "", count_of(text_.lines.size(), "line") + " of " + count_of(first.fields.size(), "field"), "three or more: x, y and height"};
+      return base::Error{source_, "", count_of(text_.lines.size(), "line") + " of " + count_of(first.fields.size(), "field"),
+                         "three or more: x, y and height"};
     for (const auto& [column, error] : text_.words)
       if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) return error;
     for (const HeightLine& line : text_.lines)
       for (const std::size_t axis : {std::size_t{0}, std::size_t{1}})
-        if (!std::isfinite(value(line, axis))) return error_at(line, columns_[axis], "no " + name(axis), "a number; only a height may be missing");
+        if (!std::isfinite(value(line, axis)))
+          return error_at(line, columns_[axis], "no " + name(axis), "a number; only a height may be missing");
     return std::nullopt;
   }
 
   [[nodiscard]] std::optional<base::Error> why_no_axis(const Places& places, std::size_t axis) const {
     if (places.count() < smallest_grid.points) {
-      return base::Error{source_, "", count_of(text_.lines.size(), "point") + " with the same " + name(axis), "at least two different values of " + name(axis),
-                         remedy("")};
+      return base::Error{source_, "", count_of(text_.lines.size(), "point") + " with the same " + name(axis),
+                         "at least two different values of " + name(axis), remedy("")};
     }
     if (positions_of(places.all())) return std::nullopt;
     return base::Error{source_, "", name(axis) + " from " + shortest_text(places.domain().low) + " to " + shortest_text(places.domain().high),
@@ -203,7 +205,7 @@ base::Result<PointColumns> columns_named(const HeightText& text, const std::vect
     const auto number = base::whole_number<std::size_t>(names[axis], 10, 1, count);
     if (!named && !number) {
       return base::Error{std::string(source), "", "no column " + names[axis],
-                         known.empty() ? "a number from 1 to " + std::to_string(count) : "one of " + known + ", or a number from 1 to " + std::to_string(count)};
+                         (known.empty() ? "" : "one of " + known + ", or ") + "a number from 1 to " + std::to_string(count)};
     }
     columns[axis] = named ? *named : *number - 1;
   }
@@ -230,8 +232,10 @@ base::Result<std::optional<PointColumns>> columns_of_heading(const HeightText& t
   if (!x || !y) return columns;
   if (!height && text.heading.names.size() == 3) height = 3 - *x - *y;
   if (!height) {
-    return base::Error{std::string(source), place_of(text.heading.line.number, text.heading.line.fields.front().column), "the columns " + names_of(text),
-                       "one called z or height", "use --xyz " + text.heading.names[*x] + "," + text.heading.names[*y] + ",NAME to name the column of heights"};
+    const HeightLine& heading = text.heading.line;
+    return base::Error{std::string(source), place_of(heading.number, heading.fields.front().column), "the columns " + names_of(text),
+                       "one called z or height",
+                       "use --xyz " + text.heading.names[*x] + "," + text.heading.names[*y] + ",NAME to name the column of heights"};
   }
   columns = PointColumns{*x, *y, *height};
   return columns;

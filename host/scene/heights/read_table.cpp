@@ -40,10 +40,16 @@ std::vector<double> places_down(std::span<const HeightLine> lines) {
 
 }  // namespace
 
-bool is_table(const HeightLine& first, std::span<const HeightLine> others) {
+bool has_places(const HeightLine& first, std::span<const HeightLine> others) {
   const std::vector<double> x = places_across(first);
   const std::vector<double> y = places_down(others);
-  if (x.size() < smallest_grid.points || y.size() < smallest_grid.slices || !strictly_monotone(x) || !strictly_monotone(y)) return false;
+  return x.size() >= smallest_grid.points && y.size() >= smallest_grid.slices && strictly_monotone(x) && strictly_monotone(y);
+}
+
+bool is_table(const HeightLine& first, std::span<const HeightLine> others) {
+  if (!has_places(first, others)) return false;
+  const std::vector<double> x = places_across(first);
+  const std::vector<double> y = places_down(others);
   const double corner = first.fields.front().value;
   if (std::isnan(corner) || corner == static_cast<double>(x.size())) return true;
   const auto with_corner = [corner](std::vector<double> places) {
@@ -72,7 +78,8 @@ base::Result<HeightGrid> read_table(const HeightLine& first, std::span<const Hei
   if (z_falls) std::reverse(z.begin(), z.end());
   const auto positions_x = positions_of(x);
   const auto positions_z = positions_of(z);
-  if (!positions_x || !positions_z) return base::Error{std::string(source), "", "places that are too close to each other", "places that are farther apart"};
+  if (!positions_x || !positions_z)
+    return base::Error{std::string(source), "", "places that are too close to each other", "places that are farther apart"};
   HeightGrid grid{*positions_x, *positions_z, {}, {x.front(), x.back()}, {z.front(), z.back()}, {}, {}, {}};
   for (std::size_t slice = 0; slice < z.size(); ++slice) {
     const HeightLine& line = others[z_falls ? z.size() - 1 - slice : slice];

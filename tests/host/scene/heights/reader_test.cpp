@@ -229,7 +229,7 @@ std::string note_of(std::string_view text, const GridFileOptions& options = {}) 
 
 // As the layout was guessed, or not.
 TEST(GridLayouts, WhatWasGuessedIsSaid) {
-  EXPECT_EQ(note_of("1,2,3\n4,5,6\n"), "read as a matrix of 2 rows and 3 columns");
+  EXPECT_EQ(note_of("1,3,3\n4,5,6\n"), "read as a matrix of 2 rows and 3 columns");
   EXPECT_EQ(note_of("1,2,3\n4,5,6\n", {{}, GridLayout::matrix}), "");
   EXPECT_EQ(note_of("at,1,2\n0,5,6\n1,7,8\n"), "");
   EXPECT_EQ(note_of(",1,2\n0,5,6\n1,7,8\n"), "read as a table of 2 rows and 2 columns, with its places in the first line and column");
@@ -252,7 +252,7 @@ TEST(GridLayouts, NonuniformMatrix) {
   // Some programs write 0 instead of the number.
   EXPECT_EQ(grid_of("0 10 20 30\n200 7 8 9\n210 7 8 9\n220 1 2 3\n").domain_x, (Interval{10, 30}));
   // A slope is a matrix, its corner is the first height.
-  EXPECT_EQ(note_of("0 1 2 3\n1 2 3 4\n2 3 4 5\n3 4 5 6\n"), "read as a matrix of 4 rows and 4 columns");
+  EXPECT_EQ(note_of("0 1 2 3\n1 2 3 4\n2 3 4 5\n3 4 5 6\n"), "read as a matrix of 4 rows and 4 columns; if its first line and column are places, use --layout table");
   EXPECT_EQ(note_of("2 3 5\n4 2 3\n4 8 9\n"), "read as a matrix of 3 rows and 3 columns") << "places down neither rise nor fall";
   EXPECT_EQ(note_of("3 0 1 4\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::matrix}), "");
   EXPECT_EQ(note_of("9 0 1 4\n5 4 5 6\n0 1 2 3\n", {{}, GridLayout::table}), "");
