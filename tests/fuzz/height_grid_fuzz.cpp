@@ -1,4 +1,4 @@
-// Any bytes as a grid file: read, by its content and as points, and whatever is a grid becomes every kind of picture and figure.
+// Any bytes as a grid file: read, by its content and by every option, and whatever is a grid becomes every kind of picture and figure.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,6 +14,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto points = scene::read_height_grid(text, "fuzz", {{"x", "2", "z"}});
   if (!points) static_cast<void>(points.error().message());
+  for (const auto layout : {scene::GridLayout::matrix, scene::GridLayout::table, scene::GridLayout::points}) {
+    const auto forced = scene::read_height_grid(text, "fuzz", {{}, layout});
+    if (!forced) static_cast<void>(forced.error().message());
+  }
   const auto result = scene::read_height_grid(text, "fuzz");
   if (!result) return 0;
   guests::skala::View view;

@@ -27,6 +27,9 @@ void add_function_options(const Command& command, SkalaSource& source, const std
       .default_value("as its heading or its content says")
       .separated_by(',')
       .value("X,Y,Z");
+  command.option("--layout", source.layout, "What a file has: a matrix of heights, a table with its places in the first line and column, points x y z")
+      .one_of({"matrix", "table", "points"})
+      .default_value("as its content says");
   constexpr int fewest = static_cast<int>(scene::smallest_grid.points);
   constexpr int most = static_cast<int>(scene::largest_grid.points);
   command.option("--slices", source.slices, "Samples along the second variable: slices, unless those along it are drawn")

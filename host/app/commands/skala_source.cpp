@@ -54,6 +54,12 @@ SkalaFunction from_name(const SkalaSource& source, const scene::HeightFunction& 
   return {name, file_stem(name), scene::sample(function, domain_of(source, {function.domain, function.domain}), size)};
 }
 
+scene::GridLayout layout_named(const std::string& name) {
+  if (name == "matrix") return scene::GridLayout::matrix;
+  if (name == "table") return scene::GridLayout::table;
+  return name == "points" ? scene::GridLayout::points : scene::GridLayout::by_content;
+}
+
 SkalaFunction from_file(const SkalaSource& source) {
   const std::string& file = source.name_or_file;
   std::error_code unknown;
@@ -71,11 +77,18 @@ SkalaFunction from_file(const SkalaSource& source) {
                   fmt::format("{}: a grid file has its own size; found --points or --slices", file));
   if (!source.x_range.empty() || !source.y_range.empty())
     throw Failure(ExitCode::usage, fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", shown_name(file)));
-  const scene::GridFileOptions options{source.columns};
-  if (file == "-")
-    return {shown_name(file), "standard-input", checked(scene::read_height_grid(read_input_text(file), shown_name(file), options), ExitCode::bad_input)};
-  return {file, file_stem(std::filesystem::path(file).stem().string()),
-          checked(scene::load_height_grid(file, options), ExitCode::bad_input)};
+  const scene::GridFileOptions options{source.columns, layout_named(source.layout)};
+  SkalaFunction function;
+  function.name = shown_name(file);
+  if (file == "-") {
+    function.stem = "standard-input";
+    function.grid = checked(scene::read_height_grid(read_input_text(file), function.name, options), ExitCode::bad_input);
+  } else {
+    function.stem = file_stem(std::filesystem::path(file).stem().string());
+    function.grid = checked(scene::load_height_grid(file, options), ExitCode::bad_input);
+  }
+  if (!function.grid.note.empty()) complain(fmt::format("{}: {}", function.name, function.grid.note));
+  return function;
 }
 
 }  // namespace
@@ -90,12 +103,16 @@ SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usu
   const scene::GridSize size = size_of(source, usual);
   if (!source.columns.empty() && source.columns.size() != 3)
     throw Failure(ExitCode::usage, fmt::format("--xyz: found {} columns, expected three: x, y and height", source.columns.size()));
-  if (!source.expression.empty() && !source.columns.empty()) throw Failure(ExitCode::usage, "--xyz: found without a grid file");
+  if (!source.columns.empty() && !source.layout.empty() && source.layout != "points")
+    throw Failure(ExitCode::usage, fmt::format("--xyz: found with --layout {}, expected it with a file of points", source.layout));
+  const auto function = scene::height_function(source.name_or_file);
+  if (!source.expression.empty() || function) {
+    if (!source.columns.empty()) throw Failure(ExitCode::usage, "--xyz: found without a grid file");
+    if (!source.layout.empty()) throw Failure(ExitCode::usage, "--layout: found without a grid file");
+  }
   if (!source.expression.empty()) return from_expression(source, size);
   if (!source.domain.empty())
     throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
-  const auto function = scene::height_function(source.name_or_file);
-  if (function && !source.columns.empty()) throw Failure(ExitCode::usage, "--xyz: found without a grid file");
   return function ? from_name(source, *function, size) : from_file(source);
 }
 

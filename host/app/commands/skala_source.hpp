@@ -17,6 +17,7 @@ struct SkalaSource {
   std::string x_range;                // "A:B", of a function that is sampled; empty: as `domain` or the function says
   std::string y_range;                // of the second variable, whatever its name
   std::vector<std::string> columns;   // of a file of points: x, y, height; empty: as its content says
+  std::string layout;                 // of a file: "matrix", "table", "points"; empty: as its content says
   std::optional<std::size_t> points;  // only where there is something to sample
   std::optional<std::size_t> slices;
 };
@@ -27,7 +28,7 @@ struct SkalaFunction {
   scene::HeightGrid grid;
 };
 
-// A file "-" is standard input. Sampled at the size asked for, else at `usual`; a file has its own size. Failure usage: no function, two,
+// One line on standard error if the layout of a file was guessed. A file "-" is standard input. Sampled at the size asked for, else at `usual`; a file has its own size. Failure usage: no function, two,
 // options that do not go with it, an expression or domain with an error. Failure io: neither a name nor a
 // file. Failure bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);

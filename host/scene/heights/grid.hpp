@@ -47,6 +47,7 @@ struct HeightGrid {
   Interval domain_z;
   Interval range;  // heights drawn at -1 and +1; equal ones: everything is flat
   std::array<std::string, 3> names = {};  // of x, z and the heights, as a file's heading has them; empty: none
+  std::string note = {};  // how a file was read where its layout was guessed or points were left out; empty: as the file says
 
   [[nodiscard]] std::size_t points() const { return x.size(); }
   [[nodiscard]] std::size_t slices() const { return z.size(); }

@@ -2,167 +2,270 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <limits>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
+#include "host/base/number.hpp"
 #include "host/base/result.hpp"
+#include "host/base/text.hpp"
+#include "host/scene/heights/places.hpp"
 
 namespace sightline::scene {
 namespace {
 
-constexpr std::size_t height_field = 2;
+constexpr const char* parametric = "parametric surfaces are not read";
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The lines of the file as blocks of equal length; a block is a curve on which field `constant` stays the
-// same and field `running` grows or falls.
+// The column whose name is one of these, in any case; "height (m)" is height.
+std::optional<std::size_t> column_called(const HeightText& text, std::initializer_list<std::string_view> names) {
+  const auto without_unit = [](const std::string& heading) {
+    const std::size_t unit = heading.find_first_of("([");
+    const bool has_unit = unit != std::string::npos && base::without_blanks(heading.substr(0, unit)) != "";
+    return base::lower_case(base::without_blanks(has_unit ? std::string_view(heading).substr(0, unit) : std::string_view(heading)));
+  };
+  const auto& headings = text.heading.names;
+  for (const std::string_view name : names)
+    for (std::size_t i = 0; i < headings.size(); ++i)
+      if (base::lower_case(headings[i]) == name || without_unit(headings[i]) == name) return i;
+  return std::nullopt;
+}
+
+std::string names_of(const HeightText& text) {
+  return text.heading.table ? std::string() : base::joined(text.heading.names, ", ");
+}
+
 class Points {
  public:
-  Points(const HeightText& text, std::string_view source) : lines_(text.lines), source_(source) {}
+  Points(const HeightText& text, const PointColumns& columns, bool guessed, std::string_view source)
+      : text_(text), columns_(columns), guessed_(guessed), source_(source) {}
 
   base::Result<HeightGrid> grid() {
-    if (!equal_blocks() || !directions() || !places()) return *error_;
-    const std::vector<double> curves = coordinates(constant_, length_, lines_.size() / length_);
-    const std::vector<double> along = coordinates(running_, 1, length_);
-    if (!monotone(curves, constant_, length_) || !monotone(along, running_, 1)) return *error_;
-    HeightGrid grid;
-    const bool curves_are_slices = constant_ == 1;
-    const std::vector<double>& x = curves_are_slices ? along : curves;
-    const std::vector<double>& z = curves_are_slices ? curves : along;
-    grid.domain_x = domain(x);
-    grid.domain_z = domain(z);
-    grid.x = in_order(x, grid.domain_x);
-    grid.z = in_order(z, grid.domain_z);
-    for (std::size_t slice = 0; slice < z.size(); ++slice) {
-      const std::size_t s = z.front() > z.back() ? z.size() - 1 - slice : slice;
-      for (std::size_t point = 0; point < x.size(); ++point) {
-        const std::size_t p = x.front() > x.back() ? x.size() - 1 - point : point;
-        const std::size_t line = curves_are_slices ? s * length_ + p : p * length_ + s;
-        grid.heights.push_back(value(line, height_field));
+    if (auto error = why_no_points()) return *error;
+    const Places x(values(0));
+    const Places y(values(1));
+    for (const auto& [places, axis] : {std::pair{&x, std::size_t{0}}, std::pair{&y, std::size_t{1}}})
+      if (auto error = why_no_axis(*places, axis)) return *error;
+    if (std::uint64_t{x.count()} * y.count() > 4 * std::uint64_t{text_.lines.size()}) return no_grid(x, y);
+    for (const auto& [places, axis] : {std::pair{&x, std::size_t{0}}, std::pair{&y, std::size_t{1}}}) {
+      if (places->count() > largest_grid.points)
+        return base::Error{source_, "", std::to_string(places->count()) + " different values of " + name(axis), "at most 1024"};
+    }
+    HeightGrid grid{*positions_of(x.all()), *positions_of(y.all()), std::vector<double>(x.count() * y.count(), nan), x.domain(), y.domain(), {}, {}, {}};
+    std::vector<const HeightLine*> first(grid.heights.size(), nullptr);
+    std::size_t repeated = 0;
+    for (const HeightLine& line : text_.lines) {
+      const std::size_t place = y.index(value(line, 1)) * x.count() + x.index(value(line, 0));
+      const double height = value(line, 2);
+      if (first[place] == nullptr) {
+        first[place] = &line;
+        grid.heights[place] = height;
+      } else if (grid.heights[place] == height || (std::isnan(grid.heights[place]) && std::isnan(height))) {
+        ++repeated;
+      } else {
+        return turns(x, y) ? no_grid(x, y) : two_heights(*first[place], line);
       }
     }
+    if (3 * with_neighbours(first, x.count()) < text_.lines.size() - repeated) return no_grid(x, y);
+    if (text_.has_heading() && !text_.heading.table)
+      for (std::size_t axis = 0; axis < 3; ++axis) grid.names[axis] = text_.heading.names[columns_[axis]];
+    grid.note = note_of(grid, text_.lines.size() - repeated, repeated);
     return grid;
   }
 
  private:
-  [[nodiscard]] double value(std::size_t line, std::size_t field) const {
-    return lines_[line].fields[field].value;
+  [[nodiscard]] double value(const HeightLine& line, std::size_t axis) const { return line.fields[columns_[axis]].value; }
+  [[nodiscard]] std::vector<double> values(std::size_t axis) const {
+    std::vector<double> all;
+    all.reserve(text_.lines.size());
+    for (const HeightLine& line : text_.lines) all.push_back(value(line, axis));
+    return all;
+  }
+  [[nodiscard]] std::string name(std::size_t axis) const {
+    if (text_.has_heading() && !text_.heading.table) return text_.heading.names[columns_[axis]];
+    return axis == 0 ? "x" : "y";
+  }
+  [[nodiscard]] std::string place_text(const HeightLine& line) const {
+    return name(0) + " = " + shortest_text(value(line, 0)) + ", " + name(1) + " = " + shortest_text(value(line, 1));
+  }
+  [[nodiscard]] base::Error error_at(const HeightLine& line, std::size_t field, std::string found, std::string expected, const std::string& what_to_do = "") const {
+    return {source_, place_of(line.number, line.fields[field].column), std::move(found), std::move(expected), remedy(what_to_do)};
+  }
+  [[nodiscard]] std::string remedy(const std::string& other) const {
+    if (!guessed_ || in_blocks()) return other;
+    return other + (other.empty() ? "" : "; ") + "use --layout matrix if each line is a row of heights";
   }
 
-  bool equal_blocks() {
-    std::size_t begin = 0;
-    for (std::size_t i = 1; i <= lines_.size(); ++i) {
-      if (i < lines_.size() && !lines_[i].after_blank) continue;
-      const std::size_t length = i - begin;
-      if (length_ == 0) length_ = length;
-      if (length != length_) {
-        const std::size_t last = begin + std::min(length_, length - 1);
-        return fail(last, 0, "a block of " + std::to_string(length) + " points",
-                    std::to_string(length_) + " as in the first block");
+  [[nodiscard]] std::optional<base::Error> why_no_points() const {
+    const HeightLine& first = text_.has_heading() ? text_.heading.line : text_.lines.front();
+    if (auto error = unequal_lines(first, text_.lines, source_)) return error;
+    if (*std::max_element(columns_.begin(), columns_.end()) >= first.fields.size())
+      return base::Error{source_, "", count_of(text_.lines.size(), "line") + " of " + count_of(first.fields.size(), "field"),
+                         "three or more: x, y and height"};
+    for (const auto& [column, error] : text_.words)
+      if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) return error;
+    for (const HeightLine& line : text_.lines)
+      for (const std::size_t axis : {std::size_t{0}, std::size_t{1}})
+        if (!std::isfinite(value(line, axis)))
+          return error_at(line, columns_[axis], "no " + name(axis), "a number; only a height may be missing");
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<base::Error> why_no_axis(const Places& places, std::size_t axis) const {
+    if (places.count() < smallest_grid.points) {
+      return base::Error{source_, "", count_of(text_.lines.size(), "point") + " with the same " + name(axis),
+                         "at least two different values of " + name(axis), remedy("")};
+    }
+    if (positions_of(places.all())) return std::nullopt;
+    return base::Error{source_, "", name(axis) + " from " + shortest_text(places.domain().low) + " to " + shortest_text(places.domain().high),
+                       "places that are farther apart"};
+  }
+
+  [[nodiscard]] base::Error two_heights(const HeightLine& first, const HeightLine& line) const {
+    return error_at(line, columns_[0], "a second point at " + place_text(line) + " with the height " + shortest_text(value(line, 2)),
+                    "one height for each place; the first is " + shortest_text(value(first, 2)) + " in line " + std::to_string(first.number),
+                    in_blocks() ? parametric : "");
+  }
+
+  // Do blank lines separate curves, as gnuplot writes them?
+  [[nodiscard]] bool in_blocks() const {
+    return std::any_of(text_.lines.begin(), text_.lines.end(), [](const HeightLine& line) { return line.after_blank; });
+  }
+  // Is there a block along which both x and y change?
+  [[nodiscard]] bool turns(const Places& x, const Places& y) const {
+    if (!in_blocks()) return false;
+    const HeightLine* first = nullptr;
+    bool x_changes = false;
+    bool y_changes = false;
+    for (const HeightLine& line : text_.lines) {
+      if (first == nullptr || line.after_blank) {
+        first = &line;
+        x_changes = y_changes = false;
       }
-      begin = i;
+      x_changes = x_changes || x.index(value(line, 0)) != x.index(value(*first, 0));
+      y_changes = y_changes || y.index(value(line, 1)) != y.index(value(*first, 1));
+      if (x_changes && y_changes) return true;
     }
-    return length_ > 1 ||
-           fail(0, 0, "blocks of one point", "blocks of at least two, of constant x or constant y");
-  }
-
-  // Which coordinate the first block keeps.
-  bool directions() {
-    for (const std::size_t field : {std::size_t{0}, std::size_t{1}}) {
-      if (value(0, field) != value(1, field)) continue;
-      constant_ = field;
-      running_ = 1 - field;
-      return true;
-    }
-    return fail(1, 0, "a block in which x and y both change", "one of them constant");
-  }
-
-  // Every block has its own constant and the first block's places, all of them numbers.
-  bool places() {
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      for (const std::size_t field : {constant_, running_}) {
-        if (!std::isfinite(value(i, field)))
-          return fail(i, field, std::string(name(field)) + " = nan", "a number");
-        const std::size_t same_as = field == constant_ ? i - i % length_ : i % length_;
-        if (value(i, field) == value(same_as, field)) continue;
-        return fail(i, field, std::string(name(field)) + " = " + shortest_text(value(i, field)),
-                    shortest_text(value(same_as, field)) + " as in line " + std::to_string(lines_[same_as].number));
-      }
-    }
-    return true;
-  }
-
-  [[nodiscard]] std::vector<double> coordinates(std::size_t field, std::size_t stride,
-                                                std::size_t count) const {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < count; ++i) result.push_back(value(i * stride, field));
-    return result;
-  }
-
-  bool monotone(const std::vector<double>& along, std::size_t field, std::size_t stride) {
-    const bool falling = along[0] > along[1];
-    for (std::size_t i = 1; i < along.size(); ++i) {
-      if (falling ? along[i] < along[i - 1] : along[i] > along[i - 1]) continue;
-      return fail(i * stride, field, std::string(name(field)) + " = " + shortest_text(along[i]),
-                  std::string(falling ? "less" : "more") + " than the " + shortest_text(along[i - 1]) + " before it");
-    }
-    const Interval ends = domain(along);
-    if (!(ends.high / 2 - ends.low / 2 >= std::numeric_limits<double>::min()))
-      return fail(0, field, std::string(name(field)) + " from " + shortest_text(ends.low) + " to " + shortest_text(ends.high),
-                  "places that are farther apart");
-    return distinct(along, ends, field, stride);
-  }
-
-  // Places that differ in the file may not do so in [-1, 1].
-  bool distinct(const std::vector<double>& along, Interval ends, std::size_t field, std::size_t stride) {
-    const std::vector<double> ascending = in_order(along, ends);
-    const auto same = std::adjacent_find(ascending.begin(), ascending.end());
-    if (same == ascending.end()) return true;
-    const auto n = static_cast<std::size_t>(same - ascending.begin());
-    const std::size_t later = along.front() > along.back() ? along.size() - 1 - n : n + 1;
-    return fail(later * stride, field,
-                std::string(name(field)) + " = " + shortest_text(along[later]) + ", too close to the " +
-                    shortest_text(along[later - 1]) + " before it",
-                "places that are farther apart");
-  }
-
-  static Interval domain(const std::vector<double>& along) {
-    return {std::min(along.front(), along.back()), std::max(along.front(), along.back())};
-  }
-
-  static std::vector<double> in_order(std::vector<double> along, Interval domain) {
-    if (along.front() > along.back()) std::reverse(along.begin(), along.end());
-    return normalised(std::move(along), domain);
-  }
-
-  static std::string_view name(std::size_t field) { return field == 0 ? "x" : "y"; }
-  bool fail(std::size_t line, std::size_t field, std::string found, std::string expected) {
-    const HeightLine& where = lines_[line];
-    error_ = base::Error{source_, place_of(where.number, where.fields[field].column), std::move(found),
-                         std::move(expected)};
     return false;
   }
 
-  const std::vector<HeightLine>& lines_;
+  [[nodiscard]] base::Error no_grid(const Places& x, const Places& y) const {
+    if (turns(x, y)) {
+      const auto is_first = [](const HeightLine& line) { return line.after_blank; };
+      const auto blocks = static_cast<std::size_t>(std::count_if(text_.lines.begin(), text_.lines.end(), is_first)) + 1;
+      return {source_, "",
+              count_of(blocks, "block") + " of points in which both " + name(0) + " and " + name(1) + " change: a parametric surface or a rotated grid",
+              "heights over a grid: in each block " + name(0) + " or " + name(1) + " is the same", parametric};
+    }
+    return {source_, "",
+            count_of(text_.lines.size(), "scattered point") + " with " + std::to_string(x.count()) + " different values of " + name(0) + " and " +
+                std::to_string(y.count()) + " of " + name(1) + ", no grid of columns and rows",
+            "a point at most places of a grid", remedy("interpolate the points to a grid first, for example with gnuplot's dgrid3d")};
+  }
+
+  static std::size_t with_neighbours(const std::vector<const HeightLine*>& at, std::size_t width) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const bool along_x = (i % width > 0 && at[i - 1] != nullptr) || (i % width + 1 < width && at[i + 1] != nullptr);
+      const bool along_y = (i >= width && at[i - width] != nullptr) || (i + width < at.size() && at[i + width] != nullptr);
+      count += at[i] != nullptr && along_x && along_y ? 1 : 0;
+    }
+    return count;
+  }
+
+  [[nodiscard]] std::string note_of(const HeightGrid& grid, std::size_t taken, std::size_t repeated) const {
+    std::string note;
+    if (guessed_) {
+      note = "read as x y z in columns, a grid of " + std::to_string(grid.points()) + " x " + std::to_string(grid.slices());
+      const std::size_t count = text_.lines.front().fields.size();
+      if (count == 4) note += ", column 4 left out";
+      if (count > 4) note += ", columns 4 to " + std::to_string(count) + " left out";
+      if (taken < grid.heights.size()) note += ", " + count_of(grid.heights.size() - taken, "place") + " without a point";
+    }
+    if (repeated > 0) note += (note.empty() ? "" : ", ") + count_of(repeated, "repeated point") + " left out";
+    return note;
+  }
+
+  const HeightText& text_;
+  const PointColumns& columns_;
+  bool guessed_;
   std::string source_;
-  std::size_t length_ = 0;    // of a block
-  std::size_t constant_ = 0;  // 0: x, 1: y
-  std::size_t running_ = 1;
-  std::optional<base::Error> error_;
 };
 
 }  // namespace
 
-bool is_point_data(const HeightText& text) {
-  const auto three = [](const HeightLine& line) { return line.fields.size() == 3; };
-  const auto after_blank = [](const HeightLine& line) { return line.after_blank; };
-  return !text.separated && std::all_of(text.lines.begin(), text.lines.end(), three) &&
-         std::any_of(text.lines.begin(), text.lines.end(), after_blank);
+base::Result<PointColumns> columns_named(const HeightText& text, const std::vector<std::string>& names, std::string_view source) {
+  const std::size_t count = text.has_heading() ? text.heading.line.fields.size() : text.lines.front().fields.size();
+  PointColumns columns{};
+  const std::string known = names_of(text);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string wanted = base::lower_case(names[axis]);
+    const auto named = text.heading.table ? std::nullopt : column_called(text, {std::string_view(wanted)});
+    const auto number = base::whole_number<std::size_t>(names[axis], 10, 1, count);
+    if (!named && !number) {
+      return base::Error{std::string(source), "", "no column " + names[axis],
+                         (known.empty() ? "" : "one of " + known + ", or ") + "a number from 1 to " + std::to_string(count)};
+    }
+    columns[axis] = named ? *named : *number - 1;
+  }
+  return columns;
 }
 
-base::Result<HeightGrid> read_points(const HeightText& text, std::string_view source) {
-  return Points(text, source).grid();
+base::Result<std::optional<PointColumns>> columns_of_heading(const HeightText& text, std::string_view source) {
+  std::optional<PointColumns> columns;
+  if (!text.has_heading() || text.heading.table) return columns;
+  auto x = column_called(text, {"x"});
+  auto y = column_called(text, {"y"});
+  auto height = column_called(text, {"h", "height", "heights", "value", "elevation", "elev", "altitude", "depth", "f"});
+  const auto z = column_called(text, {"z"});
+  if (x && !y && z && height) {
+    columns = PointColumns{*x, *z, *height};
+    return columns;
+  }
+  if (x && y && z) height = z;
+  if (!x || !y) {
+    x = column_called(text, {"lon", "long", "lng", "longitude", "easting"});
+    y = column_called(text, {"lat", "latitude", "northing"});
+    if (!height) height = z;
+  }
+  if (!x || !y) return columns;
+  if (!height && text.heading.names.size() == 3) height = 3 - *x - *y;
+  if (!height) {
+    const HeightLine& heading = text.heading.line;
+    return base::Error{std::string(source), place_of(heading.number, heading.fields.front().column), "the columns " + names_of(text),
+                       "one called z or height",
+                       "use --xyz " + text.heading.names[*x] + "," + text.heading.names[*y] + ",NAME to name the column of heights"};
+  }
+  columns = PointColumns{*x, *y, *height};
+  return columns;
+}
+
+bool repeats_as_grid(const HeightText& text) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const HeightLine& line : text.lines) {
+    if (line.fields.size() < 3 || !std::isfinite(line.fields[0].value) || !std::isfinite(line.fields[1].value)) return false;
+    x.push_back(line.fields[0].value);
+    y.push_back(line.fields[1].value);
+  }
+  const Places columns(std::move(x));
+  const Places rows(std::move(y));
+  const std::size_t lines = text.lines.size();
+  const std::uint64_t all = std::uint64_t{columns.count()} * rows.count();
+  if (columns.count() < 2 || rows.count() < 2 || lines < 4 || all > 2 * std::uint64_t{lines}) return false;
+  std::vector<bool> taken(static_cast<std::size_t>(all));
+  std::size_t places = 0;
+  for (const HeightLine& line : text.lines) {
+    const std::size_t place = rows.index(line.fields[1].value) * columns.count() + columns.index(line.fields[0].value);
+    if (!taken[place]) ++places;
+    taken[place] = true;
+  }
+  return 2 * places >= all && 10 * (lines - places) <= lines;
+}
+
+base::Result<HeightGrid> read_points(const HeightText& text, const PointColumns& columns, bool guessed, std::string_view source) {
+  return Points(text, columns, guessed, source).grid();
 }
 
 }  // namespace sightline::scene

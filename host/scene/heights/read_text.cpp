@@ -15,9 +15,10 @@
 namespace sightline::scene {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-// Of the largest grid as points, x y z each.
-constexpr std::size_t most_numbers = 3 * largest_grid.points * largest_grid.slices;
+// A line of a table begins with its place.
+constexpr std::size_t most_fields = largest_grid.points + 1;
+// Of the largest grid as points: x y z and five more columns.
+constexpr std::size_t most_numbers = 8 * largest_grid.points * largest_grid.slices;
 constexpr std::string_view blanks = " \t";
 
 std::string_view trimmed(std::string_view text) {
@@ -41,7 +42,7 @@ bool is_missing(std::string_view field) {
 std::string shown(std::string_view field) {
   constexpr std::size_t most = 24;
   std::string text = "'";
-  for (const char c : field.substr(0, most)) text += c >= ' ' && c <= '~' ? c : '?';
+  for (const char c : field.substr(0, most)) text += c == '\t' ? ' ' : c >= ' ' && c <= '~' ? c : '?';
   return text + (field.size() > most ? "...'" : "'");
 }
 
@@ -52,6 +53,12 @@ struct RawLine {
   bool after_blank = false;
 };
 
+// Where # begins a comment, or at the beginning of a line %. npos: nowhere.
+std::size_t comment_of(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(blanks);
+  return first != std::string_view::npos && line[first] == '%' ? first : line.find('#');
+}
+
 // The lines that are not empty.
 std::vector<RawLine> raw_lines(std::string_view text) {
   std::vector<RawLine> lines;
@@ -61,7 +68,7 @@ std::vector<RawLine> raw_lines(std::string_view text) {
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    const std::size_t comment = line.find('#');
+    const std::size_t comment = comment_of(line);
     line = line.substr(0, comment);
     if (trimmed(line).empty()) {
       blank = blank || comment == std::string_view::npos;
@@ -112,37 +119,27 @@ class LineReader {
     separator_ends_line_ = separated() && std::all_of(lines.begin(), lines.end(), ends);
   }
 
-  [[nodiscard]] bool separated() const { return separator_ != ' '; }
   [[nodiscard]] const base::Error& error() const { return *error_; }
 
-  // A line of numbers. False: error() says what is wrong.
-  bool read(const RawLine& line, HeightLine& result) {
+  // A line of numbers and perhaps words, which are added to the others if they are the first of their column. False: error() says
+  // what is wrong.
+  bool read(const RawLine& line, HeightLine& result, std::vector<std::pair<std::size_t, base::Error>>& words) {
     if (!split(line)) return false;
     result = {{}, line.number, line.text.size() + 1, line.after_blank};
     for (const RawField& field : fields_) {
       const auto value = number(field.text);
       if (!value) {
-        const bool comma = separator_ != ';' && field.text.find(',') != std::string_view::npos;
-        return fail(line.number, field.column, shown(field.text),
-                    comma ? "a finite number with a decimal point" : "a finite number or nan");
+        const std::size_t index = result.fields.size();
+        const bool first = std::none_of(words.begin(), words.end(), [index](const auto& word) { return word.first == index; });
+        if (first) words.emplace_back(index, base::Error{source_, place_of(line.number, field.column), shown(field.text), expected_for(field.text)});
       }
-      result.fields.push_back({*value, field.column});
+      result.fields.push_back({value.value_or(std::numeric_limits<double>::quiet_NaN()), field.column});
     }
     return true;
   }
 
   // The first line as a heading: names only, or a corner that is no number before numbers. False: it is none.
   bool read_heading(const RawLine& line, HeightHeading& heading) {
-    // A line of a table begins with its place.
-    most_fields_ = largest_grid.points + 1;
-    heading.table = false;
-    const bool found = find_heading(line, heading);
-    if (!found || !heading.table) most_fields_ = largest_grid.points;
-    return found;
-  }
-
- private:
-  bool find_heading(const RawLine& line, HeightHeading& heading) {
     if (!split(line) || fields_.empty()) return false;
     std::size_t names = 0;
     std::size_t numbers = 0;
@@ -163,6 +160,18 @@ class LineReader {
     return true;
   }
 
+ private:
+  // Numbers with a blank between them where commas separate come of decimal commas: 1,5 2,5 is read as 1 and 5 2 and 5.
+  [[nodiscard]] std::string expected_for(std::string_view field) const {
+    if (separator_ == ',' && field.find_first_of(blanks) != std::string_view::npos && numbers_only(field))
+      return "one number between two commas; where fractions have a comma, semicolons must separate the numbers";
+    return separator_ != ';' && field.find(',') != std::string_view::npos ? "a finite number with a decimal point" : "a finite number or nan";
+  }
+  static bool numbers_only(std::string_view field) {
+    return field.find_first_not_of("0123456789+-.eE \t") == std::string_view::npos;
+  }
+
+  [[nodiscard]] bool separated() const { return separator_ != ' '; }
   [[nodiscard]] bool ends_with_separator(std::string_view text) const {
     const std::size_t last = separator_ == '\t' ? text.find_last_not_of(' ') : text.find_last_not_of(blanks);
     return last != std::string_view::npos && text[last] == separator_;
@@ -192,7 +201,7 @@ class LineReader {
         ++column;
       }
       if (separator_ends_line_ && end == text.size() && field.empty()) break;
-      if (fields_.size() == most_fields_) return fail(line.number, column, "more than 1024 fields", "at most 1024");
+      if (fields_.size() == most_fields) return fail(line.number, column, "more than 1024 fields", "at most 1024");
       fields_.push_back({field, column});
       begin = end + 1;
     }
@@ -225,7 +234,6 @@ class LineReader {
   std::string source_;
   char separator_;
   bool separator_ends_line_ = false;  // of every line
-  std::size_t most_fields_ = largest_grid.points;
   std::vector<RawField> fields_;
   std::string decimal_;
   std::optional<base::Error> error_;
@@ -237,24 +245,38 @@ std::string place_of(std::size_t line, std::size_t column) {
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
+std::string count_of(std::size_t n, std::string_view what) {
+  return std::to_string(n) + " " + std::string(what) + (n == 1 ? "" : "s");
+}
+
+std::optional<base::Error> unequal_lines(const HeightLine& first, std::span<const HeightLine> lines, std::string_view source) {
+  const std::size_t expected = first.fields.size();
+  for (const HeightLine& line : lines) {
+    const std::size_t count = line.fields.size();
+    if (count == expected) continue;
+    const std::size_t column = count > expected ? line.fields[expected].column : line.end;
+    return base::Error{std::string(source), place_of(line.number, column), count_of(count, "field"),
+                       std::to_string(expected) + " as in line " + std::to_string(first.number)};
+  }
+  return std::nullopt;
+}
+
 std::string shortest_text(double number) { return base::shortest_number(number); }
 
 base::Result<HeightText> read_height_text(std::string_view text, std::string_view source) {
-  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
   const std::vector<RawLine> lines = raw_lines(text);
   const base::Error nothing{std::string(source), "", "no line of numbers", "at least two"};
   if (lines.empty()) return nothing;
   LineReader reader(lines, source);
   HeightText result;
-  result.separated = reader.separated();
   std::size_t numbers = 0;
   for (const RawLine& line : lines) {
     if (&line == &lines.front() && reader.read_heading(line, result.heading)) continue;
     HeightLine fields;
-    if (!reader.read(line, fields)) return reader.error();
+    if (!reader.read(line, fields, result.words)) return reader.error();
     numbers += fields.fields.size();
     if (numbers > most_numbers + lines.size()) {
-      return base::Error{std::string(source), place_of(line.number, 1), "more numbers than the largest grid has",
+      return base::Error{std::string(source), place_of(line.number, 1), "more numbers than a file of the largest grid has",
                          "at most 1024 slices of 1024 points"};
     }
     result.lines.push_back(std::move(fields));

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/base/result.hpp"
@@ -31,21 +34,28 @@ struct HeightHeading {
 };
 
 struct HeightText {
-  bool separated = false;         // by commas, semicolons or tabs, so that a field can be empty
   HeightHeading heading;          // without names and fields: none
   std::vector<HeightLine> lines;  // at least one; none empty
+  // Fields below the first line that are neither numbers nor missing, and read as NaN: the first one of each column, in the order
+  // of the file, with its column from 0.
+  std::vector<std::pair<std::size_t, base::Error>> words;
 
   [[nodiscard]] bool has_heading() const { return !heading.names.empty(); }
 };
 
-// A field that is neither number nor missing below the first line, more than 1024 fields in a line or a file without
-// numbers is an error.
+// More than 1025 fields in a line (a table of 1024 columns has so many) or a file without numbers is an error.
 [[nodiscard]] base::Result<HeightText> read_height_text(std::string_view text, std::string_view source);
+
+// The error that names the first line which has not as many fields as `first`; none: all have.
+[[nodiscard]] std::optional<base::Error> unequal_lines(const HeightLine& first, std::span<const HeightLine> lines, std::string_view source);
 
 // "line:column"
 [[nodiscard]] std::string place_of(std::size_t line, std::size_t column);
 
 // A number as the shortest text that reads back the same.
 [[nodiscard]] std::string shortest_text(double number);
+
+// "1 line", "2 lines"
+[[nodiscard]] std::string count_of(std::size_t n, std::string_view what);
 
 }  // namespace sightline::scene

@@ -87,8 +87,12 @@ TEST_F(DrawCommand, SkalaAsImageOfAnySize) {
 }
 
 TEST_F(DrawCommand, AGridFileWithAHole) {
-  write("h.csv", "1,2,3\n2,nan,4\n3,4,9\n");
-  EXPECT_EQ(sightline({"draw", "skala", "h.csv", "--along", "both", "-o", "h.svg"}).exit_code, 0);
+  write("h.csv", "1,2,3\n2,nan,4\n2,4,9\n");
+  const auto guessed = sightline({"draw", "skala", "h.csv", "--along", "both", "-o", "h.svg"});
+  EXPECT_EQ(guessed.exit_code, 0);
+  EXPECT_EQ(guessed.err, "sightline: h.csv: read as a matrix of 3 rows and 3 columns\n");
+  EXPECT_EQ(sightline({"draw", "skala", "h.csv", "--layout", "matrix", "-o", "h.svg"}).err, "");
+  EXPECT_EQ(sightline({"draw", "skala", "peaks", "-o", "h.svg"}).err, "");
   write("bad.csv", "1,2\n3\n");
   const auto ran = sightline({"draw", "skala", "bad.csv", "-o", "bad.svg"});
   EXPECT_EQ(ran.exit_code, 4);
@@ -144,6 +148,8 @@ TEST_F(DrawCommand, AFigureInLayers) {
   expect_usage_error_beside({"draw", "skala", "peaks", "--x-range", "3:1", "-o", "t.svg"}, "--x-range");
   expect_usage_error_beside({"draw", "skala", "spike", "--x-range", "1:3", "-o", "t.svg"}, "--x-range");
   expect_usage_error_beside({"draw", "skala", "peaks", "--xyz", "a,b,c", "-o", "t.svg"}, "without a grid file");
+  expect_usage_error_beside({"draw", "skala", "peaks", "--layout", "table", "-o", "t.svg"}, "--layout: found without a grid file");
+  expect_usage_error_beside({"draw", "skala", "t.csv", "--layout", "table", "--xyz", "1,2,3", "-o", "t.svg"}, "--xyz: found with --layout table");
 }
 
 // Eight layers at most for eight pens: silhouette, rims, contours, floor, axes and text have their own.

@@ -183,7 +183,18 @@ TEST_F(SkalaCommand, ExpressionsAndGridFiles) {
   EXPECT_TRUE(exists("g/hill_top.png"));
 }
 
+TEST_F(SkalaCommand, LayoutsOfGridFiles) {
+  write("columns.xyz", "0 0 1 9\n1 0 2 9\n0 5 4 9\n1 5 5 9\n");
+  const Ran guessed = sightline({"skala", "lines", "columns.xyz", "--json", "-o", "g"});
+  EXPECT_EQ(guessed.err, "sightline: columns.xyz: read as x y z in columns, a grid of 2 x 2, column 4 left out\n");
+  EXPECT_EQ(json::parse(guessed.out).at("slices"), 2);
+  EXPECT_EQ(report({"lines", "columns.xyz", "--layout", "matrix", "-o", "m"}).at("points"), 4);
+  EXPECT_EQ(sightline({"skala", "lines", "columns.xyz", "--layout", "points", "-o", "p"}).err, "");
+}
+
 TEST_F(SkalaCommand, BadInputIsNamedAndNothingIsWritten) {
+  write("scatter.xyz", "0.1 3.2 1\n2.5 0.3 2\n1.7 1.9 4\n0.4 2.2 3\n");
+  expect_failure({"lines", "scatter.xyz"}, 4, "scatter.xyz: found 4 scattered points");
   write("row.csv", "1,2,3\n");
   write("word.csv", "1,2\n3,four\n");
   write("hole.csv", "1,2\n3,?\n");
