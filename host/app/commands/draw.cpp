@@ -49,8 +49,8 @@ struct FillArguments {
 struct FilledPicture {
   const scene::LoadedScene& source;
   const scene::PolyCamera& camera;
-  std::optional<double> field;
-  const DrawOutput& output;  // settled
+  std::optional<double> field;  // as image_field says it
+  const DrawOutput& output;     // settled
   bool json = false;
 };
 
@@ -150,9 +150,9 @@ struct DrawLinesArguments {
 };
 
 // A millimetre for paper, about a millimetre on a screen for an image.
-picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format) {
+picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format, std::optional<double> extent) {
   picture::DrawingField field;
-  field.extent = arguments.field;
+  field.extent = extent;
   if (format == DrawingFormat::png && !arguments.output.is_sheet()) {
     constexpr double pixels_per_unit = 4;
     field.width = arguments.output.image.width / pixels_per_unit;
@@ -249,10 +249,10 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const std::size_t faces = scene::face_count(source.scene);
   refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
-  check_field(arguments.field, aimed.camera);
+  const std::optional<double> extent = image_field(arguments.field, source.scene, aimed.camera);
   if (arguments.filled.fill) {
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
-                       {source, aimed.camera, arguments.field, arguments.output, arguments.json}, format);
+                       {source, aimed.camera, extent, arguments.output, arguments.json}, format);
   }
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   std::vector<scene::PolyCamera> cameras;
@@ -276,7 +276,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     std::optional<base::ProgressClock> clock;
     if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
     if (!views) views.emplace(algorithm, source, arguments.view);
-    const DrawnView drawn = views->at(camera.camera, field_of(arguments, format));
+    const DrawnView drawn = views->at(camera.camera, field_of(arguments, format, extent));
     clock.reset();
     const auto plot = write_drawing(drawn.drawing, output, format, source.name, file);
     if (!arguments.json) continue;
