@@ -153,8 +153,10 @@ Window framed(const std::vector<Stroke>& strokes, const DrawingField& field, boo
   const double unit = std::max((bounds.high[0] - bounds.low[0]) / field.width,
                                (bounds.high[1] - bounds.low[1]) / field.height);
   const double scale = unit > 0 ? unit : 1;
-  const std::array<double, 2> size{scale * field.width / 2, scale * field.height / 2};
+  std::array<double, 2> size{scale * field.width / 2, scale * field.height / 2};
   for (std::size_t a = 0; a < 2; ++a) {
+    if (field.scale)
+      size[a] = std::max((a == 0 ? field.width : field.height) / *field.scale, bounds.high[a] - bounds.low[a]) / 2;
     const double middle = (bounds.low[a] + bounds.high[a]) / 2;
     bounds.low[a] = middle - size[a];
     bounds.high[a] = middle + size[a];
@@ -307,6 +309,10 @@ VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyS
   VectorDrawing drawing;
   drawing.width = field.width;
   drawing.height = field.height;
+  if (field.scale) {
+    drawing.width = std::max(field.width, (window.high[0] - window.low[0]) * *field.scale);
+    drawing.height = std::max(field.height, (window.high[1] - window.low[1]) * *field.scale);
+  }
   Pen pen(drawing, window);
   for (const LineLayer& layer : layers) {
     pen.lines(strokes_of(layer.picture, projection, window), static_cast<std::uint32_t>(drawing.layers.size()));

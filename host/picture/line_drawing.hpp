@@ -27,6 +27,9 @@ struct DrawingField {
   // units. Without it the picture is fitted to the field; where a perspective picture is wider than
   // widest_fitted_angle, it is cut to usual_angle.
   std::optional<double> extent;
+  // Units of the drawing for one of the scene, without perspective, instead of an extent: the middle of what is drawn is
+  // that of the field, and nothing is cut off. The drawing is larger than the field where it has to be.
+  std::optional<double> scale = {};
   double dash = 2;  // of hidden lines, and the gap after it three quarters of that
 };
 
