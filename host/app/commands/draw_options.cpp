@@ -205,7 +205,7 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
       .group("Paper");
   command.flag("--landscape", output.landscape, "The longer side of the paper is horizontal").group("Paper");
   command.option("--margin", output.margin, "Margin around the drawing in mm")
-      .default_value("10, or as much as the plotter needs")
+      .default_value("10, or what the plotter needs")
       .range(0.0, 1000.0)
       .value("MM")
       .group("Paper");
@@ -227,12 +227,12 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
       .group("Pen");
   std::vector<std::string> devices;
   for (const picture::Plotter& plotter : picture::plotters()) devices.emplace_back(plotter.name);
-  command.option("--device", output.device, "A plotter whose limits and number of pens are kept")
+  command.option("--device", output.device, "A plotter whose limits and number of pens are kept; its own paper unless --size is given")
       .one_of(devices)
       .default_value("any")
       .group("Pen");
-  command.option("--pens", output.pens, "The pens of the layers in their order")
-      .default_value("1,2,3 and so on")
+  command.option("--pens", output.pens, "The pens of the layers in their order; the last one draws all layers beyond")
+      .default_value("1,2,3 and so on, as many as there are")
       .separated_by(',')
       .value("N,...")
       .group("Pen");
