@@ -56,7 +56,7 @@ TEST_F(DrawCommand, SkalaAsSvg) {
   const std::string svg = read("s.svg");
   EXPECT_TRUE(has(svg, "width=\"120.000mm\" height=\"80.000mm\" viewBox=\"0 0 120.000 80.000\""));
   EXPECT_TRUE(has(svg, "inkscape:label=\"1 lines along x\""));
-  EXPECT_TRUE(has(svg, "inkscape:label=\"3 rims\""));
+  EXPECT_TRUE(has(svg, "inkscape:label=\"2 rims\""));
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
   ASSERT_EQ(sightline({"draw", "skala", "sinc", "--size", "120x80", "-o", "t.svg"}).exit_code, 0);
   EXPECT_EQ(svg, read("t.svg"));

@@ -225,13 +225,13 @@ TEST_F(DrawMesh, AScaleCountsTheUnitOfTheFile) {
   };
   EXPECT_EQ(width("inch", "1:1"), 10'160);   // 254 mm
   EXPECT_EQ(width("m", "1:50"), 8'000);      // 200 mm
-  EXPECT_EQ(width("m", "1:37.5"), 10'667);   // 266.667 mm
+  EXPECT_EQ(width("cm", "1:2.5"), 1'600);    // 40 mm
   EXPECT_EQ(width("ft", "1:10"), 12'192);    // 304.8 mm
   EXPECT_EQ(width("cm", "2:1"), 8'000);
   // Coordinates of a file with fractions are counted in steps of 0.1.
   write("half.obj", "v 0.5 0.5 0\nv 20.5 0.5 0\nv 20.5 40.5 0\nf 1 2 3\n");
   expect_ok({"draw", "exact", "half.obj", "--view", "front", "--scale", "1:1", "-o", "half.svg"});
-  EXPECT_TRUE(has(read("half.svg"), "M110 120l-20 0 20-40 0 40")) << read("half.svg");
+  EXPECT_TRUE(has(read("half.svg"), "M90 120l20 0 0-40-20 40")) << read("half.svg");
 }
 
 TEST_F(DrawMesh, AScaleThatDoesNotFitNamesThePaper) {
@@ -254,8 +254,8 @@ TEST_F(DrawMesh, AScaleThatDoesNotFitNamesThePaper) {
   refused({"--scale", "2", "-o", "x.svg"}, "expected N:M");
   refused({"--scale", "0:1", "-o", "x.svg"}, "expected N:M");
   refused({"--scale", "2:1", "--perspective", "-o", "x.svg"}, "which has no scale");
-  // The box is at most 11.66 wide in a turn, which 16:1 makes 186.6 mm; no drawing is written.
-  refused({"--scale", "17:1", "--turntable", "8", "-o", "x.svg"}, "--scale 17:1");
+  // 170 mm from the front, 17 (10 cos 22.5 + 4 sin 22.5) = 183.1 mm in the next view; neither is written.
+  refused({"--scale", "17:1", "--turntable", "16", "-o", "x.svg"}, "found a drawing of 183.1x102.0 mm");
   EXPECT_TRUE(files() == std::vector<std::string>{"box.obj"});
   expect_ok({"draw", "exact", "box.obj", "--view", "front", "--scale", "27.6:1", "--device", "hp7475a", "-o", "a.plt"});
   EXPECT_TRUE(has(read("a.plt"), "PU0,549;\nPD0,7173,11040,7173,11040,549,0,549;")) << read("a.plt");
