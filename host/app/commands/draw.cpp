@@ -74,13 +74,40 @@ std::vector<registry::FaceCount> write_outlines(const registry::PreparedFaces& p
   return seen.counts;
 }
 
+// An image on white paper, from the bottom left corner inside the margin on.
+picture::Image on_sheet(const picture::Image& inside, const DrawOutput& output) {
+  picture::Image sheet(output.image.width, output.image.height, inside.channels);
+  std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{255});
+  const int margin = static_cast<int>(std::lround(output.paper.margin * output.image.unit));
+  const int top = sheet.height - margin - inside.height;
+  const int rows = std::min(inside.height, sheet.height - std::max(top, 0));
+  const int columns = std::min(inside.width, sheet.width - margin);
+  for (int row = 0; row < rows; ++row) {
+    const auto from = inside.pixels.begin() + static_cast<std::ptrdiff_t>(inside.index(0, row));
+    std::copy_n(from, columns * inside.channels,
+                sheet.pixels.begin() + static_cast<std::ptrdiff_t>(sheet.index(margin, std::max(top, 0) + row)));
+  }
+  return sheet;
+}
+
 std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& prepared,
                                               const FilledPicture& picture, Output& file) {
-  const picture::ImageSize& size = picture.output.image;
-  const registry::FaceWindow window =
-      registry::face_window(picture.source.scene, picture.camera, size.width, size.height, picture.field);
+  const DrawOutput& output = picture.output;
+  int width = output.image.width;
+  int height = output.image.height;
+  std::optional<double> field = picture.field;
+  if (output.is_sheet()) {
+    const auto pixels = [&](double side) { return std::max(1, static_cast<int>(std::lround((side - 2 * output.paper.margin) * output.image.unit))); };
+    width = pixels(output.paper.width);
+    height = pixels(output.paper.height);
+    // Of whole pixels, at the same scale.
+    const double shorter = (std::min(output.paper.width, output.paper.height) - 2 * output.paper.margin) * output.image.unit;
+    if (field && !picture.camera.perspective) *field *= std::min(width, height) / shorter;
+  }
+  const registry::FaceWindow window = registry::face_window(picture.source.scene, picture.camera, width, height, field);
   const auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
-  const auto bytes = picture::encode_png(picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene)),
+  const picture::Image image = picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene));
+  const auto bytes = picture::encode_png(output.is_sheet() ? on_sheet(image, output) : image,
                                          {{"Title", picture.source.name}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   file.write(std::span<const std::uint8_t>(*bytes));
@@ -350,7 +377,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
       .group("View");
   add_edge_options(command, arguments->view.edges);
   const Option hidden =
-      command.flag("--hidden", arguments->view.hidden, "Draw hidden lines as a second layer, dashed").group("Edges");
+      command.flag("--hidden", arguments->view.hidden, "Draw hidden lines as a layer of their own, dashed").group("Edges");
   command
       .option("--layers", arguments->view.layers, "A layer for each kind of edge, or for each body, or one layer")
       .one_of({"kind", "body", "none"})

@@ -202,7 +202,7 @@ std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint&
     return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
   };
   if (!fits(camera.forward)) return std::nullopt;
-  // Below 2^15 times 2^20, times 2 for the difference: 2^36; once more times 2^16: within 64 bits.
+  // Below 2^15 times 2^20, times 2 for the difference: below 2^36; and that product below 2^31.
   const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
   if (!right) return std::nullopt;
   camera.right = *right;

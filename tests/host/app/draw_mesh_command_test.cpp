@@ -6,7 +6,10 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
+#include "host/picture/png.hpp"
 #include "tests/host/app/command_line.hpp"
 #include "tests/support/effort.hpp"
 
@@ -278,6 +281,31 @@ TEST_F(DrawMesh, TheFieldIsInTheUnitOfTheFile) {
   EXPECT_TRUE(has(read("a.plt"), "PD5400,3661,5400,4061,5640,4061,5640,3661;")) << read("a.plt");
 }
 
+// 60 mm of paper with 20 units on the 40 mm inside its margins, at ten pixels to a millimetre.
+TEST_F(DrawMesh, AFilledSheetHasItsMarginsAndItsScale) {
+  write("box.obj", box);
+  expect_ok({"draw", "montani-re", "box.obj", "--view", "front", "--field", "20", "--fill", "--size", "60x60", "--dpi", "254", "-o", "f.png"});
+  const auto png = sightline::picture::read_png(path("f.png").string());
+  ASSERT_TRUE(png);
+  const auto& image = png->image;
+  ASSERT_EQ(image.width, 600);
+  const auto colour = [&image](int column, int row) {
+    const auto at = image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, row));
+    return std::vector<int>(at, at + 3);
+  };
+  const std::vector<int> white{255, 255, 255};
+  EXPECT_EQ(colour(99, 300), white);
+  EXPECT_EQ(colour(300, 500), white);
+  const std::vector<int> sky = colour(100, 100);
+  EXPECT_NE(sky, white);
+  EXPECT_EQ(colour(499, 499), sky);
+  for (const auto& [outside, inside] : std::vector<std::pair<std::array<int, 2>, std::array<int, 2>>>{
+           {{199, 300}, {200, 300}}, {{400, 300}, {399, 300}}, {{300, 239}, {300, 240}}, {{300, 360}, {300, 359}}}) {
+    EXPECT_EQ(colour(outside[0], outside[1]), sky);
+    EXPECT_NE(colour(inside[0], inside[1]), sky);
+  }
+}
+
 TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
   write("box.obj", box);
   for (const char* view : {"iso", "dimetric", "trimetric", "NW", "front"}) {
@@ -285,6 +313,9 @@ TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
     expect_ok({"draw", "exact", "box.obj", "--view", view, "--up", "0,1,0", "-o", "b.svg"});
     EXPECT_EQ(read("a.svg"), read("b.svg")) << view;
   }
+  expect_ok({"draw", "exact", "box.obj", "--vertical", "-z", "--view", "iso", "-o", "a.svg"});
+  expect_ok({"draw", "exact", "box.obj", "--vertical", "-z", "--view", "iso", "--up", "0,0,-1", "-o", "b.svg"});
+  EXPECT_EQ(read("a.svg"), read("b.svg"));
 }
 
 TEST_F(DrawMesh, EachLayerHasItsPenAndSharingIsSaid) {
