@@ -13,6 +13,7 @@
 #include "host/app/commands/draw.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
+#include "host/base/text.hpp"
 #include "host/picture/dxf.hpp"
 #include "host/picture/pdf.hpp"
 #include "host/picture/pen_order.hpp"
@@ -363,6 +364,12 @@ picture::HpglOptions hpgl_options(const DrawOutput& output) {
   return {output.plotter(), output.pens, output.speed, output.relative};
 }
 
+// That layers can have.
+std::size_t pen_count(const DrawOutput& output) {
+  if (!output.pens.empty()) return output.pens.size();
+  return output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens) : picture::most_hpgl_pens;
+}
+
 // "a", "a and b", "a, b, c and 5 more"
 std::string list_of(const std::vector<std::string>& names) {
   constexpr std::size_t most = 4;
@@ -376,9 +383,7 @@ std::string list_of(const std::vector<std::string>& names) {
 void warn_of_pens(const picture::VectorDrawing& drawing, const DrawOutput& output) {
   const picture::Plotter* const plotter = output.plotter();
   const std::size_t layers = drawing.layers.size();
-  const std::size_t pens = !output.pens.empty()  ? output.pens.size()
-                           : plotter != nullptr ? static_cast<std::size_t>(plotter->pens)
-                                                : picture::most_hpgl_pens;
+  const std::size_t pens = pen_count(output);
   const std::string count = fmt::format("{}: {} layer{} for {}{} pen{}{}", output.file, layers, layers == 1 ? "" : "s",
                                         output.pens.empty() && plotter == nullptr ? "" : "the ", pens == 1 ? "one" : std::to_string(pens),
                                         pens == 1 ? "" : "s",
@@ -408,8 +413,12 @@ picture::Image image_on(const picture::VectorDrawing& drawing, const DrawOutput&
   return image_of(sheet, size);
 }
 
-// `counted`: the seconds, where the file itself says them.
-base::Json plot_json(const picture::VectorDrawing& drawing, const DrawOutput& output, std::optional<double> counted) {
+// `counted`: the seconds, where the file itself says them. Of a file for a plotter, layers that share a pen are one.
+base::Json plot_json(picture::VectorDrawing drawing, const DrawOutput& output, DrawingFormat format, std::optional<double> counted) {
+  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps) {
+    const auto last = static_cast<std::uint32_t>(pen_count(output)) - 1;
+    for (picture::DrawingLine& line : drawing.lines) line.layer = std::min(line.layer, last);
+  }
   const picture::PenTravel travel = picture::pen_travel(drawing, output.paper);
   const picture::Plotter& plotter = output.plotter() != nullptr ? *output.plotter() : picture::plotters().front();
   picture::PlotterSpeeds speeds = plotter.speeds;
@@ -438,7 +447,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& with_empty
     file.commit();
     return std::nullopt;
   }
-  const picture::VectorDrawing drawing =
+  picture::VectorDrawing drawing =
       output.as_found ? found : in_pen_order(found, output.paper, {.min_gap = output.min_gap});
   std::optional<double> seconds;
   switch (format) {
@@ -458,7 +467,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& with_empty
     }
   }
   file.commit();
-  base::Json plot = plot_json(drawing, output, seconds);
+  base::Json plot = plot_json(std::move(drawing), output, format, seconds);
   if (output.report) {
     complain(fmt::format(
         "{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),

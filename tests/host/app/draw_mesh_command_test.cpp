@@ -1,6 +1,7 @@
 // `sightline draw` of meshes and of bodies that pass through each other: layers, hatching, units, step files.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -201,6 +202,22 @@ TEST_F(DrawMesh, AScaleIsTheSameOnEveryDevice) {
   // 279.4 mm are 1100 steps of 0.254 mm: 550 -+ 39.4 and -+ 23.6.
   EXPECT_EQ(bounds_of_steps(drawn({"--device", "calcomp"}, "a.steps")), (std::array<long, 4>{511, 526, 589, 574}));
   EXPECT_EQ(sightline({"draw", "exact", "box.obj", "--view", "front", "--scale", "2:1", "-o", "a.png"}).exit_code, 2);
+  // Ten pixels to a millimetre: 200 x 120 pixels around the middle of 2970 x 2100, with lines two pixels wide.
+  drawn({"--size", "A4", "--landscape", "--dpi", "254"}, "a.png");
+  const auto png = sightline::picture::read_png(path("a.png").string());
+  ASSERT_TRUE(png);
+  ASSERT_EQ(png->image.width, 2970);
+  ASSERT_EQ(png->image.height, 2100);
+  const auto ink = [&png](int column, int row) { return 255 - png->image.pixels[png->image.index(column, row)]; };
+  for (const int column : {1385, 1585}) {
+    EXPECT_GT(ink(column - 1, 1050), 200);
+    EXPECT_EQ(ink(column - 1, 1050), ink(column, 1050));
+    EXPECT_EQ(ink(column - 3, 1050) + ink(column + 2, 1050), 0);
+  }
+  for (const int row : {990, 1110}) {
+    EXPECT_GT(ink(1485, row - 1), 200);
+    EXPECT_EQ(ink(1485, row - 1), ink(1485, row));
+  }
 }
 
 TEST_F(DrawMesh, AScaleCountsTheUnitOfTheFile) {
@@ -344,6 +361,7 @@ TEST_F(DrawMesh, EachLayerHasItsPenAndSharingIsSaid) {
   EXPECT_TRUE(has(drawn({"--pens", "1,3"}, "a.plt"), "a.plt: 3 layers for the 2 pens of --pens: crease and hidden share pen 3\n"));
   EXPECT_TRUE(has(drawn({"--pens", "1,3", "--hatch", "30,2"}, "a.plt"),
                   "a.plt: 5 layers for the 2 pens of --pens: crease, hatching, cross-hatching and hidden share pen 3\n"));
+  EXPECT_TRUE(has(sightline({"draw", "exact", "box.obj", "--view", "iso", "--hidden", "--pens", "1,3", "--json", "-o", "a.plt"}).out, "\"pens\": 2,"));
   EXPECT_TRUE(has(drawn({"--pens", "1,2,3,4"}, "a.plt"), "a.plt: 3 layers for the 4 pens of --pens: pen 4 draws nothing\n"));
   EXPECT_TRUE(has(drawn({}, "a.steps"), "a.steps: 2 layers for the one pen of calcomp: visible and hidden share it\n"));
 }
