@@ -265,20 +265,27 @@ void add_camera_options(const Command& command, CameraArguments& arguments) {
 void add_field_option(const Command& command, std::optional<double>& field, const std::string& default_value) {
   command
       .option("--field,--fov", field,
-              "Show this much across the shorter side, straight ahead: degrees, or scene units without perspective")
+              "Show this much across the shorter side, straight ahead: degrees, or without perspective a length in the unit "
+              "of the scene's file")
       .default_value(default_value)
       .value("ANGLE")
       .group("View");
 }
 
-void check_field(const std::optional<double>& field, const scene::PolyCamera& camera) {
-  if (!field) return;
+std::optional<double> image_field(const std::optional<double>& field, const scene::PolyScene& scene,
+                                  const scene::PolyCamera& camera) {
+  if (!field) return std::nullopt;
   require_finite("--field", *field);
-  if (!(*field > 0) || (camera.perspective && *field > 170)) {
+  constexpr double widest = 1e9;  // steps, more than any image of a scene
+  const double extent = camera.perspective ? *field : *field / scene.step;
+  if (!(extent > 0) || extent > (camera.perspective ? 170 : widest)) {
     throw Failure(ExitCode::usage,
                   fmt::format("--field: found {}, expected {}", *field,
-                              camera.perspective ? "degrees above 0, at most 170" : "scene units above 0"));
+                              camera.perspective
+                                  ? "degrees above 0, at most 170"
+                                  : fmt::format("a length above 0, at most {:g}, in the unit of the file", widest * scene.step)));
   }
+  return extent;
 }
 
 std::optional<std::array<double, 3>> eye_of(const CameraArguments& arguments) {

@@ -33,8 +33,10 @@ void add_camera_options(const Command& command, CameraArguments& arguments);
 
 // --field and --fov: how much is shown.
 void add_field_option(const Command& command, std::optional<double>& field, const std::string& default_value);
-// Failure usage: no number, or none that a camera can show.
-void check_field(const std::optional<double>& field, const scene::PolyCamera& camera);
+// As the camera's image has it: degrees, or without perspective steps of the scene's grid, of a field in the unit of the
+// file. Failure usage: no number, or none that a camera can show.
+[[nodiscard]] std::optional<double> image_field(const std::optional<double>& field, const scene::PolyScene& scene,
+                                                const scene::PolyCamera& camera);
 
 // The eye that was asked for, so that the scene can be read with room for it. Failure usage: no point.
 [[nodiscard]] std::optional<std::array<double, 3>> eye_of(const CameraArguments& arguments);

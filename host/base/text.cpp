@@ -43,12 +43,6 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-std::string_view without_byte_order_mark(std::string_view text) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (text.substr(0, mark.size()) == mark) text.remove_prefix(mark.size());
-  return text;
-}
-
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) {

@@ -39,8 +39,6 @@ template <class Range>
 std::string_view take_line(std::string_view& text);
 // The first word, up to a blank; `text` goes on behind the blanks that follow it.
 std::string_view take_word(std::string_view& text);
-// Without the byte order mark of UTF-8 at its beginning, if it has one.
-[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
 // Of ASCII.
 [[nodiscard]] std::string lower_case(std::string_view text);
 

@@ -18,6 +18,7 @@
 #include "host/guests/jones/session.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/file_units.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
 namespace sightline::compare {
@@ -224,6 +225,7 @@ base::Result<SceneComparison> compare_cell_scene(const scene::CellScene& scene, 
   comparison.scene = scene.name;
   comparison.camera = polyhedra.camera;
   comparison.camera.eye = options.eye.value_or(scene.default_view);
+  comparison.eye = scene::file_point(polyhedra, comparison.camera.eye);
   if (auto error = compare_programs(scene, options, progress, comparison)) return *error;
   ScreenFrame frame;
   frame.scale = options.scale;
@@ -239,6 +241,7 @@ base::Result<SceneComparison> compare_poly_scene(const scene::PolyScene& scene,
   SceneComparison comparison;
   comparison.scene = scene.name;
   comparison.camera = camera;
+  comparison.eye = scene::file_point(scene, camera.eye);
   if (auto error = compare_algorithms(scene, progress, std::nullopt, comparison)) return *error;
   compare_faces(scene, progress, comparison);
   if (const auto angle = turn_angle_of(camera)) {

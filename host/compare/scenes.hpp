@@ -6,6 +6,7 @@
 // truths are cut to the same screen.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -44,6 +45,7 @@ struct GuestCheck {
 struct SceneComparison {
   std::string scene;
   scene::PolyCamera camera;
+  std::array<double, 3> eye{};  // the camera's, in the unit of the scene's file
   ScreenFrame frame;
   std::vector<ComparedPicture> pictures;
   std::vector<ComparedFaces> faces;  // of the algorithms that say which face is seen at each point

@@ -38,7 +38,8 @@ double distance(const Space& a, const Space& b) { return std::hypot(a[0] - b[0],
 
 class WillisTeller final : public wl::Trace {
  public:
-  WillisTeller(const ImageStage& stage, const PlanStage& plan, Steps& steps) : stage_(stage), plan_(plan), steps_(steps) { count(); }
+  // `unit`: of the scene's coordinates, in that of its file.
+  WillisTeller(const ImageStage& stage, const PlanStage& plan, double unit, Steps& steps) : stage_(stage), plan_(plan), unit_(unit), steps_(steps) { count(); }
 
   void surfaces(std::span<const wl::Surface> pieces, const wl::OrderCells& cells) override {
     pieces_ = pieces.size();
@@ -119,8 +120,8 @@ class WillisTeller final : public wl::Trace {
       std::vector<Mark> in_ground;
       add_plan(in_ground, Look::now, surface);
       if (camera.perspective) in_ground.push_back(line(Look::now, {plan_.at(eye), plan_.at(place_of(surface.points[0]))}));
-      steps_.add(camera.perspective ? fmt::format("Priority {}: surface {}, {:.1f} from the eye, in cell {}. It covers what has a lower priority.", i + 1, order[i] + 1,
-                                                  distance(eye, place_of(surface.points[0])), surface.cell)
+      steps_.add(camera.perspective ? fmt::format("Priority {}: surface {}, {:.5g} from the eye, in cell {}. It covers what has a lower priority.", i + 1, order[i] + 1,
+                                                  unit_ * distance(eye, place_of(surface.points[0])), surface.cell)
                                     : fmt::format("Priority {}: surface {}, in cell {}. It covers what has a lower priority.", i + 1, order[i] + 1, surface.cell),
                  "The Sussex approach", {{image, "pair", std::move(now)}, {image, "painted", painted}, {ground, "pair", std::move(in_ground)}});
     }
@@ -174,6 +175,7 @@ class WillisTeller final : public wl::Trace {
 
   const ImageStage& stage_;
   const PlanStage& plan_;
+  double unit_;
   Steps& steps_;
   std::uint64_t pieces_ = 0, order_cells_ = 0, clusters_ = 0, cuts_ = 0, facing_ = 0, shown_ = 0;
 };
@@ -187,7 +189,7 @@ base::Result<Lesson> explain_willis(const scene::PolyScene& scene, const scene::
   const PlanStage plan(scene, camera);
   lesson.sheets = {stage.sheet("The image"), plan.sheet("The ground from above")};
   Steps steps(lesson);
-  WillisTeller teller(stage, plan, steps);
+  WillisTeller teller(stage, plan, scene.step, steps);
   wl::ModelOptions options;
   options.limits.pieces = most_pieces;
   options.limits.depth = 6;

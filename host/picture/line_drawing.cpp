@@ -88,8 +88,10 @@ Window framed(const std::vector<LineStroke>& strokes, const DrawingField& field,
   const double unit = std::max((bounds.high[0] - bounds.low[0]) / field.width,
                                (bounds.high[1] - bounds.low[1]) / field.height);
   const double scale = unit > 0 ? unit : 1;
-  const std::array<double, 2> size{scale * field.width / 2, scale * field.height / 2};
+  std::array<double, 2> size{scale * field.width / 2, scale * field.height / 2};
   for (std::size_t a = 0; a < 2; ++a) {
+    if (field.scale)
+      size[a] = std::max((a == 0 ? field.width : field.height) / *field.scale, bounds.high[a] - bounds.low[a]) / 2;
     const double middle = (bounds.low[a] + bounds.high[a]) / 2;
     bounds.low[a] = middle - size[a];
     bounds.high[a] = middle + size[a];
@@ -240,7 +242,11 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
 
 std::array<double, 2> ImageWindow::in_field(const std::array<double, 2>& place, const DrawingField& field) const {
   const double unit = units(field);
-  return {std::clamp((place[0] - low[0]) * unit, 0.0, field.width), std::clamp((place[1] - low[1]) * unit, 0.0, field.height)};
+  // A drawing with a scale may be larger than its field.
+  const auto within = [&](std::size_t axis, double size) {
+    return std::clamp((place[axis] - low[axis]) * unit, 0.0, field.scale ? (high[axis] - low[axis]) * unit : size);
+  };
+  return {within(0, field.width), within(1, field.height)};
 }
 
 ImageWindow drawing_window(const UnitedLines& lines, const scene::PolyCamera& camera, const DrawingField& field) {
@@ -276,6 +282,10 @@ VectorDrawing line_drawing(std::span<const LineStroke> strokes, std::span<const 
   VectorDrawing drawing;
   drawing.width = field.width;
   drawing.height = field.height;
+  if (field.scale) {
+    drawing.width = std::max(field.width, (window.high[0] - window.low[0]) * *field.scale);
+    drawing.height = std::max(field.height, (window.high[1] - window.low[1]) * *field.scale);
+  }
   const std::vector<std::uint32_t> numbers = drawing_layers(layers);
   Pen pen(drawing, window, field);
   auto begin = strokes.begin();

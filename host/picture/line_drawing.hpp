@@ -30,6 +30,9 @@ struct DrawingField {
   // units. Without it the picture is fitted to the field; where a perspective picture is wider than
   // widest_fitted_angle, it is cut to usual_angle.
   std::optional<double> extent;
+  // Units of the drawing for one of the scene, without perspective, instead of an extent: the middle of what is drawn is
+  // that of the field, and nothing is cut off. The drawing is larger than the field where it has to be.
+  std::optional<double> scale = {};
   double dash = 2;  // of hidden lines, and the gap after it three quarters of that
   // Lines shorter than this are left out, unless both of their ends meet other lines: then they close a gap.
   double min_length = 0;
@@ -41,7 +44,7 @@ struct ImageWindow {
   std::array<double, 2> high{};
 
   // Units of the field for one of the image.
-  [[nodiscard]] double units(const DrawingField& field) const { return field.width / (high[0] - low[0]); }
+  [[nodiscard]] double units(const DrawingField& field) const { return field.scale ? *field.scale : field.width / (high[0] - low[0]); }
   // Where a place of the image lies in the field, in its unit from the bottom left.
   [[nodiscard]] std::array<double, 2> in_field(const std::array<double, 2>& place, const DrawingField& field) const;
 };

@@ -40,7 +40,7 @@ constexpr std::array plotter_rows{
             "CalComp 565, one pen, a drum of 11 inches",
             1,
             {76.2, 76.2, 1e9, 0.1, 0},
-            {},
+            {PlotterPaperLimits{"279.4x279.4", 1100 * calcomp_step, 1100 * calcomp_step, 0, 0}},
             1100 * calcomp_step,
             65'535 * calcomp_step},
 };
@@ -102,13 +102,13 @@ const Plotter* find_plotter(std::string_view name) {
   return found == plotter_rows.end() ? nullptr : &*found;
 }
 
-base::Result<double> least_margin(const Plotter& plotter, const Paper& paper) {
+base::Result<std::array<double, 2>> plotting_area(const Plotter& plotter, const Paper& paper) {
   if (plotter.carriage > 0) {
     if (paper.width > plotter.length)
       return base::Error{.file = "--size",
                          .found = fmt::format("found a width of {:g} mm", paper.width),
                          .expected = fmt::format("at most {:g} for {}", plotter.length, plotter.name)};
-    return std::max(0.0, (paper.height - plotter.carriage) / 2);
+    return std::array{paper.width, std::min(paper.height, plotter.carriage)};
   }
   const PlotterPaperLimits* limits = limits_for(plotter, paper);
   if (limits == nullptr) {
@@ -118,30 +118,47 @@ base::Result<double> least_margin(const Plotter& plotter, const Paper& paper) {
                        .found = fmt::format("found {:g}x{:g} mm", paper.width, paper.height),
                        .expected = names + " for " + std::string(plotter.name)};
   }
-  const double across = (std::max(paper.width, paper.height) - limits->x / units_a_millimetre) / 2;
-  const double up = (std::min(paper.width, paper.height) - limits->y / units_a_millimetre) / 2;
-  return std::max({across, up, 0.0});
+  std::array<double, 2> area{std::min(limits->x / units_a_millimetre, std::max(paper.width, paper.height)),
+                             std::min(limits->y / units_a_millimetre, std::min(paper.width, paper.height))};
+  if (paper.height > paper.width) std::swap(area[0], area[1]);
+  return area;
+}
+
+base::Result<double> least_margin(const Plotter& plotter, const Paper& paper) {
+  const auto area = plotting_area(plotter, paper);
+  if (!area) return area.error();
+  return std::max((paper.width - (*area)[0]) / 2, (paper.height - (*area)[1]) / 2);
+}
+
+int pen_of_layer(std::size_t layer, const HpglOptions& options) {
+  if (!options.pens.empty()) return options.pens[std::min(layer, options.pens.size() - 1)];
+  const int most = options.plotter != nullptr ? options.plotter->pens : most_hpgl_pens;
+  return static_cast<int>(std::min(layer, static_cast<std::size_t>(most) - 1)) + 1;
 }
 
 std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper, const HpglOptions& options) {
   const OnPlotter place(drawing, paper, options.plotter);
-  const int most_pens = options.plotter != nullptr ? options.plotter->pens : most_hpgl_pens;
   std::string text = "IN;\n";
   if (options.speed) base::append(text, "VS{:g};\n", *options.speed);
   int held = 0;
   for (std::uint32_t layer = 0; layer < drawing.layers.size(); ++layer) {
     for (const DrawingLine& line : drawing.lines) {
       if (line.layer != layer || line.count == 0) continue;
-      const int pen = options.pens.empty() ? std::min(static_cast<int>(layer) + 1, most_pens)
-                                                   : options.pens[std::min<std::size_t>(layer, options.pens.size() - 1)];
+      const int pen = pen_of_layer(layer, options);
       if (pen != held) base::append(text, "SP{};\n", pen);
       held = pen;
       auto before = place.at(drawing.points[line.first]);
       base::append(text, "{}{},{};\nPD", options.relative ? "PU;PA" : "PU", before[0], before[1]);
-      if (options.relative && line.count > 1) text += ";PR";
+      std::size_t written = 0;
       for (std::uint32_t i = 1; i < line.count; ++i) {
         const auto at = place.at(drawing.points[line.first + i]);
-        if (i > 1) text += (i - 1) % hpgl_most_corners == 0 ? options.relative ? ";\nPR" : ";\nPD" : ",";
+        if (at == before) continue;
+        if (written == 0) {
+          text += options.relative ? ";PR" : "";
+        } else {
+          text += written % hpgl_most_corners == 0 ? options.relative ? ";\nPR" : ";\nPD" : ",";
+        }
+        ++written;
         if (options.relative) {
           base::append(text, "{},{}", at[0] - before[0], at[1] - before[1]);
         } else {

@@ -18,8 +18,8 @@ namespace sightline::picture {
 inline constexpr double calcomp_step = 0.254;  // mm
 inline constexpr char step_file_end = '\xff';
 
-// The middle of the paper's height is that of the carriage. Facets are left out. The paper has least_margin (plotter.hpp;
-// precondition).
+// The middle of the paper's height is that of the carriage. Facets are left out. Of a drawing within the plotter's
+// plotting_area (plotter.hpp; precondition).
 [[nodiscard]] std::string step_file_of(const VectorDrawing& drawing, const Paper& paper);
 
 // What the commands of such a file cost.

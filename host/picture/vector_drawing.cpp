@@ -163,6 +163,23 @@ VectorDrawing with_dashes(const VectorDrawing& drawing) {
   return result;
 }
 
+VectorDrawing without_empty_layers(VectorDrawing drawing) {
+  std::vector<std::uint32_t> number(drawing.layers.size(), 0);
+  for (const DrawingLine& line : drawing.lines)
+    if (line.count > 0) number[line.layer] = 1;
+  std::uint32_t next = 0;
+  for (std::size_t layer = 0; layer < number.size(); ++layer) {
+    if (number[layer] == 0) continue;
+    number[layer] = next;
+    if (next != layer) drawing.layers[next] = std::move(drawing.layers[layer]);
+    ++next;
+  }
+  drawing.layers.resize(next);
+  std::erase_if(drawing.lines, [](const DrawingLine& line) { return line.count == 0; });
+  for (DrawingLine& line : drawing.lines) line.layer = number[line.layer];
+  return drawing;
+}
+
 VectorDrawing with_margin(VectorDrawing drawing, const Paper& paper) {
   const double across = drawing.width / (paper.width - 2 * paper.margin);  // units of a millimetre
   const double up = drawing.height / (paper.height - 2 * paper.margin);

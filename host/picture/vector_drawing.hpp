@@ -69,6 +69,10 @@ struct VectorDrawing {
   std::vector<DrawingArea> areas = {};  // far to near; empty: the facets
 };
 
+// The same drawing without the layers that have no lines: what every file of a drawing is made of, so that the number of a
+// layer, and its pen, is the same in all of them.
+[[nodiscard]] VectorDrawing without_empty_layers(VectorDrawing drawing);
+
 // The paper: the drawing is stretched to its inside.
 struct Paper {
   double width = 200;  // millimetres
@@ -86,6 +90,9 @@ struct ImageSize {
   int width = 1024;  // pixels, 1 .. 8192
   int height = 1024;
   double pen = 1.2;
+  // Pixels of a unit of the drawing, whose bottom left corner is then that of the image. 0: the drawing is stretched to
+  // the image, half a pen and a smooth edge away from its borders.
+  double unit = 0;
 };
 [[nodiscard]] Image image_of(const VectorDrawing& drawing, const ImageSize& size);
 

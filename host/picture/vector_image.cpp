@@ -22,9 +22,9 @@ class Canvas {
       : drawing_(drawing),
         image_(std::clamp(size.width, 1, 8192), std::clamp(size.height, 1, 8192), 3),
         pen_(size.pen),
-        margin_(size.pen / 2 + 0.5),
-        across_((image_.width - 2 * margin_) / drawing.width),
-        down_((image_.height - 2 * margin_) / drawing.height) {
+        margin_(size.unit > 0 ? 0 : size.pen / 2 + 0.5),
+        across_(size.unit > 0 ? size.unit : (image_.width - 2 * margin_) / drawing.width),
+        down_(size.unit > 0 ? size.unit : (image_.height - 2 * margin_) / drawing.height) {
     std::fill(image_.pixels.begin(), image_.pixels.end(), std::uint8_t{255});
   }
 
@@ -180,7 +180,7 @@ class Canvas {
   const VectorDrawing& drawing_;
   Image image_;
   double pen_;
-  double margin_;  // half a pen and a smooth edge on every side
+  double margin_;  // half a pen and a smooth edge on every side, or nothing
   double across_;
   double down_;
   std::vector<float> coverage_;  // of every pixel by the layer at hand

@@ -14,6 +14,7 @@
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/json.hpp"
+#include "host/base/number.hpp"
 #include "host/base/text.hpp"
 #include "host/base/text_table.hpp"
 #include "host/picture/overlay.hpp"
@@ -48,8 +49,9 @@ std::string distance_text(double distance) {
 
 std::string view_text(const SceneComparison& comparison) {
   const scene::PolyCamera& camera = comparison.camera;
-  return camera.perspective ? "from " + base::joined(camera.eye, ",")
-                            : "along " + base::joined(camera.forward, ",") + ", orthographic";
+  if (!camera.perspective) return "along " + base::joined(camera.forward, ",") + ", orthographic";
+  return fmt::format("from {},{},{}", base::shortest_number(comparison.eye[0]), base::shortest_number(comparison.eye[1]),
+                     base::shortest_number(comparison.eye[2]));
 }
 
 TextTable lines_table() {
@@ -250,7 +252,8 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
 Json compare_json(const SceneComparison& comparison) {
   Json document{{"scene", comparison.scene},
                 {"perspective", comparison.camera.perspective},
-                {"eye", comparison.camera.eye},
+                {"eye", comparison.eye},
+                {"eye_steps", comparison.camera.eye},
                 {"forward", comparison.camera.forward},
                 {"pixels_a_unit", comparison.frame.scale},
                 {"agrees", comparison.agrees()},

@@ -51,8 +51,8 @@ struct FillArguments {
 struct FilledPicture {
   const scene::LoadedScene& source;
   const scene::PolyCamera& camera;
-  std::optional<double> field;
-  const DrawOutput& output;  // settled
+  std::optional<double> field;  // as image_field says it
+  const DrawOutput& output;     // settled
   bool json = false;
 };
 
@@ -76,13 +76,40 @@ std::vector<registry::FaceCount> write_outlines(const registry::PreparedFaces& p
   return seen.counts;
 }
 
+// An image on white paper, from the bottom left corner inside the margin on.
+picture::Image on_sheet(const picture::Image& inside, const DrawOutput& output) {
+  picture::Image sheet(output.image.width, output.image.height, inside.channels);
+  std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{255});
+  const int margin = static_cast<int>(std::lround(output.paper.margin * output.image.unit));
+  const int top = sheet.height - margin - inside.height;
+  const int rows = std::min(inside.height, sheet.height - std::max(top, 0));
+  const int columns = std::min(inside.width, sheet.width - margin);
+  for (int row = 0; row < rows; ++row) {
+    const auto from = inside.pixels.begin() + static_cast<std::ptrdiff_t>(inside.index(0, row));
+    std::copy_n(from, columns * inside.channels,
+                sheet.pixels.begin() + static_cast<std::ptrdiff_t>(sheet.index(margin, std::max(top, 0) + row)));
+  }
+  return sheet;
+}
+
 std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& prepared,
                                               const FilledPicture& picture, Output& file) {
-  const picture::ImageSize& size = picture.output.image;
-  const registry::FaceWindow window =
-      registry::face_window(picture.source.scene, picture.camera, size.width, size.height, picture.field);
+  const DrawOutput& output = picture.output;
+  int width = output.image.width;
+  int height = output.image.height;
+  std::optional<double> field = picture.field;
+  if (output.is_sheet()) {
+    const auto pixels = [&](double side) { return std::max(1, static_cast<int>(std::lround((side - 2 * output.paper.margin) * output.image.unit))); };
+    width = pixels(output.paper.width);
+    height = pixels(output.paper.height);
+    // Of whole pixels, at the same scale.
+    const double shorter = (std::min(output.paper.width, output.paper.height) - 2 * output.paper.margin) * output.image.unit;
+    if (field && !picture.camera.perspective) *field *= std::min(width, height) / shorter;
+  }
+  const registry::FaceWindow window = registry::face_window(picture.source.scene, picture.camera, width, height, field);
   const auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
-  const auto bytes = picture::encode_png(picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene)),
+  const picture::Image image = picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene));
+  const auto bytes = picture::encode_png(output.is_sheet() ? on_sheet(image, output) : image,
                                          {{"Title", picture.source.name}, {"Software", "sightline"}});
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   file.write(std::span<const std::uint8_t>(*bytes));
@@ -154,9 +181,11 @@ struct DrawLinesArguments {
 };
 
 // A millimetre for paper, about a millimetre on a screen for an image.
-picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format) {
+picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format, std::optional<double> extent,
+                               std::optional<double> scale) {
   picture::DrawingField field;
-  field.extent = arguments.field;
+  field.extent = extent;
+  field.scale = scale;
   field.min_length = arguments.min_length;
   if (format == DrawingFormat::png && !arguments.output.is_sheet()) {
     constexpr double pixels_per_unit = 4;
@@ -167,6 +196,40 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
     field.height = arguments.output.paper.height - 2 * arguments.output.paper.margin;
   }
   return field;
+}
+
+// Millimetres of a unit as a file names it; of a file that names none a unit is one.
+double millimetres(std::string_view unit) {
+  struct Unit {
+    std::string_view name;
+    double millimetres;
+  };
+  constexpr std::array units{Unit{"um", 0.001}, Unit{"mm", 1}, Unit{"cm", 10}, Unit{"m", 1000}, Unit{"inch", 25.4}, Unit{"ft", 304.8}};
+  const auto found = std::find_if(units.begin(), units.end(), [unit](const Unit& each) { return each.name == unit; });
+  return found == units.end() ? 1 : found->millimetres;
+}
+
+// Millimetres on the paper of a step of the scene's grid; empty: the picture is fitted. Failure usage: a picture that has
+// no scale.
+std::optional<double> scale_of(const DrawOutput& output, const scene::LoadedScene& source, const scene::PolyCamera& camera) {
+  if (output.scale.empty()) return std::nullopt;
+  if (camera.perspective)
+    throw Failure(ExitCode::usage, fmt::format("--scale: found {} in perspective, which has no scale, expected --view or --orthographic",
+                                               output.scale));
+  return scale_argument(output.scale) * millimetres(source.report.unit) * source.scene.step;
+}
+
+// Failure usage: a plotter's margin would be wider than the one that the field was meant for, and so the scale smaller.
+void refuse_wider_margin(const DrawLinesArguments& arguments, const scene::PolyCamera& camera) {
+  const picture::Paper& paper = arguments.output.paper;
+  const double margin = arguments.output.margin;
+  if (!arguments.field || camera.perspective || paper.margin <= margin || !arguments.output.scale.empty()) return;
+  const double shorter = std::min(paper.width, paper.height);
+  throw Failure(ExitCode::usage,
+                fmt::format("--field: found {:g} with the usual margin of {:g} mm, where {} needs {:g}, expected --margin {:g} as well; "
+                            "--field {:g} then has the scale that was asked for",
+                            *arguments.field, margin, arguments.output.plotter()->name, paper.margin, paper.margin,
+                            *arguments.field * (shorter - 2 * paper.margin) / (shorter - 2 * margin)));
 }
 
 // Numbers with commas between them, as many as `count`. Failure usage.
@@ -252,20 +315,25 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   if (arguments.strokes == "-" && arguments.turntable > 1)
     throw Failure(ExitCode::usage, "--strokes: found - with --turntable, expected a file");
   if (!arguments.strokes.empty()) arguments.view.strokes_margin = arguments.output.paper.margin;
+  if (!arguments.output.scale.empty() && format == DrawingFormat::png && !arguments.output.is_sheet())
+    throw Failure(ExitCode::usage, "--scale: found without --size, or a name that does not end in .png");
   check_edges(arguments.view.edges);
   read_hatching(arguments);
-  if (arguments.view.layers.empty())
-    arguments.view.layers = format == DrawingFormat::png || format == DrawingFormat::hpgl ? "none" : "kind";
+  // The CalComp has one pen.
+  if (arguments.view.layers.empty()) arguments.view.layers = format == DrawingFormat::steps ? "none" : "kind";
   arguments.mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source =
       load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::kept : Wires::left_out);
   const std::size_t faces = scene::face_count(source.scene);
   refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
-  check_field(arguments.field, aimed.camera);
+  const std::optional<double> extent = image_field(arguments.field, source.scene, aimed.camera);
+  const picture::DrawingField field =
+      field_of(arguments, format, extent, scale_of(arguments.output, source, aimed.camera));
+  refuse_wider_margin(arguments, aimed.camera);
   if (arguments.filled.fill) {
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
-                       {source, aimed.camera, arguments.field, arguments.output, arguments.json}, format);
+                       {source, aimed.camera, extent, arguments.output, arguments.json}, format);
   }
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   std::vector<scene::PolyCamera> cameras;
@@ -278,6 +346,11 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   }
   std::optional<LineViews> views;
   std::optional<base::ProgressLine> line(std::in_place);
+  // Before any of several drawings is written, all of them fit.
+  if (field.scale && cameras.size() > 1) {
+    views.emplace(algorithm, source, arguments.view);
+    for (const scene::PolyCamera& camera : cameras) require_room(views->at(camera, field).drawing, arguments.output);
+  }
   Json documents = Json::array();
   std::size_t strokes_drawn = 0;
   double length_drawn = 0;
@@ -295,8 +368,9 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     std::optional<base::ProgressClock> clock;
     if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
     if (!views) views.emplace(algorithm, source, arguments.view);
-    const DrawnView drawn = views->at(camera.camera, field_of(arguments, format));
+    const DrawnView drawn = views->at(camera.camera, field);
     clock.reset();
+    if (field.scale) require_room(drawn.drawing, output);
     const auto plot = write_drawing(drawn.drawing, output, format, source.name, *file);
     if (strokes) {
       strokes->write(std::string_view(drawn.strokes_text));
@@ -322,6 +396,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
 
 void add_draw_lines(const Command& command, const registry::LineAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawLinesArguments>();
+  arguments->view.layers.clear();  // by the format
   command.option("SCENE", arguments->scene, scene_help).required();
   add_camera_options(command, arguments->camera);
   add_field_option(command, arguments->field, "everything");
@@ -334,11 +409,11 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
       .group("View");
   add_edge_options(command, arguments->view.edges);
   const Option hidden =
-      command.flag("--hidden", arguments->view.hidden, "Draw hidden lines as a second layer, dashed").group("Edges");
+      command.flag("--hidden", arguments->view.hidden, "Draw hidden lines as a layer of their own, dashed").group("Edges");
   command
       .option("--layers", arguments->view.layers, "A layer for each kind of edge, or for each body, or one layer")
       .one_of({"kind", "body", "none"})
-      .default_value("kind for .svg, .pdf and .dxf, else none")
+      .default_value("kind, of .steps none")
       .group("Edges");
   if (algorithm.draws_crossings) {
     const Option hatch =
@@ -368,6 +443,15 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
     command.added("--fill").excludes(command.added("--all-edges")).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);
+  const Option scale =
+      command
+          .option("--scale", arguments->output.scale,
+                  "The scale on paper, such as 1:50 or 2:1, without perspective: by the unit of the scene's file (--unit names it), a "
+                  "millimetre where it has none")
+          .value("N:M")
+          .excludes(command.added("--field"))
+          .group("Paper");
+  if (registry::find_face_algorithm(algorithm.name) != nullptr) command.added("--fill").excludes(scale);
   if (algorithm.prepare_threads != nullptr)
     command.option("--jobs", arguments->view.jobs, "Threads for a view; the drawing is the same with any number")
         .range(1U, 1024U)

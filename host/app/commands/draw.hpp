@@ -1,6 +1,7 @@
 // The parts of `sightline draw`, and the options that its methods share: where the drawing goes.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,9 +30,12 @@ struct DrawOutput {
   std::optional<Command> command;  // whose options these are
   std::string file;
   std::string format;            // empty: as the file's name says
-  picture::Paper paper;          // SVG and HP-GL, and an image with a size
+  picture::Paper paper;          // SVG and HP-GL, and an image with a size; read_draw_output settles it
+  double margin = 10;            // as given: that of the paper is wider where the plotter needs that, and 0 with a scale
   std::string size = "200x200";  // of the paper: a name, or millimetres
   bool landscape = false;
+  std::string scale;  // "N:M", of a drawing that is not stretched to the paper; empty: none
+  std::array<double, 2> room{};  // for a drawing with a scale, around the middle of the paper, in mm
   std::string pixels = "1024x1024";
   double dpi = 150;
   picture::ImageSize image;
@@ -57,8 +61,13 @@ void add_draw_output_options(const Command& command, DrawOutput& output);
 // Failure usage if `option` was given: it means nothing without what `needed` names.
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
 
+// "N:M", such as 1:50, as N / M. Failure usage.
+[[nodiscard]] double scale_argument(const std::string& text);
+// Failure usage, with the paper that is needed: a drawing with a scale does not fit into output.room.
+void require_room(const picture::VectorDrawing& drawing, const DrawOutput& output);
+
 // Into output.file, opened before the drawing was made, in the order of a pen. It is there whole or not at all. Failure
-// io. A drawing of nothing is warned about. Result: of what is drawn with a pen, how far that travels.
+// io. A drawing of nothing is warned about, and so are layers that share a pen. Result: of what is drawn with a pen, how far that travels.
 std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
                                         const std::string& title, Output& file);
 

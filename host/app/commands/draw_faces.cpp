@@ -168,7 +168,7 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   const std::size_t faces = scene::face_count(source.scene);
   refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
-  check_field(arguments.field, camera);
+  const std::optional<double> field = image_field(arguments.field, source.scene, camera);
   if (flight && !camera.perspective)
     throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
   if (flight) camera = start_of_flight(arguments.camera, source.scene, camera, arguments.frames);
@@ -181,7 +181,7 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   clock.reset();
   name_not_solved(prepared);
   constexpr double usual_field = 60;
-  const auto extent = flight && !arguments.field ? std::optional(usual_field) : arguments.field;
+  const auto extent = flight && !field ? std::optional(usual_field) : field;
   const registry::FaceWindow window = registry::face_window(source.scene, camera, width, height, extent);
   std::vector<registry::FaceCount> counts;
   if (flight) {

@@ -210,7 +210,9 @@ void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, D
 
 // Where there are more layers than pens, the contours of all levels are one, and so are those of the floor.
 void join_levels(picture::VectorDrawing& drawing, const DrawOutput& output) {
-  const std::size_t pens = output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens) : picture::most_hpgl_pens;
+  const std::size_t pens = !output.pens.empty()           ? output.pens.size()
+                           : output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens)
+                                                         : picture::most_hpgl_pens;
   if (drawing.layers.size() <= pens) return;
   std::vector<picture::DrawingLayer> layers;
   std::vector<std::uint32_t> moved;
@@ -272,6 +274,7 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
     throw Failure(ExitCode::usage,
                   fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
   algorithms::skala::Figure figure = method.figure(grids, view, arguments.figure);
+  figure.drawing = picture::without_empty_layers(std::move(figure.drawing));
   if (format == DrawingFormat::hpgl) join_levels(figure.drawing, arguments.output);
   const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);
   if (arguments.json) print_drawing(method, arguments, function, figure, plot);

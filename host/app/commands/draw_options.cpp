@@ -13,6 +13,7 @@
 #include "host/app/commands/draw.hpp"
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
+#include "host/base/text.hpp"
 #include "host/picture/dxf.hpp"
 #include "host/picture/pdf.hpp"
 #include "host/picture/pen_order.hpp"
@@ -94,6 +95,13 @@ bool same_letters(std::string_view a, std::string_view b) {
 
 void read_paper(DrawOutput& output) {
   picture::Paper& paper = output.paper;
+  if (output.command->is_given("--device") && !output.command->is_given("--size")) {
+    const picture::PlotterPaperLimits& usual = output.plotter()->papers.front();
+    output.size = usual.paper;
+    paper.width = usual.width;
+    paper.height = usual.height;
+    return;
+  }
   std::string names;
   for (const PaperSize& size : paper_sizes) {
     names += std::string(size.name) + ", ";
@@ -128,6 +136,45 @@ void read_paper(DrawOutput& output) {
   if (output.landscape && paper.width < paper.height) std::swap(paper.width, paper.height);
 }
 
+// What of a paper a drawing with a scale can use. A plotter's limits are its margins, which differ by axis, and no other
+// margin is needed unless it is asked for.
+std::array<double, 2> room_of(const DrawOutput& output, const picture::Paper& paper) {
+  std::array<double, 2> room{paper.width - 2 * output.margin, paper.height - 2 * output.margin};
+  if (output.plotter() == nullptr) return room;
+  const auto area = picture::plotting_area(*output.plotter(), paper);
+  if (!area) return {};
+  if (!output.command->is_given("--margin")) return *area;
+  for (std::size_t a = 0; a < 2; ++a) room[a] = std::min(room[a], (*area)[a]);
+  return room;
+}
+
+// With the margin that the plotter needs, unless a narrower one was asked for; or with what a scale leaves.
+void read_margin(DrawOutput& output) {
+  picture::Paper& paper = output.paper;
+  const picture::Plotter* const plotter = output.plotter();
+  paper.margin = output.margin;
+  if (plotter != nullptr && output.scale.empty()) {
+    const auto least = picture::least_margin(*plotter, paper);
+    if (!least) throw Failure(ExitCode::usage, least.error().message());
+    if (!output.command->is_given("--margin")) paper.margin = std::max(paper.margin, *least);
+    if (paper.margin < *least)
+      throw Failure(ExitCode::usage,
+                    fmt::format("--margin: found {:g} mm, expected {:g} or more, where the {} can draw",
+                                paper.margin, *least, plotter->name));
+  }
+  if (2 * paper.margin >= std::min(paper.width, paper.height)) {
+    throw Failure(ExitCode::usage, fmt::format("--margin: found {} mm on both sides of {}, expected less",
+                                               paper.margin, output.size));
+  }
+  if (output.scale.empty()) return;
+  output.room = room_of(output, paper);
+  if (plotter != nullptr) {
+    const auto area = picture::plotting_area(*plotter, paper);
+    if (!area) throw Failure(ExitCode::usage, area.error().message());
+  }
+  paper.margin = 0;
+}
+
 }  // namespace
 
 bool DrawOutput::is_sheet() const {
@@ -158,8 +205,8 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
       .value("SIZE")
       .group("Paper");
   command.flag("--landscape", output.landscape, "The longer side of the paper is horizontal").group("Paper");
-  command.option("--margin", output.paper.margin, "Margin around the drawing in mm")
-      .default_value("10, or as much as the plotter needs")
+  command.option("--margin", output.margin, "Margin around the drawing in mm")
+      .default_value("10, or what the plotter needs")
       .range(0.0, 1000.0)
       .value("MM")
       .group("Paper");
@@ -181,12 +228,12 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
       .group("Pen");
   std::vector<std::string> devices;
   for (const picture::Plotter& plotter : picture::plotters()) devices.emplace_back(plotter.name);
-  command.option("--device", output.device, "A plotter whose limits and number of pens are kept")
+  command.option("--device", output.device, "A plotter whose limits and number of pens are kept; its own paper unless --size is given")
       .one_of(devices)
       .default_value("any")
       .group("Pen");
-  command.option("--pens", output.pens, "The pens of the layers in their order")
-      .default_value("1,2,3 and so on")
+  command.option("--pens", output.pens, "The pens of the layers in their order; the last one draws all layers beyond")
+      .default_value("1,2,3 and so on, as many as there are")
       .separated_by(',')
       .value("N,...")
       .group("Pen");
@@ -223,27 +270,15 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   read_paper(output);
   picture::Paper& paper = output.paper;
   // A value that is not a number (nan) passes the ranges of the options.
-  require_finite("--margin", paper.margin);
+  require_finite("--margin", output.margin);
   require_finite("--pen", paper.pen);
   require_finite("--min-gap", output.min_gap);
-  if (const picture::Plotter* plotter = output.plotter()) {
-    const auto least = picture::least_margin(*plotter, paper);
-    if (!least) throw Failure(ExitCode::usage, least.error().message());
-    if (!output.command->is_given("--margin")) paper.margin = std::max(paper.margin, *least);
-    if (paper.margin < *least)
-      throw Failure(ExitCode::usage,
-                    fmt::format("--margin: found {:g} mm, expected {:g} or more, where the {} can draw",
-                                paper.margin, *least, plotter->name));
-  }
   const int most_pens = output.plotter() != nullptr ? output.plotter()->pens : picture::most_hpgl_pens;
   for (const int pen : output.pens) {
     if (pen < 1 || pen > most_pens)
       throw Failure(ExitCode::usage, fmt::format("--pens: found {}, expected 1 to {}", pen, most_pens));
   }
-  if (2 * paper.margin >= std::min(paper.width, paper.height)) {
-    throw Failure(ExitCode::usage, fmt::format("--margin: found {} mm on both sides of {}, expected less",
-                                               paper.margin, output.size));
-  }
+  read_margin(output);
   const auto [columns, rows] = size_argument("--pixels", output.pixels, picture::png_size_limit);
   output.image.width = columns;
   output.image.height = rows;
@@ -251,7 +286,7 @@ DrawingFormat read_draw_output(DrawOutput& output) {
     require_finite("--dpi", output.dpi);
     constexpr double inch = 25.4;
     const auto pixels = [&](double length) { return static_cast<int>(std::lround(length / inch * output.dpi)); };
-    output.image = {pixels(paper.width), pixels(paper.height), paper.pen / inch * output.dpi};
+    output.image = {pixels(paper.width), pixels(paper.height), paper.pen / inch * output.dpi, output.dpi / inch};
     if (std::max(output.image.width, output.image.height) > picture::png_size_limit)
       throw Failure(
           ExitCode::usage,
@@ -261,10 +296,129 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   return *format;
 }
 
+// --- a drawing with a scale
+
+double scale_argument(const std::string& text) {
+  constexpr double most = 1e6;
+  const std::size_t colon = text.find(':');
+  if (colon != std::string::npos) {
+    const auto drawn = base::fixed_number(std::string_view(text).substr(0, colon), 1 / most, most);
+    const auto real = base::fixed_number(std::string_view(text).substr(colon + 1), 1 / most, most);
+    if (drawn && real) return *drawn / *real;
+  }
+  throw Failure(ExitCode::usage,
+                fmt::format("--scale: found \"{}\", expected N:M, such as 1:50 or 2:1, both 0.000001 to 1000000", text));
+}
+
+void require_room(const picture::VectorDrawing& drawing, const DrawOutput& output) {
+  if (drawing.points.empty()) return;
+  picture::DrawingPoint low = drawing.points.front();
+  picture::DrawingPoint high = low;
+  for (const picture::DrawingPoint& p : drawing.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  constexpr double rounding = 0.002;  // mm, of two floats on the largest paper
+  const std::array<double, 2> size{double{high.x} - low.x, double{high.y} - low.y};
+  const auto fits = [&size](const std::array<double, 2>& room) {
+    return size[0] <= room[0] + rounding && size[1] <= room[1] + rounding;
+  };
+  if (fits(output.room)) return;
+  const std::string found = fmt::format("--scale {}: found a drawing of {:.1f}x{:.1f} mm on paper with room for {:.1f}x{:.1f}", output.scale,
+                                        size[0], size[1], output.room[0], output.room[1]);
+  // Upright before lying, small before large.
+  const picture::Plotter* const plotter = output.plotter();
+  const auto sheet_that_fits = [&](std::string_view name, double width, double height) -> std::string {
+    for (const bool lying : {width > height, width <= height}) {
+      picture::Paper paper = output.paper;
+      paper.width = lying ? std::max(width, height) : std::min(width, height);
+      paper.height = lying ? std::min(width, height) : std::max(width, height);
+      if (fits(room_of(output, paper))) return fmt::format("--size {}{}", name, lying ? " --landscape" : "");
+    }
+    return {};
+  };
+  std::string sheet;
+  if (plotter != nullptr && plotter->carriage == 0) {
+    for (const picture::PlotterPaperLimits& each : plotter->papers)
+      if (sheet.empty()) sheet = sheet_that_fits(each.paper, each.height, each.width);
+  } else {
+    for (const std::string_view name : {"A6", "A5", "A4", "A3", "A2", "A1", "A0"})
+      for (const PaperSize& each : paper_sizes)
+        if (sheet.empty() && each.name == name) sheet = sheet_that_fits(name, each.width, each.height);
+  }
+  const std::array<double, 2> needed{size[0] + output.paper.width - output.room[0], size[1] + output.paper.height - output.room[1]};
+  const std::string paper = fmt::format("a paper of at least {:.0f}x{:.0f} mm with its margins", std::ceil(needed[0] - rounding),
+                                        std::ceil(needed[1] - rounding));
+  const bool too_large = std::max(needed[0], needed[1]) > widest_paper ||
+                         (plotter != nullptr && (plotter->carriage == 0 || size[1] > plotter->carriage));
+  throw Failure(ExitCode::usage, sheet.empty() && too_large
+                                     ? fmt::format("{}, expected a smaller scale: {} is larger than {}", found, paper,
+                                                   plotter != nullptr ? fmt::format("what {} takes", plotter->name)
+                                                                      : fmt::format("{:g} mm a side", widest_paper))
+                                     : fmt::format("{}, expected {}{}", found, paper, sheet.empty() ? std::string() : ", such as " + sheet));
+}
+
 namespace {
 
-// `counted`: the seconds, where the file itself says them.
-base::Json plot_json(const picture::VectorDrawing& drawing, const DrawOutput& output, std::optional<double> counted) {
+picture::HpglOptions hpgl_options(const DrawOutput& output) {
+  return {output.plotter(), output.pens, output.speed, output.relative};
+}
+
+// That layers can have.
+std::size_t pen_count(const DrawOutput& output) {
+  if (!output.pens.empty()) return output.pens.size();
+  return output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens) : picture::most_hpgl_pens;
+}
+
+// "a", "a and b", "a, b, c and 5 more"
+std::string list_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 4;
+  if (names.size() == 1) return names[0];
+  const std::size_t shown = names.size() > most ? most - 1 : names.size() - 1;
+  const std::vector<std::string> first(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown));
+  return base::joined(first, ", ") + " and " + (names.size() > most ? fmt::format("{} more", names.size() - shown) : names.back());
+}
+
+// More layers than pens, or pens without a layer.
+void warn_of_pens(const picture::VectorDrawing& drawing, const DrawOutput& output) {
+  const picture::Plotter* const plotter = output.plotter();
+  const std::size_t layers = drawing.layers.size();
+  const std::size_t pens = pen_count(output);
+  const std::string count = fmt::format("{}: {} layer{} for {}{} pen{}{}", output.file, layers, layers == 1 ? "" : "s",
+                                        output.pens.empty() && plotter == nullptr ? "" : "the ", pens == 1 ? "one" : std::to_string(pens),
+                                        pens == 1 ? "" : "s",
+                                        !output.pens.empty()  ? " of --pens"
+                                        : plotter != nullptr ? fmt::format(" of {}", plotter->name)
+                                                             : std::string());
+  if (layers > pens) {
+    const picture::HpglOptions options = hpgl_options(output);
+    const int last = picture::pen_of_layer(layers - 1, options);
+    std::vector<std::string> sharing;
+    for (std::size_t layer = 0; layer < layers; ++layer)
+      if (picture::pen_of_layer(layer, options) == last) sharing.push_back(drawing.layers[layer].label);
+    warn(fmt::format("{}: {} share {}", count, list_of(sharing), pens == 1 ? std::string("it") : fmt::format("pen {}", last)));
+  } else if (!output.pens.empty() && layers < pens && layers > 0) {
+    std::vector<std::string> idle;
+    for (std::size_t i = layers; i < pens; ++i) idle.push_back(std::to_string(output.pens[i]));
+    warn(fmt::format("{}: pen{} {} draw{} nothing", count, idle.size() == 1 ? "" : "s", list_of(idle), idle.size() == 1 ? "s" : ""));
+  }
+}
+
+// Of a sheet every millimetre has as many pixels as --dpi says.
+picture::Image image_on(const picture::VectorDrawing& drawing, const DrawOutput& output) {
+  if (!output.is_sheet()) return image_of(drawing, output.image);
+  const picture::VectorDrawing sheet = with_margin(drawing, output.paper);
+  picture::ImageSize size = output.image;
+  size.unit *= output.paper.width / sheet.width;
+  return image_of(sheet, size);
+}
+
+// `counted`: the seconds, where the file itself says them. Of a file for a plotter, layers that share a pen are one.
+base::Json plot_json(picture::VectorDrawing drawing, const DrawOutput& output, DrawingFormat format, std::optional<double> counted) {
+  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps) {
+    const auto last = static_cast<std::uint32_t>(pen_count(output)) - 1;
+    for (picture::DrawingLine& line : drawing.lines) line.layer = std::min(line.layer, last);
+  }
   const picture::PenTravel travel = picture::pen_travel(drawing, output.paper);
   const picture::Plotter& plotter = output.plotter() != nullptr ? *output.plotter() : picture::plotters().front();
   picture::PlotterSpeeds speeds = plotter.speeds;
@@ -280,14 +434,14 @@ base::Json plot_json(const picture::VectorDrawing& drawing, const DrawOutput& ou
 
 }  // namespace
 
-std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, const DrawOutput& output, DrawingFormat format,
+std::optional<base::Json> write_drawing(const picture::VectorDrawing& with_empty, const DrawOutput& output, DrawingFormat format,
                                         const std::string& title, Output& file) {
+  const picture::VectorDrawing found = picture::without_empty_layers(with_empty);
+  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps) warn_of_pens(found, output);
   if (found.lines.empty() && found.facets.empty())
     warn(fmt::format("{}: the drawing is empty, nothing is in view", output.file));
   if (format == DrawingFormat::png) {
-    const picture::VectorDrawing dashed = with_dashes(found);
-    const auto bytes = picture::encode_png(image_of(output.is_sheet() ? with_margin(dashed, output.paper) : dashed, output.image),
-                                           {{"Title", title}, {"Software", "sightline"}});
+    const auto bytes = picture::encode_png(image_on(with_dashes(found), output), {{"Title", title}, {"Software", "sightline"}});
     if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
     file.write(std::span<const std::uint8_t>(*bytes));
     file.commit();
@@ -295,7 +449,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, con
   }
   // DXF has dashed lines of its own.
   const picture::VectorDrawing lines = format == DrawingFormat::dxf ? found : with_dashes(found);
-  const picture::VectorDrawing drawing =
+  picture::VectorDrawing drawing =
       output.as_found ? lines : in_pen_order(lines, output.paper, {.min_gap = output.min_gap});
   std::optional<double> seconds;
   switch (format) {
@@ -310,13 +464,12 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& found, con
       break;
     }
     case DrawingFormat::hpgl: {
-      const picture::HpglOptions options{output.plotter(), output.pens, output.speed, output.relative};
-      file.write(std::string_view(hpgl_of(drawing, output.paper, options)));
+      file.write(std::string_view(hpgl_of(drawing, output.paper, hpgl_options(output))));
       break;
     }
   }
   file.commit();
-  base::Json plot = plot_json(drawing, output, seconds);
+  base::Json plot = plot_json(std::move(drawing), output, format, seconds);
   if (output.report) {
     complain(fmt::format(
         "{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),

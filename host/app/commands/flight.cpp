@@ -144,12 +144,13 @@ Json flight_document(const FlightArguments& arguments, const PlannedFlight& plan
               {"files", made.files}};
 }
 
-std::string flight_text(const FlightArguments& arguments, const PlannedFlight& planned, const flight::Packed& packed, const Made& made) {
+// `unit`: of the scene's coordinates, in that of its file.
+std::string flight_text(const FlightArguments& arguments, const PlannedFlight& planned, const flight::Packed& packed, const Made& made, double unit) {
   const flight::FlightSummary& sum = made.run.summary;
   std::string text = fmt::format("{}: a flight on an 8080 at 3 MHz with the priority display{}\n", arguments.scene, arguments.plan ? ", in plan" : "");
   text += fmt::format("pieces           {}, of {} surfaces{}; {} pairs left in clusters\n", sum.pieces, planned.model.surfaces,
                       packed.planes > 0 ? fmt::format(", parted by {} planes", packed.planes) : std::string(), planned.model.residual.size());
-  text += fmt::format("coordinates      {} bits, {} axes; a step is {:.3g} of the scene's units\n", arguments.bits, packed.axes, packed.step_in_units);
+  text += fmt::format("coordinates      {} bits, {} axes; a step is {:.3g} in the unit of the file\n", arguments.bits, packed.axes, packed.step_in_units * unit);
   text += fmt::format("frames           {}\n", sum.frames);
   text += fmt::format("{:<17}{:>12}{:>12}\n", "", "mean", "worst");
   const auto row = [&text](const char* name, double mean, double worst, int digits) {
@@ -159,8 +160,8 @@ std::string flight_text(const FlightArguments& arguments, const PlannedFlight& p
   row("frames/s computed", sum.computed_per_second_mean, sum.computed_per_second_worst, 1);
   row("T-states", sum.t_states_mean, static_cast<double>(sum.t_states_worst), 0);
   row("pairs exchanged", sum.exchanges_mean, sum.exchanges_most, 1);
-  text += fmt::format("wrong orders     {} of {} pairs turned to the eye; right beyond a difference of {:.3g} units\n", sum.wrong_orders, sum.pairs,
-                      packed.error_in_units);
+  text += fmt::format("wrong orders     {} of {} pairs turned to the eye; right beyond a difference of {:.3g}\n", sum.wrong_orders, sum.pairs,
+                      packed.error_in_units * unit);
   text += fmt::format("wrong points     {}, in {} of {} pictures\n", sum.wrong_points, sum.frames_wrong, sum.frames);
   for (const std::string& file : made.files) text += fmt::format("file             {}\n", file);
   return text;
@@ -176,7 +177,7 @@ ExitCode run_flight(const FlightArguments& arguments) {
   if (arguments.json) {
     print_json(flight_document(arguments, planned, packed, made));
   } else {
-    write_stdout(flight_text(arguments, planned, packed, made));
+    write_stdout(flight_text(arguments, planned, packed, made, source.scene.step));
   }
   return ExitCode::ok;
 }

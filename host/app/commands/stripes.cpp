@@ -165,10 +165,9 @@ ExitCode run_stripes(const StripesArguments& arguments) {
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
-  check_field(arguments.field, camera);
   const stripes::Session session;
   const stripes::DrawnScene drawn = draw_stripes(session, source.scene, arguments.scene,
-                                                 stripes_view(source.scene, camera, arguments.field), options_of(arguments));
+                                                 stripes_view(source.scene, camera, image_field(arguments.field, source.scene, camera)), options_of(arguments));
   const auto pictures =
       write_pictures(arguments, std::filesystem::path(arguments.scene).stem().string(), drawn.picture.guest);
   if (arguments.json) {

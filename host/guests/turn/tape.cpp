@@ -13,6 +13,7 @@
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/guests/turn/twin/twin.hpp"
+#include "host/scene/model/file_units.hpp"
 
 namespace sightline::guests::turn {
 
@@ -380,9 +381,14 @@ base::Result<scene::PolyScene> stand_on_axis(const scene::PolyScene& scene, bool
     const std::array<std::int64_t, 3> q =
         tilted ? std::array<std::int64_t, 3>{13 * p[0], 12 * p[1] - 5 * p[2], 5 * p[1] + 12 * p[2]} : p;
     for (std::size_t a = 0; a < 3; ++a) {
-      if (std::abs(q[a]) >= scene::poly_coordinate_limit)
-        return base::fail(fmt::format("tilted, a coordinate is {}, expected less than {}: draw it level, or in larger units",
-                                      q[a], scene::poly_coordinate_limit));
+      if (std::abs(q[a]) >= scene::poly_coordinate_limit) {
+        // In the unit of the file: a tilted vertex has 13 times its coordinates.
+        const double unit = scene.step / (tilted ? 13 : 1);
+        return base::fail(fmt::format("vertex {} is {:.6g} from the middle of the model along {}{}, expected less than {:.6g}{}",
+                                      scene::file_point_text(scene, vertex), std::abs(static_cast<double>(q[a])) * unit, "xyz"[a],
+                                      tilted ? ", tilted" : "", scene::poly_coordinate_limit * unit,
+                                      tilted ? "; `sightline turn --level` leaves the model upright" : ""));
+      }
       vertex[a] = static_cast<std::int32_t>(q[a]);
     }
   }

@@ -22,6 +22,35 @@ PolyPoint reduced(const geometry::Vector3& v) {
   return p;
 }
 
+// The same, if its components are then below camera_vector_limit.
+std::optional<PolyPoint> small_vector(const geometry::Vector3& v) {
+  const std::int64_t divisor = std::gcd(std::gcd(v[0], v[1]), v[2]);
+  if (divisor == 0) return std::nullopt;
+  for (const std::int64_t c : v)
+    if (std::abs(c / divisor) > largest) return std::nullopt;
+  return reduced(v);
+}
+
+constexpr double longest_direction = (1 << 20) - 1;
+
+// The whole numbers, below 2^20, that a direction with at most six decimals is a multiple of. What a sine or a quotient
+// misses of such a number by its own rounding counts as that number.
+std::optional<PolyPoint> whole_direction(const std::array<double, 3>& direction) {
+  constexpr double rounding = 1e-9;
+  for (double factor = 1; factor <= 1e6; factor *= 10) {
+    PolyPoint result{};
+    bool whole = true;
+    for (std::size_t a = 0; a < 3 && whole; ++a) {
+      const double scaled = direction[a] * factor;
+      if (!(std::abs(scaled) <= longest_direction)) return std::nullopt;
+      whole = std::abs(scaled - std::round(scaled)) < rounding;
+      result[a] = static_cast<std::int32_t>(std::round(scaled));
+    }
+    if (whole && result != PolyPoint{}) return result;
+  }
+  return std::nullopt;
+}
+
 // forward is p m, q m on the two axes after the vertical, n upwards.
 struct Aim {
   std::int64_t p = 0;
@@ -159,8 +188,38 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   return camera;
 }
 
+namespace {
+
+// The camera that has exactly these directions, if its vectors are below camera_vector_limit.
+std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
+                                       const std::array<double, 3>& up, bool perspective) {
+  const auto forward = whole_direction(direction);
+  const auto upwards = whole_direction(up);
+  if (!forward || !upwards) return std::nullopt;
+  using geometry::vector_of;
+  PolyCamera camera{perspective, eye, reduced(vector_of(*forward)), {}, {}};
+  const auto fits = [](const PolyPoint& p) {
+    return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
+  };
+  if (!fits(camera.forward)) return std::nullopt;
+  // Below 2^15 times 2^20, times 2 for the difference: below 2^36; and that product below 2^31.
+  const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
+  if (!right) return std::nullopt;
+  camera.right = *right;
+  const auto upright = small_vector(completed(frame, vector_of(camera.forward), vector_of(camera.right)));
+  if (!upright) return std::nullopt;
+  camera.up = *upright;
+  return camera;
+}
+
+}  // namespace
+
 PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
                          const std::array<double, 3>& up, bool perspective) {
+  if (const auto exact = exact_camera(frame, eye, direction, up, perspective)) return *exact;
+  const auto upwards = whole_direction(up);
+  if (upwards && geometry::vector_of(reduced(geometry::vector_of(*upwards))) == up_of(frame))
+    return aimed_camera(frame, eye, direction_of(direction), perspective);
   using Vector = std::array<double, 3>;
   const auto product = [](const Vector& a, const Vector& b) {
     return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -247,14 +306,12 @@ double angle_to(const PolyCamera& camera, const std::array<double, 3>& direction
 }
 
 PolyPoint direction_of(const std::array<double, 3>& direction) {
+  if (const auto whole = whole_direction(direction)) return *whole;
   double most = 0;
   for (const double c : direction) most = std::max(most, std::abs(c));
-  constexpr double longest = (1 << 20) - 1;
-  const bool whole = most < longest && std::all_of(direction.begin(), direction.end(),
-                                                   [](double c) { return std::floor(c) == c; });
   PolyPoint result{};
   for (std::size_t a = 0; a < 3; ++a)
-    result[a] = static_cast<std::int32_t>(std::round(whole ? direction[a] : direction[a] / most * longest));
+    result[a] = static_cast<std::int32_t>(std::round(direction[a] / most * longest_direction));
   return result;
 }
 

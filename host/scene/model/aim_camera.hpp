@@ -35,9 +35,10 @@ struct SceneFrame {
 [[nodiscard]] PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye,
                                       const PolyPoint& direction, bool perspective = true);
 
-// The same with up as near as it can be to `up`, which is not along the direction: the nearest of the rotations
-// that have small enough vectors of integers (those of quaternions of integers), rarely more than 0.3 degrees
-// away. Both of any length but 0.
+// The same with up as near as it can be to `up`, which is not along the direction. Both of any length but 0. Where both
+// are multiples of small whole vectors, and so are the right and the upright that follow from them, the camera has
+// exactly these. Otherwise it is that of aimed_camera if up is the vertical, else the nearest of the rotations that have
+// small enough vectors of integers (those of quaternions of integers), rarely more than 0.3 degrees away.
 [[nodiscard]] PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye,
                                        const std::array<double, 3>& direction, const std::array<double, 3>& up,
                                        bool perspective = true);
@@ -45,7 +46,7 @@ struct SceneFrame {
 // The angle between the direction of a camera and another one, in degrees.
 [[nodiscard]] double angle_to(const PolyCamera& camera, const std::array<double, 3>& direction);
 
-// A direction of any length but 0 as aimed_camera takes them.
+// A direction of any length but 0 as aimed_camera takes them: exactly, if it has at most six decimals and fits.
 [[nodiscard]] PolyPoint direction_of(const std::array<double, 3>& direction);
 
 // The directions of a scene as somebody who stands before it has them.

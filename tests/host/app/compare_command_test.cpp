@@ -38,6 +38,17 @@ TEST_F(CompareCommand, ComparesASceneOfCells) {
   EXPECT_EQ(png->image.width, 1027);
 }
 
+// The coordinates of the file are multiples of 0.1, in which the scene counts.
+TEST_F(CompareCommand, TheEyeIsInTheUnitOfTheFile) {
+  write("t.off", "OFF\n4 4 0\n0 0 0\n1.5 0 0\n0 1.5 0\n0 0 1.5\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const auto ran = sightline({"compare", "t.off", "--eye", "4.5,3.5,2.25"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "t from 4.5,3.5,2.3")) << ran.out;
+  const auto document = nlohmann::json::parse(sightline({"compare", "t.off", "--eye", "4.5,3.5,2.5", "--json"}).out);
+  EXPECT_EQ(document["scenes"][0]["eye"], (std::vector<double>{4.5, 3.5, 2.5}));
+  EXPECT_EQ(document["scenes"][0]["eye_steps"], (std::vector<int>{45, 35, 25}));
+}
+
 TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   NEEDS_OPTIMISED_CODE();
   const Arguments arguments{"compare", "sinc", "bricks-10", "--json"};

@@ -56,7 +56,7 @@ TEST_F(DrawCommand, SkalaAsSvg) {
   const std::string svg = read("s.svg");
   EXPECT_TRUE(has(svg, "width=\"120.000mm\" height=\"80.000mm\" viewBox=\"0 0 120.000 80.000\""));
   EXPECT_TRUE(has(svg, "inkscape:label=\"1 lines along x\""));
-  EXPECT_TRUE(has(svg, "inkscape:label=\"3 rims\""));
+  EXPECT_TRUE(has(svg, "inkscape:label=\"2 rims\""));
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
   ASSERT_EQ(sightline({"draw", "skala", "sinc", "--size", "120x80", "-o", "t.svg"}).exit_code, 0);
   EXPECT_EQ(svg, read("t.svg"));
@@ -67,8 +67,9 @@ TEST_F(DrawCommand, SkalaAsHpgl) {
                 .exit_code,
             0);
   const std::string text = read("s.plt");
-  EXPECT_TRUE(text.starts_with("IN;\nSP3;\nPU"));
-  EXPECT_TRUE(has(text, "SP5;\n"));
+  EXPECT_TRUE(text.starts_with("IN;\nSP1;\nPU"));
+  EXPECT_TRUE(has(text, "SP5;\n"));  // rims, silhouette, three contours
+  EXPECT_FALSE(has(text, "SP6;\n"));
   EXPECT_TRUE(text.ends_with("PU;\nSP0;\n"));
 }
 
@@ -152,11 +153,12 @@ TEST_F(DrawCommand, AFigureInLayers) {
   expect_usage_error_beside({"draw", "skala", "t.csv", "--layout", "table", "--xyz", "1,2,3", "-o", "t.svg"}, "--xyz: found with --layout table");
 }
 
-// Eight layers at most for eight pens: silhouette, rims, contours, floor, axes and text have their own.
+// Eight layers at most for eight pens: rims, silhouette, contours, floor, axes and text have their own.
 TEST_F(DrawCommand, AFigureForAPlotter) {
   ASSERT_EQ(sightline({"draw", "skala", "peaks", "--picture", "contours", "--labels", "--floor", "--axes", "--size", "A4", "--device", "hp7550a", "-o", "f.plt"}).exit_code, 0);
   const std::string text = read("f.plt");
-  for (const char* pen : {"SP3;", "SP4;", "SP5;", "SP6;", "SP7;", "SP8;"}) {
+  EXPECT_FALSE(has(text, "SP7;"));
+  for (const char* pen : {"SP1;", "SP2;", "SP3;", "SP4;", "SP5;", "SP6;"}) {
     const std::size_t at = text.find(pen);
     ASSERT_NE(at, std::string::npos) << pen;
     EXPECT_EQ(text.find(pen, at + 1), std::string::npos) << pen;
@@ -280,7 +282,7 @@ TEST_F(DrawCommand, OptionsOfOtherPictures) {
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--size", "90x70", "--pixels", "9x9"},
                      "--pixels: found with --size");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.svg", "--device", "hp7475a"}, "--device: found without");
-  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a"}, "expected A4, A3, Letter, Tabloid");
+  expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--size", "200x200"}, "expected A4, A3, Letter, Tabloid");
   expect_usage_error(
       {"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--size", "A4", "--margin", "5"},
       "--margin: found 5 mm");

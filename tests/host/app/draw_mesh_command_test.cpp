@@ -1,10 +1,16 @@
 // `sightline draw` of meshes and of bodies that pass through each other: layers, hatching, units, step files.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
+#include "host/picture/png.hpp"
 #include "tests/host/app/command_line.hpp"
 #include "tests/support/effort.hpp"
 
@@ -241,6 +247,222 @@ TEST_F(DrawMesh, AStepFileIsDrawnByTheEmulatedCalComp) {
     }
   }
   EXPECT_GT(corners, 20);
+}
+
+// A box of 10 x 6 x 4, seen from the front as 10 x 6.
+constexpr std::string_view box = "v 0 0 0\nv 10 0 0\nv 10 6 0\nv 0 6 0\nv 0 0 4\nv 10 0 4\nv 10 6 4\nv 0 6 4\n"
+                                 "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+// The bounds of what a step file draws, in steps: the codes 0 to 7 are the directions clockwise from +y, 8 and 9 lift and lower.
+std::array<long, 4> bounds_of_steps(const std::string& file) {
+  std::array<long, 4> bounds{1 << 20, 1 << 20, -1, -1};
+  long x = 0;
+  long y = 0;
+  bool down = false;
+  for (const char c : file) {
+    const auto code = static_cast<unsigned char>(c);
+    constexpr std::array<int, 8> across{0, 1, 1, 1, 0, -1, -1, -1};
+    if (code < 8) {
+      x += across[code];
+      y += across[(code + 2) % 8];
+    } else if (code < 0xFF) {
+      down = code == 9;
+    }
+    if (down) bounds = {std::min(bounds[0], x), std::min(bounds[1], y), std::max(bounds[2], x), std::max(bounds[3], y)};
+  }
+  return bounds;
+}
+
+// 2:1 makes 20 x 12 mm of it, in the middle of the paper: 800 x 480 units of HP-GL around its middle.
+TEST_F(DrawMesh, AScaleIsTheSameOnEveryDevice) {
+  write("box.obj", box);
+  const auto drawn = [&](std::vector<std::string> more, const std::string& file) {
+    std::vector<std::string> all{"draw", "exact", "box.obj", "--view", "front", "--scale", "2:1", "-o", file};
+    all.insert(all.end(), more.begin(), more.end());
+    expect_ok(all);
+    return read(file);
+  };
+  const auto whole = [](long left, long low, long right, long high) {
+    return "PU" + std::to_string(left) + "," + std::to_string(low) + ";\nPD" + std::to_string(left) + "," + std::to_string(high) + "," +
+           std::to_string(right) + "," + std::to_string(high) + "," + std::to_string(right) + "," + std::to_string(low) + "," +
+           std::to_string(left) + "," + std::to_string(low) + ";";
+  };
+  // 297 x 210 mm are 11880 x 8400 units; the limits of the plotters on it 11040 x 7721.
+  EXPECT_TRUE(has(drawn({"--size", "A4", "--landscape"}, "a.plt"), whole(5540, 3960, 6340, 4440)));
+  for (const char* device : {"hp7475a", "hp7550a"})
+    EXPECT_TRUE(has(drawn({"--device", device}, "a.plt"), whole(5120, 3621, 5920, 4101))) << device;
+  // On A3 16158 x 11040.
+  EXPECT_TRUE(has(drawn({"--device", "hp7475a", "--size", "A3", "--landscape"}, "a.plt"), whole(7679, 5280, 8479, 5760)));
+  // A4 upright lies on its side.
+  EXPECT_TRUE(has(drawn({"--device", "hp7475a", "--size", "A4"}, "a.plt"), "PD5280,3461,5280,4261,5760,4261,5760,3461"));
+  EXPECT_TRUE(has(drawn({}, "a.svg"), "M90 106l0-12 20 0 0 12-20 0"));
+  EXPECT_TRUE(has(drawn({"--margin", "60"}, "a.pdf"), "110.000 106.000 l"));
+  EXPECT_TRUE(has(drawn({}, "a.dxf"), " 10\n110.000\n 20\n106.000\n"));
+  // 279.4 mm are 1100 steps of 0.254 mm: 550 -+ 39.4 and -+ 23.6.
+  EXPECT_EQ(bounds_of_steps(drawn({"--device", "calcomp"}, "a.steps")), (std::array<long, 4>{511, 526, 589, 574}));
+  EXPECT_EQ(sightline({"draw", "exact", "box.obj", "--view", "front", "--scale", "2:1", "-o", "a.png"}).exit_code, 2);
+  // Ten pixels to a millimetre: 200 x 120 pixels around the middle of 2970 x 2100, with lines two pixels wide.
+  drawn({"--size", "A4", "--landscape", "--dpi", "254"}, "a.png");
+  const auto png = sightline::picture::read_png(path("a.png").string());
+  ASSERT_TRUE(png);
+  ASSERT_EQ(png->image.width, 2970);
+  ASSERT_EQ(png->image.height, 2100);
+  const auto ink = [&png](int column, int row) { return 255 - png->image.pixels[png->image.index(column, row)]; };
+  for (const int column : {1385, 1585}) {
+    EXPECT_GT(ink(column - 1, 1050), 200);
+    EXPECT_EQ(ink(column - 1, 1050), ink(column, 1050));
+    EXPECT_EQ(ink(column - 3, 1050) + ink(column + 2, 1050), 0);
+  }
+  for (const int row : {990, 1110}) {
+    EXPECT_GT(ink(1485, row - 1), 200);
+    EXPECT_EQ(ink(1485, row - 1), ink(1485, row));
+  }
+}
+
+TEST_F(DrawMesh, AScaleCountsTheUnitOfTheFile) {
+  write("box.obj", box);
+  const auto width = [&](const char* unit, const char* scale) {
+    expect_ok({"draw", "exact", "box.obj", "--view", "front", "--unit", unit, "--scale", scale, "--size", "A3", "--landscape", "--layers", "none",
+               "-o", "a.plt"});
+    std::istringstream text(read("a.plt"));
+    std::string line;
+    long low = 1 << 20;
+    long high = 0;
+    while (std::getline(text, line)) {
+      if (!line.starts_with("PD")) continue;
+      std::istringstream numbers(line.substr(2));
+      long x = 0;
+      long y = 0;
+      char comma = 0;
+      while (numbers >> x >> comma >> y) {
+        low = std::min(low, x);
+        high = std::max(high, x);
+        numbers >> comma;
+      }
+    }
+    return high - low;
+  };
+  EXPECT_EQ(width("inch", "1:1"), 10'160);   // 254 mm
+  EXPECT_EQ(width("m", "1:50"), 8'000);      // 200 mm
+  EXPECT_EQ(width("cm", "1:2.5"), 1'600);    // 40 mm
+  EXPECT_EQ(width("ft", "1:10"), 12'192);    // 304.8 mm
+  EXPECT_EQ(width("cm", "2:1"), 8'000);
+  // Coordinates of a file with fractions are counted in steps of 0.1.
+  write("half.obj", "v 0.5 0.5 0\nv 20.5 0.5 0\nv 20.5 40.5 0\nf 1 2 3\n");
+  expect_ok({"draw", "exact", "half.obj", "--view", "front", "--scale", "1:1", "-o", "half.svg"});
+  EXPECT_TRUE(has(read("half.svg"), "M90 120l20 0 0-40-20 40")) << read("half.svg");
+}
+
+TEST_F(DrawMesh, AScaleThatDoesNotFitNamesThePaper) {
+  write("box.obj", box);
+  const auto refused = [&](std::vector<std::string> more, std::string_view expected) {
+    std::vector<std::string> all{"draw", "exact", "box.obj", "--view", "front"};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto ran = sightline(all);
+    EXPECT_EQ(ran.exit_code, 2) << ran.err;
+    EXPECT_TRUE(has(ran.err, expected)) << ran.err;
+  };
+  refused({"--scale", "30:1", "-o", "x.svg"},
+          "found a drawing of 300.0x180.0 mm on paper with room for 180.0x180.0, expected a paper of at least 320x200 mm with its margins, "
+          "such as --size A3 --landscape");
+  // 276 x 193.025 mm is what the plotter can draw on A4: 27.6:1 fits exactly, whatever the margin.
+  refused({"--scale", "27.7:1", "--device", "hp7475a", "-o", "x.plt"}, "such as --size A3 --landscape");
+  refused({"--scale", "50:1", "--device", "hp7475a", "-o", "x.plt"}, "expected a smaller scale");
+  refused({"--scale", "27.6:1", "--device", "hp7475a", "--margin", "12", "-o", "x.plt"}, "room for 273.0x186.0");
+  refused({"--scale", "2:1", "--field", "20", "-o", "x.svg"}, "--scale");
+  refused({"--scale", "2", "-o", "x.svg"}, "expected N:M");
+  refused({"--scale", "0:1", "-o", "x.svg"}, "expected N:M");
+  refused({"--scale", "2:1", "--perspective", "-o", "x.svg"}, "which has no scale");
+  // 170 mm from the front, 17 (10 cos 22.5 + 4 sin 22.5) = 183.1 mm in the next view; neither is written.
+  refused({"--scale", "17:1", "--turntable", "16", "-o", "x.svg"}, "found a drawing of 183.1x102.0 mm");
+  EXPECT_TRUE(files() == std::vector<std::string>{"box.obj"});
+  expect_ok({"draw", "exact", "box.obj", "--view", "front", "--scale", "27.6:1", "--device", "hp7475a", "-o", "a.plt"});
+  EXPECT_TRUE(has(read("a.plt"), "PU0,549;\nPD0,7173,11040,7173,11040,549,0,549;")) << read("a.plt");
+}
+
+// A side of 20 x 40 units of the file, of which 60 are across the paper's 180 mm; its coordinates are multiples of 0.1.
+TEST_F(DrawMesh, TheFieldIsInTheUnitOfTheFile) {
+  write("half.obj", "v 0.5 0.5 0.5\nv 20.5 0.5 0.5\nv 20.5 40.5 0.5\nv 0.5 40.5 0.5\nv 0.5 0.5 10.5\nv 20.5 0.5 10.5\nv 20.5 40.5 10.5\n"
+                    "v 0.5 40.5 10.5\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  expect_ok({"draw", "exact", "half.obj", "--view", "front", "--field", "60", "-o", "a.svg"});
+  EXPECT_TRUE(has(read("a.svg"), "M70 160l0-120 60 0 0 120-60 0")) << read("a.svg");
+  expect_ok({"draw", "montani-re", "half.obj", "--view", "front", "--field", "60", "--fill", "-o", "f.svg"});
+  for (const char* place : {"70.000,160.000", "130.000,40.000"}) EXPECT_TRUE(has(read("f.svg"), place)) << read("f.svg");
+  write("box.obj", box);
+  const auto refused = sightline({"draw", "exact", "box.obj", "--view", "front", "--field", "190", "--size", "A4", "--device", "hp7475a", "-o", "x.plt"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(has(refused.err, "hp7475a needs 10.5, expected --margin 10.5 as well; --field 189 then")) << refused.err;
+  // 189 units on 189 mm: 10 mm are 400 units of HP-GL.
+  expect_ok({"draw", "exact", "box.obj", "--view", "front", "--field", "189", "--margin", "10.5", "--size", "A4", "--device", "hp7475a", "-o", "a.plt"});
+  EXPECT_TRUE(has(read("a.plt"), "PD5400,3661,5400,4061,5640,4061,5640,3661;")) << read("a.plt");
+}
+
+// 60 mm of paper with 20 units on the 40 mm inside its margins, at ten pixels to a millimetre.
+TEST_F(DrawMesh, AFilledSheetHasItsMarginsAndItsScale) {
+  write("box.obj", box);
+  expect_ok({"draw", "montani-re", "box.obj", "--view", "front", "--field", "20", "--fill", "--size", "60x60", "--dpi", "254", "-o", "f.png"});
+  const auto png = sightline::picture::read_png(path("f.png").string());
+  ASSERT_TRUE(png);
+  const auto& image = png->image;
+  ASSERT_EQ(image.width, 600);
+  const auto colour = [&image](int column, int row) {
+    const auto at = image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(column, row));
+    return std::vector<int>(at, at + 3);
+  };
+  const std::vector<int> white{255, 255, 255};
+  EXPECT_EQ(colour(99, 300), white);
+  EXPECT_EQ(colour(300, 500), white);
+  const std::vector<int> sky = colour(100, 100);
+  EXPECT_NE(sky, white);
+  EXPECT_EQ(colour(499, 499), sky);
+  for (const auto& [outside, inside] : std::vector<std::pair<std::array<int, 2>, std::array<int, 2>>>{
+           {{199, 300}, {200, 300}}, {{400, 300}, {399, 300}}, {{300, 239}, {300, 240}}, {{300, 360}, {300, 359}}}) {
+    EXPECT_EQ(colour(outside[0], outside[1]), sky);
+    EXPECT_NE(colour(inside[0], inside[1]), sky);
+  }
+}
+
+TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
+  write("box.obj", box);
+  for (const char* view : {"iso", "dimetric", "trimetric", "NW", "front"}) {
+    expect_ok({"draw", "exact", "box.obj", "--view", view, "-o", "a.svg"});
+    expect_ok({"draw", "exact", "box.obj", "--view", view, "--up", "0,1,0", "-o", "b.svg"});
+    EXPECT_EQ(read("a.svg"), read("b.svg")) << view;
+  }
+  expect_ok({"draw", "exact", "box.obj", "--vertical", "-z", "--view", "iso", "-o", "a.svg"});
+  expect_ok({"draw", "exact", "box.obj", "--vertical", "-z", "--view", "iso", "--up", "0,0,-1", "-o", "b.svg"});
+  EXPECT_EQ(read("a.svg"), read("b.svg"));
+}
+
+TEST_F(DrawMesh, EachLayerHasItsPenAndSharingIsSaid) {
+  write("box.obj", box);
+  const auto drawn = [&](std::vector<std::string> more, const std::string& file) {
+    std::vector<std::string> all{"draw", "exact", "box.obj", "--view", "iso", "--hidden", "-o", file};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto ran = sightline(all);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return ran.err;
+  };
+  EXPECT_EQ(drawn({}, "a.svg"), "");
+  for (const char* label : {"\"1 silhouette\"", "\"2 crease\"", "\"3 hidden\""}) EXPECT_TRUE(has(read("a.svg"), label)) << label;
+  EXPECT_EQ(drawn({}, "a.dxf"), "");
+  EXPECT_TRUE(has(read("a.dxf"), "3-HIDDEN\n"));
+  EXPECT_EQ(drawn({}, "a.pdf"), "");
+  EXPECT_TRUE(has(read("a.pdf"), "/OC /L2 BDC"));
+  EXPECT_FALSE(has(read("a.pdf"), "/OC /L3 BDC"));
+  EXPECT_EQ(drawn({"--device", "hp7475a"}, "a.plt"), "");
+  for (const char* pen : {"SP1;", "SP2;", "SP3;"}) EXPECT_TRUE(has(read("a.plt"), pen)) << pen;
+  EXPECT_FALSE(has(read("a.plt"), "SP4;"));
+  EXPECT_EQ(drawn({"--pens", "6,4,2"}, "a.plt"), "");
+  const std::string text = read("a.plt");
+  EXPECT_LT(text.find("SP6;"), text.find("SP4;"));
+  EXPECT_LT(text.find("SP4;"), text.find("SP2;"));
+  EXPECT_TRUE(has(drawn({"--pens", "1,3"}, "a.plt"), "a.plt: 3 layers for the 2 pens of --pens: crease and hidden share pen 3\n"));
+  EXPECT_TRUE(has(drawn({"--pens", "1,3", "--hatch", "30,2"}, "a.plt"),
+                  "a.plt: 5 layers for the 2 pens of --pens: crease, hatching, cross-hatching and hidden share pen 3\n"));
+  EXPECT_TRUE(has(sightline({"draw", "exact", "box.obj", "--view", "iso", "--hidden", "--pens", "1,3", "--json", "-o", "a.plt"}).out, "\"pens\": 2,"));
+  EXPECT_TRUE(has(drawn({"--pens", "1,2,3,4"}, "a.plt"), "a.plt: 3 layers for the 4 pens of --pens: pen 4 draws nothing\n"));
+  EXPECT_TRUE(has(drawn({}, "a.steps"), "a.steps: 2 layers for the one pen of calcomp: visible and hidden share it\n"));
 }
 
 TEST_F(DrawMesh, LimitsOfTheCalComp) {

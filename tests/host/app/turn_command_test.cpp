@@ -25,6 +25,16 @@ TEST_F(TurnCommand, WritesItsPicturesAndItsTable) {
   for (const char* file : {"p/cube-turn.apng", "p/cube-turn-phosphor.png", "p/cube-turn.strokes"}) EXPECT_TRUE(exists(file)) << file;
 }
 
+// Tilted, coordinates are 13 times as large and below 2^18 steps, here of 0.1: 2016.49 in the unit of the file.
+TEST_F(TurnCommand, AModelThatIsTooLargeToBeTilted) {
+  write("large.off",
+        "OFF\n8 6 0\n0 0 0\n5000.1 0 0\n5000.1 9 0\n0 9 0\n0 0 9\n5000.1 0 9\n5000.1 9 9\n0 9 9\n"
+        "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  const Ran ran = sightline({"turn", "large.off", "-o", "p"});
+  EXPECT_EQ(ran.exit_code, 4);
+  EXPECT_TRUE(has(ran.err, "vertex 0,0,0 is 2500 from the middle of the model along x, tilted, expected less than 2016.49")) << ran.err;
+}
+
 TEST_F(TurnCommand, SaysItInJson) {
   const Ran ran = sightline({"turn", models + "block.off", "--no-eae", "--frames", "6", "--json", "-o", "p"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;

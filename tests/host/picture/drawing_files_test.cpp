@@ -34,6 +34,51 @@ VectorDrawing three_lines() {
 
 const DrawnLines expected_lines{{{10, 10}, {110, 10}, {110, 80}}, {{30, 20}, {50, 40}}, {{60, 45}}};
 
+// Layers without lines are in no file, and the others have the same numbers in all of them.
+TEST(VectorDrawings, LayersWithoutLinesAreLeftOut) {
+  VectorDrawing drawing = three_lines();
+  drawing.layers = {{"flat", {1, 1, 1}}, drawing.layers[0], {"border", {2, 2, 2}}, drawing.layers[1], {"hidden", {3, 3, 3}}};
+  for (DrawingLine& line : drawing.lines) line.layer = line.layer == 0 ? 1 : 3;
+  drawing.lines.push_back({2, 0, 0});
+  const VectorDrawing left = without_empty_layers(drawing);
+  ASSERT_EQ(left.layers.size(), 2U);
+  EXPECT_EQ(left.layers[0].label, "silhouette");
+  EXPECT_EQ(left.layers[1].label, "crease (30)");
+  EXPECT_EQ(left.layers[1].colour, (Colour{200, 0, 0}));
+  EXPECT_EQ(left.lines, three_lines().lines);
+  EXPECT_EQ(svg_of(left, a_sheet, "t"), svg_of(three_lines(), a_sheet, "t"));
+  EXPECT_EQ(pdf_of(left, a_sheet, "t"), pdf_of(three_lines(), a_sheet, "t"));
+  EXPECT_EQ(dxf_of(left, a_sheet), dxf_of(three_lines(), a_sheet));
+  EXPECT_TRUE(without_empty_layers(VectorDrawing{10, 10, {{"a", {}}}, {}, {}, {}}).layers.empty());
+}
+
+// Where the ink of an upright line is in its row: the middle, in pixels.
+double middle_of_ink(const Image& image, int row) {
+  double ink = 0;
+  double sum = 0;
+  for (int column = 0; column < image.width; ++column) {
+    const double dark = 255 - image.pixels[image.index(column, row)];
+    ink += dark;
+    sum += dark * (column + 0.5);
+  }
+  return sum / ink;
+}
+
+// A4 at 150 dots to an inch has no whole number of them: a line is where the paper has it, to a hundredth of a millimetre.
+TEST(VectorDrawings, ASheetHasTheSamePixelsForEveryMillimetre) {
+  VectorDrawing sheet;
+  sheet.width = 210;
+  sheet.height = 297;
+  sheet.layers = {{"visible", {0, 0, 0}}};
+  constexpr double dots = 150 / 25.4;
+  for (const float x : {10.0F, 100.0F, 200.0F}) {
+    sheet.points = {{x, 20}, {x, 280}};
+    sheet.lines = {{0, 0, 2}};
+    const Image image = image_of(sheet, {1240, 1754, 0.2 * dots, dots});
+    EXPECT_NEAR(middle_of_ink(image, 877) / dots, double{x}, 0.01);
+  }
+}
+
 TEST(Pdf, ObjectsAreWhereTheTableSaysAndLinesWhereThePaperHasThem) {
   const std::string pdf = pdf_of(three_lines(), a_sheet, "a (drawing)");
   EXPECT_EQ(pdf, pdf_of(three_lines(), a_sheet, "a (drawing)"));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -124,6 +125,77 @@ TEST(Plotters, NothingIsBeyondTheLimits) {
     EXPECT_TRUE(farthest_x >= sheet.most_x - 1 || farthest_y >= sheet.most_y - 1);
   }
   EXPECT_FALSE(least_margin(*find_plotter("hp7475a"), {200, 200, 10, 0.2}));
+}
+
+// Of the manuals: A4 has 11040 by 7721 units of 0.025 mm.
+TEST(Plotters, WhereAPlotterCanDraw) {
+  const Plotter& plotter = *find_plotter("hp7475a");
+  const auto lying = plotting_area(plotter, {297, 210, 0, 0.2});
+  ASSERT_TRUE(lying);
+  EXPECT_DOUBLE_EQ((*lying)[0], 276);
+  EXPECT_DOUBLE_EQ((*lying)[1], 193.025);
+  const auto upright = plotting_area(plotter, {210, 297, 0, 0.2});
+  ASSERT_TRUE(upright);
+  EXPECT_DOUBLE_EQ((*upright)[0], 193.025);
+  EXPECT_DOUBLE_EQ((*upright)[1], 276);
+  EXPECT_FALSE(plotting_area(plotter, {297, 297, 0, 0.2}));
+  const auto drum = plotting_area(*find_plotter("calcomp"), {1000, 300, 0, 0.2});
+  ASSERT_TRUE(drum);
+  EXPECT_DOUBLE_EQ((*drum)[0], 1000);
+  EXPECT_DOUBLE_EQ((*drum)[1], 279.4);
+}
+
+TEST(Plotters, TheirOwnPaper) {
+  for (const char* name : {"hp7475a", "hp7550a"}) EXPECT_EQ(find_plotter(name)->papers.front().paper, "A4");
+  EXPECT_DOUBLE_EQ(find_plotter("calcomp")->papers.front().width, 279.4);
+  EXPECT_DOUBLE_EQ(find_plotter("calcomp")->papers.front().height, 279.4);
+}
+
+// One millimetre is 40 units on both axes, and a part of the scale is never lost to the paper's margins.
+TEST(Plotters, AMillimetreIsFortyUnitsOnEveryPaper) {
+  for (const char* name : {"hp7475a", "hp7550a"}) {
+    for (const PlotterPaperLimits& sheet : find_plotter(name)->papers) {
+      for (const bool upright : {false, true}) {
+        const Paper paper{upright ? sheet.height : sheet.width, upright ? sheet.width : sheet.height, 0, 0.2};
+        VectorDrawing drawing;
+        drawing.width = paper.width;
+        drawing.height = paper.height;
+        drawing.layers = {{"visible", {}}};
+        drawing.points = {{50, 60}, {150, 60}, {150, 160}};
+        drawing.lines = {{0, 0, 3}};
+        const auto lines = draw(hpgl_of(drawing, paper, {.plotter = find_plotter(name)}));
+        ASSERT_EQ(lines.size(), 1U);
+        const auto& [a, b, c] = std::array{lines[0].points[0], lines[0].points[1], lines[0].points[2]};
+        EXPECT_EQ(std::abs(b.first - a.first) + std::abs(b.second - a.second), 4000) << name << ' ' << sheet.paper;
+        EXPECT_EQ(std::abs(c.first - b.first) + std::abs(c.second - b.second), 4000) << name << ' ' << sheet.paper;
+      }
+    }
+  }
+}
+
+TEST(Plotters, APointIsWrittenOnce) {
+  VectorDrawing drawing;
+  drawing.width = drawing.height = 100;
+  drawing.layers = {{"visible", {}}};
+  // The second and the fourth are less than half a unit from those before them.
+  drawing.points = {{1, 1}, {1.01F, 1}, {2, 1}, {2, 1.01F}, {2, 3}, {5, 5}, {5, 5.001F}};
+  drawing.lines = {{0, 0, 5}, {0, 5, 2}};
+  const Paper paper{100, 100, 0, 0.2};
+  EXPECT_EQ(hpgl_of(drawing, paper), "IN;\nSP1;\nPU40,40;\nPD80,40,80,120;\nPU200,200;\nPD;\nPU;\nSP0;\n");
+  EXPECT_EQ(hpgl_of(drawing, paper, {.relative = true}),
+            "IN;\nSP1;\nPU;PA40,40;\nPD;PR40,0,0,80;\nPU;PA200,200;\nPD;\nPU;PA;\nSP0;\n");
+}
+
+TEST(Plotters, EachLayerHasItsPen) {
+  const HpglOptions six{.plotter = find_plotter("hp7475a")};
+  EXPECT_EQ(pen_of_layer(0, six), 1);
+  EXPECT_EQ(pen_of_layer(5, six), 6);
+  EXPECT_EQ(pen_of_layer(7, six), 6);
+  EXPECT_EQ(pen_of_layer(7, {}), 8);
+  const HpglOptions named{.pens = {4, 2}};
+  EXPECT_EQ(pen_of_layer(0, named), 4);
+  EXPECT_EQ(pen_of_layer(1, named), 2);
+  EXPECT_EQ(pen_of_layer(2, named), 2);
 }
 
 TEST(Plotters, UprightPaperLiesOnItsSide) {

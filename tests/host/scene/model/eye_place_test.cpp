@@ -174,6 +174,41 @@ TEST(AimCamera, ExactWhereTheVectorsAreSmall) {
   EXPECT_EQ(aimed_camera(frame, {}, {0, -5, 0}), (PolyCamera{true, {}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}}));
 }
 
+// With up given: right is forward x up, the upright right x forward, each without common divisors.
+TEST(AimCamera, UpKeepsDirectionsExact) {
+  const SceneFrame frame{};
+  const auto vectors = [&frame](const std::array<double, 3>& direction, const std::array<double, 3>& up) {
+    const PolyCamera camera = turned_camera(frame, {}, direction, up, false);
+    return std::array{camera.forward, camera.right, camera.up};
+  };
+  using Vectors = std::array<PolyPoint, 3>;
+  EXPECT_EQ(vectors({-1, -1, -1}, {0, 1, 0}), (Vectors{PolyPoint{-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}}));
+  EXPECT_EQ(vectors({-1, -1, -1}, {0, 0, 1}), (Vectors{PolyPoint{-1, -1, -1}, {-1, 1, 0}, {-1, -1, 2}}));
+  // Not at a right angle, and with decimals: (1, 2, 3) x (2, 1, 0) = (-3, 6, -3).
+  EXPECT_EQ(vectors({0.1, 0.2, 0.3}, {1, 0.5, 0}), (Vectors{PolyPoint{1, 2, 3}, {-1, 2, -1}, {4, 1, -2}}));
+  EXPECT_EQ(vectors({12000, 0, 5000}, {0, 7, 0}), (Vectors{PolyPoint{12, 0, 5}, {-5, 0, 12}, {0, 1, 0}}));
+  // A direction without whole numbers, and the vertical: the camera is the one without up.
+  const std::array<double, 3> dimetric{-1, -1, -std::sqrt(7.0)};
+  EXPECT_EQ(turned_camera(frame, {}, dimetric, {0, 2, 0}, false), aimed_camera(frame, {}, direction_of(dimetric), false));
+}
+
+TEST(AimCamera, UpThatNeedsLargeVectorsIsNear) {
+  SceneRandom random(38);
+  for (int i = 0; i < 500; ++i) {
+    std::array<double, 3> direction{};
+    std::array<double, 3> up{};
+    for (double& c : direction) c = static_cast<double>(random.mod(65535)) - 32767;
+    for (double& c : up) c = (static_cast<double>(random.mod(65535)) - 32767) / 1000;
+    const PolyCamera camera = turned_camera({}, {}, direction, up, false);
+    EXPECT_EQ(dot(camera.forward, camera.right), 0);
+    EXPECT_EQ(dot(camera.forward, camera.up), 0);
+    EXPECT_EQ(dot(camera.right, camera.up), 0);
+    for (const PolyPoint& v : {camera.forward, camera.right, camera.up})
+      for (const std::int32_t c : v) EXPECT_LT(std::abs(c), camera_vector_limit);
+    EXPECT_LT(angle_to(camera, direction), 1) << i;
+  }
+}
+
 TEST(AimCamera, TheThreeQuarterViewIsThatOfAFile) {
   PolyScene scene = *generate_scene("town", 9, 2);
   EXPECT_EQ(three_quarter_camera({}, scene), default_poly_camera(scene));
