@@ -611,7 +611,7 @@ base::Result<PolyMesh> read_apart(std::string_view bytes, std::string_view sourc
   if (!result) {
     base::Error error = result.error();
     if (error.found.starts_with("crashed") || error.found.starts_with("takes more"))
-      error = {"", "", "assimp " + error.found + " reading it", "", export_again};
+      error = {"", "", "assimp, which reads this format, " + error.found, "", "export it as OBJ, STL or PLY"};
     return error;
   }
   PolyMesh mesh = MeshFromBytes(*result).run();
