@@ -38,14 +38,16 @@ TEST(Quantise, AStepOfAnySizeIsMultiplied) {
 
 TEST(Quantise, OtherFilesAreRoundedToAPowerOfTwo) {
   const PolyImport import = read("OFF\n3 1 0\n0 0 0\n3.14159265 0 0\n0 1e-9 2\n3 0 1 2\n", PolyFormat::off);
-  EXPECT_EQ(import.report.step, std::ldexp(1.0, -14));
-  EXPECT_EQ(import.scene.vertices[1], (PolyPoint{51472, 0, 0}));  // 3.14159265 * 16384 = 51471.85
-  EXPECT_LE(import.report.largest_shift, std::ldexp(1.0, -15));
+  // Half of 3.14.. is below 65536 steps of 2^-15, and the middle of the scene, rounded down, is 51472, 0, 32768 of them.
+  EXPECT_EQ(import.report.step, std::ldexp(1.0, -15));
+  EXPECT_EQ(import.scene.origin, (PolyOrigin{51472, 0, 32768}));
+  EXPECT_EQ(import.scene.vertices[1], (PolyPoint{51472, 0, -32768}));  // 3.14159265 * 32768 = 102943.7
+  EXPECT_LE(import.report.largest_shift, std::ldexp(1.0, -16));
   EXPECT_GT(import.report.largest_shift, 0.0);
   const PolyImport large = read("OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n", PolyFormat::off);
   EXPECT_EQ(problems(large.scene), "");
   const PolyImport integers = read("OFF\n3 1 0\n0 0 0\n262144 0 0\n0 262144 0\n3 0 1 2\n", PolyFormat::off);
-  EXPECT_EQ(integers.report.step, 4.0);
+  EXPECT_EQ(integers.report.step, 2.0);
   EXPECT_EQ(integers.report.largest_shift, 0.0);
 }
 
@@ -56,7 +58,7 @@ TEST(Quantise, ASceneFarAwayIsMovedFirst) {
   EXPECT_EQ(problems(import.scene), "");
   EXPECT_LT(import.report.step, 0.01);
   EXPECT_LE(import.report.largest_shift, import.report.step / 2);
-  EXPECT_NE(import.scene.origin, (PolyPoint{0, 0, 0}));
+  EXPECT_NE(import.scene.origin, (PolyOrigin{0, 0, 0}));
 }
 
 TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {
