@@ -171,7 +171,7 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   if (!said.empty()) warn((report.mended ? "mended: " : "") + base::joined(said, "; "));
   if (faces.helpful_weld > 0) {
     warn(fmt::format("{} {} open; --weld {} {}", faces.sheets, faces.sheets == 1 ? "part is" : "parts are",
-                     base::shortest_number(faces.helpful_weld),
+                     faces.helpful_weld,
                      faces.sheets_with_weld > 0 ? fmt::format("leaves {}", faces.sheets_with_weld)
                                                 : fmt::format("closes {}", faces.sheets == 1 ? "it" : "them")));
   }

@@ -11,6 +11,24 @@ namespace {
 
 using FilePoint = OpenVertices::FilePoint;
 
+// Whether the segment passes the box, or comes nearer to it than `margin` in each coordinate.
+bool segment_meets(const PolyPoint& from, const PolyPoint& to, const geometry::Box& box, double margin) {
+  double begin = 0;
+  double end = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double low = box.low[a] - margin - from[a];
+    const double high = box.high[a] + margin - from[a];
+    const double along = double(to[a]) - from[a];
+    if (along == 0) {
+      if (low > 0 || high < 0) return false;
+      continue;
+    }
+    begin = std::max(begin, (along > 0 ? low : high) / along);
+    end = std::min(end, (along > 0 ? high : low) / along);
+  }
+  return begin <= end;
+}
+
 std::vector<VertexIndex> ends_of(std::span<const OpenEdge> edges) {
   std::vector<VertexIndex> ends;
   ends.reserve(2 * edges.size());
@@ -55,23 +73,6 @@ std::pair<double, double> foot_on(const Point& from, const Point& to, const Poin
 }
 
 }  // namespace
-
-bool segment_meets(const PolyPoint& from, const PolyPoint& to, const geometry::Box& box, double margin) {
-  double begin = 0;
-  double end = 1;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double low = box.low[a] - margin - from[a];
-    const double high = box.high[a] + margin - from[a];
-    const double along = double(to[a]) - from[a];
-    if (along == 0) {
-      if (low > 0 || high < 0) return false;
-      continue;
-    }
-    begin = std::max(begin, (along > 0 ? low : high) / along);
-    end = std::min(end, (along > 0 ? high : low) / along);
-  }
-  return begin <= end;
-}
 
 OpenVertices::OpenVertices(const std::vector<PolyPoint>& points, std::span<const OpenEdge> edges,
                            std::span<const FilePoint> file, std::span<const VertexIndex> target)
@@ -124,13 +125,14 @@ std::vector<std::pair<VertexIndex, VertexIndex>> OpenVertices::near_pairs(double
 }
 
 std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FilePoint& from, const FilePoint& to,
-                                               double tolerance, double step) const {
+                                               double tolerance, double step, std::size_t& work) const {
   // Rounding moves a point by less than a step in each coordinate, and joining by one more.
   const double margin = tolerance / step + 4;
   std::vector<std::tuple<double, PolyPoint, VertexIndex>> found;
   const auto visit = [&](std::uint32_t number) {
     const VertexIndex v = vertices_[number];
     if (v == edge.from || v == edge.to) return;
+    work += 1 + in_file(v).size();
     double place = 0;
     double off = std::numeric_limits<double>::infinity();
     for (const FilePoint& p : in_file(v)) {
@@ -174,38 +176,23 @@ std::vector<double> weld_distances(const PolyScene& scene) {
   const std::vector<OpenEdge> edges = open_edges_of(table, [&](std::uint32_t face) { return body_of[face]; });
   const std::vector<VertexIndex> vertices = ends_of(edges);
   std::vector<double> reach(vertices.size(), std::numeric_limits<double>::infinity());
-  std::vector<geometry::Box> boxes;
-  boxes.reserve(edges.size());
   for (const OpenEdge& edge : edges) {
-    const PolyPoint& a = scene.vertices[edge.from];
-    const PolyPoint& b = scene.vertices[edge.to];
-    geometry::Box& box = boxes.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      box.low[i] = std::min(a[i], b[i]);
-      box.high[i] = std::max(a[i], b[i]);
-    }
-    const double most = std::min(part_of_edge * std::sqrt(square_of_distance(a, b)), most_of[edge.body]);
+    const double length = std::sqrt(square_of_distance(scene.vertices[edge.from], scene.vertices[edge.to]));
+    const double most = std::min(part_of_edge * length, most_of[edge.body]);
     for (const VertexIndex v : {edge.from, edge.to}) {
       double& of_end = reach[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin())];
       of_end = std::min(of_end, most);
     }
   }
-  const geometry::BoxTree tree(boxes);
+  const geometry::BoxTree tree(boxes_at(scene.vertices, vertices));
   std::vector<double> distances;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     const PolyPoint& p = scene.vertices[vertices[i]];
     double nearest = reach[i] * reach[i];
     bool found = false;
-    const auto visit = [&](std::uint32_t number) {
-      const OpenEdge& edge = edges[number];
-      if (edge.from == vertices[i] || edge.to == vertices[i]) return;
-      const PolyPoint& a = scene.vertices[edge.from];
-      const PolyPoint& b = scene.vertices[edge.to];
-      const double to_end = std::min(square_of_distance(a, p), square_of_distance(b, p));
-      const auto [at, off] = foot_on(a, b, p);
-      // Beside an end of the edge it is that end that it would be joined to.
-      const double square = at > 0 && at < 1 && 16 * off < to_end ? off : to_end;
-      if (square >= nearest || square >= most_of[edge.body] * most_of[edge.body]) return;
+    const auto visit = [&](std::uint32_t other) {
+      const double square = square_of_distance(p, scene.vertices[vertices[other]]);
+      if (other == i || square >= nearest || square >= reach[other] * reach[other]) return;
       nearest = square;
       found = true;
     };

@@ -60,9 +60,10 @@ class OpenVertices {
   [[nodiscard]] std::vector<std::pair<VertexIndex, VertexIndex>> near_pairs(double distance) const;
 
   // Those of the edge's body, but its own ends, that are between `from` and `to`, its ends in the file, and at most
-  // `tolerance` from the line. In the order in which the edge passes them. `step` is that of the grid.
+  // `tolerance` from the line. In the order in which the edge passes them. `step` is that of the grid; `work` goes up by the
+  // number of points looked at.
   [[nodiscard]] std::vector<VertexIndex> on_edge(const OpenEdge& edge, const FilePoint& from, const FilePoint& to,
-                                                 double tolerance, double step) const;
+                                                 double tolerance, double step, std::size_t& work) const;
 
  private:
   [[nodiscard]] std::size_t number_of(VertexIndex vertex) const;
@@ -75,12 +76,9 @@ class OpenVertices {
   geometry::BoxTree tree_;
 };
 
-// Whether the segment passes the box, or comes nearer to it than `margin` in each coordinate.
-[[nodiscard]] bool segment_meets(const PolyPoint& from, const PolyPoint& to, const geometry::Box& box, double margin);
-
-// Distances for --weld, in grid steps and ascending, with which open edges of a scene may meet: each is that from the end of an
-// open edge to another open edge. At most a hundredth of the size of each body, and less than half of the open edges at that end,
-// so that no detail is lost.
+// Distances for --weld, in grid steps and ascending, with which open edges of a scene may meet: from the end of an open edge to the
+// nearest other one. At most a hundredth of the size of each body, and less than half of the open edges at each end, so that
+// no detail is lost.
 [[nodiscard]] std::vector<double> weld_distances(const PolyScene& scene);
 
 }  // namespace sightline::scene

@@ -101,39 +101,39 @@ class Import {
     for (const MendedFace& face : mended) scene().material_of.push_back(mesh_.materials[face.source]);
   }
 
+  // A vertex and the two ends of the edge that it is on were each rounded, by 0.87 units of the precision at most.
   [[nodiscard]] MendOptions mend_options(double weld) const {
     return {.weld = weld / result_.report.step,
             .grouped = mesh_.grouped,
             .step = result_.report.step,
             .rounded = result_.report.largest_shift > 0,
-            .tolerance = std::max({4 * mesh_.precision, weld, least_tolerance()})};
+            .tolerance = std::max(2 * mesh_.precision, least_tolerance())};
   }
 
   // What double coordinates leave uncertain of a plane.
   [[nodiscard]] double least_tolerance() const { return reach_ * 0x1p-48; }
 
-  // For parts that are open: the smallest of 1, 2, 5, 10 .. with which as few are left as with any, if that is less than now.
+  // For parts that are open: the smallest of 1, 2, 5, 10 .. with which as few are left as with any, if that is half of them
+  // at most.
   void suggest_weld(const FileFaces& file, const std::vector<std::size_t>& body_sizes) {
     if (faces().sheets == 0) return;
     std::vector<double> welds;
-    for (const double distance : weld_distances(scene())) {
+    for (const double distance : weld_distances(scene()))
       if (welds.empty() || distance * report().step > welds.back()) welds.push_back(round_up(distance * report().step));
-    }
-    const std::size_t face_count_now = face_count(scene());
+    if (welds.empty()) return;
+    welds.push_back(round_up(1.1 * welds.back()));  // several vertices that belong together are in a chain
+    const std::size_t faces_now = face_count(scene());
     const auto sheets_with = [&](double weld) {
       PolyScene again = scene_of(file, body_sizes);
       MendReport after;
       mend(again, file, mend_options(weld), after);
       // Faces that vanish are no help.
-      return 10 * face_count(again) < 9 * face_count_now ? faces().sheets : after.sheets;
+      return 10 * face_count(again) < 9 * faces_now ? faces().sheets : after.sheets;
     };
-    constexpr std::size_t most_tries = 3;
-    for (std::size_t tries = 0; tries < most_tries && !welds.empty(); ++tries) {
+    constexpr int most_tries = 3;
+    for (int tries = 0; tries < most_tries && !welds.empty(); ++tries, welds.pop_back()) {
       const std::size_t left = sheets_with(welds.back());
-      if (left >= faces().sheets) {
-        welds.pop_back();
-        continue;
-      }
+      if (2 * left > faces().sheets) continue;
       std::size_t low = 0;
       std::size_t high = welds.size() - 1;
       while (low < high) {

@@ -437,6 +437,9 @@ class Mending {
   bool divide_edges(const std::vector<OpenEdge>& open) {
     const OpenVertices ends(points(), open, file_.vertices, target_);
     std::vector<Division> divisions;
+    // In a mesh that is meant, few vertices are near an edge. Where all edges pass all vertices, nothing is divided.
+    const std::size_t most_work = 1'000'000 + 200 * open.size();
+    std::size_t work = 0;
     for (const OpenEdge& edge : open) {
       // As this face has them in the file: other faces may have others that became the same vertices.
       const auto place_of = [&](VertexIndex v) {
@@ -444,7 +447,8 @@ class Mending {
           if (target_[corner] == v) return file_.vertices[corner];
         return ends.in_file(v)[0];
       };
-      Ring at = ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step);
+      Ring at = ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step, work);
+      if (work > most_work) return false;
       if (!at.empty()) divisions.push_back({edge.face, edge.from, edge.to, std::move(at)});
     }
     if (divisions.empty()) return false;
