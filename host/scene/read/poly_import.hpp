@@ -6,7 +6,7 @@
 // size of the scene and not its distance from 0. If every coordinate is a multiple of 0.1, 0.01 .. 0.000001 and
 // half the largest side of the scene is at most 2^16 of them, that is the step and nothing is lost; else it is the
 // smallest power of two that goes into half the side 2^16 times at most (a quarter of the limit, so that there is room
-// for an eye outside), but no less than what the doubles of the file can tell apart. Where coordinates are larger
+// for an eye outside), but no less than what the doubles of the file can distinguish. Where coordinates are larger
 // than that, they are counted from the middle of the scene (PolyScene::origin). An eye farther away than that room
 // makes the step longer, and an eye between the points of a file of integers makes it shorter
 // (PolyImportOptions::eye).

@@ -63,7 +63,7 @@ TEST(Quantise, ASceneFarAwayIsMovedFirst) {
   EXPECT_NE(import.scene.origin, (PolyOrigin{0, 0, 0}));
 }
 
-// At 5.4e9 a double has units of 2^-20: thousandths are told apart, and 120 of a part's units are 120,000 of them.
+// At 5.4e9 a double has units of 2^-20: thousandths are distinguished, and 120 of a part's units are 120,000 of them.
 TEST(Quantise, DecimalFractionsFarAwayLoseNothing) {
   const std::string text =
       "OFF\n4 1 0\n500123496 5412345678.123 310250.5\n500123376 5412345678.123 310250.5\n500123376 5412345700 310250.5\n"
@@ -86,7 +86,7 @@ TEST(Quantise, WholeNumbersFarAwayStayWhatTheyAre) {
   EXPECT_EQ(import.scene.vertices[2], (PolyPoint{-100000, 50000, 1}));  // the middle is -8999900000, 50007, 0
 }
 
-// The largest step that is needed to tell neighbouring doubles apart.
+// The largest step that is needed to distinguish neighbouring doubles.
 TEST(Quantise, TheStepIsNoFinerThanTheNumbers) {
   const PolyImport import =
       read("OFF\n3 1 0\n1e300 0 0\n1.0000000000000002e300 0 0\n1e300 1e284 0\n3 0 1 2\n", PolyFormat::off);
