@@ -436,10 +436,11 @@ class Mending {
 
   bool divide_edges(const std::vector<OpenEdge>& open) {
     const OpenVertices ends(points(), open, file_.vertices, target_);
-    std::vector<Division> divisions;
     // In a mesh that is meant, few vertices are near an edge. Where all edges pass all vertices, nothing is divided.
     const std::size_t most_work = 1'000'000 + 200 * open.size();
     std::size_t work = 0;
+    std::vector<Ring> passed;  // by each edge, with its ends
+    passed.reserve(open.size());
     for (const OpenEdge& edge : open) {
       // As this face has them in the file: other faces may have others that became the same vertices.
       const auto place_of = [&](VertexIndex v) {
@@ -447,10 +448,13 @@ class Mending {
           if (target_[corner] == v) return file_.vertices[corner];
         return ends.in_file(v)[0];
       };
-      Ring at = ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step, work);
+      Ring& at = passed.emplace_back(
+          ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step, work));
       if (work > most_work) return false;
-      if (!at.empty()) divisions.push_back({edge.face, edge.from, edge.to, std::move(at)});
+      at.insert(at.begin(), edge.from);
+      at.push_back(edge.to);
     }
+    std::vector<Division> divisions = helpful_divisions(open, passed);
     if (divisions.empty()) return false;
     std::sort(divisions.begin(), divisions.end());
     take_back();
@@ -464,6 +468,30 @@ class Mending {
     if (divided) sort_pieces();
     else lend();
     return divided;
+  }
+
+  // Those with which a part of an edge is a part of another one, too: a vertex that only touches an edge does not divide it.
+  static std::vector<Division> helpful_divisions(const std::vector<OpenEdge>& open, const std::vector<Ring>& passed) {
+    using Part = std::array<std::uint32_t, 3>;
+    const auto part_of = [&](std::size_t e, std::size_t i) {
+      return Part{open[e].body, std::min(passed[e][i], passed[e][i + 1]), std::max(passed[e][i], passed[e][i + 1])};
+    };
+    std::vector<Part> parts;
+    for (std::size_t e = 0; e < open.size(); ++e)
+      for (std::size_t i = 0; i + 1 < passed[e].size(); ++i) parts.push_back(part_of(e, i));
+    std::sort(parts.begin(), parts.end());
+    const auto is_shared = [&](const Part& part) {
+      const auto found = std::lower_bound(parts.begin(), parts.end(), part);
+      return found + 1 != parts.end() && *(found + 1) == part;
+    };
+    std::vector<Division> divisions;
+    for (std::size_t e = 0; e < open.size(); ++e) {
+      Division division{open[e].face, open[e].from, open[e].to, {}};
+      for (std::size_t i = 1; i + 1 < passed[e].size(); ++i)
+        if (is_shared(part_of(e, i - 1)) || is_shared(part_of(e, i))) division.at.push_back(passed[e][i]);
+      if (!division.at.empty()) divisions.push_back(std::move(division));
+    }
+    return divisions;
   }
 
   // False if the face cannot have these vertices: they are its own, or it cannot become triangles.

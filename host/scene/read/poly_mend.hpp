@@ -12,7 +12,8 @@
 // body of the file has are open; no others are looked at. Ends of open edges that are less than a step apart in the file,
 // and that rounding put on neighbouring points, become one, the nearest first; no group of them is wider than a step,
 // so that fine detail does not shrink to a point. Nothing is joined if rounding lost nothing. Then an open edge that
-// the file says an end of another open edge of the body is on, within `tolerance`, is divided there. Its face keeps its
+// the file says an end of another open edge of the body is on, within `tolerance`, is divided there, if a part of it then is
+// a part of another open edge, too. Its face keeps its
 // plane: it gets a vertex more, or, if the rounded vertex is not on the rounded plane, becomes triangles of one surface.
 //
 // Faces that a chain of edges with two faces joins

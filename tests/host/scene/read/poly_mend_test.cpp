@@ -188,6 +188,17 @@ TEST(PolyMend, VerticesBesideEdgesDivideNothing) {
   }
 }
 
+// A triangle that touches the middle of another one's side with a corner closes nothing there. One whose side is a part of that
+// side does, and so does one that goes beyond its end: both are divided, then.
+TEST(PolyMend, VerticesThatOnlyTouchAnEdgeDivideNothing) {
+  const auto divided = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return mended(mesh_of({{0, 0, 0}, {8, 0, 0}, {4, 5, 0}, a, b, {5, -6, 3}}, {{0, 1, 2}, {3, 4, 5}})).report.faces.divided_edges;
+  };
+  EXPECT_EQ(divided({4, 0, 0}, {3, -5, 3}), 0U);
+  EXPECT_EQ(divided({2, 0, 0}, {6, 0, 0}), 1U);
+  EXPECT_EQ(divided({4, 0, 0}, {12, 0, 0}), 2U);
+}
+
 // Boxes at any angle whose sides are cut into pieces at random, with fractions, near and far away: each piece has corners of
 // its own, as in STL, and no side knows where its neighbours are cut. What comes out is the box.
 TEST(PolyMend, BoxesCutAnywhereStayBoxes) {
