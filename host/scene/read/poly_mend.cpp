@@ -168,7 +168,7 @@ class Mending {
     edges.emplace(scene_);
     for (const auto close : {&Mending::join_ends, &Mending::divide_edges}) {
       const std::vector<OpenEdge> open = open_edges_of(*edges, [this](std::uint32_t face) { return pieces_[face].body; });
-      if (open.empty() || !(this->*close)(open)) continue;
+      if (open.empty() || !(this->*close)(*edges, open)) continue;
       put_in_order();
       lend();
       edges.emplace(scene_);
@@ -378,7 +378,7 @@ class Mending {
   // --- cracks
 
   // Ends of open edges that only rounding keeps apart.
-  bool join_ends(const std::vector<OpenEdge>& open) {
+  bool join_ends(const EdgeTable& /*edges*/, const std::vector<OpenEdge>& open) {
     if (!options_.rounded) return false;
     const OpenVertices ends(points(), open, file_.vertices, target_);
     const auto pairs = ends.near_pairs(options_.step);
@@ -434,7 +434,7 @@ class Mending {
     }
   };
 
-  bool divide_edges(const std::vector<OpenEdge>& open) {
+  bool divide_edges(const EdgeTable& edges, const std::vector<OpenEdge>& open) {
     const OpenVertices ends(points(), open, file_.vertices, target_);
     // In a mesh that is meant, few vertices are near an edge. Where all edges pass all vertices, nothing is divided.
     const std::size_t most_work = 1'000'000 + 200 * open.size();
@@ -454,7 +454,7 @@ class Mending {
       at.insert(at.begin(), edge.from);
       at.push_back(edge.to);
     }
-    std::vector<Division> divisions = helpful_divisions(open, passed);
+    std::vector<Division> divisions = helpful_divisions(edges, open, passed);
     if (divisions.empty()) return false;
     std::sort(divisions.begin(), divisions.end());
     take_back();
@@ -470,8 +470,26 @@ class Mending {
     return divided;
   }
 
-  // Those with which a part of an edge is a part of another one, too: a vertex that only touches an edge does not divide it.
-  static std::vector<Division> helpful_divisions(const std::vector<OpenEdge>& open, const std::vector<Ring>& passed) {
+  static std::span<const EdgeTable::Use> uses_of(const EdgeTable& edges, VertexIndex low, VertexIndex high) {
+    std::size_t begin = 0;
+    std::size_t end = edges.size();
+    while (begin < end) {
+      const std::size_t middle = begin + (end - begin) / 2;
+      const EdgeTable::Edge& edge = edges[middle];
+      if (edge.low < low || (edge.low == low && edge.high < high)) {
+        begin = middle + 1;
+      } else {
+        end = middle;
+      }
+    }
+    if (begin == edges.size() || edges[begin].low != low || edges[begin].high != high) return {};
+    return edges.uses(begin);
+  }
+
+  // Those with which a part of an edge is a part of another one, too: a vertex that only touches an edge does not divide it. Nor
+  // do vertices with which three faces would meet in a part.
+  [[nodiscard]] std::vector<Division> helpful_divisions(const EdgeTable& edges, const std::vector<OpenEdge>& open,
+                                                        const std::vector<Ring>& passed) const {
     using Part = std::array<std::uint32_t, 3>;
     const auto part_of = [&](std::size_t e, std::size_t i) {
       return Part{open[e].body, std::min(passed[e][i], passed[e][i + 1]), std::max(passed[e][i], passed[e][i + 1])};
@@ -484,8 +502,17 @@ class Mending {
       const auto found = std::lower_bound(parts.begin(), parts.end(), part);
       return found + 1 != parts.end() && *(found + 1) == part;
     };
+    const auto is_crowded = [&](const Part& part) {
+      const auto found = std::equal_range(parts.begin(), parts.end(), part);
+      if (found.second - found.first > 2) return true;
+      const auto uses = uses_of(edges, part[1], part[2]);
+      return std::count_if(uses.begin(), uses.end(), [&](const EdgeTable::Use& use) { return pieces_[use.face].body == part[0]; }) > 1;
+    };
     std::vector<Division> divisions;
     for (std::size_t e = 0; e < open.size(); ++e) {
+      bool crowded = false;
+      for (std::size_t i = 0; passed[e].size() > 2 && i + 1 < passed[e].size(); ++i) crowded = crowded || is_crowded(part_of(e, i));
+      if (crowded) continue;
       Division division{open[e].face, open[e].from, open[e].to, {}};
       for (std::size_t i = 1; i + 1 < passed[e].size(); ++i)
         if (is_shared(part_of(e, i - 1)) || is_shared(part_of(e, i))) division.at.push_back(passed[e][i]);
