@@ -142,7 +142,7 @@ GridPoint grid_point_argument(std::string_view option, const std::string& text, 
   const Vector given = vector_argument(option, text, arguments.steps, scene::poly_coordinate_limit);
   if (arguments.steps) return {given, scene::direction_of(given)};
   GridPoint point;
-  for (std::size_t a = 0; a < 3; ++a) point.given[a] = given[a] / scene.step - scene.origin[a];
+  for (std::size_t a = 0; a < 3; ++a) point.given[a] = given[a] / scene.step - static_cast<double>(scene.origin[a]);
   const auto at = scene::grid_point(scene, given);
   if (!at) {
     const std::int32_t most = scene::poly_coordinate_limit - 1;

@@ -157,6 +157,8 @@ void warn_of_changes(const scene::PolyImportReport& report) {
     if (count > 0) said.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
   };
   say(faces.merged_vertices, "equal vertex merged", "equal vertices merged");
+  say(faces.joined_vertices, "vertex joined to one less than a step away", "vertices joined to others less than a step away");
+  say(faces.divided_edges, "edge divided at vertices of other faces", "edges divided at vertices of other faces");
   say(faces.dropped_vertices, "unused vertex left out", "unused vertices left out");
   say(faces.dropped_faces, "face without area left out", "faces without area left out");
   say(faces.duplicate_faces, "face left out that was there twice", "faces left out that were there twice");
@@ -180,6 +182,12 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   }
   for (const std::string& note : report.notes) said.push_back(note + " passed over");
   if (!said.empty()) warn((report.mended ? "mended: " : "") + base::joined(said, "; "));
+  if (faces.helpful_weld > 0) {
+    warn(fmt::format("{} {} open; --weld {} {}", faces.sheets, faces.sheets == 1 ? "part is" : "parts are",
+                     faces.helpful_weld,
+                     faces.sheets_with_weld > 0 ? fmt::format("leaves {}", faces.sheets_with_weld)
+                                                : fmt::format("closes {}", faces.sheets == 1 ? "it" : "them")));
+  }
 }
 
 geometry::Point point_argument(std::string_view option, std::string_view text) {

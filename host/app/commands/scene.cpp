@@ -124,7 +124,7 @@ ExitCode check(const ShowArguments& arguments) {
                 {"errors", std::move(errors)}});
   } else {
     for (const base::Error& error : reading.errors) complain(error.message());
-    warn_of_changes(possible || !mended ? reading.loaded.report : mended->loaded.report);
+    warn_of_changes(mended && mended->errors.empty() ? mended->loaded.report : reading.loaded.report);
     if (possible) {
       write_stdout(name + ": a possible scene\n");
     } else if (mended && mended->errors.empty()) {

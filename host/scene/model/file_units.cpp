@@ -34,7 +34,7 @@ std::string file_point_text(const PolyScene& scene, const PolyPoint& p) {
 std::optional<PolyPoint> grid_point(const PolyScene& scene, const std::array<double, 3>& in_file) {
   PolyPoint p{};
   for (std::size_t a = 0; a < 3; ++a) {
-    const double steps = std::round(in_file[a] / scene.step) - scene.origin[a];
+    const double steps = std::round(in_file[a] / scene.step) - static_cast<double>(scene.origin[a]);
     if (!(std::abs(steps) < poly_coordinate_limit)) return std::nullopt;
     p[a] = static_cast<std::int32_t>(steps);
   }

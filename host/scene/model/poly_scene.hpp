@@ -24,6 +24,10 @@ inline constexpr std::int32_t poly_coordinate_limit = 1 << 18;
 using PolyPoint = std::array<std::int32_t, 3>;
 using VertexIndex = std::uint32_t;
 
+// Where a scene lies in the file it came from, in steps: wide, as a part may lie far from 0. Below 2^53 in magnitude, and so
+// are all its coordinates from 0, so that each is a double.
+using PolyOrigin = std::array<std::int64_t, 3>;
+
 // A planar region: counterclockwise outline seen from outside, clockwise holes.
 struct PolyFace {
   std::vector<VertexIndex> outline;
@@ -96,7 +100,7 @@ struct PolyScene {
   std::vector<PolyBody> bodies;
   PolyCamera camera;   // the default view
   double step = 1;     // what one unit stands for in the file it came from (a float file is quantised once)
-  PolyPoint origin{};  // added to a vertex before the multiplication by step
+  PolyOrigin origin{};  // added to a vertex before the multiplication by step
   // Of a mesh; otherwise these three are empty. For each face, counted over all bodies from 0, the number of its
   // surface and that of its material (empty if all have the same).
   std::vector<PolySurface> surfaces = {};

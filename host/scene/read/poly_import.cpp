@@ -12,6 +12,8 @@
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/aim_camera.hpp"
+#include "host/scene/model/file_units.hpp"
+#include "host/scene/read/open_vertices.hpp"
 #include "host/scene/read/poly_mend.hpp"
 #include "host/scene/read/poly_planes.hpp"
 #include "host/scene/read/poly_quantise.hpp"
@@ -114,12 +116,15 @@ class Import {
     scene().origin = q.origin;
     report().quantised = !q.as_it_is;
     scene().vertices.reserve(mesh_.vertices.size());
-    for (const auto& vertex : mesh_.vertices) {
+    const std::array<double, 3> origin = file_point(scene(), {});
+    for (auto& vertex : mesh_.vertices) {
       PolyPoint p{};
       for (std::size_t a = 0; a < 3; ++a) {
         p[a] = quantised(vertex[a], q, a);
         report().largest_shift = std::max(report().largest_shift,
                                           std::abs(q.value_of(std::int64_t{p[a]} + q.origin[a]) - vertex[a]));
+        reach_ = std::max(reach_, std::abs(vertex[a]));
+        vertex[a] -= origin[a];  // what is computed from it has the bits for the size of the scene alone
       }
       scene().vertices.push_back(p);
     }
@@ -132,8 +137,9 @@ class Import {
     file.starts.reserve(face_count(scene()) + 1);
     for (const PolyBody& body : scene().bodies)
       for (const PolyFace& face : body.faces) file.add(face.outline);
-    const MendOptions options{options_.weld / report().step, mesh_.grouped};
-    const std::vector<MendedFace> mended = mend(scene(), options, faces());
+    std::vector<std::size_t> body_sizes;
+    for (const PolyBody& body : scene().bodies) body_sizes.push_back(body.faces.size());
+    const std::vector<MendedFace> mended = mend(scene(), file, mend_options(options_.weld), faces());
     faces().largest_deviation *= report().step;
     if (!number_in_file_.empty()) faces().first_crossing = number_in_file_[faces().first_crossing];
     report().mended = true;
@@ -148,6 +154,7 @@ class Import {
                            "a mesh", "--strict names what is wrong with each"};
       return;
     }
+    suggest_weld(file, body_sizes);
     const double tolerance = options_.planar_tolerance.value_or(std::max(4 * mesh_.precision, options_.weld));
     find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
     if (report().quantised) find_surfaces_of_wires();
@@ -190,12 +197,84 @@ class Import {
     }
   }
 
+  // A vertex and the two ends of the edge that it is on were each rounded, by 0.87 units of the precision at most.
+  [[nodiscard]] MendOptions mend_options(double weld) const {
+    return {.weld = weld / result_.report.step,
+            .grouped = mesh_.grouped,
+            .step = result_.report.step,
+            .rounded = result_.report.largest_shift > 0,
+            .tolerance = std::max(2 * mesh_.precision, least_tolerance())};
+  }
+
   // What double coordinates leave uncertain of a plane.
-  [[nodiscard]] double least_tolerance() const {
-    double reach = 0;
-    for (const auto& vertex : mesh_.vertices)
-      for (const double c : vertex) reach = std::max(reach, std::abs(c));
-    return reach * 0x1p-48;
+  [[nodiscard]] double least_tolerance() const { return reach_ * 0x1p-48; }
+
+  // For parts that are open: the smallest of 1, 2, 5, 10 .. with which as few are left as with any, if that is half of them
+  // at most.
+  void suggest_weld(const FileFaces& file, const std::vector<std::size_t>& body_sizes) {
+    if (faces().sheets == 0) return;
+    std::vector<double> welds;
+    for (const double distance : weld_distances(scene()))
+      if (welds.empty() || distance * report().step > welds.back()) welds.push_back(round_up(distance * report().step));
+    if (welds.empty()) return;
+    welds.push_back(round_up(1.1 * welds.back()));  // several vertices that belong together are in a chain
+    const std::size_t faces_now = face_count(scene());
+    const auto sheets_with = [&](double weld) {
+      PolyScene again = scene_of(file, body_sizes);
+      MendReport after;
+      mend(again, file, mend_options(weld), after);
+      // Faces that vanish are no help.
+      return 10 * face_count(again) < 9 * faces_now ? faces().sheets : after.sheets;
+    };
+    constexpr int most_tries = 3;
+    for (int tries = 0; tries < most_tries && !welds.empty(); ++tries, welds.pop_back()) {
+      const std::size_t left = sheets_with(welds.back());
+      if (2 * left > faces().sheets) continue;
+      std::size_t low = 0;
+      std::size_t high = welds.size() - 1;
+      while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (sheets_with(welds[middle]) <= left) {
+          high = middle;
+        } else {
+          low = middle + 1;
+        }
+      }
+      faces().helpful_weld = welds[high];
+      faces().sheets_with_weld = left;
+      return;
+    }
+  }
+
+  // The least of 1, 2, 5, 10 .. and their tenths that is not below the value, as a person writes it.
+  static double round_up(double value) {
+    const int exponent = static_cast<int>(std::floor(std::log10(value)));
+    const double power = std::pow(10.0, std::abs(exponent));
+    for (const double digit : {1.0, 2.0, 5.0, 10.0}) {
+      const double rounded = exponent < 0 ? digit / power : digit * power;
+      if (rounded >= value * (1 + 1e-12)) return rounded;
+    }
+    return exponent < 0 ? 20 / power : 20 * power;
+  }
+
+  // What mend was given.
+  [[nodiscard]] PolyScene scene_of(const FileFaces& file, const std::vector<std::size_t>& body_sizes) const {
+    PolyScene scene;
+    const Quantisation q{.step = result_.scene.step, .origin = result_.scene.origin};
+    const std::array<double, 3> origin = file_point(result_.scene, {});
+    for (const auto& vertex : mesh_.vertices) {
+      PolyPoint& p = scene.vertices.emplace_back();
+      for (std::size_t a = 0; a < 3; ++a) p[a] = quantised(vertex[a] + origin[a], q, a);
+    }
+    std::size_t face = 0;
+    for (const std::size_t size : body_sizes) {
+      PolyBody& body = scene.bodies.emplace_back();
+      for (std::size_t i = 0; i < size; ++i, ++face) {
+        const auto outline = file.outline(face);
+        body.faces.push_back({{outline.begin(), outline.end()}, {}});
+      }
+    }
+    return scene;
   }
 
   // --- without mending
@@ -360,7 +439,8 @@ class Import {
     if (faces().dropped_vertices > 0) renumber(keep, target);
   }
 
-  PolyMesh mesh_;
+  PolyMesh mesh_;  // its vertices less the origin, once they are on the grid
+  double reach_ = 0;  // the largest coordinate of the file
   std::vector<std::uint32_t> number_in_file_;  // of each face, if some were left out
   PolyImportOptions options_;
   PolyImport result_;

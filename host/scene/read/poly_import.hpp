@@ -2,12 +2,14 @@
 // at all.
 //
 // A file whose coordinates are integers below poly_coordinate_limit is taken as it is: step 1, nothing
-// changed. All others are rounded once to a step. If every coordinate is a multiple of 0.1, 0.01 .. 0.000001
-// and so small that the multiples keep below 2^16, that is the step and nothing is lost; else it is the
-// smallest power of two with which they keep below 2^16 (a quarter of the limit, so that there is room for an
-// eye outside). A scene farther from the origin than four times its size is moved there first
-// (PolyScene::origin). An eye farther away than that room makes the step longer, and an eye between the points
-// of a file of integers makes it shorter (PolyImportOptions::eye).
+// changed. So is one that would be if it were moved to 0. All others are rounded once to a step, which follows the
+// size of the scene and not its distance from 0. If every coordinate is a multiple of 0.1, 0.01 .. 0.000001 and
+// half the largest side of the scene is at most 2^16 of them, that is the step and nothing is lost; else it is the
+// smallest power of two that goes into half the side 2^16 times at most (a quarter of the limit, so that there is room
+// for an eye outside), but no less than what the doubles of the file can distinguish. Where coordinates are larger
+// than that, they are counted from the middle of the scene (PolyScene::origin). An eye farther away than that room
+// makes the step longer, and an eye between the points of a file of integers makes it shorter
+// (PolyImportOptions::eye).
 //
 // What then happens to the faces is one of two things. Mending: poly_mend.hpp, and what lies in one plane is
 // found (poly_planes.hpp); a wire of a rounded file is in such a plane if its ends are, within two steps and a ten-thousandth

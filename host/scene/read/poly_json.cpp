@@ -20,7 +20,7 @@ namespace {
 using base::Json;
 
 constexpr std::size_t longest_scene_name = 200;
-constexpr std::int64_t largest_origin = std::int64_t{1} << 30;
+constexpr std::int64_t largest_origin = std::int64_t{1} << 53;
 
 class PolyReader {
  public:
@@ -147,8 +147,11 @@ class PolyReader {
       scene_.step = step->number().value_or(0);
       if (!std::isnormal(scene_.step) || scene_.step < 0) json_.expected("a number above 0", *step, "step");
     }
-    if (const Json* origin = json_.optional_field(document, "origin", ""))
-      scene_.origin = point(*origin, "origin", largest_origin);
+    const Json* origin = json_.optional_field(document, "origin", "");
+    if (origin != nullptr && json_.array(*origin, "origin", 3)) {
+      for (std::size_t a = 0; a < 3; ++a)
+        scene_.origin[a] = json_.integer((*origin)[a], base::indexed("origin", a), -largest_origin, largest_origin);
+    }
     const Json* vertices = json_.field(document, "vertices", "");
     if (vertices == nullptr || !json_.array(*vertices, "vertices")) return;
     for (std::size_t v = 0; v < vertices->size() && !json_.failed(); ++v)

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -15,6 +17,7 @@
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/edge_table.hpp"
 #include "host/scene/model/eye_place.hpp"
+#include "host/scene/read/open_vertices.hpp"
 #include "host/scene/read/poly_triangulate.hpp"
 
 namespace sightline::scene {
@@ -154,16 +157,25 @@ bool clean_already(const Ring& ring) {
 
 class Mending {
  public:
-  Mending(PolyScene& scene, const MendOptions& options, MendReport& report)
-      : scene_(scene), options_(options), report_(report) {}
+  Mending(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report)
+      : scene_(scene), file_(file), options_(options), report_(report) {}
 
   std::vector<MendedFace> run() {
     take_faces();
-    split_faces();
-    drop_duplicates();
-    give_flat_triangles_away();
-    drop_left_out();
-    make_parts();
+    put_in_order();
+    lend();
+    std::optional<EdgeTable> edges;
+    edges.emplace(scene_);
+    for (const auto close : {&Mending::join_ends, &Mending::divide_edges}) {
+      const std::vector<OpenEdge> open = open_edges_of(*edges, [this](std::uint32_t face) { return pieces_[face].body; });
+      if (open.empty() || !(this->*close)(*edges, open)) continue;
+      put_in_order();
+      lend();
+      edges.emplace(scene_);
+    }
+    for (PolyWire& wire : scene_.wires) wire = {target_[wire[0]], target_[wire[1]]};
+    tidy_wires(scene_.wires, report_);
+    make_parts(*edges);
     orient();
     put_together();
     return drop_unused();
@@ -173,22 +185,26 @@ class Mending {
   [[nodiscard]] const std::vector<PolyPoint>& points() const { return scene_.vertices; }
 
   void take_faces() {
-    std::vector<VertexIndex> target = equal_points(points());
-    if (options_.weld > 0) join_near(points(), options_.weld, target);
-    for (VertexIndex v = 0; v < target.size(); ++v) report_.merged_vertices += target[v] != v ? 1U : 0U;
+    target_ = equal_points(points());
+    if (options_.weld > 0) join_near(points(), options_.weld, target_);
+    for (VertexIndex v = 0; v < target_.size(); ++v) report_.merged_vertices += target_[v] != v ? 1U : 0U;
     pieces_.reserve(face_count(scene_));
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
       for (PolyFace& face : scene_.bodies[b].faces) {
         Piece piece{std::move(face.outline), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(pieces_.size())};
-        for (VertexIndex& v : piece.ring) v = target[v];
+        for (VertexIndex& v : piece.ring) v = target_[v];
         if (!clean_already(piece.ring)) clean(piece.ring);
         if (piece.ring.empty()) leave_out(piece, report_.dropped_faces);
         pieces_.push_back(std::move(piece));
       }
     }
-    file_faces_ = pieces_.size();
-    for (PolyWire& wire : scene_.wires) wire = {target[wire[0]], target[wire[1]]};
-    tidy_wires(scene_.wires, report_);
+  }
+
+  void put_in_order() {
+    split_faces();
+    drop_duplicates();
+    give_flat_triangles_away();
+    drop_left_out();
   }
 
   static void leave_out(Piece& piece, std::size_t& count) {
@@ -219,7 +235,8 @@ class Mending {
   // Faces of four and more vertices that are not planar or not simple become triangles, each where its face was
   // in the list, the others at its end.
   void split_faces() {
-    for (std::size_t p = 0; p < file_faces_; ++p) {
+    const std::size_t count = pieces_.size();
+    for (std::size_t p = 0; p < count; ++p) {
       if (pieces_[p].ring.size() <= 3) continue;
       const Ring& ring = pieces_[p].ring;
       if (on_a_line(ring)) {
@@ -242,7 +259,11 @@ class Mending {
         pieces_.push_back({{(*triangles)[t][0], (*triangles)[t][1], (*triangles)[t][2]}, pieces_[p].body, pieces_[p].source});
       pieces_[p].ring = {(*triangles)[0][0], (*triangles)[0][1], (*triangles)[0][2]};
     }
-    if (pieces_.size() == file_faces_) return;
+    if (pieces_.size() != count) sort_pieces();
+  }
+
+  // In the order of the file.
+  void sort_pieces() {
     std::stable_sort(pieces_.begin(), pieces_.end(),
                      [](const Piece& a, const Piece& b) { return a.source < b.source; });
   }
@@ -350,6 +371,215 @@ class Mending {
     for (Piece& piece : pieces_) scene_.bodies[piece.body].faces.push_back({std::move(piece.ring), {}});
   }
 
+  void take_back() {
+    std::size_t number = 0;
+    for (PolyBody& body : scene_.bodies)
+      for (PolyFace& face : body.faces) pieces_[number++].ring = std::move(face.outline);
+  }
+
+  // --- cracks
+
+  // Ends of open edges that only rounding keeps apart.
+  bool join_ends(const EdgeTable& /*edges*/, const std::vector<OpenEdge>& open) {
+    if (!options_.rounded) return false;
+    const OpenVertices ends(points(), open, file_.vertices, target_);
+    const auto pairs = ends.near_pairs(options_.step);
+    if (pairs.empty()) return false;
+    std::vector<std::uint32_t> parents(points().size());
+    std::iota(parents.begin(), parents.end(), 0U);
+    std::unordered_map<std::uint32_t, PolyBounds> groups;
+    const auto bounds_of_group = [&](std::uint32_t root) {
+      return groups.try_emplace(root, PolyBounds{points()[root], points()[root]}).first->second;
+    };
+    for (const auto& [v, w] : pairs) {
+      const std::uint32_t a = root_of(parents, v);
+      const std::uint32_t b = root_of(parents, w);
+      if (a == b) continue;
+      PolyBounds both = bounds_of_group(a);
+      const PolyBounds other = bounds_of_group(b);
+      bool small = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        both.low[i] = std::min(both.low[i], other.low[i]);
+        both.high[i] = std::max(both.high[i], other.high[i]);
+        small = small && both.high[i] - both.low[i] <= 1;
+      }
+      if (!small) continue;
+      const bool a_is_lower = points()[a] < points()[b];
+      parents[a_is_lower ? b : a] = a_is_lower ? a : b;
+      groups[a_is_lower ? a : b] = both;
+      ++report_.joined_vertices;
+    }
+    take_back();
+    for (VertexIndex& t : target_) t = root_of(parents, t);
+    for (Piece& piece : pieces_) {
+      bool changed = false;
+      for (VertexIndex& v : piece.ring) {
+        const VertexIndex now = root_of(parents, v);
+        changed = changed || now != v;
+        v = now;
+      }
+      if (changed) clean(piece.ring);
+      if (piece.ring.empty()) leave_out(piece, report_.dropped_faces);
+    }
+    return true;
+  }
+
+  // Vertices of other faces on an edge, in the order in which its face passes them.
+  struct Division {
+    std::uint32_t piece = 0;
+    VertexIndex from = 0;
+    VertexIndex to = 0;
+    Ring at;
+
+    [[nodiscard]] bool operator<(const Division& other) const {
+      return piece != other.piece ? piece < other.piece : from < other.from;
+    }
+  };
+
+  bool divide_edges(const EdgeTable& edges, const std::vector<OpenEdge>& open) {
+    const OpenVertices ends(points(), open, file_.vertices, target_);
+    // In a mesh that is meant, few vertices are near an edge. Where all edges pass all vertices, nothing is divided.
+    const std::size_t most_work = 1'000'000 + 200 * open.size();
+    std::size_t work = 0;
+    std::vector<Ring> passed;  // by each edge, with its ends
+    passed.reserve(open.size());
+    for (const OpenEdge& edge : open) {
+      // As this face has them in the file: other faces may have others that became the same vertices.
+      const auto place_of = [&](VertexIndex v) {
+        for (const VertexIndex corner : file_.outline(pieces_[edge.face].source))
+          if (target_[corner] == v) return file_.vertices[corner];
+        return ends.in_file(v)[0];
+      };
+      Ring& at = passed.emplace_back(
+          ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step, work));
+      if (work > most_work) return false;
+      at.insert(at.begin(), edge.from);
+      at.push_back(edge.to);
+    }
+    std::vector<Division> divisions = helpful_divisions(edges, open, passed);
+    if (divisions.empty()) return false;
+    std::sort(divisions.begin(), divisions.end());
+    take_back();
+    bool divided = false;
+    for (std::size_t first = 0; first < divisions.size();) {
+      std::size_t end = first + 1;
+      while (end < divisions.size() && divisions[end].piece == divisions[first].piece) ++end;
+      divided = divide(divisions[first].piece, std::span(divisions).subspan(first, end - first)) || divided;
+      first = end;
+    }
+    if (divided) sort_pieces();
+    else lend();
+    return divided;
+  }
+
+  static std::span<const EdgeTable::Use> uses_of(const EdgeTable& edges, VertexIndex low, VertexIndex high) {
+    std::size_t begin = 0;
+    std::size_t end = edges.size();
+    while (begin < end) {
+      const std::size_t middle = begin + (end - begin) / 2;
+      const EdgeTable::Edge& edge = edges[middle];
+      if (edge.low < low || (edge.low == low && edge.high < high)) {
+        begin = middle + 1;
+      } else {
+        end = middle;
+      }
+    }
+    if (begin == edges.size() || edges[begin].low != low || edges[begin].high != high) return {};
+    return edges.uses(begin);
+  }
+
+  // Those with which a part of an edge is a part of another one, too: a vertex that only touches an edge does not divide it. Nor
+  // do vertices with which three faces would meet in a part.
+  [[nodiscard]] std::vector<Division> helpful_divisions(const EdgeTable& edges, const std::vector<OpenEdge>& open,
+                                                        const std::vector<Ring>& passed) const {
+    using Part = std::array<std::uint32_t, 3>;
+    const auto part_of = [&](std::size_t e, std::size_t i) {
+      return Part{open[e].body, std::min(passed[e][i], passed[e][i + 1]), std::max(passed[e][i], passed[e][i + 1])};
+    };
+    std::vector<Part> parts;
+    for (std::size_t e = 0; e < open.size(); ++e)
+      for (std::size_t i = 0; i + 1 < passed[e].size(); ++i) parts.push_back(part_of(e, i));
+    std::sort(parts.begin(), parts.end());
+    const auto is_shared = [&](const Part& part) {
+      const auto found = std::lower_bound(parts.begin(), parts.end(), part);
+      return found + 1 != parts.end() && *(found + 1) == part;
+    };
+    const auto is_crowded = [&](const Part& part) {
+      const auto found = std::equal_range(parts.begin(), parts.end(), part);
+      if (found.second - found.first > 2) return true;
+      const auto uses = uses_of(edges, part[1], part[2]);
+      return std::count_if(uses.begin(), uses.end(), [&](const EdgeTable::Use& use) { return pieces_[use.face].body == part[0]; }) > 1;
+    };
+    std::vector<Division> divisions;
+    for (std::size_t e = 0; e < open.size(); ++e) {
+      bool crowded = false;
+      for (std::size_t i = 0; passed[e].size() > 2 && i + 1 < passed[e].size(); ++i) crowded = crowded || is_crowded(part_of(e, i));
+      if (crowded) continue;
+      Division division{open[e].face, open[e].from, open[e].to, {}};
+      for (std::size_t i = 1; i + 1 < passed[e].size(); ++i)
+        if (is_shared(part_of(e, i - 1)) || is_shared(part_of(e, i))) division.at.push_back(passed[e][i]);
+      if (!division.at.empty()) divisions.push_back(std::move(division));
+    }
+    return divisions;
+  }
+
+  // False if the face cannot have these vertices: they are its own, or it cannot become triangles.
+  bool divide(std::uint32_t p, std::span<Division> divisions) {
+    const Ring ring = pieces_[p].ring;
+    std::set<VertexIndex> seen(ring.begin(), ring.end());
+    std::size_t edges = 0;
+    for (Division& division : divisions) {
+      Ring mine;
+      for (const VertexIndex v : division.at)
+        if (seen.insert(v).second) mine.push_back(v);
+      division.at = std::move(mine);
+      edges += division.at.empty() ? 0U : 1U;
+    }
+    if (edges == 0) return false;
+    const auto on_side = [&](VertexIndex from, VertexIndex to) -> Ring {
+      const auto found = std::lower_bound(divisions.begin(), divisions.end(), Division{p, from, to, {}});
+      return found != divisions.end() && found->from == from && found->to == to ? found->at : Ring{};
+    };
+    Ring longer;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      longer.push_back(ring[i]);
+      const Ring side = on_side(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+      longer.insert(longer.end(), side.begin(), side.end());
+    }
+    const auto normal = ring_normal(points(), longer);
+    if (!geometry::is_zero(normal) && deviation(longer, normal) == 0 && is_simple_face(points(), longer)) {
+      pieces_[p].ring = std::move(longer);
+    } else {
+      const auto triangles = triangulate(points(), {ring, {}});
+      if (!triangles || triangles->empty()) return false;
+      std::vector<std::array<VertexIndex, 3>> parts;
+      for (const auto& t : *triangles)
+        divide_triangle(t, {on_side(t[0], t[1]), on_side(t[1], t[2]), on_side(t[2], t[0])}, parts);
+      for (std::size_t t = 1; t < parts.size(); ++t)
+        pieces_.push_back({{parts[t][0], parts[t][1], parts[t][2]}, pieces_[p].body, pieces_[p].source});
+      pieces_[p].ring = {parts[0][0], parts[0][1], parts[0][2]};
+    }
+    report_.divided_edges += edges;
+    return true;
+  }
+
+  // Into triangles that have all vertices of its sides; no one is between three vertices of one side.
+  static void divide_triangle(const std::array<VertexIndex, 3>& corners, const std::array<Ring, 3>& sides,
+                              std::vector<std::array<VertexIndex, 3>>& parts) {
+    for (std::size_t s = 0; s < 3; ++s) {
+      if (sides[s].empty()) continue;
+      const std::size_t half = sides[s].size() / 2;
+      const auto at = sides[s].begin() + static_cast<std::ptrdiff_t>(half);
+      const VertexIndex from = corners[s];
+      const VertexIndex to = corners[(s + 1) % 3];
+      const VertexIndex apex = corners[(s + 2) % 3];
+      divide_triangle({from, *at, apex}, {Ring(sides[s].begin(), at), {}, sides[(s + 2) % 3]}, parts);
+      divide_triangle({*at, to, apex}, {Ring(at + 1, sides[s].end()), sides[(s + 1) % 3], {}}, parts);
+      return;
+    }
+    parts.push_back(corners);
+  }
+
   // Calls visit(uses) for the uses of an edge by each body.
   template <class Visit>
   void for_edges_of_bodies(const EdgeTable& edges, Visit visit) const {
@@ -385,9 +615,7 @@ class Mending {
     [[nodiscard]] bool solid() const { return closed && !one_sided && volume != 0; }
   };
 
-  void make_parts() {
-    lend();
-    const EdgeTable edges(scene_);
+  void make_parts(const EdgeTable& edges) {
     std::vector<std::uint32_t> start(pieces_.size() + 1);
     for_edges_of_bodies(edges, [&](std::span<const EdgeTable::Use> uses) {
       if (uses.size() != 2) return;
@@ -602,7 +830,7 @@ class Mending {
       number[v] = count;
       if (used[v]) scene_.vertices[count++] = scene_.vertices[v];
     }
-    report_.dropped_vertices = points().size() - count - report_.merged_vertices;
+    report_.dropped_vertices = points().size() - count - report_.merged_vertices - report_.joined_vertices;
     scene_.vertices.resize(count);
     for (PolyBody& body : scene_.bodies)
       for (PolyFace& face : body.faces)
@@ -612,10 +840,11 @@ class Mending {
   }
 
   PolyScene& scene_;
+  const FileFaces& file_;
   const MendOptions& options_;
   MendReport& report_;
+  std::vector<VertexIndex> target_;  // of each vertex of the file: the one that it became
   std::vector<Piece> pieces_;
-  std::size_t file_faces_ = 0;
   std::vector<std::uint32_t> part_of_;  // of each face
   std::vector<Part> parts_;
   std::vector<const PolyFace*> faces_;
@@ -634,8 +863,8 @@ void tidy_wires(std::vector<PolyWire>& wires, MendReport& report) {
   wires.erase(std::unique(wires.begin(), wires.end()), wires.end());
 }
 
-std::vector<MendedFace> mend(PolyScene& scene, const MendOptions& options, MendReport& report) {
-  return Mending(scene, options, report).run();
+std::vector<MendedFace> mend(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report) {
+  return Mending(scene, file, options, report).run();
 }
 
 }  // namespace sightline::scene

@@ -10,32 +10,12 @@
 // many triangles stays round.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/poly_mend.hpp"
 
 namespace sightline::scene {
-
-// The faces of a file: what mend was given, with the coordinates before they were rounded.
-struct FileFaces {
-  std::span<const std::array<double, 3>> vertices;
-  std::vector<VertexIndex> corners;
-  std::vector<std::uint32_t> starts = {0};  // of each face in corners, and where the last one ends
-
-  void add(const std::vector<VertexIndex>& outline) {
-    corners.insert(corners.end(), outline.begin(), outline.end());
-    starts.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
-  [[nodiscard]] std::size_t size() const { return starts.size() - 1; }
-  [[nodiscard]] std::span<const VertexIndex> outline(std::size_t face) const {
-    return std::span(corners).subspan(starts[face], starts[face + 1] - starts[face]);
-  }
-};
 
 // Fills in scene.surfaces and scene.surface_of. `tolerance` in the unit of the file.
 void find_surfaces(PolyScene& scene, const std::vector<MendedFace>& mended, const FileFaces& file, double tolerance);

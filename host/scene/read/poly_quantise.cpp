@@ -11,15 +11,38 @@ namespace {
 
 using Vertices = std::vector<std::array<double, 3>>;
 
-constexpr double aim = 65536;         // coordinates keep at or below this in magnitude
-constexpr double furthest = 1 << 30;  // an origin keeps below this
+constexpr double aim = 65536;        // coordinates keep at or below this in magnitude, from the origin
+constexpr double most_steps = 0x1p53;  // from 0, so that the number of each step is a double
 
-template <class Test>
-bool all_coordinates(const Vertices& vertices, Test test) {
-  for (const auto& vertex : vertices)
-    for (const double c : vertex)
-      if (!test(c)) return false;
-  return true;
+struct Bounds {
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+  bool whole = true;  // all coordinates are integers
+
+  [[nodiscard]] double size() const {  // half the largest side
+    double result = 0;
+    for (std::size_t a = 0; a < 3; ++a) result = std::max(result, high[a] / 2 - low[a] / 2);
+    return result;
+  }
+  [[nodiscard]] double reach() const {  // the largest coordinate
+    double result = 0;
+    for (std::size_t a = 0; a < 3; ++a) result = std::max({result, std::abs(low[a]), std::abs(high[a])});
+    return result;
+  }
+};
+
+Bounds bounds_of(const Vertices& vertices) {
+  Bounds bounds;
+  if (vertices.empty()) return bounds;
+  bounds.low = bounds.high = vertices[0];
+  for (const auto& vertex : vertices) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      bounds.low[a] = std::min(bounds.low[a], vertex[a]);
+      bounds.high[a] = std::max(bounds.high[a], vertex[a]);
+      bounds.whole = bounds.whole && std::floor(vertex[a]) == vertex[a];
+    }
+  }
+  return bounds;
 }
 
 // The smallest power of two (positive, not subnormal) that goes into `length` at most `count` times.
@@ -35,11 +58,40 @@ double steps(double value, double step) {
   return std::round(value / step);
 }
 
-bool lossless(const Vertices& vertices, const Quantisation& q) {
-  return all_coordinates(vertices, [&](double c) {
-    const double n = steps(c, q.step);
-    return std::abs(n) <= aim && q.value_of(static_cast<std::int64_t>(n)) == c;
+bool is_lossless(const Vertices& vertices, const Quantisation& q) {
+  return std::all_of(vertices.begin(), vertices.end(), [&](const std::array<double, 3>& vertex) {
+    return std::all_of(vertex.begin(), vertex.end(), [&](double c) {
+      return q.value_of(static_cast<std::int64_t>(steps(c, q.step))) == c;
+    });
   });
+}
+
+// The middle of the scene, rounded down, so that the scene is the same wherever it lies.
+PolyOrigin middle_of(const Bounds& bounds, double step) {
+  PolyOrigin middle{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto sum = static_cast<std::int64_t>(steps(bounds.low[a], step)) + static_cast<std::int64_t>(steps(bounds.high[a], step));
+    middle[a] = sum / 2 - (sum % 2 < 0 ? 1 : 0);
+  }
+  return middle;
+}
+
+// What one step stands for, by the size of the scene alone.
+Quantisation without_origin(const Vertices& vertices, const Bounds& bounds) {
+  Quantisation result;
+  const double size = bounds.size();
+  const double reach = bounds.reach();
+  // Whole numbers below the limit stay what they are, and so do those that are below it when they are moved to 0.
+  result.as_it_is =
+      bounds.whole && (reach < poly_coordinate_limit || (2 * size < poly_coordinate_limit && reach < most_steps));
+  if (result.as_it_is) return result;
+  for (const double step : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    if (std::round(size / step) > aim || reach / step >= most_steps) continue;
+    result.step = step;
+    if (is_lossless(vertices, result)) return result;
+  }
+  result.step = std::max(step_for(size, aim), step_for(reach, most_steps));
+  return result;
 }
 
 }  // namespace
@@ -48,68 +100,39 @@ double Quantisation::value_of(std::int64_t n) const {
   return steps_in_file(n, step);
 }
 
-namespace {
-
-Quantisation without_eye(const Vertices& vertices) {
-  Quantisation result;
-  result.as_it_is = all_coordinates(
-      vertices, [](double c) { return std::abs(c) < poly_coordinate_limit && std::floor(c) == c; });
-  if (result.as_it_is) return result;
-  for (const double step : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
-    result.step = step;
-    if (lossless(vertices, result)) return result;
-  }
-  std::array<double, 3> low = vertices[0];
-  std::array<double, 3> high = low;
-  for (const auto& vertex : vertices) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], vertex[a]);
-      high[a] = std::max(high[a], vertex[a]);
-    }
-  }
-  double size = 0;   // half the largest side
-  double reach = 0;  // the largest coordinate
-  for (std::size_t a = 0; a < 3; ++a) {
-    size = std::max(size, high[a] / 2 - low[a] / 2);
-    reach = std::max({reach, std::abs(low[a]), std::abs(high[a])});
-  }
-  const bool far = reach > 4 * size;
-  // Half a step of rounding at either end: one less than the aim.
-  result.step = far ? std::max(step_for(size, aim - 1), step_for(reach, furthest)) : step_for(reach, aim);
-  for (std::size_t a = 0; a < 3 && far; ++a)
-    result.origin[a] = static_cast<std::int32_t>(std::round((low[a] / 2 + high[a] / 2) / result.step));
-  return result;
-}
-
-}  // namespace
-
 Quantisation quantisation_of(const Vertices& vertices, const std::optional<std::array<double, 3>>& eye) {
-  Quantisation q = without_eye(vertices);
+  const Bounds bounds = bounds_of(vertices);
+  Quantisation q = without_origin(vertices, bounds);
+  // Where all coordinates are small enough, they are counted from 0.
+  const double room = q.as_it_is ? poly_coordinate_limit - 1 : aim;
+  if (steps(bounds.reach(), q.step) > room) q.origin = middle_of(bounds, q.step);
   if (!eye || vertices.empty()) return q;
   const auto reach = [&](const std::array<double, 3>& p) {
     double most = 0;
-    for (std::size_t a = 0; a < 3; ++a) most = std::max(most, std::abs(p[a] / q.step - q.origin[a]));
+    for (std::size_t a = 0; a < 3; ++a) most = std::max(most, std::abs(p[a] / q.step - static_cast<double>(q.origin[a])));
     return most;
   };
   const bool between = std::any_of(eye->begin(), eye->end(), [](double c) { return std::floor(c) != c; });
   if (q.as_it_is && between) {  // halves of the step lose nothing
-    double most = reach(*eye);
-    for (const auto& vertex : vertices) most = std::max(most, reach(vertex));
-    for (; 2 * most <= aim; most *= 2) q.step /= 2;
+    double most = std::max({reach(*eye), reach(bounds.low), reach(bounds.high)});
+    for (; 2 * most <= aim && 2 * bounds.reach() / q.step < most_steps; most *= 2) {
+      q.step /= 2;
+      for (std::int64_t& o : q.origin) o *= 2;
+    }
     q.as_it_is = q.step == 1;
   }
   int exponent = 0;
-  const double longer = std::frexp(q.step, &exponent) == 0.5 ? 2 : 10;  // a power of ten stays one
+  const std::int64_t longer = std::frexp(q.step, &exponent) == 0.5 ? 2 : 10;  // a power of ten stays one
   while (reach(*eye) > poly_coordinate_limit - 2) {
     q.as_it_is = false;
-    q.step *= longer;
-    for (std::int32_t& o : q.origin) o = static_cast<std::int32_t>(std::round(o / longer));
+    q.step *= static_cast<double>(longer);
+    for (std::int64_t& o : q.origin) o /= longer;
   }
   return q;
 }
 
 std::int32_t quantised(double value, const Quantisation& quantisation, std::size_t axis) {
-  return static_cast<std::int32_t>(steps(value, quantisation.step) - quantisation.origin[axis]);
+  return static_cast<std::int32_t>(static_cast<std::int64_t>(steps(value, quantisation.step)) - quantisation.origin[axis]);
 }
 
 }  // namespace sightline::scene

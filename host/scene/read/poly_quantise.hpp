@@ -12,9 +12,9 @@
 namespace sightline::scene {
 
 struct Quantisation {
-  bool as_it_is = false;  // integers below the limit: step 1, no origin
+  bool as_it_is = false;  // integers: step 1
   double step = 1;        // a power of two, or of ten below 1
-  PolyPoint origin{};     // in steps
+  PolyOrigin origin{};
 
   // n steps in the file's unit, the nearest double.
   [[nodiscard]] double value_of(std::int64_t n) const;
@@ -24,8 +24,8 @@ struct Quantisation {
 [[nodiscard]] Quantisation quantisation_of(const std::vector<std::array<double, 3>>& vertices,
                                            const std::optional<std::array<double, 3>>& eye = {});
 
-// The nearest multiple of the step (halves away from 0), less the origin; below poly_coordinate_limit for
-// every value that quantisation_of has seen.
+// The nearest multiple of the step (halves away from 0), less the origin: exact, as the multiples have 53 bits at
+// most. Below poly_coordinate_limit for every value that quantisation_of has seen.
 [[nodiscard]] std::int32_t quantised(double value, const Quantisation& quantisation, std::size_t axis);
 
 }  // namespace sightline::scene

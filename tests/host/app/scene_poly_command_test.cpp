@@ -124,6 +124,48 @@ TEST_F(ScenePolyCommand, ABoxWrittenInManyWays) {
   }
 }
 
+const std::string drawing_data = std::string(SIGHTLINE_TEST_DATA) + "/drawing/";
+
+// A cube one side of which has a vertex on the edge of another face: nine edges are seen, each 10 sqrt(2/3) long.
+TEST_F(ScenePolyCommand, AVertexOnAnEdgeOfAnotherFace) {
+  const std::string cube = drawing_data + "t-vertex-cube.obj";
+  const Ran info = sightline({"scene", "info", cube});
+  EXPECT_TRUE(has(info.out, "1 solids, 0 sheets")) << info.out;
+  EXPECT_TRUE(has(info.out, "6 planes")) << info.out;
+  EXPECT_EQ(info.err, "sightline: warning: mended: 1 edge divided at vertices of other faces\n");
+  EXPECT_TRUE(has(sightline({"scene", "check", cube}).err, "1 edge divided at vertices of other faces"));
+  const Ran drawn = sightline({"draw", "exact", cube, "--view", "iso", "--json", "-o", "c.svg"});
+  EXPECT_TRUE(has(drawn.out, "\"visible_length\": 73.4846922")) << drawn.out;
+  EXPECT_FALSE(has(drawn.out, "\"boundary\"")) << drawn.out;
+}
+
+TEST_F(ScenePolyCommand, FarFromTheOriginIsDrawnAsNearIt) {
+  for (const char* view : {"iso", "front", "trimetric"}) {
+    for (const char* name : {"near", "far-from"}) {
+      const Ran ran = sightline({"draw", "exact", drawing_data + name + "-origin.obj", "--vertical", "z", "--view", view, "-o",
+                                 std::string(name) + ".plt"});
+      ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    }
+    EXPECT_EQ(read("near.plt"), read("far-from.plt")) << view;
+  }
+  // Points are those of the file, to the last decimal.
+  const std::string far = drawing_data + "far-from-origin.obj";
+  EXPECT_TRUE(has(sightline({"scene", "info", far}).out,
+                  "x 500123416..500123496  y 5412345638..5412345718  z 310250..310320"));
+  const Ran eye = sightline({"draw", "exact", far, "--vertical", "z", "--eye", "500123456,5412345478.123,310400", "--json", "-o", "e.svg"});
+  ASSERT_EQ(eye.exit_code, 0) << eye.err;
+  EXPECT_TRUE(has(eye.out, "500123456.0,\n      5412345478.123,\n      310400.0")) << eye.out;
+  const Ran inside = sightline({"draw", "exact", far, "--eye", "500123456,5412345678,310280", "-o", "e.svg"});
+  EXPECT_TRUE(has(inside.err, "the eye 500123456,5412345678,310280 is inside this solid")) << inside.err;
+}
+
+TEST_F(ScenePolyCommand, AnOpenPartNamesTheDistanceThatClosesIt) {
+  write("gap.off", "OFF\n7 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n0.03 0 0\n10 0 0.02\n0 0.01 10\n3 0 2 1\n3 4 5 6\n3 1 2 3\n3 0 3 2\n");
+  const Ran ran = sightline({"scene", "info", "gap.off"});
+  EXPECT_TRUE(has(ran.err, "sightline: warning: 2 parts are open; --weld 0.05 closes them\n")) << ran.err;
+  EXPECT_TRUE(has(sightline({"scene", "info", "gap.off", "--weld", "0.05"}).out, "1 solids, 0 sheets"));
+}
+
 // A pipe can be read once.
 TEST_F(ScenePolyCommand, SceneFromAPipe) {
   const std::string polyhedra = sightline({"scene", "generate", "boxes", "2"}).out;

@@ -1,7 +1,9 @@
 // Files with fractions are rounded once and told so; what is not quite a scene is mended when asked to be.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "host/scene/read/poly_file.hpp"
@@ -38,14 +40,16 @@ TEST(Quantise, AStepOfAnySizeIsMultiplied) {
 
 TEST(Quantise, OtherFilesAreRoundedToAPowerOfTwo) {
   const PolyImport import = read("OFF\n3 1 0\n0 0 0\n3.14159265 0 0\n0 1e-9 2\n3 0 1 2\n", PolyFormat::off);
-  EXPECT_EQ(import.report.step, std::ldexp(1.0, -14));
-  EXPECT_EQ(import.scene.vertices[1], (PolyPoint{51472, 0, 0}));  // 3.14159265 * 16384 = 51471.85
-  EXPECT_LE(import.report.largest_shift, std::ldexp(1.0, -15));
+  // Half of 3.14.. is below 65536 steps of 2^-15, and the middle of the scene, rounded down, is 51472, 0, 32768 of them.
+  EXPECT_EQ(import.report.step, std::ldexp(1.0, -15));
+  EXPECT_EQ(import.scene.origin, (PolyOrigin{51472, 0, 32768}));
+  EXPECT_EQ(import.scene.vertices[1], (PolyPoint{51472, 0, -32768}));  // 3.14159265 * 32768 = 102943.7
+  EXPECT_LE(import.report.largest_shift, std::ldexp(1.0, -16));
   EXPECT_GT(import.report.largest_shift, 0.0);
   const PolyImport large = read("OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n", PolyFormat::off);
   EXPECT_EQ(problems(large.scene), "");
   const PolyImport integers = read("OFF\n3 1 0\n0 0 0\n262144 0 0\n0 262144 0\n3 0 1 2\n", PolyFormat::off);
-  EXPECT_EQ(integers.report.step, 4.0);
+  EXPECT_EQ(integers.report.step, 2.0);
   EXPECT_EQ(integers.report.largest_shift, 0.0);
 }
 
@@ -56,7 +60,67 @@ TEST(Quantise, ASceneFarAwayIsMovedFirst) {
   EXPECT_EQ(problems(import.scene), "");
   EXPECT_LT(import.report.step, 0.01);
   EXPECT_LE(import.report.largest_shift, import.report.step / 2);
-  EXPECT_NE(import.scene.origin, (PolyPoint{0, 0, 0}));
+  EXPECT_NE(import.scene.origin, (PolyOrigin{0, 0, 0}));
+}
+
+// At 5.4e9 a double has units of 2^-20: thousandths are distinguished, and 120 of a part's units are 120,000 of them.
+TEST(Quantise, DecimalFractionsFarAwayLoseNothing) {
+  const std::string text =
+      "OFF\n4 1 0\n500123496 5412345678.123 310250.5\n500123376 5412345678.123 310250.5\n500123376 5412345700 310250.5\n"
+      "500123400.001 5412345700 310250.5\n4 0 1 2 3\n";
+  const PolyImport import = read(text, PolyFormat::off);
+  EXPECT_EQ(import.report.step, 0.001);
+  EXPECT_EQ(import.report.largest_shift, 0.0);
+  EXPECT_EQ(import.scene.origin, (PolyOrigin{500123436000, 5412345689061, 310250500}));  // the middle, rounded down
+  EXPECT_EQ(import.scene.vertices[0], (PolyPoint{60000, -10938, 0}));
+  EXPECT_EQ(written(import.scene, PolyFormat::off), text);
+  const PolyImport again = read(written(import.scene, PolyFormat::json), PolyFormat::json);
+  EXPECT_EQ(again.scene, import.scene);
+}
+
+TEST(Quantise, WholeNumbersFarAwayStayWhatTheyAre) {
+  const PolyImport import =
+      read("OFF\n3 1 0\n-9000000000 7 0\n-8999800000 7 0\n-9000000000 100007 1\n3 0 1 2\n", PolyFormat::off);
+  EXPECT_FALSE(import.report.quantised);
+  EXPECT_EQ(import.report.step, 1.0);
+  EXPECT_EQ(import.scene.vertices[2], (PolyPoint{-100000, 50000, 1}));  // the middle is -8999900000, 50007, 0
+}
+
+// The largest step that is needed to distinguish neighbouring doubles.
+TEST(Quantise, TheStepIsNoFinerThanTheNumbers) {
+  const PolyImport import =
+      read("OFF\n3 1 0\n1e300 0 0\n1.0000000000000002e300 0 0\n1e300 1e284 0\n3 0 1 2\n", PolyFormat::off);
+  EXPECT_EQ(import.report.step, std::ldexp(1.0, 944));  // 1e300 is between 2^996 and 2^997
+  EXPECT_EQ(import.scene.vertices[1][0] - import.scene.vertices[0][0], 1);
+}
+
+// Wherever a mesh lies, as long as its numbers are the same, it is the same scene.
+TEST(Quantise, AMeshThatWasMovedIsTheSameScene) {
+  std::mt19937 random(3);
+  const auto below = [&random](unsigned most) { return static_cast<double>(random() % most); };
+  for (int round = 0; round < 200; ++round) {
+    const double unit = round % 2 == 0 ? 1.0 / 1024 : 1.0 / 7 * 0x1p-2;  // 7ths are rounded: on a power of two
+    PolyMesh mesh;
+    mesh.bodies.emplace_back();
+    for (VertexIndex v = 0; v < 9; ++v) {
+      std::array<double, 3>& vertex = mesh.vertices.emplace_back();
+      // 30 bits before and 20 after the point: a sum of them is exact.
+      for (double& c : vertex) c = std::floor(below(80'000) * unit * 0x1p20) * 0x1p-20;
+      if (v % 3 == 2) mesh.bodies[0].faces.push_back({{v - 2, v - 1, v}, {}});
+    }
+    PolyMesh moved = mesh;
+    const std::array<double, 3> way{1e6 + below(1'000'000), -1e9, below(1'000) * 1e6};
+    for (auto& vertex : moved.vertices)
+      for (std::size_t a = 0; a < 3; ++a) vertex[a] += way[a];
+    const auto here = import_poly(mesh);
+    const auto there = import_poly(moved);
+    ASSERT_TRUE(here && there);
+    EXPECT_EQ(here->scene.step, there->scene.step) << round;
+    for (std::size_t v = 0; v < 9; ++v)
+      for (std::size_t a = 0; a < 3; ++a)
+        EXPECT_EQ(here->scene.vertices[v][a] - here->scene.vertices[0][a], there->scene.vertices[v][a] - there->scene.vertices[0][a]);
+    EXPECT_EQ(here->report.largest_shift, there->report.largest_shift);
+  }
 }
 
 TEST(Quantise, FacesThatAreNoLongerPlanarBecomeTriangles) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -168,6 +169,169 @@ TEST(PolyMend, FacesThatAreNotPlanarBecomeTriangles) {
   EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 7U);
   EXPECT_GT(result.report.faces.largest_deviation, 0.4);
   EXPECT_LT(result.report.faces.largest_deviation, 2.0);
+}
+
+// A cube whose side x = 8 is two faces, which meet in a line from one edge to the other; the faces beside know neither end.
+TEST(PolyMend, VerticesOnEdgesOfOtherFaces) {
+  std::vector<std::array<double, 3>> points = cube_corners;
+  points.push_back({8, 3, 0});
+  points.push_back({8, 5, 8});
+  Faces faces = cube_faces;
+  faces[3] = {1, 8, 9, 5};
+  faces.push_back({8, 2, 6, 9});
+  const PolyImport result = mended(mesh_of(points, faces));
+  EXPECT_EQ(result.report.faces.divided_edges, 2U);
+  EXPECT_EQ(result.report.faces.sheets, 0U);
+  EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 7U);
+  EXPECT_EQ(result.scene.bodies[0].faces[0].outline.size(), 5U);
+  EXPECT_EQ(result.scene.surfaces.size(), 6U);
+  // Of two bodies of the file no one divides edges of the other.
+  PolyMesh apart = mesh_of(points, faces);
+  apart.grouped = true;
+  apart.bodies.emplace_back().faces = {apart.bodies[0].faces[3], apart.bodies[0].faces[6]};
+  apart.bodies[0].faces = {apart.bodies[0].faces.begin(), apart.bodies[0].faces.begin() + 3};
+  EXPECT_EQ(mended(std::move(apart)).report.faces.divided_edges, 0U);
+}
+
+// Near an edge is not on it: what counts is the precision of the file.
+TEST(PolyMend, VerticesBesideEdgesDivideNothing) {
+  for (const double aside : {0.0001, 0.01}) {
+    std::vector<std::array<double, 3>> points = cube_corners;
+    points.push_back({8 + aside, 3, 0});
+    points.push_back({8 + aside, 5, 8});
+    Faces faces = cube_faces;
+    faces[3] = {1, 8, 9, 5};
+    faces.push_back({8, 2, 6, 9});
+    PolyMesh mesh = mesh_of(points, faces);
+    mesh.precision = 0.0001;
+    const PolyImport result = mended(std::move(mesh));
+    EXPECT_EQ(result.report.faces.divided_edges, aside < 0.001 ? 2U : 0U);
+    EXPECT_EQ(result.report.faces.sheets, aside < 0.001 ? 0U : 1U);
+  }
+}
+
+// A triangle that touches the middle of another one's side with a corner closes nothing there. One whose side is a part of that
+// side does, and so does one that goes beyond its end: both are divided, then.
+TEST(PolyMend, VerticesThatOnlyTouchAnEdgeDivideNothing) {
+  const auto divided = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return mended(mesh_of({{0, 0, 0}, {8, 0, 0}, {4, 5, 0}, a, b, {5, -6, 3}}, {{0, 1, 2}, {3, 4, 5}})).report.faces.divided_edges;
+  };
+  EXPECT_EQ(divided({4, 0, 0}, {3, -5, 3}), 0U);
+  EXPECT_EQ(divided({2, 0, 0}, {6, 0, 0}), 1U);
+  EXPECT_EQ(divided({4, 0, 0}, {12, 0, 0}), 2U);
+}
+
+// Boxes at any angle whose sides are cut into pieces at random, with fractions, near and far away: each piece has corners of
+// its own, as in STL, and no side knows where its neighbours are cut. What comes out is the box.
+TEST(PolyMend, BoxesCutAnywhereStayBoxes) {
+  std::mt19937 random(5);
+  const auto number = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+  };
+  using Point = std::array<double, 3>;
+  using Polygon = std::vector<Point>;
+  std::size_t divided = 0;
+  for (int round = 0; round < 60; ++round) {
+    const Point size{number(2, 10), number(2, 10), number(2, 10)};
+    const double decimals = round % 3 == 0 ? 1e4 : 1e6;
+    const double away = round % 4 == 0 ? 1e7 : number(0, 10);
+    const std::array<double, 2> angles{number(0, 6), number(0, 6)};
+    const auto place = [&](const Point& p) {
+      const Point q{std::cos(angles[0]) * p[0] - std::sin(angles[0]) * p[1], std::sin(angles[0]) * p[0] + std::cos(angles[0]) * p[1],
+                    p[2]};
+      Point r{q[0], std::cos(angles[1]) * q[1] - std::sin(angles[1]) * q[2], std::sin(angles[1]) * q[1] + std::cos(angles[1]) * q[2]};
+      for (double& c : r) c = std::round((c + away) * decimals) / decimals;
+      return r;
+    };
+    std::vector<Point> points;
+    Faces faces;
+    for (const auto& side : cube_faces) {
+      std::vector<Polygon> pieces(1);
+      for (const VertexIndex v : side)
+        pieces[0].push_back({cube_corners[v][0] / 8 * size[0], cube_corners[v][1] / 8 * size[1], cube_corners[v][2] / 8 * size[2]});
+      for (auto cuts = random() % 4; cuts > 0; --cuts) {
+        const std::size_t chosen = random() % pieces.size();
+        const Polygon whole = pieces[chosen];
+        const std::size_t i = random() % (whole.size() - 1);
+        const std::size_t j = i + 1 + random() % (whole.size() - 1 - i);
+        const auto within = [&](std::size_t k) {
+          const double t = number(0.3, 0.7);
+          Point p{};
+          for (std::size_t a = 0; a < 3; ++a) p[a] = whole[k][a] + t * (whole[(k + 1) % whole.size()][a] - whole[k][a]);
+          return p;
+        };
+        const Point u = within(i);
+        const Point v = within(j);
+        Polygon first(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        first.insert(first.end(), {u, v});
+        first.insert(first.end(), whole.begin() + static_cast<std::ptrdiff_t>(j) + 1, whole.end());
+        Polygon second{u};
+        second.insert(second.end(), whole.begin() + static_cast<std::ptrdiff_t>(i) + 1, whole.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+        second.push_back(v);
+        pieces[chosen] = first;
+        pieces.push_back(second);
+      }
+      for (const Polygon& piece : pieces) {
+        faces.emplace_back();
+        for (const Point& p : piece) {
+          faces.back().push_back(static_cast<VertexIndex>(points.size()));
+          points.push_back(place(p));
+        }
+      }
+    }
+    PolyMesh mesh = mesh_of(points, faces);
+    mesh.precision = 1 / decimals;
+    const PolyImport result = mended(std::move(mesh));
+    EXPECT_EQ(result.report.faces.sheets, 0U) << round;
+    EXPECT_EQ(result.scene.bodies.size(), 1U) << round;
+    EXPECT_EQ(result.scene.surfaces.size(), 6U) << round;
+    divided += result.report.faces.divided_edges;
+  }
+  EXPECT_GT(divided, 200U);
+}
+
+// Corners a third of a step apart in the file, on neighbouring points of the grid: the cube is a solid. Where rounding loses nothing,
+// corners one step apart are what they are.
+TEST(PolyMend, CracksOfRoundingAreClosed) {
+  std::vector<std::array<double, 3>> points = cube_corners;
+  for (auto& p : points) p[0] += 0.1 / 7;  // no decimal fraction
+  const double step = mended(mesh_of(points, cube_faces)).report.step;
+  const double edge = (std::floor(points[1][0] / step) - 9.5) * step;  // between two points of the grid
+  points[1][0] = points[2][0] = points[5][0] = points[6][0] = edge - step / 6;
+  Faces faces = cube_faces;
+  points.push_back({edge + step / 6, 0, 0});
+  faces[2][1] = 8;
+  const PolyImport closed = mended(mesh_of(points, faces));
+  EXPECT_EQ(closed.report.step, step);
+  EXPECT_EQ(closed.report.faces.joined_vertices, 1U);
+  EXPECT_EQ(closed.report.faces.sheets, 0U);
+  points = cube_corners;
+  points.push_back({9, 0, 0});
+  const PolyImport open = mended(mesh_of(points, faces));
+  EXPECT_EQ(open.report.faces.joined_vertices, 0U);
+  EXPECT_EQ(open.report.faces.sheets, 1U);
+}
+
+// The distance that is named does what it promises, and none is named for a hole.
+TEST(PolyMend, ADistanceThatHelpsIsNamed) {
+  std::vector<std::array<double, 3>> points;
+  Faces faces;
+  for (const auto& face : cube_faces) {
+    faces.emplace_back();
+    for (const VertexIndex v : face) {
+      faces.back().push_back(static_cast<VertexIndex>(points.size()));
+      points.push_back(cube_corners[v]);
+      points.back()[faces.size() % 3] += 0.01;
+    }
+  }
+  const PolyImport open = mended(mesh_of(points, faces));
+  EXPECT_GT(open.report.faces.sheets, 0U);
+  EXPECT_EQ(open.report.faces.helpful_weld, 0.02);  // corners are 0.01 or 0.0141 apart
+  EXPECT_EQ(open.report.faces.sheets_with_weld, 0U);
+  EXPECT_EQ(mended(mesh_of(points, faces), 0.02).report.faces.sheets, 0U);
+  Faces hole = cube_faces;
+  hole.pop_back();
+  EXPECT_EQ(mended(mesh_of(cube_corners, hole)).report.faces.helpful_weld, 0.0);
 }
 
 // Whatever is drawn at random: what is left is in order. (Counts: that something is left at all.)
