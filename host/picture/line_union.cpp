@@ -67,6 +67,7 @@ class LineUnion {
     for (const LineLayer& layer : layers_) pieces += layer.picture.pieces.size();
     items_.reserve(pieces);
     by_line_.reserve(pieces);
+    spans_of_.assign(layers_.size(), 0);
     for (std::uint32_t layer = 0; layer < layers_.size(); ++layer) take(layer);
     std::sort(by_line_.begin(), by_line_.end());
     std::vector<std::uint32_t> run;
@@ -110,6 +111,8 @@ class LineUnion {
     std::uint32_t high = 0;
     std::uint32_t layer = 0;
   };
+
+  static constexpr double least_depth = 1e-8;  // of an end that is not at infinity
 
   [[nodiscard]] bool is_crossing(const LineEdge& edge) const {
     return !scene_.crossings.empty() && edge.from >= scene_.crossings.front().from;
@@ -178,17 +181,16 @@ class LineUnion {
       return;
     }
     // Different lines with one hash are next to impossible.
-    std::vector<std::uint32_t>& rest = rest_;
-    rest = run;
-    while (!rest.empty()) {
-      const LineEdge edge = items_[rest[0]].piece->edge;
+    rest_ = run;
+    while (!rest_.empty()) {
+      const LineEdge edge = items_[rest_[0]].piece->edge;
       group_.clear();
       std::size_t others = 0;
-      for (const std::uint32_t i : rest) {
+      for (const std::uint32_t i : rest_) {
         if (items_[i].piece->edge == edge || on_one_line(items_[i].piece->edge, edge)) group_.push_back(i);
-        else rest[others++] = i;
+        else rest_[others++] = i;
       }
-      rest.resize(others);
+      rest_.resize(others);
       unite(edge);
     }
   }
@@ -228,20 +230,31 @@ class LineUnion {
     return std::abs(dot(normal, camera_.up)) * lengths_[0] >= std::abs(dot(normal, camera_.right)) * lengths_[1] ? 0 : 1;
   }
 
-  [[nodiscard]] End placed_end(std::uint32_t item, bool high, std::size_t axis) const {
+  // Adds the ends of an item of `group_`. In perspective a line of the image ends at infinity where its edge passes the eye.
+  void place_ends(std::uint32_t item, std::size_t axis) {
     // The places are computed to about 10^-10 of a step.
     constexpr double error = 1e-9;
-    constexpr double least_depth = 1e-8;
-    End end{item, high, end_of(group_[item], high)};
-    const double depth = end.at[2];
-    if (depth > least_depth) {
-      end.place = end.at[axis] / depth;
-      end.tolerance = error * (1 + std::abs(end.place)) / std::min(depth, 1.0);
-    } else {
-      end.tolerance = std::numeric_limits<double>::infinity();
-      end.place = std::copysign(end.tolerance, end.at[axis]);
+    std::array<End, 2> ends{End{item, false, end_of(group_[item], false)}, End{item, true, end_of(group_[item], true)}};
+    if (ends[0].at[2] <= least_depth && ends[1].at[2] <= least_depth) return;
+    for (const bool high : {false, true}) {
+      SightPoint& at = ends[high ? 1 : 0].at;
+      const SightPoint& other = ends[high ? 0 : 1].at;
+      if (at[2] >= 0) continue;
+      const double part = at[2] / (at[2] - other[2]);
+      for (std::size_t i = 0; i < 2; ++i) at[i] += part * (other[i] - at[i]);
+      at[2] = 0;
     }
-    return end;
+    for (End& end : ends) {
+      const double depth = end.at[2];
+      if (depth > least_depth) {
+        end.place = end.at[axis] / depth;
+        end.tolerance = error * (1 + std::abs(end.place)) / std::min(depth, 1.0);
+      } else {
+        end.tolerance = std::numeric_limits<double>::infinity();
+        end.place = std::copysign(end.tolerance, end.at[axis]);
+      }
+      ends_.push_back(end);
+    }
   }
 
   [[nodiscard]] const LinePiece& piece_of(const End& end) const { return *items_[group_[end.item]].piece; }
@@ -277,7 +290,8 @@ class LineUnion {
       if (exact && end - begin > 1) {
         for (auto e = first; e != last; ++e) {
           const LinePiece& piece = piece_of(*e);
-          e->ratio = image_coordinate(piece.edge, e->high ? piece.high : piece.low, axis, scene_, camera_);
+          e->ratio = e->at[2] > 0 ? image_coordinate(piece.edge, e->high ? piece.high : piece.low, axis, scene_, camera_)
+                                  : ImageRatio{e->at[axis] < 0 ? -1 : 1, 0};
         }
         std::sort(first, last, [&](const End& a, const End& b) {
           const int order = compare_exactly(a.ratio, b.ratio);
@@ -303,8 +317,7 @@ class LineUnion {
   void unite(const LineEdge& edge) {
     const std::size_t axis = axis_of(edge);
     ends_.clear();
-    for (std::uint32_t i = 0; i < group_.size(); ++i)
-      for (const bool high : {false, true}) ends_.push_back(placed_end(i, high, axis));
+    for (std::uint32_t i = 0; i < group_.size(); ++i) place_ends(i, axis);
     rank_ends(axis);
     places_.clear();
     constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
@@ -315,9 +328,11 @@ class LineUnion {
       span.item = group_[ends_[e].item];
       (span.low == unknown ? span.low : span.high) = ranks_[e];
     }
-    spans_.erase(std::remove_if(spans_.begin(), spans_.end(), [](const Span& span) { return span.low == span.high; }),
+    spans_.erase(std::remove_if(spans_.begin(), spans_.end(),
+                                [](const Span& span) { return span.low == unknown || span.low == span.high; }),
                  spans_.end());
     sweep();
+    divide_endless();
     add_stretches();
   }
 
@@ -336,10 +351,11 @@ class LineUnion {
       const std::uint32_t rank = events_[i].rank;
       std::size_t next = i;
       for (; next < events_.size() && events_[next].rank == rank; ++next)
-        if (events_[next].begins)
+        if (events_[next].begins && ++spans_of_[events_[next].layer] == 1)
           active_.insert(std::upper_bound(active_.begin(), active_.end(), events_[next].layer), events_[next].layer);
       for (; i < next; ++i)
-        if (!events_[i].begins) active_.erase(std::lower_bound(active_.begin(), active_.end(), events_[i].layer));
+        if (!events_[i].begins && --spans_of_[events_[i].layer] == 0)
+          active_.erase(std::lower_bound(active_.begin(), active_.end(), events_[i].layer));
       if (open && (active_.empty() || active_.front() != stretches_.back().layer)) {
         stretches_.back().high = rank;
         open = false;
@@ -349,6 +365,14 @@ class LineUnion {
         open = true;
       }
     }
+  }
+
+  // Between two ends at infinity nothing says where a line is: it gets an end between them.
+  void divide_endless() {
+    if (stretches_.size() != 1 || std::max(places_.front()[2], places_.back()[2]) > least_depth) return;
+    const Stretch whole = stretches_.front();
+    if (whole.low != 0 || whole.high + 1 != places_.size()) return;
+    stretches_ = {{0, 1, whole.layer}, {1, whole.high, whole.layer}};
   }
 
   // With the edges that lie on each.
@@ -390,7 +414,8 @@ class LineUnion {
   std::vector<SightPoint> places_;    // of each rank
   std::vector<Span> spans_;
   std::vector<Event> events_;
-  std::vector<std::uint32_t> active_;  // layers, ascending
+  std::vector<std::uint32_t> active_;  // layers, ascending, each once
+  std::vector<std::size_t> spans_of_;  // of each layer: how many are active
   std::vector<Stretch> stretches_;
   std::vector<std::pair<std::uint32_t, LineEdge>> sources_;  // of stretches
 };

@@ -32,7 +32,7 @@ struct LineLayer {
 
 struct UnitedLine {
   // Ends: right, up and depth of points of source edges, relative to the eye, by axes of length 1; depth is 1 without
-  // perspective.
+  // perspective. In perspective a line may reach infinity, where its depth is 0, and one of a single edge may pass the eye.
   std::array<double, 3> from{};
   std::array<double, 3> to{};
   std::uint32_t layer = 0;

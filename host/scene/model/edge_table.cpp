@@ -74,7 +74,7 @@ std::size_t EdgeTable::find(VertexIndex a, VertexIndex b) const {
   const auto found = std::lower_bound(edges_.begin(), end, std::pair(low, high), [](const Edge& edge, const auto& ends) {
     return std::pair(edge.low, edge.high) < ends;
   });
-  return static_cast<std::size_t>(found - edges_.begin());
+  return found != end && found->low == low && found->high == high ? static_cast<std::size_t>(found - edges_.begin()) : size();
 }
 
 }  // namespace sightline::scene

@@ -31,7 +31,7 @@ class EdgeTable {
 
   [[nodiscard]] std::size_t size() const { return edges_.size() - 1; }
   [[nodiscard]] const Edge& operator[](std::size_t edge) const { return edges_[edge]; }
-  // The number of the edge between two vertices, which is one of the table (precondition). Logarithmic.
+  // The number of the edge between two vertices, or size() if there is none. Logarithmic.
   [[nodiscard]] std::size_t find(VertexIndex a, VertexIndex b) const;
   // Ascending by face; none of a wire that is no side.
   [[nodiscard]] std::span<const Use> uses(std::size_t edge) const {

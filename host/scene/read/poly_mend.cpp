@@ -155,6 +155,29 @@ bool clean_already(const Ring& ring) {
   return ring.size() == 3 && ring[0] != ring[1] && ring[1] != ring[2] && ring[2] != ring[0];
 }
 
+// Corners of faces of the file by the vertices that they became: two faces may have different ones for one vertex.
+class FileCorners {
+ public:
+  FileCorners(const std::vector<Piece>& pieces, std::span<const OpenEdge> open, const FileFaces& file, std::span<const VertexIndex> target) {
+    std::vector<std::uint32_t> sources;
+    for (const OpenEdge& edge : open) sources.push_back(pieces[edge.face].source);
+    std::sort(sources.begin(), sources.end());
+    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+    for (const std::uint32_t source : sources)
+      for (const VertexIndex corner : file.outline(source)) corners_.push_back({source, target[corner], corner});
+    std::sort(corners_.begin(), corners_.end());
+  }
+
+  [[nodiscard]] std::optional<VertexIndex> find(std::uint32_t source, VertexIndex vertex) const {
+    const auto found = std::lower_bound(corners_.begin(), corners_.end(), std::array<std::uint32_t, 3>{source, vertex, 0});
+    if (found == corners_.end() || (*found)[0] != source || (*found)[1] != vertex) return std::nullopt;
+    return (*found)[2];
+  }
+
+ private:
+  std::vector<std::array<std::uint32_t, 3>> corners_;  // face, vertex, corner
+};
+
 class Mending {
  public:
   Mending(PolyScene& scene, const FileFaces& file, const MendOptions& options, MendReport& report)
@@ -443,12 +466,11 @@ class Mending {
     std::size_t work = 0;
     std::vector<Ring> passed;  // by each edge, with its ends
     passed.reserve(open.size());
+    const FileCorners corners(pieces_, open, file_, target_);
     for (const OpenEdge& edge : open) {
-      // As this face has them in the file: other faces may have others that became the same vertices.
       const auto place_of = [&](VertexIndex v) {
-        for (const VertexIndex corner : file_.outline(pieces_[edge.face].source))
-          if (target_[corner] == v) return file_.vertices[corner];
-        return ends.in_file(v)[0];
+        const auto corner = corners.find(pieces_[edge.face].source, v);
+        return corner ? file_.vertices[*corner] : ends.in_file(v)[0];
       };
       Ring& at = passed.emplace_back(
           ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step, work));
@@ -472,22 +494,6 @@ class Mending {
     return divided;
   }
 
-  static std::span<const EdgeTable::Use> uses_of(const EdgeTable& edges, VertexIndex low, VertexIndex high) {
-    std::size_t begin = 0;
-    std::size_t end = edges.size();
-    while (begin < end) {
-      const std::size_t middle = begin + (end - begin) / 2;
-      const EdgeTable::Edge& edge = edges[middle];
-      if (edge.low < low || (edge.low == low && edge.high < high)) {
-        begin = middle + 1;
-      } else {
-        end = middle;
-      }
-    }
-    if (begin == edges.size() || edges[begin].low != low || edges[begin].high != high) return {};
-    return edges.uses(begin);
-  }
-
   // Those with which a part of an edge is a part of another one, too: a vertex that only touches an edge does not divide it. Nor
   // do vertices with which three faces would meet in a part.
   [[nodiscard]] std::vector<Division> helpful_divisions(const EdgeTable& edges, const std::vector<OpenEdge>& open,
@@ -507,7 +513,9 @@ class Mending {
     const auto is_crowded = [&](const Part& part) {
       const auto found = std::equal_range(parts.begin(), parts.end(), part);
       if (found.second - found.first > 2) return true;
-      const auto uses = uses_of(edges, part[1], part[2]);
+      const std::size_t edge = edges.find(part[1], part[2]);
+      if (edge == edges.size()) return false;
+      const auto uses = edges.uses(edge);
       return std::count_if(uses.begin(), uses.end(), [&](const EdgeTable::Use& use) { return pieces_[use.face].body == part[0]; }) > 1;
     };
     std::vector<Division> divisions;

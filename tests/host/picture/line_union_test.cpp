@@ -143,6 +143,48 @@ TEST(LineUnion, NoStretchIsDrawnTwiceAndNoDashLiesOnALine) {
   EXPECT_GT(dashes, 500U);
 }
 
+// From between the boxes: each edge is drawn where it is before the eye and in the window, worked out here edge by edge.
+TEST(LineUnion, NoLineIsLostAroundTheEye) {
+  Dice dice(7);
+  std::size_t samples = 0;
+  for (int n = 0; n < tests::effort(200, 40); ++n) {
+    const scene::PolyScene scene = bricks(dice);
+    scene::PolyCamera camera;
+    camera.eye = {dice(0, 12) * 5, dice(0, 12) * 5, dice(0, 12) * 5};
+    camera.right = {1, 0, 0};
+    camera.up = {0, 1, 0};
+    camera.forward = {0, 0, 1};
+    const LineLayer layer = hidden_layer(wire_frame(scene));
+    const std::vector<LineStroke> strokes = strokes_in(united_lines({&layer, 1}, scene, camera), {&layer, 1}, {{-1, -1}, {1, 1}}, {});
+    const auto distance_to_strokes = [&strokes](double x, double y) {
+      double nearest = 1e9;
+      for (const LineStroke& stroke : strokes) {
+        const double dx = stroke.to[0] - stroke.from[0];
+        const double dy = stroke.to[1] - stroke.from[1];
+        const double t = std::clamp(((x - stroke.from[0]) * dx + (y - stroke.from[1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+        nearest = std::min(nearest, std::hypot(x - stroke.from[0] - t * dx, y - stroke.from[1] - t * dy));
+      }
+      return nearest;
+    };
+    for (const LinePiece& piece : layer.picture.pieces) {
+      const scene::PolyPoint& a = scene.vertices[piece.edge.from];
+      const scene::PolyPoint& b = scene.vertices[piece.edge.to];
+      // An edge seen as a point is no line.
+      const std::array<double, 3> u{double(a[0] - camera.eye[0]), double(a[1] - camera.eye[1]), double(a[2] - camera.eye[2])};
+      const std::array<double, 3> v{double(b[0] - camera.eye[0]), double(b[1] - camera.eye[1]), double(b[2] - camera.eye[2])};
+      if (u[0] * v[1] == u[1] * v[0] && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2]) continue;
+      for (int i = 0; i <= 64; ++i) {
+        std::array<double, 3> p{};
+        for (std::size_t k = 0; k < 3; ++k) p[k] = u[k] + (v[k] - u[k]) * i / 64;
+        if (p[2] <= 0 || std::abs(p[0]) > p[2] || std::abs(p[1]) > p[2]) continue;
+        ++samples;
+        ASSERT_LT(distance_to_strokes(p[0] / p[2], p[1] / p[2]), 1e-7) << "case " << n;
+      }
+    }
+  }
+  EXPECT_GT(samples, 10'000U);
+}
+
 // Two boxes of the same height side by side, seen from the front: their common edge is one line of two edges, and the top of both
 // is one line. By hand.
 TEST(LineUnion, EdgesThatCoincideAreNamedTogether) {
