@@ -14,6 +14,24 @@
 
 namespace sightline::geometry {
 
+// Whether a segment has a point in a box or at most `margin` from it in each coordinate.
+[[nodiscard]] inline bool segment_meets(const Point& from, const Point& to, const Box& box, double margin) {
+  double begin = 0;
+  double end = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double low = box.low[a] - margin - from[a];
+    const double high = box.high[a] + margin - from[a];
+    const double along = double(to[a]) - from[a];
+    if (along == 0) {
+      if (low > 0 || high < 0) return false;
+      continue;
+    }
+    begin = std::max(begin, (along > 0 ? low : high) / along);
+    end = std::min(end, (along > 0 ? high : low) / along);
+  }
+  return begin <= end;
+}
+
 class BoxTree {
  public:
   // Keeps a copy. Time n log n.

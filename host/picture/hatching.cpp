@@ -231,24 +231,22 @@ Ruled ruled(const ImageEnds& ends, const std::array<double, 2>& along) {
 
 }  // namespace
 
-void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers) {
+void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window) {
+  const double near = 1e-6 * std::max(window.high[0] - window.low[0], window.high[1] - window.low[1]);
   for (const std::string_view kind : {hatching_kind, cross_hatching_kind}) {
     const auto is_hatching = [&](const UnitedLine& line) { return layers[line.layer].kind == kind; };
     // All of a kind are parallel: the longest says how.
     std::array<double, 2> along{};
     double longest = 0;
-    double size = 0;
     for (const UnitedLine& line : lines.lines) {
+      if (!is_hatching(line)) continue;
       const ImageEnds ends = ends_of(line);
       const double length = std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
-      if (!std::isfinite(length)) continue;
-      size = std::max(size, length);
-      if (!is_hatching(line) || length <= longest) continue;
+      if (!std::isfinite(length) || length <= longest) continue;
       longest = length;
       along = {(ends[1][0] - ends[0][0]) / length, (ends[1][1] - ends[0][1]) / length};
     }
     if (longest == 0) continue;
-    const double near = 1e-6 * size;
     std::vector<Ruled> drawn;  // lines of other kinds along the hatching
     for (const UnitedLine& line : lines.lines) {
       const LineLayer& layer = layers[line.layer];
@@ -288,7 +286,8 @@ void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> 
       double low = at.low;
       covered.emplace_back(at.high, at.high);
       for (const auto& [from, to] : covered) {
-        if (from > low + near) kept.push_back({point(low), point(std::min(from, at.high)), line.layer, line.first_source, line.source_count});
+        if (from > low + near)
+          kept.push_back({point(low), point(std::min(from, at.high)), line.layer, line.first_source, line.source_count});
         low = std::max(low, to);
       }
     }

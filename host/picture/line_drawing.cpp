@@ -186,11 +186,12 @@ class Pen {
   const DrawingField& field_;
 };
 
-// The layers of a drawing: each begins a label that the one before it does not have.
+// The layers of a drawing, see LineLayer.
 std::vector<std::uint32_t> drawing_layers(std::span<const LineLayer> layers) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const bool begins = i > 0 && layers[i].label != layers[i - 1].label;
+    const bool begins = i > 0 && (layers[i].label != layers[i - 1].label || layers[i].colour != layers[i - 1].colour ||
+                                  layers[i].hidden != layers[i - 1].hidden);
     numbers.push_back(i == 0 ? 0 : numbers.back() + (begins ? 1 : 0));
   }
   return numbers;

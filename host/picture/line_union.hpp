@@ -21,7 +21,8 @@
 
 namespace sightline::picture {
 
-// Pieces that are drawn with one pen. Layers that follow each other and have the same label are one layer of a drawing.
+// Pieces that are drawn with one pen. Layers that follow each other and have the same label and colour, and are hidden or not, are
+// one layer of a drawing.
 struct LineLayer {
   std::string label;
   LinePicture picture;

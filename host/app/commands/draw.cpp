@@ -99,7 +99,9 @@ std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& pr
   int height = output.image.height;
   std::optional<double> field = picture.field;
   if (output.is_sheet()) {
-    const auto pixels = [&](double side) { return std::max(1, static_cast<int>(std::lround((side - 2 * output.paper.margin) * output.image.unit))); };
+    const auto pixels = [&](double side) {
+      return std::max(1, static_cast<int>(std::lround((side - 2 * output.paper.margin) * output.image.unit)));
+    };
     width = pixels(output.paper.width);
     height = pixels(output.paper.height);
     // Of whole pixels, at the same scale.
@@ -311,7 +313,8 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
                                                arguments.json ? "--json" : "--turntable"));
   const bool on_paper = format != DrawingFormat::png || arguments.output.is_sheet();
   if (!on_paper)
-    for (const char* option : {"--strokes", "--min-length"}) refuse_option(arguments.output, option, "--size, or a name that does not end in .png");
+    for (const char* option : {"--strokes", "--min-length"})
+      refuse_option(arguments.output, option, "--size, or a name that does not end in .png");
   if (arguments.strokes == "-" && arguments.turntable > 1)
     throw Failure(ExitCode::usage, "--strokes: found - with --turntable, expected a file");
   if (!arguments.strokes.empty()) arguments.view.strokes_margin = arguments.output.paper.margin;
@@ -428,13 +431,14 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
         .needs(hatch)
         .group("Hatching");
   }
-  command
-      .option("--min-length", arguments->min_length,
-              "Leave out lines shorter than this on the paper, in mm, unless they join two others: stray ticks on smooth meshes")
-      .range(0.0, 1000.0)
-      .default_value()
-      .value("MM")
-      .group("Edges");
+  const Option min_length =
+      command
+          .option("--min-length", arguments->min_length,
+                  "Leave out lines shorter than this on the paper, in mm, unless they join two others: stray ticks on smooth meshes")
+          .range(0.0, 1000.0)
+          .default_value()
+          .value("MM")
+          .group("Edges");
   add_mesh_options(command, arguments->mesh);
   if (algorithm.mesh_time.seconds > 0) add_go_on_option(command, arguments->go_on);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
@@ -451,17 +455,19 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
           .value("N:M")
           .excludes(command.added("--field"))
           .group("Paper");
-  if (registry::find_face_algorithm(algorithm.name) != nullptr) command.added("--fill").excludes(scale);
   if (algorithm.prepare_threads != nullptr)
     command.option("--jobs", arguments->view.jobs, "Threads for a view; the drawing is the same with any number")
         .range(1U, 1024U)
         .default_value()
         .value("N");
-  command
-      .option("--strokes", arguments->strokes,
-              "Also write each straight line of the drawing as a line of JSON: its ends on the paper in mm from the bottom left, its "
-              "kind, its layer, its edges and faces")
-      .value("FILE");
+  const Option strokes =
+      command
+          .option("--strokes", arguments->strokes,
+                  "Also write each straight line of the drawing as a line of JSON: its ends on the paper in mm from the bottom left, "
+                  "its kind, its layer, its edges and faces")
+          .value("FILE");
+  if (registry::find_face_algorithm(algorithm.name) != nullptr)
+    command.added("--fill").excludes(scale).excludes(min_length).excludes(strokes);
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }

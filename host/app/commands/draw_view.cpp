@@ -34,20 +34,17 @@ using picture::LinePiece;
 constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
 
-// The body of each edge of a picture, asked for in ascending order. An edge of several is the first one's, and so is a line in
-// which two cross; that of a wire is the number of bodies.
+// The body of an edge. An edge of several is the first one's, and so is a line in which two cross; that of a wire is the number
+// of bodies.
 class BodyOfEdge {
  public:
   explicit BodyOfEdge(const scene::PolyScene& scene) : scene_(scene), firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
 
-  [[nodiscard]] std::size_t operator()(const picture::LineEdge& edge) {
-    const auto number_of = [this](std::size_t e) { return picture::LineEdge{edges_[e].low, edges_[e].high}; };
-    while (edge_ < edges_.size() && number_of(edge_) < edge) ++edge_;
-    if (edge_ < edges_.size() && number_of(edge_) == edge) {
-      const auto uses = edges_.uses(edge_);
-      return uses.empty() ? scene_.bodies.size() : body_of(uses.front().face);
-    }
-    return body_of(scene_.crossings[(edge.from - scene_.crossings.front().from) / 2].face_a);
+  [[nodiscard]] std::size_t operator()(const picture::LineEdge& edge) const {
+    const std::size_t number = edges_.find(edge.from, edge.to);
+    if (number == edges_.size()) return body_of(scene_.crossings[(edge.from - scene_.crossings.front().from) / 2].face_a);
+    const auto uses = edges_.uses(number);
+    return uses.empty() ? scene_.bodies.size() : body_of(uses.front().face);
   }
 
  private:
@@ -58,7 +55,6 @@ class BodyOfEdge {
   const scene::PolyScene& scene_;
   std::vector<std::uint32_t> firsts_;
   scene::EdgeTable edges_;
-  std::size_t edge_ = 0;
 };
 
 // Edges as text knows them: by their ends in the unit of the file, those of crossings rounded to the grid, and with their faces.
@@ -77,7 +73,7 @@ class EdgesInFile {
         const scene::PolyCrossing& crossing = scene_.crossings[(edge.from - scene_.crossings.front().from) / 2];
         faces.insert({crossing.face_a + 1, crossing.face_b + 1});
       } else {
-        for (const scene::EdgeTable::Use& use : edges_.uses(number_of(edge))) faces.insert(use.face + 1);
+        for (const scene::EdgeTable::Use& use : edges_.uses(edges_.find(edge.from, edge.to))) faces.insert(use.face + 1);
       }
     }
     line["edges"] = ends;
@@ -85,17 +81,6 @@ class EdgesInFile {
   }
 
  private:
-  [[nodiscard]] std::size_t number_of(const picture::LineEdge& edge) const {
-    std::size_t low = 0;
-    std::size_t high = edges_.size();
-    while (low < high) {
-      const std::size_t middle = (low + high) / 2;
-      if (picture::LineEdge{edges_[middle].low, edges_[middle].high} < edge) low = middle + 1;
-      else high = middle;
-    }
-    return low;
-  }
-
   const scene::PolyScene& scene_;
   scene::EdgeTable edges_;
 };
@@ -231,7 +216,7 @@ class LineViews::Work {
           const std::string name = b < bodies ? scene().bodies[b].name : "wires";
           layer.label = name.empty() ? fmt::format("body {}", b + 1) : name;
           layer.colour = body_colours[b % body_colours.size()];
-        } else if (!hidden && options_.layers == "kind" && chosen && (!seams_ || is_apart(static_cast<EdgeKind>(k)))) {
+        } else if (!hidden && options_.layers == "kind" && chosen_by_user_ && (!seams_ || is_apart(static_cast<EdgeKind>(k)))) {
           layer.label = layer.kind;
         }
         layers.push_back(std::move(layer));
@@ -266,9 +251,9 @@ class LineViews::Work {
   void draw(std::vector<LineLayer>& layers, const scene::PolyScene& of, const scene::PolyCamera& camera,
             const picture::DrawingField& field, const std::optional<picture::ImageWindow>& given, DrawnView& result) const {
     picture::UnitedLines lines = picture::united_lines(layers, of, camera);
-    if (options_.hatch) picture::leave_out_hatching_on_lines(lines, layers);
-    for (LineLayer& layer : layers) layer.picture = {};
     const picture::ImageWindow window = given ? *given : picture::drawing_window(lines, camera, field);
+    if (options_.hatch) picture::leave_out_hatching_on_lines(lines, layers, window);
+    for (LineLayer& layer : layers) layer.picture = {};
     const std::vector<picture::LineStroke> strokes = picture::strokes_in(lines, layers, window, field);
     result.strokes = strokes.size();
     for (const picture::LineStroke& stroke : strokes)
@@ -323,7 +308,7 @@ class LineViews::Work {
   const scene::LoadedScene& source_;
   LineViewOptions options_;
   std::optional<scene::PolyScene> own_scene_;  // with crossings
-  bool chosen_by_user_ = false;
+  bool chosen_by_user_ = false;                // or by the scene; else kinds are known for the list of strokes alone
   bool seams_ = false;                         // are left out: of a scene that is no mesh, and of which nothing is asked
   std::optional<picture::EdgeChooser> chooser_;
   registry::PreparedScene prepared_;

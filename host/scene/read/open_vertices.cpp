@@ -11,24 +11,6 @@ namespace {
 
 using FilePoint = OpenVertices::FilePoint;
 
-// Whether the segment passes the box, or comes nearer to it than `margin` in each coordinate.
-bool segment_meets(const PolyPoint& from, const PolyPoint& to, const geometry::Box& box, double margin) {
-  double begin = 0;
-  double end = 1;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double low = box.low[a] - margin - from[a];
-    const double high = box.high[a] + margin - from[a];
-    const double along = double(to[a]) - from[a];
-    if (along == 0) {
-      if (low > 0 || high < 0) return false;
-      continue;
-    }
-    begin = std::max(begin, (along > 0 ? low : high) / along);
-    end = std::min(end, (along > 0 ? high : low) / along);
-  }
-  return begin <= end;
-}
-
 std::vector<VertexIndex> ends_of(std::span<const OpenEdge> edges) {
   std::vector<VertexIndex> ends;
   ends.reserve(2 * edges.size());
@@ -145,7 +127,7 @@ std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FileP
     if (!std::binary_search(with_bodies_.begin(), with_bodies_.end(), std::pair(v, edge.body))) return;
     found.emplace_back(place, points_[v], v);
   };
-  const auto meets = [&](const geometry::Box& box) { return segment_meets(points_[edge.from], points_[edge.to], box, margin); };
+  const auto meets = [&](const geometry::Box& box) { return geometry::segment_meets(points_[edge.from], points_[edge.to], box, margin); };
   tree_.for_each_that(meets, visit);
   std::sort(found.begin(), found.end());
   std::vector<VertexIndex> vertices;
@@ -196,7 +178,7 @@ std::vector<double> weld_distances(const PolyScene& scene) {
       nearest = square;
       found = true;
     };
-    const auto meets = [&](const geometry::Box& box) { return segment_meets(p, p, box, std::sqrt(nearest)); };
+    const auto meets = [&](const geometry::Box& box) { return geometry::segment_meets(p, p, box, std::sqrt(nearest)); };
     tree.for_each_that(meets, visit);
     if (found) distances.push_back(std::sqrt(nearest));
   }

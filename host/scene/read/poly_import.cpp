@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "host/base/result.hpp"
+#include "host/geometry/box_tree.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/aim_camera.hpp"
@@ -157,7 +158,7 @@ class Import {
     suggest_weld(file, body_sizes);
     const double tolerance = options_.planar_tolerance.value_or(std::max(4 * mesh_.precision, options_.weld));
     find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
-    if (report().quantised) find_surfaces_of_wires();
+    if (report().quantised && !scene().wires.empty()) find_surfaces_of_wires();
     if (mesh_.materials.empty()) return;
     scene().materials_are_colours = mesh_.materials_are_colours;
     scene().material_of.reserve(mended.size());
@@ -179,21 +180,41 @@ class Import {
       double height = 0;
     };
     std::vector<Plane> planes(scene().surfaces.size());
+    std::vector<geometry::Box> boxes(planes.size());
+    std::vector<bool> known(planes.size(), false);
     std::size_t face = 0;
     for (const PolyBody& body : scene().bodies) {
       for (const PolyFace& of_body : body.faces) {
         const std::uint32_t surface = scene().surface_of[face++];
         const auto& normal = scene().surfaces[surface].normal;
         planes[surface] = {normal, along(normal, place_of(of_body.outline[0]))};
+        geometry::Box& box = boxes[surface];
+        if (!known[surface]) box.low = box.high = scene().vertices[of_body.outline[0]];
+        known[surface] = true;
+        for (const VertexIndex v : of_body.outline) {
+          for (std::size_t a = 0; a < 3; ++a) {
+            box.low[a] = std::min(box.low[a], scene().vertices[v][a]);
+            box.high[a] = std::max(box.high[a], scene().vertices[v][a]);
+          }
+        }
       }
     }
+    // A surface far from a wire hides it only where both are nearly seen from the side.
+    const double reach = 64 * tolerance;
+    const geometry::BoxTree tree(boxes);
     for (std::uint32_t w = 0; w < scene().wires.size(); ++w) {
-      const Point from = place_of(scene().wires[w][0]);
-      const Point to = place_of(scene().wires[w][1]);
-      for (std::uint32_t s = 0; s < planes.size(); ++s) {
+      const PolyWire& wire = scene().wires[w];
+      const auto meets = [&](const geometry::Box& box) {
+        return geometry::segment_meets(scene().vertices[wire[0]], scene().vertices[wire[1]], box, reach);
+      };
+      const Point from = place_of(wire[0]);
+      const Point to = place_of(wire[1]);
+      const std::size_t first = scene().wires_on.size();
+      tree.for_each_that(meets, [&](std::uint32_t s) {
         const auto is_on = [&](const Point& p) { return std::abs(along(planes[s].normal, p) - planes[s].height) <= tolerance; };
         if (is_on(from) && is_on(to)) scene().wires_on.push_back({w, s});
-      }
+      });
+      std::sort(scene().wires_on.begin() + static_cast<std::ptrdiff_t>(first), scene().wires_on.end());
     }
   }
 

@@ -158,7 +158,8 @@ bool clean_already(const Ring& ring) {
 // Corners of faces of the file by the vertices that they became: two faces may have different ones for one vertex.
 class FileCorners {
  public:
-  FileCorners(const std::vector<Piece>& pieces, std::span<const OpenEdge> open, const FileFaces& file, std::span<const VertexIndex> target) {
+  FileCorners(const std::vector<Piece>& pieces, std::span<const OpenEdge> open, const FileFaces& file,
+              std::span<const VertexIndex> target) {
     std::vector<std::uint32_t> sources;
     for (const OpenEdge& edge : open) sources.push_back(pieces[edge.face].source);
     std::sort(sources.begin(), sources.end());

@@ -153,6 +153,34 @@ TEST_F(DrawMesh, ALayerForEachBody) {
   expect_ok({"draw", "exact", "house", "--layers", "body", "--all-edges", "-o", "h.svg"});
 }
 
+// The name of a body is not what tells layers apart: bodies of one name, or one that is called as the layer of hidden lines.
+TEST_F(DrawMesh, BodiesOfOneNameAreLayersOfTheirOwn) {
+  std::string text(box_and_bar);
+  for (const std::string_view name : {"\"name\":\"box\"", "\"name\":\"bar\""}) text.replace(text.find(name), name.size(), "\"name\":\"hidden\"");
+  write("two.json", text);
+  expect_ok({"draw", "exact", "two.json", "--layers", "body", "--hidden", "-o", "b.svg"});
+  const std::string svg = read("b.svg");
+  for (const char* layer : {"\"1 hidden\"\n     fill=\"none\" stroke=\"#000000\"", "\"2 hidden\"\n     fill=\"none\" stroke=\"#c80000\"",
+                            "\"3 hidden\"\n     fill=\"none\" stroke=\"#969696\""})
+    EXPECT_TRUE(has(svg, layer)) << layer << svg;
+}
+
+TEST_F(DrawMesh, TheListOfStrokesChangesNoDrawing) {
+  write("cube.obj",
+        "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  for (const char* scene : {"cube.obj", "boxes-2"}) {
+    for (const char* edges : {"feature", "all"}) {
+      expect_ok({"draw", "exact", scene, "--edges", edges, "--hidden", "-o", "without.plt"});
+      expect_ok({"draw", "exact", scene, "--edges", edges, "--hidden", "--strokes", "s.jsonl", "-o", "with.plt"});
+      EXPECT_EQ(read("with.plt"), read("without.plt")) << scene << ' ' << edges;
+      EXPECT_TRUE(has(read("s.jsonl"), "\"kind\":\"silhouette\"")) << scene << ' ' << edges;
+    }
+  }
+  for (const char* option : {"--strokes=s.jsonl", "--min-length=1"})
+    EXPECT_TRUE(has(sightline({"draw", "montani-re", "cube.obj", "--fill", option, "-o", "f.svg"}).err, " excludes --")) << option;
+}
+
 // A cube of 180 mm on the paper, from the front, with a line every 10 mm: the first and the last of 19 would lie on its edges.
 TEST_F(DrawMesh, HatchingThatLiesOnAnEdgeIsLeftOut) {
   write("cube.obj",
