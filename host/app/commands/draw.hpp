@@ -67,7 +67,8 @@ void refuse_option(const DrawOutput& output, const std::string& option, std::str
 void require_room(const picture::VectorDrawing& drawing, const DrawOutput& output);
 
 // Into output.file, opened before the drawing was made, in the order of a pen. It is there whole or not at all. Failure
-// io. A drawing of nothing is warned about, and so are layers that share a pen. Result: of what is drawn with a pen, how far that travels.
+// io. A drawing of nothing is warned about, and so are layers that share a pen. Result: of what is drawn with a pen, how far that
+// travels.
 std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
                                         const std::string& title, Output& file);
 

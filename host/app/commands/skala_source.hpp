@@ -28,9 +28,9 @@ struct SkalaFunction {
   scene::HeightGrid grid;
 };
 
-// One line on standard error if the layout of a file was guessed. A file "-" is standard input. Sampled at the size asked for, else at `usual`; a file has its own size. Failure usage: no function, two,
-// options that do not go with it, an expression or domain with an error. Failure io: neither a name nor a
-// file. Failure bad_input: the file is wrong.
+// One line on standard error if the layout of a file was guessed. A file "-" is standard input. Sampled at the size asked for, else
+// at `usual`; a file has its own size. Failure usage: no function, two, options that do not go with it, an expression or domain with
+// an error. Failure io: neither a name nor a file. Failure bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
 
 }  // namespace sightline::app

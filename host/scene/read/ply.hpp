@@ -1,8 +1,8 @@
 // PLY, the Stanford polygon format: text, or binary in either byte order.
 //
 // Read are x, y and z of the element "vertex", the list vertex_indices (or vertex_index) of the elements "face" and
-// "tristrips", and the red, green and blue of faces as materials that are colours. All other elements and properties are passed over; elements are
-// named in PolyMesh::notes.
+// "tristrips", and the red, green and blue of faces as materials that are colours. All other elements and properties are
+// passed over; elements are named in PolyMesh::notes.
 // Source: G. Turk, The PLY Polygon File Format (1994).
 #pragma once
 
