@@ -90,7 +90,7 @@ enum class Sight { visible, unclear, hidden };
 class Caster {
  public:
   Caster(const PlainMesh& mesh, const Projection& projection, double rounding)
-      : projection_(projection), rounding_(rounding) {
+      : mesh_(mesh), projection_(projection), rounding_(rounding) {
     for (const auto& corners : mesh.faces) faces_.push_back(face_of(mesh, corners));
     make_grid();
   }
@@ -118,7 +118,7 @@ class Caster {
       }
       const double beyond = dot(face.normal, p - face.middle);
       if (std::abs(beyond) <= 4 * moved + face.deviation) {
-        result = Sight::unclear;
+        if (!flat_with_one_of(own, number)) result = Sight::unclear;
         continue;
       }
       const bool towards = beyond * facing < 0;
@@ -132,6 +132,18 @@ class Caster {
   }
 
  private:
+  // Whether a face continues one of those in its plane, as far as the file can tell: then it does not hide their edges either.
+  // If the plane is seen edge-on, the edge nearest to the eye is on the same place of the paper.
+  [[nodiscard]] bool flat_with_one_of(const std::vector<std::uint32_t>& own, std::uint32_t number) const {
+    return std::any_of(own.begin(), own.end(), [&](std::uint32_t one) {
+      const auto& corners = mesh_.faces[number];
+      return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+        const double off = dot(faces_[one].normal, mesh_.vertices[corner] - faces_[one].middle);
+        return std::abs(off) <= std::min(2 * mesh_.precision, rounding_);
+      });
+    });
+  }
+
   [[nodiscard]] Face face_of(const PlainMesh& mesh, const std::vector<std::uint32_t>& corners) const {
     Face face;
     double longest = 0;
@@ -202,6 +214,7 @@ class Caster {
     return grid_[cell(p[1], 1) * cells_ + cell(p[0], 0)];
   }
 
+  const PlainMesh& mesh_;
   const Projection& projection_;
   double rounding_;
   std::vector<Face> faces_;
@@ -311,10 +324,10 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   const double second = dot(edge.inwards[1], side);
   // What the precision of the file explains may be one flat surface.
   const bool may_be_flat = bend < error || std::sin(bend) * height < 8 * mesh.precision;
-  if (bend > crease_angle - error) return Need::unclear;
-  if (std::min(std::abs(first), std::abs(second)) < error) return may_be_flat ? Need::no : Need::unclear;
-  if ((first > 0) != (second > 0)) return Need::no;
-  return may_be_flat ? Need::unclear : Need::yes;
+  const bool may_be_crease = bend > crease_angle - error;
+  const bool is_clear = std::min(std::abs(first), std::abs(second)) >= error;
+  if (is_clear && (first > 0) == (second > 0)) return may_be_flat ? Need::unclear : Need::yes;
+  return may_be_crease || (!is_clear && !may_be_flat) ? Need::unclear : Need::no;
 }
 
 // How the image is placed on the paper: p = scale * image + shift.
@@ -327,6 +340,35 @@ struct Placing {
     return {(paper[0] - shift[0]) / scale, (paper[1] - shift[1]) / scale};
   }
 };
+
+// The smallest box around places.
+struct Box {
+  Point2 low{infinity, infinity};
+  Point2 high{-infinity, -infinity};
+
+  void add(const Point2& p) {
+    for (std::size_t a = 0; a < 2; ++a) {
+      low[a] = std::min(low[a], p[a]);
+      high[a] = std::max(high[a], p[a]);
+    }
+  }
+  [[nodiscard]] double longer() const { return std::max(high[0] - low[0], high[1] - low[1]); }
+  [[nodiscard]] double shorter() const { return std::min(high[0] - low[0], high[1] - low[1]); }
+};
+
+// Of a mesh whose image is a line along an axis: from end to end.
+Placing placing_of_line(const std::vector<PlainStroke>& strokes, const Projection& projection) {
+  Box paper;
+  Box image;
+  for (const PlainStroke& stroke : strokes) {
+    paper.add(stroke.from);
+    paper.add(stroke.to);
+    for (const auto& edge : stroke.edges)
+      for (const Point3& end : edge) image.add(projection.image(end));
+  }
+  const double scale = paper.longer() / image.longer();
+  return {scale, {paper.low[0] - scale * image.low[0], paper.low[1] - scale * image.low[1]}};
+}
 
 // Least squares over the distances of the ends of strokes from the lines of their source edges: an end is anywhere on its edge.
 Placing placing_of(const std::vector<PlainStroke>& strokes, const Projection& projection, double smallest) {
@@ -418,21 +460,16 @@ class Check {
         engine_(seed) {}
 
   RayReport run() {
-    Point2 low{infinity, infinity};
-    Point2 high{-infinity, -infinity};
-    nearest_ = infinity;
+    double nearest = infinity;
+    Box image;
     for (const Point3& p : mesh_.vertices) {
-      nearest_ = std::min(nearest_, projection_.depth(p));
-      const Point2 image = projection_.image(p);
-      for (std::size_t a = 0; a < 2; ++a) {
-        low[a] = std::min(low[a], image[a]);
-        high[a] = std::max(high[a], image[a]);
-      }
+      nearest = std::min(nearest, projection_.depth(p));
+      image.add(projection_.image(p));
     }
-    image_size_ = std::max(high[0] - low[0], high[1] - low[1]);
-    placing_ = placing_of(strokes_, projection_, 1e-3 * image_size_);
+    const bool line = image.shorter() < 1e-6 * image.longer();
+    placing_ = line ? placing_of_line(strokes_, projection_) : placing_of(strokes_, projection_, 1e-3 * image.longer());
     report_.scale = placing_.scale;
-    report_.allowed_residual = 2 * rounding_ / nearest_ * placing_.scale + paper_tolerance;
+    report_.allowed_residual = 2 * rounding_ / nearest * placing_.scale + paper_tolerance;
     if (!(placing_.scale > 0) || !std::isfinite(placing_.scale)) {
       report_.residual = infinity;
       note("the strokes have no common scale");
@@ -602,8 +639,6 @@ class Check {
   NearVertices near_;
   std::mt19937 engine_;
   Placing placing_;
-  double nearest_ = 1;
-  double image_size_ = 1;
   RayReport report_;
 };
 
