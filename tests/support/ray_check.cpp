@@ -49,6 +49,21 @@ double distance(const Point2& p, const Point2& a, const Point2& b) {
   return length(Point2{p[0] - a[0] - t * along[0], p[1] - a[1] - t * along[1]});
 }
 
+// The smallest box around places.
+struct Box {
+  Point2 low{infinity, infinity};
+  Point2 high{-infinity, -infinity};
+
+  void add(const Point2& p) {
+    for (std::size_t a = 0; a < 2; ++a) {
+      low[a] = std::min(low[a], p[a]);
+      high[a] = std::max(high[a], p[a]);
+    }
+  }
+  [[nodiscard]] double longer() const { return std::max(high[0] - low[0], high[1] - low[1]); }
+  [[nodiscard]] double shorter() const { return std::min(high[0] - low[0], high[1] - low[1]); }
+};
+
 class Projection {
  public:
   explicit Projection(const PlainView& view)
@@ -79,8 +94,7 @@ struct Face {
   double height = 0;     // twice its area over its longest side: how far a vertex is from the side opposite
   double depth = 1;      // of the vertex nearest to the eye
   std::vector<Point2> image;
-  Point2 low{};
-  Point2 high{};
+  Box box;  // of the image
 };
 
 enum class Cover { no, unclear, yes };
@@ -148,8 +162,6 @@ class Caster {
     Face face;
     double longest = 0;
     face.depth = infinity;
-    face.low = {infinity, infinity};
-    face.high = {-infinity, -infinity};
     Point3 area{};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Point3& p = mesh.vertices[corners[i]];
@@ -160,10 +172,7 @@ class Caster {
       face.middle = face.middle + (1.0 / static_cast<double>(corners.size())) * p;
       face.depth = std::min(face.depth, projection_.depth(p));
       face.image.push_back(projection_.image(p));
-      for (std::size_t a = 0; a < 2; ++a) {
-        face.low[a] = std::min(face.low[a], face.image.back()[a]);
-        face.high[a] = std::max(face.high[a], face.image.back()[a]);
-      }
+      face.box.add(face.image.back());
     }
     face.normal = unit(area);
     face.height = longest > 0 ? length(area) / longest : 0;
@@ -174,7 +183,7 @@ class Caster {
 
   [[nodiscard]] static Cover cover_of(const Face& face, const Point2& p, double margin) {
     for (std::size_t a = 0; a < 2; ++a)
-      if (p[a] < face.low[a] - margin || p[a] > face.high[a] + margin) return Cover::no;
+      if (p[a] < face.box.low[a] - margin || p[a] > face.box.high[a] + margin) return Cover::no;
     bool inside = false;
     for (std::size_t i = 0; i < face.image.size(); ++i) {
       const Point2& a = face.image[i];
@@ -186,28 +195,24 @@ class Caster {
   }
 
   void make_grid() {
-    low_ = {infinity, infinity};
-    high_ = {-infinity, -infinity};
     for (const Face& face : faces_) {
-      for (std::size_t a = 0; a < 2; ++a) {
-        low_[a] = std::min(low_[a], face.low[a]);
-        high_[a] = std::max(high_[a], face.high[a]);
-      }
+      box_.add(face.box.low);
+      box_.add(face.box.high);
     }
     cells_ = std::clamp<std::size_t>(static_cast<std::size_t>(2 * std::sqrt(static_cast<double>(faces_.size()))), 1, 256);
     grid_.resize(cells_ * cells_);
     for (std::uint32_t number = 0; number < faces_.size(); ++number) {
       const Face& face = faces_[number];
       // More than any margin: a thousandth of the image.
-      const double wide = 1e-3 * std::max(high_[0] - low_[0], high_[1] - low_[1]) + face.deviation / face.depth;
-      for (std::size_t y = cell(face.low[1] - wide, 1); y <= cell(face.high[1] + wide, 1); ++y)
-        for (std::size_t x = cell(face.low[0] - wide, 0); x <= cell(face.high[0] + wide, 0); ++x)
+      const double wide = 1e-3 * box_.longer() + face.deviation / face.depth;
+      for (std::size_t y = cell(face.box.low[1] - wide, 1); y <= cell(face.box.high[1] + wide, 1); ++y)
+        for (std::size_t x = cell(face.box.low[0] - wide, 0); x <= cell(face.box.high[0] + wide, 0); ++x)
           grid_[y * cells_ + x].push_back(number);
     }
   }
   [[nodiscard]] std::size_t cell(double place, std::size_t axis) const {
-    const double size = high_[axis] - low_[axis];
-    const double share = size > 0 ? (place - low_[axis]) / size : 0;
+    const double size = box_.high[axis] - box_.low[axis];
+    const double share = size > 0 ? (place - box_.low[axis]) / size : 0;
     return static_cast<std::size_t>(std::clamp(share * static_cast<double>(cells_), 0.0, static_cast<double>(cells_ - 1)));
   }
   [[nodiscard]] const std::vector<std::uint32_t>& cell_at(const Point2& p) const {
@@ -218,8 +223,7 @@ class Caster {
   const Projection& projection_;
   double rounding_;
   std::vector<Face> faces_;
-  Point2 low_{};
-  Point2 high_{};
+  Box box_;  // of the image
   std::size_t cells_ = 1;
   std::vector<std::vector<std::uint32_t>> grid_;
 };
@@ -341,21 +345,6 @@ struct Placing {
   }
 };
 
-// The smallest box around places.
-struct Box {
-  Point2 low{infinity, infinity};
-  Point2 high{-infinity, -infinity};
-
-  void add(const Point2& p) {
-    for (std::size_t a = 0; a < 2; ++a) {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  }
-  [[nodiscard]] double longer() const { return std::max(high[0] - low[0], high[1] - low[1]); }
-  [[nodiscard]] double shorter() const { return std::min(high[0] - low[0], high[1] - low[1]); }
-};
-
 // Of a mesh whose image is a line along an axis: from end to end.
 Placing placing_of_line(const std::vector<PlainStroke>& strokes, const Projection& projection) {
   Box paper;
@@ -405,45 +394,48 @@ Placing placing_of(const std::vector<PlainStroke>& strokes, const Projection& pr
 class StrokesOnPaper {
  public:
   explicit StrokesOnPaper(const std::vector<PlainStroke>& strokes) {
-    for (const PlainStroke& stroke : strokes)
-      if (!stroke.hidden) strokes_.push_back(&stroke);
-    low_ = {infinity, infinity};
-    Point2 high{-infinity, -infinity};
-    for (const PlainStroke* stroke : strokes_) {
-      for (const Point2& p : {stroke->from, stroke->to}) {
-        for (std::size_t a = 0; a < 2; ++a) {
-          low_[a] = std::min(low_[a], p[a]);
-          high[a] = std::max(high[a], p[a]);
-        }
-      }
+    for (const PlainStroke& stroke : strokes) {
+      box_.add(stroke.from);
+      box_.add(stroke.to);
     }
-    size_ = std::max({(high[0] - low_[0]) / cells, (high[1] - low_[1]) / cells, 1e-9});
     grid_.resize(cells * cells);
-    for (const PlainStroke* stroke : strokes_) {
-      const auto [x0, x1] = std::minmax(stroke->from[0], stroke->to[0]);
-      const auto [y0, y1] = std::minmax(stroke->from[1], stroke->to[1]);
+    for (const PlainStroke& stroke : strokes) {
+      const auto [x0, x1] = std::minmax(stroke.from[0], stroke.to[0]);
+      const auto [y0, y1] = std::minmax(stroke.from[1], stroke.to[1]);
       for (std::size_t y = cell(y0 - 1, 1); y <= cell(y1 + 1, 1); ++y)
-        for (std::size_t x = cell(x0 - 1, 0); x <= cell(x1 + 1, 0); ++x) grid_[y * cells + x].push_back(stroke);
+        for (std::size_t x = cell(x0 - 1, 0); x <= cell(x1 + 1, 0); ++x) grid_[y * cells + x].push_back(&stroke);
     }
   }
 
-  // Up to 1 mm; infinity beyond.
+  // Of the nearest visible stroke, up to 1 mm; infinity beyond.
   [[nodiscard]] double distance_of(const Point2& p) const {
     double nearest = infinity;
-    for (const PlainStroke* stroke : grid_[cell(p[1], 1) * cells + cell(p[0], 0)])
-      nearest = std::min(nearest, distance(p, stroke->from, stroke->to));
+    for (const PlainStroke* stroke : about(p))
+      if (!stroke->hidden) nearest = std::min(nearest, distance(p, stroke->from, stroke->to));
     return nearest;
+  }
+
+  // Another stroke on which two places of a stroke are, too; null: none.
+  [[nodiscard]] const PlainStroke* other_on(const PlainStroke& one, const Point2& p, const Point2& q) const {
+    constexpr double written = 3e-6;  // mm: what the digits of --strokes explain
+    for (const PlainStroke* stroke : about(p)) {
+      if (stroke != &one && distance(p, stroke->from, stroke->to) <= written && distance(q, stroke->from, stroke->to) <= written)
+        return stroke;
+    }
+    return nullptr;
   }
 
  private:
   static constexpr std::size_t cells = 64;
   [[nodiscard]] std::size_t cell(double place, std::size_t axis) const {
-    return static_cast<std::size_t>(std::clamp((place - low_[axis]) / size_, 0.0, cells - 1.0));
+    const double share = (place - box_.low[axis]) / std::max(box_.longer(), 1e-9);
+    return static_cast<std::size_t>(std::clamp(share * cells, 0.0, cells - 1.0));
+  }
+  [[nodiscard]] const std::vector<const PlainStroke*>& about(const Point2& p) const {
+    return grid_[cell(p[1], 1) * cells + cell(p[0], 0)];
   }
 
-  std::vector<const PlainStroke*> strokes_;
-  Point2 low_{};
-  double size_ = 1;
+  Box box_;
   std::vector<std::vector<const PlainStroke*>> grid_;
 };
 
@@ -457,6 +449,7 @@ class Check {
         caster_(mesh, projection_, rounding_),
         edges_(edges_of(mesh, caster_)),
         near_(mesh, size_of(mesh) / 48),
+        paper_(strokes),
         engine_(seed) {}
 
   RayReport run() {
@@ -521,18 +514,26 @@ class Check {
     return 2 * rounding_ / projection_.depth(p) * placing_.scale + paper_tolerance;
   }
 
+  // Each end of a stroke is on one of its edges, and each of its edges is somewhere on the stroke.
   void check_residual() {
     for (const PlainStroke& stroke : strokes_) {
+      double from = infinity;
+      double to = infinity;
       for (const auto& edge : stroke.edges) {
         const Point2 a = placing_.paper(projection_.image(edge[0]));
         const Point2 b = placing_.paper(projection_.image(edge[1]));
-        for (const Point2& end : {stroke.from, stroke.to}) report_.residual = std::max(report_.residual, distance(end, a, b));
+        const double from_edge = distance(stroke.from, a, b);
+        const double to_edge = distance(stroke.to, a, b);
+        from = std::min(from, from_edge);
+        to = std::min(to, to_edge);
+        const double apart = std::min({from_edge, to_edge, distance(a, stroke.from, stroke.to), distance(b, stroke.from, stroke.to)});
+        report_.residual = std::max(report_.residual, apart);
       }
+      report_.residual = std::max({report_.residual, from, to});
     }
   }
 
   void check_edges() {
-    const StrokesOnPaper paper(strokes_);
     for (const Edge& edge : edges_) {
       Need need = need_of(edge, mesh_, caster_, projection_, rounding_);
       if (need == Need::yes && near_.any(edge, 3 * rounding_)) need = Need::unclear;
@@ -549,7 +550,7 @@ class Check {
         ++report_.samples;
         if (caster_.sight(p, 0, edge.faces) != Sight::visible) continue;
         ++report_.visible;
-        if (paper.distance_of(placing_.paper(projection_.image(p))) <= tolerance(p)) continue;
+        if (paper_.distance_of(placing_.paper(projection_.image(p))) <= tolerance(p)) continue;
         ++report_.undrawn;
         note("visible and not drawn:", p, name_of(a, b) + " of " + std::to_string(edge.faces.size()) + " faces");
       }
@@ -585,14 +586,27 @@ class Check {
   void check_strokes() {
     for (const PlainStroke& stroke : strokes_) {
       const double size = length(stroke.to - stroke.from);
-      if (size < 4 * report_.allowed_residual) continue;
+      const auto at = [&](double s) {
+        return Point2{stroke.from[0] + s * (stroke.to[0] - stroke.from[0]), stroke.from[1] + s * (stroke.to[1] - stroke.from[1])};
+      };
       const int count = static_cast<int>(std::clamp(size / 5, 2.0, 12.0));
       for (int i = 0; i < count; ++i) {
         const double s = (i + random()) / count;
-        check_stroke_at(stroke, {stroke.from[0] + s * (stroke.to[0] - stroke.from[0]),
-                                 stroke.from[1] + s * (stroke.to[1] - stroke.from[1])});
+        if (size >= 0.01) check_once(stroke, at(0.98 * s), at(0.98 * s + 0.02));
+        if (size >= 4 * report_.allowed_residual) check_stroke_at(stroke, at(s));
       }
     }
+  }
+
+  void check_once(const PlainStroke& stroke, const Point2& p, const Point2& q) {
+    const PlainStroke* const other = paper_.other_on(stroke, p, q);
+    if (other == nullptr) return;
+    ++report_.drawn_twice;
+    std::ostringstream text;
+    text.precision(9);
+    text << "drawn twice: on the paper " << p[0] << ',' << p[1] << ", by a " << (stroke.hidden ? "dash" : "stroke") << " of kind "
+         << stroke.kind << " and a " << (other->hidden ? "dash" : "stroke") << " of kind " << other->kind;
+    note(text.str());
   }
 
   void check_stroke_at(const PlainStroke& stroke, const Point2& on_paper) {
@@ -637,6 +651,7 @@ class Check {
   Caster caster_;
   std::vector<Edge> edges_;  // ascending by their ends
   NearVertices near_;
+  StrokesOnPaper paper_;
   std::mt19937 engine_;
   Placing placing_;
   RayReport report_;

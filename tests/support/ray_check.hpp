@@ -3,7 +3,7 @@
 // Which edges have to be drawn is found from the mesh itself: edges of one face, edges of three or more faces, edges whose faces
 // bend by more than 30 degrees, and edges whose faces are on the same side of the edge in the image. Seeded samples on these edges
 // are visible if no face is between them and the eye. Each visible sample must be on a visible stroke. Samples of visible strokes,
-// put back on the source edges of the stroke, must not all be hidden.
+// put back on the source edges of the stroke, must not all be hidden. No stroke lies on another one.
 //
 // The product rounds vertices to a grid, so a sample is left out where a shift of a vertex by `rounding` could change the
 // answer: near the outline of a face in the image, or near a face in space. So is an edge whose kind such a shift, or the
@@ -11,7 +11,7 @@
 // borders between materials and lines in which faces cross; strokes of these kinds are only checked for being hidden.
 //
 // How the image is placed on the paper is not taken from the product: scale and shift are those for which the ends of the strokes
-// are nearest to the images of their source edges, and the largest distance that remains is checked as well.
+// are nearest to the lines of their source edges, and the largest distance that remains is checked as well.
 #pragma once
 
 #include <cstdint>
@@ -59,13 +59,15 @@ struct RayReport {
   std::size_t dash_samples = 0;     // on hidden strokes
   std::size_t visible_dashed = 0;   // of these, visible for certain
   std::size_t off_edge = 0;         // samples of strokes that are on none of their source edges
+  std::size_t drawn_twice = 0;      // samples of strokes, visible or hidden, that another stroke draws, too
   double scale = 0;                 // mm for one unit of the image
   double residual = 0;              // in mm: the largest distance of an end of a stroke from its source edge
   double allowed_residual = 0;
   std::vector<std::string> faults;  // the first ones in words, with their place in the file and on the paper
 
   [[nodiscard]] bool good() const {
-    return undrawn == 0 && hidden_drawn == 0 && visible_dashed == 0 && off_edge == 0 && residual <= allowed_residual;
+    return undrawn == 0 && hidden_drawn == 0 && visible_dashed == 0 && off_edge == 0 && drawn_twice == 0 &&
+           residual <= allowed_residual;
   }
 };
 

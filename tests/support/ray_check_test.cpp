@@ -87,21 +87,31 @@ TEST_F(RayCheck, AHiddenStrokeThatIsDrawnIsFound) {
   EXPECT_NE(found.faults.front().find("hidden and drawn: at "), std::string::npos) << found.faults.front();
 }
 
-// A stroke of an edge in front that coincides with a hidden one is right.
-TEST_F(RayCheck, AHiddenEdgeOnAVisibleLineIsNoFault) {
-  for (PlainStroke& stroke : strokes)
-    if (stroke.hidden) stroke = {stroke.from, stroke.to, false, "boundary", stroke.edges};
-  EXPECT_FALSE(report().good());
-  for (PlainStroke& stroke : strokes) {
-    const double y = stroke.from[1] / 10 - 5;
-    if (y == stroke.to[1] / 10 - 5) stroke.edges.push_back({Point3{-2, y, 0.5}, Point3{2, y, 0.5}});
-  }
-  EXPECT_EQ(report().hidden_drawn, 0U);
-}
-
 TEST_F(RayCheck, AVisibleStrokeThatIsDashedIsFound) {
   add(0, 1, 0, 1, true);
   EXPECT_GT(report().visible_dashed, 1U);
+}
+
+TEST_F(RayCheck, AStretchOfPaperThatIsDrawnTwiceIsFound) {
+  EXPECT_EQ(report().drawn_twice, 0U);
+  add(5, 6, 0.25, 0.75, false);
+  EXPECT_GT(report().drawn_twice, 1U);
+  EXPECT_EQ(report().undrawn, 0U);
+  EXPECT_EQ(report().hidden_drawn, 0U);
+}
+
+// Where one of its edges is hidden another one is not.
+TEST_F(RayCheck, AStrokeOfSeveralEdgesIsRight) {
+  strokes.erase(strokes.begin() + 7, strokes.begin() + 10);
+  strokes.erase(strokes.begin() + 4, strokes.begin() + 7);
+  add(6, 7, 0, 1, false);
+  EXPECT_GT(report().hidden_drawn, 0U);
+  strokes.back().edges.push_back({Point3{-1, 0.5, 0.5}, Point3{1, 0.5, 0.5}});
+  add(4, 5, 0, 1, false);
+  strokes.back().edges.push_back({Point3{-1, -0.5, 0.5}, Point3{1, -0.5, 0.5}});
+  EXPECT_TRUE(report().good()) << report().faults.front();
+  strokes.back().edges.back() = {Point3{-1, 0.7, 0.5}, Point3{1, 0.7, 0.5}};  // not on the stroke
+  EXPECT_FALSE(report().good());
 }
 
 TEST_F(RayCheck, AStrokeThatIsElsewhereIsFound) {

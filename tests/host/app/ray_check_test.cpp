@@ -1,0 +1,139 @@
+// Drawings of meshes that nobody here made, checked by rays (tests/support/ray_check.hpp): no visible sample of an edge is undrawn,
+// no hidden one is drawn. The meshes are those of Debian's assimp-testmodels; without them the test is skipped, with a message.
+#include "tests/support/ray_check.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/host/app/command_line.hpp"
+#include "tests/support/plain_mesh.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using sightline::tests::PlainMesh;
+using sightline::tests::PlainStroke;
+using sightline::tests::Point3;
+using sightline::tests::RayReport;
+
+constexpr std::size_t most_faces = 20000;
+constexpr std::uint32_t seed = 20;
+
+class RayCheckedDrawing : public sightline::test::CommandLine {
+ protected:
+  // What the command wrote last.
+  sightline::tests::PlainView view;
+  std::vector<PlainStroke> strokes;
+
+  [[nodiscard]] sightline::test::Ran draw(const std::string& mesh, const sightline::test::Arguments& options) {
+    sightline::test::Arguments arguments{"draw", "exact", mesh, "--hidden", "--size", "1000x1000", "--json", "--strokes", "s.jsonl", "-o", "d.svg"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto ran = sightline(arguments);
+    if (ran.exit_code != 0) return ran;
+    view = sightline::tests::view_of_json(ran.out);
+    strokes = sightline::tests::strokes_of_lines(read("s.jsonl"));
+    return ran;
+  }
+};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : "\n") + word;
+  return text;
+}
+
+// Without perspective, and from outside in perspective.
+std::vector<sightline::test::Arguments> views_of(const PlainMesh& mesh) {
+  Point3 low = mesh.vertices.front();
+  Point3 high = low;
+  for (const Point3& p : mesh.vertices) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], p[a]);
+      high[a] = std::max(high[a], p[a]);
+    }
+  }
+  const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  const Point3 away{1.1, 0.7, 1.3};
+  std::string eye;
+  for (std::size_t a = 0; a < 3; ++a) eye += (a == 0 ? "" : ",") + std::to_string((low[a] + high[a]) / 2 + away[a] * size);
+  return {{"--view", "iso"}, {"--view", "front"}, {"--view", "trimetric"}, {"--eye", eye}};
+}
+
+TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
+  const fs::path folder = "/usr/share/assimp/models";
+  std::error_code missing;
+  std::vector<std::string> files;
+  for (fs::recursive_directory_iterator entry(folder, missing), end; !missing && entry != end; entry.increment(missing)) {
+    std::string ending = entry->path().extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (ending == ".off" || ending == ".obj" || ending == ".ply" || ending == ".stl") files.push_back(entry->path().string());
+  }
+  if (files.empty()) GTEST_SKIP() << "found no mesh in " << folder << ": install Debian's assimp-testmodels";
+  std::sort(files.begin(), files.end());
+  int checked = 0;
+  std::size_t visible = 0;
+  for (const std::string& file : files) {
+    SCOPED_TRACE(file);
+    std::optional<PlainMesh> mesh;
+    std::string damage;
+    try {
+      mesh = sightline::tests::read_plain_mesh(file);
+    } catch (const std::runtime_error& error) {
+      damage = error.what();
+    }
+    if (!mesh) {
+      const auto ran = draw(file, {});
+      EXPECT_EQ(ran.exit_code, 4) << "the check found: " << damage;
+      std::printf("%s\n  not checked: %s", file.c_str(), ran.err.c_str());
+      continue;
+    }
+    if (mesh->faces.size() > most_faces) {
+      std::printf("%s\n  not checked: %zu faces, more than %zu\n", file.c_str(), mesh->faces.size(), most_faces);
+      continue;
+    }
+    ++checked;
+    std::printf("%s\n  %zu faces\n", file.c_str(), mesh->faces.size());
+    for (const auto& options : views_of(*mesh)) {
+      const auto ran = draw(file, options);
+      ASSERT_EQ(ran.exit_code, 0) << ran.err;
+      const RayReport report = sightline::tests::check_by_rays(*mesh, view, strokes, seed);
+      std::printf("  %s %s: %zu feature edges and %zu unclear ones, %zu samples, %zu visible, %zu undrawn; %zu on strokes, %zu hidden; "
+                  "%zu on dashes, %zu visible; %zu drawn twice; %zu off their edges, by up to %.4f mm\n",
+                  options[0].c_str(), options[1].c_str(), report.feature_edges, report.unclear_edges, report.samples, report.visible,
+                  report.undrawn, report.stroke_samples, report.hidden_drawn, report.dash_samples, report.visible_dashed,
+                  report.drawn_twice, report.off_edge, report.residual);
+      EXPECT_TRUE(report.good()) << options[0] << ' ' << options[1] << ", residual " << report.residual << " of "
+                                 << report.allowed_residual << " mm\n" << joined(report.faults);
+      visible += report.visible;
+    }
+  }
+  // The check has not become empty.
+  EXPECT_GE(checked, 30);
+  EXPECT_GE(visible, 60000U);
+}
+
+// What the command draws of a mesh, with one fault made by hand.
+TEST_F(RayCheckedDrawing, FindsAFaultInADrawingOfTheCommand) {
+  const std::string file = std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/bracket.obj";
+  const PlainMesh mesh = sightline::tests::read_plain_mesh(file);
+  ASSERT_EQ(draw(file, {"--view", "iso"}).exit_code, 0);
+  const std::vector<PlainStroke> right = strokes;
+  const auto report = [&] { return sightline::tests::check_by_rays(mesh, view, strokes, seed); };
+  ASSERT_TRUE(report().good()) << joined(report().faults);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    strokes = right;
+    if (right[i].hidden) {
+      strokes[i].hidden = false;
+      EXPECT_GT(report().hidden_drawn, 0U) << "dash " << i;
+    } else {
+      strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(i));
+      EXPECT_GT(report().undrawn, 0U) << "stroke " << i;
+    }
+  }
+}
+
+}  // namespace
