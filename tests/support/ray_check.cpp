@@ -598,9 +598,29 @@ class Check {
     }
   }
 
+  // Whether they have edges on one line of the image. Short strokes of edges at an acute angle are as near to each other as the
+  // digits of --strokes can tell; their edges are not.
+  [[nodiscard]] bool on_one_line(const PlainStroke& one, const PlainStroke& other) const {
+    constexpr double exact = 1e-6;  // mm
+    for (const auto& first : one.edges) {
+      for (const auto& second : other.edges) {
+        const std::array<Point2, 4> ends{placing_.paper(projection_.image(first[0])), placing_.paper(projection_.image(first[1])),
+                                         placing_.paper(projection_.image(second[0])), placing_.paper(projection_.image(second[1]))};
+        const bool first_is_longer = length(ends[1] - ends[0]) > length(ends[3] - ends[2]);
+        const Point2 at = ends[first_is_longer ? 0 : 2];
+        const Point2 along = ends[first_is_longer ? 1 : 3] - at;
+        const auto off = [&](const Point2& p) {
+          return std::abs(along[0] * (p[1] - at[1]) - along[1] * (p[0] - at[0])) / length(along);
+        };
+        if (std::all_of(ends.begin(), ends.end(), [&](const Point2& p) { return off(p) < exact; })) return true;
+      }
+    }
+    return false;
+  }
+
   void check_once(const PlainStroke& stroke, const Point2& p, const Point2& q) {
     const PlainStroke* const other = paper_.other_on(stroke, p, q);
-    if (other == nullptr) return;
+    if (other == nullptr || !on_one_line(stroke, *other)) return;
     ++report_.drawn_twice;
     std::ostringstream text;
     text.precision(9);
