@@ -110,6 +110,8 @@ class Caster {
   }
 
   [[nodiscard]] const Face& face(std::size_t number) const { return faces_[number]; }
+  // Whether the file gives a face no plane.
+  [[nodiscard]] bool is_rough(const Face& face) const { return face.deviation > 4 * rounding_; }
 
   // Of a point on edges of the faces `own`, ascending, none of which hides it. `blur`: how far it may be from its true place,
   // in addition to what rounding explains, in units of the file.
@@ -121,18 +123,22 @@ class Caster {
     for (const std::uint32_t number : cell_at(at)) {
       const Face& face = faces_[number];
       const double moved = rounding_ + blur;
-      const double margin = 3 * moved / std::min(depth, face.depth) + face.deviation / face.depth;
-      const Cover cover = cover_of(face, at, margin);
-      if (cover == Cover::no) continue;
-      const double facing = dot(face.normal, to_eye);
-      if (std::binary_search(own.begin(), own.end(), number)) {
-        // A face that is not planar may hide its own edge if it is seen nearly edge-on.
-        if (std::abs(facing) * face.height < 4 * face.deviation && face.deviation > rounding_) result = Sight::unclear;
+      const double margin = 3 * moved / std::min(depth, face.depth);
+      const Cover cover = cover_of(face.image, face.box, at, margin);
+      if (cover == Cover::no) {
+        // Of a face that is not planar a part may be beside its outline.
+        if (is_rough(face) && may_fold_over(number, p, to_eye, at, margin)) result = Sight::unclear;
         continue;
       }
+      const double facing = dot(face.normal, to_eye);
+      const bool is_own = std::binary_search(own.begin(), own.end(), number);
       const double beyond = dot(face.normal, p - face.middle);
-      if (std::abs(beyond) <= 4 * moved + face.deviation) {
-        if (!flat_with_one_of(own, number)) result = Sight::unclear;
+      if (std::abs(beyond) <= 4 * moved + face.deviation || is_own) {
+        bool clear = !is_own && flat_with_one_of(own, number);
+        // One that is not planar may hide its own edge.
+        if (is_own) clear = face.deviation <= rounding_ || std::abs(facing) * face.height >= 4 * face.deviation;
+        if (is_rough(face)) clear = !may_fold_over(number, p, to_eye, at, margin);
+        if (!clear) result = Sight::unclear;
         continue;
       }
       const bool towards = beyond * facing < 0;
@@ -181,13 +187,37 @@ class Caster {
     return face;
   }
 
-  [[nodiscard]] static Cover cover_of(const Face& face, const Point2& p, double margin) {
+  // Whether a triangle of a face that is not planar may be before the point, however the face is divided into triangles.
+  [[nodiscard]] bool may_fold_over(std::uint32_t number, const Point3& p, const Point3& to_eye, const Point2& at, double margin) const {
+    const auto& corners = mesh_.faces[number];
+    const std::vector<Point2>& image = faces_[number].image;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        for (std::size_t k = j + 1; k < corners.size(); ++k) {
+          const std::vector<Point2> triangle{image[i], image[j], image[k]};
+          if (cover_of(triangle, faces_[number].box, at, margin) == Cover::no) continue;
+          const Point3& first = mesh_.vertices[corners[i]];
+          const Point3 normal = unit(cross(mesh_.vertices[corners[j]] - first, mesh_.vertices[corners[k]] - first));
+          const double beyond = dot(normal, p - first);
+          const double facing = dot(normal, to_eye);
+          // At the side of a triangle the point is on it, which does not hide it.
+          const bool at_side = std::abs(beyond) <= 4 * rounding_ && std::abs(facing) > 1e-2 &&
+                               std::min({distance(p, first, mesh_.vertices[corners[j]]), distance(p, first, mesh_.vertices[corners[k]]),
+                                         distance(p, mesh_.vertices[corners[j]], mesh_.vertices[corners[k]])}) <= 4 * rounding_;
+          if (!at_side && (std::abs(beyond) <= 4 * rounding_ || beyond * facing < 0)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] static Cover cover_of(const std::vector<Point2>& image, const Box& box, const Point2& p, double margin) {
     for (std::size_t a = 0; a < 2; ++a)
-      if (p[a] < face.box.low[a] - margin || p[a] > face.box.high[a] + margin) return Cover::no;
+      if (p[a] < box.low[a] - margin || p[a] > box.high[a] + margin) return Cover::no;
     bool inside = false;
-    for (std::size_t i = 0; i < face.image.size(); ++i) {
-      const Point2& a = face.image[i];
-      const Point2& b = face.image[(i + 1) % face.image.size()];
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const Point2& a = image[i];
+      const Point2& b = image[(i + 1) % image.size()];
       if (distance(p, a, b) <= margin) return Cover::unclear;
       if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
     }
@@ -204,7 +234,7 @@ class Caster {
     for (std::uint32_t number = 0; number < faces_.size(); ++number) {
       const Face& face = faces_[number];
       // More than any margin: a thousandth of the image.
-      const double wide = 1e-3 * box_.longer() + face.deviation / face.depth;
+      const double wide = 1e-3 * box_.longer();
       for (std::size_t y = cell(face.box.low[1] - wide, 1); y <= cell(face.box.high[1] + wide, 1); ++y)
         for (std::size_t x = cell(face.box.low[0] - wide, 0); x <= cell(face.box.high[0] + wide, 0); ++x)
           grid_[y * cells_ + x].push_back(number);
@@ -319,6 +349,7 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   if (height < 8 * rounding) return Need::unclear;
   if (edge.faces.size() != 2) return Need::yes;
   if (edge.faces[0] == edge.faces[1]) return Need::no;  // a bridge to a hole of one face
+  if (caster.is_rough(caster.face(edge.faces[0])) || caster.is_rough(caster.face(edge.faces[1]))) return Need::unclear;
   const double error = 4 * rounding / height + 1e-4;  // of a direction
   const double folded = std::acos(std::clamp(dot(edge.inwards[0], edge.inwards[1]), -1.0, 1.0));
   const double bend = pi - folded;
