@@ -23,7 +23,7 @@ using Words = std::vector<std::string>;
 struct RawMesh {
   std::vector<Point3> vertices;
   std::vector<std::vector<std::int64_t>> faces;
-  int decimals = -1;  // the most that a coordinate has; -1: the numbers are binary
+  int decimals = -1;  // the most that a coordinate has; -1: they are binary
 };
 
 [[noreturn]] void fail(const std::string& what) {
@@ -48,11 +48,12 @@ std::int64_t whole_of(const std::string& word) {
   return static_cast<std::int64_t>(value);
 }
 
-// How many digits after the point the word has, less its exponent.
+// How many digits after the point the word has, but for zeros at the end, less its exponent.
 int decimals_of(const std::string& word) {
   const std::size_t exponent = std::min(word.find_first_of("eE"), word.size());
   const std::size_t point = std::min(word.find('.'), exponent);
-  const int digits = point == exponent ? 0 : static_cast<int>(exponent - point) - 1;
+  const std::size_t last = word.find_last_not_of('0', exponent - 1);
+  const int digits = point == exponent || last == std::string::npos || last < point ? 0 : static_cast<int>(last - point);
   return digits - (exponent < word.size() ? std::atoi(word.c_str() + exponent + 1) : 0);
 }
 
@@ -283,7 +284,8 @@ PlainMesh plain(const RawMesh& raw) {
   }
   if (mesh.faces.empty()) fail("found no face");
   const double of_float = std::ldexp(largest, -23);
-  mesh.precision = raw.decimals < 0 ? of_float : std::max(std::pow(10.0, -raw.decimals), of_float);
+  // Whole numbers are exact.
+  mesh.precision = raw.decimals <= 0 ? of_float : std::max(std::pow(10.0, -raw.decimals), of_float);
   return mesh;
 }
 

@@ -122,22 +122,22 @@ class Caster {
     Sight result = Sight::visible;
     for (const std::uint32_t number : cell_at(at)) {
       const Face& face = faces_[number];
+      const bool is_own = std::binary_search(own.begin(), own.end(), number);
       const double moved = rounding_ + blur;
       const double margin = 3 * moved / std::min(depth, face.depth);
       const Cover cover = cover_of(face.image, face.box, at, margin);
       if (cover == Cover::no) {
         // Of a face that is not planar a part may be beside its outline.
-        if (is_rough(face) && may_fold_over(number, p, to_eye, at, margin)) result = Sight::unclear;
+        if (is_rough(face) && may_fold_over(number, is_own, p, to_eye, at, margin)) result = Sight::unclear;
         continue;
       }
       const double facing = dot(face.normal, to_eye);
-      const bool is_own = std::binary_search(own.begin(), own.end(), number);
       const double beyond = dot(face.normal, p - face.middle);
       if (std::abs(beyond) <= 4 * moved + face.deviation || is_own) {
         bool clear = !is_own && flat_with_one_of(own, number);
         // One that is not planar may hide its own edge.
         if (is_own) clear = face.deviation <= rounding_ || std::abs(facing) * face.height >= 4 * face.deviation;
-        if (is_rough(face)) clear = !may_fold_over(number, p, to_eye, at, margin);
+        if (is_rough(face)) clear = !may_fold_over(number, is_own, p, to_eye, at, margin);
         if (!clear) result = Sight::unclear;
         continue;
       }
@@ -187,8 +187,22 @@ class Caster {
     return face;
   }
 
+  // Whether a point is on a side of a triangle and at none of its vertices.
+  [[nodiscard]] bool inside_side(const Point3& p, const std::array<std::size_t, 3>& triangle, const std::vector<std::uint32_t>& corners) const {
+    bool on_side = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point3& a = mesh_.vertices[corners[triangle[i]]];
+      const Point3& b = mesh_.vertices[corners[triangle[(i + 1) % 3]]];
+      if (length(p - a) < 16 * rounding_) return false;
+      on_side = on_side || distance(p, a, b) <= 4 * rounding_;
+    }
+    return on_side;
+  }
+
   // Whether a triangle of a face that is not planar may be before the point, however the face is divided into triangles.
-  [[nodiscard]] bool may_fold_over(std::uint32_t number, const Point3& p, const Point3& to_eye, const Point2& at, double margin) const {
+  // `is_own`: the point is on a side of the face, and the triangle at that side does not hide it.
+  [[nodiscard]] bool may_fold_over(std::uint32_t number, bool is_own, const Point3& p, const Point3& to_eye, const Point2& at,
+                                   double margin) const {
     const auto& corners = mesh_.faces[number];
     const std::vector<Point2>& image = faces_[number].image;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -200,11 +214,9 @@ class Caster {
           const Point3 normal = unit(cross(mesh_.vertices[corners[j]] - first, mesh_.vertices[corners[k]] - first));
           const double beyond = dot(normal, p - first);
           const double facing = dot(normal, to_eye);
-          // At the side of a triangle the point is on it, which does not hide it.
-          const bool at_side = std::abs(beyond) <= 4 * rounding_ && std::abs(facing) > 1e-2 &&
-                               std::min({distance(p, first, mesh_.vertices[corners[j]]), distance(p, first, mesh_.vertices[corners[k]]),
-                                         distance(p, mesh_.vertices[corners[j]], mesh_.vertices[corners[k]])}) <= 4 * rounding_;
-          if (!at_side && (std::abs(beyond) <= 4 * rounding_ || beyond * facing < 0)) return true;
+          const bool in_plane = std::abs(beyond) <= 4 * rounding_;
+          if (in_plane && is_own && std::abs(facing) > 1e-2 && inside_side(p, {i, j, k}, corners)) continue;
+          if (in_plane || beyond * facing < 0) return true;
         }
       }
     }
@@ -350,7 +362,7 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   if (edge.faces.size() != 2) return Need::yes;
   if (edge.faces[0] == edge.faces[1]) return Need::no;  // a bridge to a hole of one face
   if (caster.is_rough(caster.face(edge.faces[0])) || caster.is_rough(caster.face(edge.faces[1]))) return Need::unclear;
-  const double error = 4 * rounding / height + 1e-4;  // of a direction
+  const double error = 4 * (rounding + mesh.precision) / height + 1e-4;  // of a direction, which may be that of a larger flat surface
   const double folded = std::acos(std::clamp(dot(edge.inwards[0], edge.inwards[1]), -1.0, 1.0));
   const double bend = pi - folded;
   if (bend > crease_angle + error) return Need::yes;
