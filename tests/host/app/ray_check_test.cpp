@@ -2,9 +2,11 @@
 // no hidden one is drawn. The meshes are those of Debian's assimp-testmodels; without them the test is skipped, with a message.
 #include "tests/support/ray_check.hpp"
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -114,6 +116,70 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
   // The check has not become empty.
   EXPECT_GE(checked, 30);
   EXPECT_GE(visible, 60000U);
+}
+
+// Where a closed part passes through itself, what is behind the crossing is turned the wrong side out: two pyramids on one base,
+// turned against each other, so that each has the outside of the other one inside.
+TEST_F(RayCheckedDrawing, ShowsABodyThatPassesThroughItself) {
+  write("a.obj", "v 0 0 0\nv 4 0 0\nv 0 0 4\nv 1 4 1\nv 6 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 2 1 5\nf 3 2 5\nf 1 3 5\n");
+  const PlainMesh mesh = sightline::tests::read_plain_mesh(path("a.obj").string());
+  for (const char* name : {"front", "back", "left", "right", "top", "bottom", "iso"}) {
+    ASSERT_EQ(draw("a.obj", {"--view", name}).exit_code, 0);
+    const RayReport report = sightline::tests::check_by_rays(mesh, view, strokes, seed);
+    EXPECT_GT(report.visible, 40U);
+    EXPECT_TRUE(report.good()) << name << '\n' << joined(report.faults);
+  }
+}
+
+// Meshes of few whole numbers: vertices and edges on faces, faces that touch or lie in one plane, lines that coincide.
+TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
+  std::mt19937 engine(seed);
+  const auto random = [&engine](int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); };
+  const auto triple = [&](int low, int high) {
+    std::string text = std::to_string(random(low, high));
+    for (int i = 0; i < 2; ++i) text += " " + std::to_string(random(low, high));
+    return text;
+  };
+  std::size_t visible = 0;
+  for (int number = 0; number < 60; ++number) {
+    std::string obj;
+    if (number % 2 == 0) {
+      const int vertices = random(6, 24);
+      for (int v = 0; v < vertices; ++v) obj += "v " + triple(0, 9) + "\n";
+      for (int face = random(3, 16); face > 0; --face) obj += "f " + triple(1, vertices) + "\n";
+    } else {
+      for (int box = random(2, 6); box > 0; --box) {
+        std::array<std::array<int, 2>, 3> sides{};
+        for (auto& side : sides) {
+          side[0] = random(0, 6);
+          side[1] = side[0] + random(1, 4);
+        }
+        for (std::size_t corner = 0; corner < 8; ++corner)
+          obj += "v " + std::to_string(sides[0][corner & 1]) + " " + std::to_string(sides[1][corner / 2 & 1]) + " " +
+                 std::to_string(sides[2][corner / 4]) + "\n";
+        obj += "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
+      }
+    }
+    write("a.obj", obj);
+    PlainMesh mesh;
+    try {
+      mesh = sightline::tests::read_plain_mesh(path("a.obj").string());
+    } catch (const std::runtime_error&) {
+      continue;  // all faces have a vertex twice
+    }
+    std::string direction = triple(-3, 3);
+    if (direction == "0 0 0") direction = "1 2 -3";
+    std::replace(direction.begin(), direction.end(), ' ', ',');
+    for (const sightline::test::Arguments& options : {sightline::test::Arguments{"--orthographic=" + direction}, {"--view", "iso", "--perspective"}}) {
+      const auto ran = draw("a.obj", options);
+      if (ran.exit_code == 4) continue;  // no face has an area
+      ASSERT_EQ(ran.exit_code, 0) << ran.err << obj;
+      const RayReport report = sightline::tests::check_by_rays(mesh, view, strokes, seed);
+      EXPECT_TRUE(report.good()) << options[0] << '\n' << joined(report.faults) << '\n' << obj;
+      visible += report.visible;
+    }
+  }
+  EXPECT_GE(visible, 10000U);
 }
 
 // What the command draws of a mesh, with one fault made by hand.
