@@ -23,6 +23,7 @@ using Words = std::vector<std::string>;
 struct RawMesh {
   std::vector<Point3> vertices;
   std::vector<std::vector<std::int64_t>> faces;
+  std::vector<std::vector<std::int64_t>> lines;
   int decimals = -1;  // the most that a coordinate has; -1: they are binary
 };
 
@@ -116,14 +117,15 @@ RawMesh read_obj(const std::string& text) {
   RawMesh mesh;
   for (const Words& words : lines_of(text, true)) {
     if (words[0] == "v") add_vertex(mesh, words, 1);
-    if (words[0] != "f") continue;
-    if (words.size() < 2) fail("found a face without corners");
-    mesh.faces.emplace_back();
+    if (words[0] != "f" && words[0] != "l") continue;
+    if (words.size() < 2) fail("found a face or a line without corners");
+    auto& statements = words[0] == "f" ? mesh.faces : mesh.lines;
+    statements.emplace_back();
     for (std::size_t c = 1; c < words.size(); ++c) {
       const std::int64_t number = whole_of(words[c].substr(0, words[c].find('/')));
       const auto count = static_cast<std::int64_t>(mesh.vertices.size());
       if (number == 0 || number > count || number < -count) fail("found \"" + words[c] + "\", expected a vertex");
-      mesh.faces.back().push_back(number > 0 ? number - 1 : count + number);
+      statements.back().push_back(number > 0 ? number - 1 : count + number);
     }
   }
   return mesh;
@@ -264,25 +266,35 @@ PlainMesh plain(const RawMesh& raw) {
   std::map<Point3, std::uint32_t> numbers;
   std::set<std::vector<std::uint32_t>> known;
   double largest = 0;
+  const auto vertex = [&](std::int64_t corner) {
+    if (corner < 0 || corner >= static_cast<std::int64_t>(raw.vertices.size())) fail("found a corner that is no vertex");
+    Point3 point = raw.vertices[static_cast<std::size_t>(corner)];
+    for (double& c : point) {
+      c += 0.0;  // no -0
+      largest = std::max(largest, std::abs(c));
+    }
+    const auto [place, is_new] = numbers.emplace(point, static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (is_new) mesh.vertices.push_back(point);
+    return place->second;
+  };
   for (const auto& corners : raw.faces) {
     std::vector<std::uint32_t> face;
     for (const std::int64_t corner : corners) {
-      if (corner < 0 || corner >= static_cast<std::int64_t>(raw.vertices.size())) fail("found a corner that is no vertex");
-      Point3 point = raw.vertices[static_cast<std::size_t>(corner)];
-      for (double& c : point) {
-        c += 0.0;  // no -0
-        largest = std::max(largest, std::abs(c));
-      }
-      const auto [place, is_new] = numbers.emplace(point, static_cast<std::uint32_t>(mesh.vertices.size()));
-      if (is_new) mesh.vertices.push_back(point);
-      if (face.empty() || face.back() != place->second) face.push_back(place->second);
+      const std::uint32_t number = vertex(corner);
+      if (face.empty() || face.back() != number) face.push_back(number);
     }
     while (face.size() > 1 && face.back() == face.front()) face.pop_back();
     std::vector<std::uint32_t> sorted = face;
     std::sort(sorted.begin(), sorted.end());
     if (face.size() >= 3 && known.insert(sorted).second) mesh.faces.push_back(std::move(face));
   }
-  if (mesh.faces.empty()) fail("found no face");
+  for (const auto& line : raw.lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const std::array<std::uint32_t, 2> step{vertex(line[i - 1]), vertex(line[i])};
+      if (step[0] != step[1]) mesh.lines.push_back(step);
+    }
+  }
+  if (mesh.faces.empty() && mesh.lines.empty()) fail("found no face and no line");
   const double of_float = std::ldexp(largest, -23);
   // Whole numbers are exact.
   mesh.precision = raw.decimals <= 0 ? of_float : std::max(std::pow(10.0, -raw.decimals), of_float);

@@ -275,6 +275,7 @@ struct Edge {
   std::uint32_t to = 0;
   std::vector<std::uint32_t> faces;  // ascending, each as often as it has the edge
   std::vector<Point3> inwards;       // of each: square to the edge, from it into the face
+  bool is_line = false;              // of the file, with or without faces
 };
 
 std::vector<Edge> edges_of(const PlainMesh& mesh, const Caster& caster) {
@@ -290,6 +291,12 @@ std::vector<Edge> edges_of(const PlainMesh& mesh, const Caster& caster) {
       edge.faces.push_back(number);
       edge.inwards.push_back(unit(cross(caster.face(number).normal, mesh.vertices[b] - mesh.vertices[a])));
     }
+  }
+  for (const auto& line : mesh.lines) {
+    Edge& edge = edges[{std::min(line[0], line[1]), std::max(line[0], line[1])}];
+    edge.from = std::min(line[0], line[1]);
+    edge.to = std::max(line[0], line[1]);
+    edge.is_line = true;
   }
   std::vector<Edge> result;
   for (auto& [key, edge] : edges) result.push_back(std::move(edge));
@@ -359,7 +366,7 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   double height = infinity;
   for (const std::uint32_t face : edge.faces) height = std::min(height, caster.face(face).height);
   if (height < 8 * rounding) return Need::unclear;
-  if (edge.faces.size() != 2) return Need::yes;
+  if (edge.is_line || edge.faces.size() != 2) return Need::yes;
   if (edge.faces[0] == edge.faces[1]) return Need::no;  // a bridge to a hole of one face
   if (caster.is_rough(caster.face(edge.faces[0])) || caster.is_rough(caster.face(edge.faces[1]))) return Need::unclear;
   const double error = 4 * (rounding + mesh.precision) / height + 1e-4;  // of a direction, which may be that of a larger flat surface

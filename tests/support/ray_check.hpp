@@ -1,6 +1,6 @@
 // Whether a drawing shows what can be seen: a ray caster in doubles that shares no code with the product.
 //
-// Which edges have to be drawn is found from the mesh itself: edges of one face, edges of three or more faces, edges whose faces
+// Which edges have to be drawn is found from the mesh itself: lines of the file, edges of one face, edges of three or more faces, edges whose faces
 // bend by more than 30 degrees, and edges whose faces are on the same side of the edge in the image. Seeded samples on these edges
 // are visible if no face is between them and the eye. Each visible sample must be on a visible stroke. Samples of visible strokes,
 // put back on the source edges of the stroke, must not all be hidden. No stroke lies on another one.

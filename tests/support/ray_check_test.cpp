@@ -92,6 +92,19 @@ TEST_F(RayCheck, AVisibleStrokeThatIsDashedIsFound) {
   EXPECT_GT(report().visible_dashed, 1U);
 }
 
+// A line of the file behind the square is hidden by it.
+TEST_F(RayCheck, ALineIsAnEdge) {
+  mesh.vertices.insert(mesh.vertices.end(), {{-3, 0, -2}, {3, 0, -2}});
+  mesh.lines.push_back({8, 9});
+  EXPECT_GT(report().undrawn, 0U);
+  add(8, 9, 0, 1.0 / 6, false);
+  add(8, 9, 5.0 / 6, 1, false);
+  EXPECT_TRUE(report().good());
+  strokes.pop_back();
+  add(8, 9, 4.0 / 6, 1, false);  // begins behind the bar
+  EXPECT_GT(report().hidden_drawn, 0U);
+}
+
 TEST_F(RayCheck, AStretchOfPaperThatIsDrawnTwiceIsFound) {
   EXPECT_EQ(report().drawn_twice, 0U);
   add(5, 6, 0.25, 0.75, false);
@@ -210,6 +223,12 @@ TEST_F(PlainMeshFile, IsTheSameInEveryFormat) {
   }
   expect_square(read("a.stl", text + "endsolid a\n"));
   expect_square(read("b.STL", binary));
+}
+
+TEST_F(PlainMeshFile, HasLinesOfObj) {
+  const PlainMesh mesh = read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2/5 -1\n");
+  EXPECT_EQ(mesh.lines, (std::vector<std::array<std::uint32_t, 2>>{{0, 1}, {1, 2}}));
+  EXPECT_TRUE(mesh.faces.empty());
 }
 
 TEST_F(PlainMeshFile, LeavesOutWhatIsNoFace) {

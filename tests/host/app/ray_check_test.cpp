@@ -98,7 +98,7 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
       continue;
     }
     ++checked;
-    std::printf("%s\n  %zu faces\n", file.c_str(), mesh->faces.size());
+    std::printf("%s\n  %zu faces, %zu lines\n", file.c_str(), mesh->faces.size(), mesh->lines.size());
     for (const auto& options : views_of(*mesh)) {
       const auto ran = draw(file, options);
       ASSERT_EQ(ran.exit_code, 0) << ran.err;
