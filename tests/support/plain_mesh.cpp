@@ -106,7 +106,7 @@ RawMesh read_off(const std::string& text) {
   for (std::int64_t i = 0; i < faces; ++i) {
     if (++at >= lines.size()) fail("the file ends before its last face");
     const std::int64_t corners = whole_of(lines[at][0]);
-    if (corners < 1 || static_cast<std::int64_t>(lines[at].size()) <= corners) fail("found a face without its corners");
+    if (corners < 0 || static_cast<std::int64_t>(lines[at].size()) <= corners) fail("found a face without its corners");
     mesh.faces.emplace_back();
     for (std::int64_t c = 1; c <= corners; ++c) mesh.faces.back().push_back(whole_of(lines[at][static_cast<std::size_t>(c)]));
   }
@@ -118,7 +118,6 @@ RawMesh read_obj(const std::string& text) {
   for (const Words& words : lines_of(text, true)) {
     if (words[0] == "v") add_vertex(mesh, words, 1);
     if (words[0] != "f" && words[0] != "l") continue;
-    if (words.size() < 2) fail("found a face or a line without corners");
     auto& statements = words[0] == "f" ? mesh.faces : mesh.lines;
     statements.emplace_back();
     for (std::size_t c = 1; c < words.size(); ++c) {
@@ -259,6 +258,16 @@ RawMesh read_ply(const std::string& text) {
   return mesh;
 }
 
+double size_of(const PlainMesh& mesh) {
+  double size = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                                 [a](const Point3& p, const Point3& q) { return p[a] < q[a]; });
+    size = std::max(size, (*high)[a] - (*low)[a]);
+  }
+  return size;
+}
+
 // Equal vertices become one; corners that repeat their neighbour, faces of less than three, repeated faces and vertices without
 // faces are left out.
 PlainMesh plain(const RawMesh& raw) {
@@ -296,8 +305,9 @@ PlainMesh plain(const RawMesh& raw) {
   }
   if (mesh.faces.empty() && mesh.lines.empty()) fail("found no face and no line");
   const double of_float = std::ldexp(largest, -23);
-  // Whole numbers are exact.
-  mesh.precision = raw.decimals <= 0 ? of_float : std::max(std::pow(10.0, -raw.decimals), of_float);
+  // Whole numbers are exact, and numbers so short that this would be much of the mesh are meant as they are.
+  mesh.precision = of_float;
+  if (raw.decimals > 0) mesh.precision = std::max(std::min(std::pow(10.0, -raw.decimals), size_of(mesh) / 4000), of_float);
   return mesh;
 }
 

@@ -131,6 +131,17 @@ TEST_F(RayCheckedDrawing, ShowsABodyThatPassesThroughItself) {
   }
 }
 
+// Bevels of 0.2 in tenths are no errors of rounding.
+TEST_F(RayCheckedDrawing, ShowsBevelsInShortNumbers) {
+  write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 0.8 0\nv 1 0.8 0\nv 1 0.8 1\nv 0 0.8 1\nv 0.2 1 0.2\nv 0.8 1 0.2\nv 0.8 1 0.8\n"
+                 "v 0.2 1 0.8\nf 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\nf 5 9 10 6\nf 6 10 11 7\nf 7 11 12 8\nf 8 12 9 5\nf 9 12 11 10\n");
+  const PlainMesh mesh = sightline::tests::read_plain_mesh(path("a.obj").string());
+  ASSERT_EQ(draw("a.obj", {"--view", "iso"}).exit_code, 0);
+  const RayReport report = sightline::tests::check_by_rays(mesh, view, strokes, seed);
+  EXPECT_EQ(report.feature_edges, 20U);
+  EXPECT_TRUE(report.good()) << joined(report.faults);
+}
+
 // Meshes of few whole numbers: vertices and edges on faces, faces that touch or lie in one plane, lines that coincide.
 TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
   std::mt19937 engine(seed);
