@@ -306,8 +306,8 @@ PlainMesh plain(const RawMesh& raw) {
   if (mesh.faces.empty() && mesh.lines.empty()) fail("found no face and no line");
   const double of_float = std::ldexp(largest, -23);
   // Whole numbers are exact, and numbers so short that this would be much of the mesh are meant as they are.
-  mesh.precision = of_float;
-  if (raw.decimals > 0) mesh.precision = std::max(std::min(std::pow(10.0, -raw.decimals), size_of(mesh) / 4000), of_float);
+  mesh.precision = raw.decimals > 0 ? std::max(std::pow(10.0, -raw.decimals), of_float) : of_float;
+  mesh.precision = std::min(mesh.precision, size_of(mesh) / 4000);
   return mesh;
 }
 
