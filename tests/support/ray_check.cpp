@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
+#include <set>
 #include <sstream>
 
 namespace sightline::tests {
@@ -326,8 +327,9 @@ class NearVertices {
     return found;
   }
 
-  // Whether a vertex that is no end of the edge is nearer to it than this.
-  [[nodiscard]] bool any(const Edge& edge, double reach) const {
+  // Vertices nearer to the edge than this, without its ends.
+  [[nodiscard]] std::vector<std::uint32_t> about(const Edge& edge, double reach) const {
+    std::vector<std::uint32_t> found;
     const Point3& a = mesh_.vertices[edge.from];
     const Point3& b = mesh_.vertices[edge.to];
     std::array<std::int64_t, 3> low{};
@@ -342,10 +344,10 @@ class NearVertices {
         const auto end = cells_.upper_bound({x, y, high[2]});
         for (auto cell = begin; cell != end; ++cell)
           for (const std::uint32_t v : cell->second)
-            if (v != edge.from && v != edge.to && distance(mesh_.vertices[v], a, b) <= reach) return true;
+            if (v != edge.from && v != edge.to && distance(mesh_.vertices[v], a, b) <= reach) found.push_back(v);
       }
     }
-    return false;
+    return found;
   }
 
  private:
@@ -583,10 +585,37 @@ class Check {
     }
   }
 
+  // Edges near vertices that are not theirs, and edges that are a part of such an edge, as where a vertex of one face divides
+  // the side of another one: ascending numbers.
+  [[nodiscard]] std::set<std::size_t> edges_near_vertices() const {
+    std::set<std::size_t> result;
+    std::vector<std::vector<std::size_t>> edges_at(mesh_.vertices.size());
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      edges_at[edges_[e].from].push_back(e);
+      edges_at[edges_[e].to].push_back(e);
+    }
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      std::vector<std::uint32_t> near = near_.about(edges_[e], 3 * rounding_);
+      if (near.empty()) continue;
+      near.insert(near.end(), {edges_[e].from, edges_[e].to});
+      std::sort(near.begin(), near.end());
+      for (const std::uint32_t vertex : near) {
+        for (const std::size_t other : edges_at[vertex]) {
+          if (std::binary_search(near.begin(), near.end(), edges_[other].from) &&
+              std::binary_search(near.begin(), near.end(), edges_[other].to))
+            result.insert(other);
+        }
+      }
+    }
+    return result;
+  }
+
   void check_edges() {
-    for (const Edge& edge : edges_) {
+    const std::set<std::size_t> near_vertices = edges_near_vertices();
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const Edge& edge = edges_[e];
       Need need = need_of(edge, mesh_, caster_, projection_, rounding_);
-      if (need == Need::yes && near_.any(edge, 3 * rounding_)) need = Need::unclear;
+      if (need == Need::yes && near_vertices.contains(e)) need = Need::unclear;
       if (need == Need::unclear) ++report_.unclear_edges;
       if (need != Need::yes) continue;
       ++report_.feature_edges;

@@ -182,6 +182,20 @@ TEST_F(RayCheck, ACubeHasNineVisibleEdges) {
   EXPECT_GT(report().hidden_drawn, 0U);
 }
 
+// A vertex in the middle of another face's side: whether the two halves are one edge with it is for mending to say.
+TEST_F(RayCheck, AVertexOnASideLeavesTheSideOpen) {
+  mesh.vertices.insert(mesh.vertices.end(), {{0, -1, 0}, {0, -2, 0.5}});
+  mesh.faces.push_back({0, 8, 9});
+  mesh.faces.push_back({8, 1, 9});
+  add(0, 9, 0, 1, false);
+  add(1, 9, 0, 1, false);
+  EXPECT_TRUE(report().good()) << report().faults.front();
+  EXPECT_EQ(report().feature_edges, 9U);
+  EXPECT_EQ(report().unclear_edges, 3U);
+  strokes.erase(strokes.begin());  // the whole side
+  EXPECT_TRUE(report().good()) << report().faults.front();
+}
+
 class PlainMeshFile : public ::testing::Test {
  protected:
   PlainMeshFile() { std::filesystem::create_directories(folder_); }
