@@ -697,7 +697,7 @@ class Mending {
     }
   }
 
-  // Which solids lie in which: for each, its first vertex against those whose bounds are around its own.
+  // Which solids lie in which: for each, its vertices against those whose bounds are around its own.
   void orient() {
     std::vector<std::uint32_t> solids;
     for (std::uint32_t p = 0; p < parts_.size(); ++p) {
@@ -738,9 +738,14 @@ class Mending {
 
   // Rays along x meet only faces whose bounds in y are around them: those are looked up in rows.
   void nest(const std::vector<std::vector<std::uint32_t>>& inner) {
+    std::vector<bool> looked_up(parts_.size());
+    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+      if (!inner[p].empty()) looked_up[p] = true;
+      for (const std::uint32_t q : inner[p]) looked_up[q] = true;
+    }
     std::vector<std::vector<std::uint32_t>> faces_of(parts_.size());
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
-      if (!inner[part_of_[f]].empty()) faces_of[part_of_[f]].push_back(f);
+      if (looked_up[part_of_[f]]) faces_of[part_of_[f]].push_back(f);
     for (std::uint32_t p = 0; p < parts_.size(); ++p) {
       if (inner[p].empty()) continue;
       constexpr std::size_t rows = 256;
@@ -757,11 +762,20 @@ class Mending {
         }
         for (std::size_t row = first; row <= last; ++row) in_row[row].push_back(f);
       }
-      for (const std::uint32_t q : inner[p]) {
-        const PolyPoint& at = points()[face_at(parts_[q].first).outline[0]];
+      const auto is_inside = [&](VertexIndex vertex) {
+        const PolyPoint& at = points()[vertex];
         bool inside = false;
         for (const std::uint32_t f : in_row[row_of(at[1])]) inside = inside != ray_crosses(points(), face_at(f), at);
-        if (!inside) continue;
+        return inside;
+      };
+      for (const std::uint32_t q : inner[p]) {
+        if (!is_inside(face_at(parts_[q].first).outline[0])) continue;
+        // One that sticks out is no cavity.
+        std::vector<VertexIndex> others;
+        for (const std::uint32_t f : faces_of[q]) others.insert(others.end(), face_at(f).outline.begin(), face_at(f).outline.end());
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        if (!std::all_of(others.begin(), others.end(), is_inside)) continue;
         ++parts_[q].depth;
         if (parts_[q].around == no_part || size_of(p) < size_of(parts_[q].around)) parts_[q].around = p;
       }

@@ -150,6 +150,27 @@ TEST(PolyMend, FacesTwiceWithoutAreaCrossingThemselves) {
   EXPECT_EQ(result.report.faces.dropped_faces, 1U);
 }
 
+// A cube of 6, the first corner of which is in the middle of an octahedron whose bounds are around it, and that sticks out of it.
+TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNoCavity) {
+  std::vector<std::array<double, 3>> points{{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10}, {0, 0, -10}};
+  Faces faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (const auto& face : cube_faces) {
+    faces.emplace_back();
+    for (const VertexIndex v : face) faces.back().push_back(6 + v);
+  }
+  for (const double size : {6.0, 2.0}) {  // within the octahedron it is a cavity
+    auto all = points;
+    for (const auto& corner : cube_corners) {
+      std::array<double, 3> p{};
+      for (std::size_t a = 0; a < 3; ++a) p[a] = corner[a] > 0 ? size : 0;
+      all.push_back(p);
+    }
+    const PolyImport result = mended(mesh_of(all, faces));
+    EXPECT_EQ(result.scene.bodies.size(), size == 6 ? 2U : 1U);
+    EXPECT_EQ(result.report.faces.turned_faces, size == 6 ? 0U : 6U);
+  }
+}
+
 TEST(PolyMend, AFlatTriangleLeavesNoCrack) {
   // A tetrahedron, one edge of which has a vertex in its middle on one side only, and a triangle that fills the gap.
   const std::vector<std::array<double, 3>> points{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}};
