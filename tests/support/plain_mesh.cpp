@@ -108,7 +108,8 @@ RawMesh read_off(const std::string& text) {
     const std::int64_t corners = whole_of(lines[at][0]);
     if (corners < 0 || static_cast<std::int64_t>(lines[at].size()) <= corners) fail("found a face without its corners");
     mesh.faces.emplace_back();
-    for (std::int64_t c = 1; c <= corners; ++c) mesh.faces.back().push_back(whole_of(lines[at][static_cast<std::size_t>(c)]));
+    for (std::int64_t c = 1; c <= corners; ++c)
+      mesh.faces.back().push_back(whole_of(lines[at][static_cast<std::size_t>(c)]));
   }
   return mesh;
 }

@@ -20,21 +20,37 @@ constexpr double crease_angle = pi / 6;
 constexpr double paper_tolerance = 0.01;  // mm: strokes are written with so many digits
 constexpr std::size_t faults_described = 12;
 
-Point3 operator-(const Point3& a, const Point3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Point3 operator+(const Point3& a, const Point3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Point3 operator*(double s, const Point3& a) { return {s * a[0], s * a[1], s * a[2]}; }
-double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point3 operator-(const Point3& a, const Point3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Point3 operator+(const Point3& a, const Point3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Point3 operator*(double s, const Point3& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+double dot(const Point3& a, const Point3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 Point3 cross(const Point3& a, const Point3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-double length(const Point3& a) { return std::sqrt(dot(a, a)); }
+double length(const Point3& a) {
+  return std::sqrt(dot(a, a));
+}
 Point3 unit(const Point3& a) {
   const double size = length(a);
   return size > 0 ? (1 / size) * a : Point3{};
 }
-Point2 operator-(const Point2& a, const Point2& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double dot(const Point2& a, const Point2& b) { return a[0] * b[0] + a[1] * b[1]; }
-double length(const Point2& a) { return std::hypot(a[0], a[1]); }
+Point2 operator-(const Point2& a, const Point2& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+double dot(const Point2& a, const Point2& b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+double length(const Point2& a) {
+  return std::hypot(a[0], a[1]);
+}
 
 double distance(const Point3& p, const Point3& a, const Point3& b) {
   const Point3 along = b - a;
@@ -143,8 +159,8 @@ class Caster {
         continue;
       }
       const bool towards = beyond * facing < 0;
-      const bool before_eye = !projection_.view().perspective ||
-                              dot(face.normal, projection_.view().eye - face.middle) * beyond < 0;
+      const bool before_eye =
+          !projection_.view().perspective || dot(face.normal, projection_.view().eye - face.middle) * beyond < 0;
       if (!towards || !before_eye) continue;
       if (cover == Cover::yes) return Sight::hidden;
       result = Sight::unclear;
@@ -189,7 +205,8 @@ class Caster {
   }
 
   // Whether a point is on a side of a triangle and at none of its vertices.
-  [[nodiscard]] bool inside_side(const Point3& p, const std::array<std::size_t, 3>& triangle, const std::vector<std::uint32_t>& corners) const {
+  [[nodiscard]] bool inside_side(const Point3& p, const std::array<std::size_t, 3>& triangle,
+                                 const std::vector<std::uint32_t>& corners) const {
     bool on_side = false;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point3& a = mesh_.vertices[corners[triangle[i]]];
@@ -202,8 +219,8 @@ class Caster {
 
   // Whether a triangle of a face that is not planar may be before the point, however the face is divided into triangles.
   // `is_own`: the point is on a side of the face, and the triangle at that side does not hide it.
-  [[nodiscard]] bool may_fold_over(std::uint32_t number, bool is_own, const Point3& p, const Point3& to_eye, const Point2& at,
-                                   double margin) const {
+  [[nodiscard]] bool may_fold_over(std::uint32_t number, bool is_own, const Point3& p, const Point3& to_eye,
+                                   const Point2& at, double margin) const {
     const auto& corners = mesh_.faces[number];
     const std::vector<Point2>& image = faces_[number].image;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -315,7 +332,8 @@ class NearVertices {
   [[nodiscard]] std::optional<std::uint32_t> only_at(const Point3& p, double reach) const {
     std::optional<std::uint32_t> found;
     for (int corner = 0; corner < 8; ++corner) {
-      const Point3 offset{(corner & 1) != 0 ? reach : -reach, (corner & 2) != 0 ? reach : -reach, (corner & 4) != 0 ? reach : -reach};
+      const Point3 offset{(corner & 1) != 0 ? reach : -reach, (corner & 2) != 0 ? reach : -reach,
+                          (corner & 4) != 0 ? reach : -reach};
       const auto cell = cells_.find(key(p + offset));
       if (cell == cells_.end()) continue;
       for (const std::uint32_t v : cell->second) {
@@ -371,7 +389,8 @@ Need need_of(const Edge& edge, const PlainMesh& mesh, const Caster& caster, cons
   if (edge.is_line || edge.faces.size() != 2) return Need::yes;
   if (edge.faces[0] == edge.faces[1]) return Need::no;  // a bridge to a hole of one face
   if (caster.is_rough(caster.face(edge.faces[0])) || caster.is_rough(caster.face(edge.faces[1]))) return Need::unclear;
-  const double error = 4 * (rounding + mesh.precision) / height + 1e-4;  // of a direction, which may be that of a larger flat surface
+  const double error =
+      4 * (rounding + mesh.precision) / height + 1e-4;  // of a direction, which may be that of a larger flat surface
   const double folded = std::acos(std::clamp(dot(edge.inwards[0], edge.inwards[1]), -1.0, 1.0));
   const double bend = pi - folded;
   if (bend > crease_angle + error) return Need::yes;
@@ -391,7 +410,9 @@ struct Placing {
   double scale = 0;
   Point2 shift{};
 
-  [[nodiscard]] Point2 paper(const Point2& image) const { return {scale * image[0] + shift[0], scale * image[1] + shift[1]}; }
+  [[nodiscard]] Point2 paper(const Point2& image) const {
+    return {scale * image[0] + shift[0], scale * image[1] + shift[1]};
+  }
   [[nodiscard]] Point2 image(const Point2& paper) const {
     return {(paper[0] - shift[0]) / scale, (paper[1] - shift[1]) / scale};
   }
@@ -471,7 +492,8 @@ class StrokesOnPaper {
   [[nodiscard]] const PlainStroke* other_on(const PlainStroke& one, const Point2& p, const Point2& q) const {
     constexpr double written = 3e-6;  // mm: what the digits of --strokes explain
     for (const PlainStroke* stroke : about(p)) {
-      if (stroke != &one && distance(p, stroke->from, stroke->to) <= written && distance(q, stroke->from, stroke->to) <= written)
+      if (stroke != &one && distance(p, stroke->from, stroke->to) <= written &&
+          distance(q, stroke->from, stroke->to) <= written)
         return stroke;
     }
     return nullptr;
@@ -551,7 +573,8 @@ class Check {
     const Point2 paper = placing_.paper(projection_.image(p));
     std::ostringstream text;
     text.precision(9);
-    text << what << " at " << p[0] << ',' << p[1] << ',' << p[2] << ", on the paper " << paper[0] << ',' << paper[1] << ", " << more;
+    text << what << " at " << p[0] << ',' << p[1] << ',' << p[2] << ", on the paper " << paper[0] << ',' << paper[1] << ", "
+         << more;
     note(text.str());
   }
   static std::string name_of(const Point3& a, const Point3& b) {
@@ -578,7 +601,8 @@ class Check {
         const double to_edge = distance(stroke.to, a, b);
         from = std::min(from, from_edge);
         to = std::min(to, to_edge);
-        const double apart = std::min({from_edge, to_edge, distance(a, stroke.from, stroke.to), distance(b, stroke.from, stroke.to)});
+        const double apart =
+            std::min({from_edge, to_edge, distance(a, stroke.from, stroke.to), distance(b, stroke.from, stroke.to)});
         report_.residual = std::max(report_.residual, apart);
       }
       report_.residual = std::max({report_.residual, from, to});
@@ -656,9 +680,10 @@ class Check {
     const auto to = near_.only_at(ends[1], 2 * rounding_);
     if (!from || !to) return none;
     const std::array<std::uint32_t, 2> key{std::min(*from, *to), std::max(*from, *to)};
-    const auto edge = std::lower_bound(edges_.begin(), edges_.end(), key, [](const Edge& a, const std::array<std::uint32_t, 2>& b) {
-      return std::array{a.from, a.to} < b;
-    });
+    const auto edge =
+        std::lower_bound(edges_.begin(), edges_.end(), key, [](const Edge& a, const std::array<std::uint32_t, 2>& b) {
+          return std::array{a.from, a.to} < b;
+        });
     return edge != edges_.end() && edge->from == key[0] && edge->to == key[1] ? edge->faces : none;
   }
 
@@ -666,7 +691,8 @@ class Check {
     for (const PlainStroke& stroke : strokes_) {
       const double size = length(stroke.to - stroke.from);
       const auto at = [&](double s) {
-        return Point2{stroke.from[0] + s * (stroke.to[0] - stroke.from[0]), stroke.from[1] + s * (stroke.to[1] - stroke.from[1])};
+        return Point2{stroke.from[0] + s * (stroke.to[0] - stroke.from[0]),
+                      stroke.from[1] + s * (stroke.to[1] - stroke.from[1])};
       };
       const int count = static_cast<int>(std::clamp(size / 5, 2.0, 12.0));
       for (int i = 0; i < count; ++i) {
@@ -683,8 +709,9 @@ class Check {
     constexpr double exact = 1e-6;  // mm
     for (const auto& first : one.edges) {
       for (const auto& second : other.edges) {
-        const std::array<Point2, 4> ends{placing_.paper(projection_.image(first[0])), placing_.paper(projection_.image(first[1])),
-                                         placing_.paper(projection_.image(second[0])), placing_.paper(projection_.image(second[1]))};
+        const std::array<Point2, 4> ends{
+            placing_.paper(projection_.image(first[0])), placing_.paper(projection_.image(first[1])),
+            placing_.paper(projection_.image(second[0])), placing_.paper(projection_.image(second[1]))};
         const bool first_is_longer = length(ends[1] - ends[0]) > length(ends[3] - ends[2]);
         const Point2 at = ends[first_is_longer ? 0 : 2];
         const Point2 along = ends[first_is_longer ? 1 : 3] - at;
@@ -703,8 +730,8 @@ class Check {
     ++report_.drawn_twice;
     std::ostringstream text;
     text.precision(9);
-    text << "drawn twice: on the paper " << p[0] << ',' << p[1] << ", by a " << (stroke.hidden ? "dash" : "stroke") << " of kind "
-         << stroke.kind << " and a " << (other->hidden ? "dash" : "stroke") << " of kind " << other->kind;
+    text << "drawn twice: on the paper " << p[0] << ',' << p[1] << ", by a " << (stroke.hidden ? "dash" : "stroke")
+         << " of kind " << stroke.kind << " and a " << (other->hidden ? "dash" : "stroke") << " of kind " << other->kind;
     note(text.str());
   }
 
@@ -720,7 +747,8 @@ class Check {
       if (off * placing_.scale > tolerance(p)) continue;
       // A small step on the paper is a large one on an edge that points to the eye.
       const double foreshortened = length(projection_.image(edge[1]) - projection_.image(edge[0])) * projection_.depth(p);
-      const double blur = foreshortened > 0 ? paper_tolerance / placing_.scale * projection_.depth(p) * length(edge[1] - edge[0]) / foreshortened
+      const double blur = foreshortened > 0 ? paper_tolerance / placing_.scale * projection_.depth(p) *
+                                                  length(edge[1] - edge[0]) / foreshortened
                                             : infinity;
       const Sight sight = caster_.sight(p, blur, faces_at(edge));
       if (!on_edge) first = p;
@@ -733,7 +761,8 @@ class Check {
                               stroke.kind + ", of " + std::to_string(stroke.edges.size()) + " edges";
     if (!on_edge) {
       ++report_.off_edge;
-      note("stroke off its edges: on the paper " + std::to_string(on_paper[0]) + "," + std::to_string(on_paper[1]) + ", " + edges);
+      note("stroke off its edges: on the paper " + std::to_string(on_paper[0]) + "," + std::to_string(on_paper[1]) + ", " +
+           edges);
     } else if (!stroke.hidden && all_hidden) {
       ++report_.hidden_drawn;
       note("hidden and drawn:", first, edges);

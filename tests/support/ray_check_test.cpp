@@ -20,14 +20,17 @@ namespace {
 // A square before a longer bar, seen along -z: the square hides the middle of the bar.
 PlainMesh square_before_bar() {
   PlainMesh mesh;
-  mesh.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-2, -0.5, -1}, {2, -0.5, -1}, {2, 0.5, -1}, {-2, 0.5, -1}};
+  mesh.vertices = {{-1, -1, 0},    {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                   {-2, -0.5, -1}, {2, -0.5, -1}, {2, 0.5, -1}, {-2, 0.5, -1}};
   mesh.faces = {{0, 1, 2, 3}, {4, 5, 6, 7}};
   mesh.precision = 1e-9;
   return mesh;
 }
 
 // 10 mm for one unit, the origin at 50,50.
-Point2 paper(double x, double y) { return {50 + 10 * x, 50 + 10 * y}; }
+Point2 paper(double x, double y) {
+  return {50 + 10 * x, 50 + 10 * y};
+}
 
 class RayCheck : public ::testing::Test {
  protected:
@@ -164,7 +167,8 @@ TEST_F(RayCheck, PerspectiveHidesMore) {
 // Of a cube, seen along (-1,-1,-1): three creases that meet before, six silhouettes; the three behind are hidden.
 TEST_F(RayCheck, ACubeHasNineVisibleEdges) {
   mesh.vertices.clear();
-  for (int corner = 0; corner < 8; ++corner) mesh.vertices.push_back({double(corner & 1), double(corner / 2 & 1), double(corner / 4)});
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.vertices.push_back({double(corner & 1), double(corner / 2 & 1), double(corner / 4)});
   mesh.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   view = {false, {0, 0, 0}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}};
   const auto at = [&](std::uint32_t v) {
@@ -174,7 +178,8 @@ TEST_F(RayCheck, ACubeHasNineVisibleEdges) {
   strokes.clear();
   for (std::uint32_t from = 1; from < 8; ++from)
     for (const std::uint32_t axis : {1U, 2U, 4U})
-      if ((from & axis) == 0) strokes.push_back({at(from), at(from | axis), false, "crease", {{mesh.vertices[from], mesh.vertices[from | axis]}}});
+      if ((from & axis) == 0)
+        strokes.push_back({at(from), at(from | axis), false, "crease", {{mesh.vertices[from], mesh.vertices[from | axis]}}});
   ASSERT_EQ(strokes.size(), 9U);
   EXPECT_TRUE(report().good());
   EXPECT_EQ(report().feature_edges, 12U);
@@ -218,14 +223,16 @@ void expect_square(const PlainMesh& mesh) {
 TEST_F(PlainMeshFile, IsTheSameInEveryFormat) {
   expect_square(read("a.off", "OFF\n# two triangles\n4 2 5\n0 0 0\n2 0 0\n2 2.5 0\n0 2.5 0\n3 0 1 2\n3 0 2 3 255 0 0\n"));
   expect_square(read("a.obj", "v 0 0 0\nv 2 0 0\nv 2 2.5 0\nv 0 2.5 0\nf 1/1 2//3 3\nf 1 \\\n-2 -1 # a comment\n"));
-  expect_square(read("a.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                              "element face 2\nproperty list uchar int vertex_index\nend_header\n"
-                              "0 0 0\n2 0 0\n2 2.5 0\n0 2.5 0\n3 0 1 2\n3 0 2 3\n"));
+  expect_square(read("a.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                     "element face 2\nproperty list uchar int vertex_index\nend_header\n"
+                     "0 0 0\n2 0 0\n2 2.5 0\n0 2.5 0\n3 0 1 2\n3 0 2 3\n"));
   std::string text = "solid a\n";
   std::string binary(80, ' ');
   const std::uint32_t count = 2;
   binary.append(reinterpret_cast<const char*>(&count), 4);
-  for (const auto& facet : {std::vector<std::array<float, 3>>{{0, 0, 0}, {2, 0, 0}, {2, 2.5, 0}}, {{0, 0, 0}, {2, 2.5, 0}, {0, 2.5, 0}}}) {
+  for (const auto& facet :
+       {std::vector<std::array<float, 3>>{{0, 0, 0}, {2, 0, 0}, {2, 2.5, 0}}, {{0, 0, 0}, {2, 2.5, 0}, {0, 2.5, 0}}}) {
     text += "facet normal 0 0 1\nouter loop\n";
     binary.append(12, '\0');
     for (const auto& p : facet) {

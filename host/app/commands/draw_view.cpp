@@ -91,7 +91,7 @@ class EdgesInFile {
   [[nodiscard]] std::array<double, 3> place_in_file(scene::VertexIndex vertex) const {
     if (!is_end_of_crossing(vertex)) return scene::file_point(scene_, scene_.vertices[vertex]);
     std::array<double, 3> place = scene::place_of(scene_, vertex);
-    for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + scene_.origin[a]) * scene_.step;
+    for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + static_cast<double>(scene_.origin[a])) * scene_.step;
     return place;
   }
   [[nodiscard]] std::size_t number_of(const picture::LineEdge& edge) const {

@@ -167,8 +167,10 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::ve
   auto triangles = along(largest);
   // A warped face may be simple in another direction. A planar one seen nearly edge-on may seem so by rounding alone.
   constexpr std::int64_t least_share = 16;
-  for (std::size_t axis = 0; axis < 3 && !triangles; ++axis)
-    if (axis != largest && std::abs(normal[axis]) >= std::abs(normal[largest]) / least_share && normal[axis] != 0) triangles = along(axis);
+  for (std::size_t axis = 0; axis < 3 && !triangles; ++axis) {
+    const bool is_large = std::abs(normal[axis]) >= std::abs(normal[largest]) / least_share && normal[axis] != 0;
+    if (axis != largest && is_large) triangles = along(axis);
+  }
   return triangles;
 }
 

@@ -1,5 +1,5 @@
-// Drawings of meshes that nobody here made, checked by rays (tests/support/ray_check.hpp): no visible sample of an edge is undrawn,
-// no hidden one is drawn. The meshes are those of Debian's assimp-testmodels; without them the test is skipped, with a message.
+// Drawings checked by rays (tests/support/ray_check.hpp): no visible sample of an edge is undrawn, no hidden one is drawn.
+// The public meshes are those of Debian's assimp-testmodels; without them their test is skipped, with a message.
 #include "tests/support/ray_check.hpp"
 
 #include <array>
@@ -32,7 +32,8 @@ class RayCheckedDrawing : public sightline::test::CommandLine {
   std::vector<PlainStroke> strokes;
 
   [[nodiscard]] sightline::test::Ran draw(const std::string& mesh, const sightline::test::Arguments& options) {
-    sightline::test::Arguments arguments{"draw", "exact", mesh, "--hidden", "--size", "1000x1000", "--json", "--strokes", "s.jsonl", "-o", "d.svg"};
+    sightline::test::Arguments arguments{"draw",   "exact",     mesh,      "--hidden", "--size", "1000x1000",
+                                         "--json", "--strokes", "s.jsonl", "-o",       "d.svg"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const auto ran = sightline(arguments);
     if (ran.exit_code != 0) return ran;
@@ -72,7 +73,8 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
   for (fs::recursive_directory_iterator entry(folder, missing), end; !missing && entry != end; entry.increment(missing)) {
     std::string ending = entry->path().extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (ending == ".off" || ending == ".obj" || ending == ".ply" || ending == ".stl") files.push_back(entry->path().string());
+    if (ending == ".off" || ending == ".obj" || ending == ".ply" || ending == ".stl")
+      files.push_back(entry->path().string());
   }
   if (files.empty()) GTEST_SKIP() << "found no mesh in " << folder << ": install Debian's assimp-testmodels";
   std::sort(files.begin(), files.end());
@@ -103,13 +105,16 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfPublicMeshes) {
       const auto ran = draw(file, options);
       ASSERT_EQ(ran.exit_code, 0) << ran.err;
       const RayReport report = sightline::tests::check_by_rays(*mesh, view, strokes, seed);
-      std::printf("  %s %s: %zu feature edges and %zu unclear ones, %zu samples, %zu visible, %zu undrawn; %zu on strokes, %zu hidden; "
-                  "%zu on dashes, %zu visible; %zu drawn twice; %zu off their edges, by up to %.4f mm\n",
-                  options[0].c_str(), options[1].c_str(), report.feature_edges, report.unclear_edges, report.samples, report.visible,
-                  report.undrawn, report.stroke_samples, report.hidden_drawn, report.dash_samples, report.visible_dashed,
-                  report.drawn_twice, report.off_edge, report.residual);
+      std::printf(
+          "  %s %s: %zu feature edges and %zu unclear ones, %zu samples, %zu visible, %zu undrawn; %zu on strokes, %zu "
+          "hidden; "
+          "%zu on dashes, %zu visible; %zu drawn twice; %zu off their edges, by up to %.4f mm\n",
+          options[0].c_str(), options[1].c_str(), report.feature_edges, report.unclear_edges, report.samples, report.visible,
+          report.undrawn, report.stroke_samples, report.hidden_drawn, report.dash_samples, report.visible_dashed,
+          report.drawn_twice, report.off_edge, report.residual);
       EXPECT_TRUE(report.good()) << options[0] << ' ' << options[1] << ", residual " << report.residual << " of "
-                                 << report.allowed_residual << " mm\n" << joined(report.faults);
+                                 << report.allowed_residual << " mm\n"
+                                 << joined(report.faults);
       visible += report.visible;
     }
   }
@@ -133,8 +138,11 @@ TEST_F(RayCheckedDrawing, ShowsABodyThatPassesThroughItself) {
 
 // Bevels of 0.2 in tenths are no errors of rounding.
 TEST_F(RayCheckedDrawing, ShowsBevelsInShortNumbers) {
-  write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 0.8 0\nv 1 0.8 0\nv 1 0.8 1\nv 0 0.8 1\nv 0.2 1 0.2\nv 0.8 1 0.2\nv 0.8 1 0.8\n"
-                 "v 0.2 1 0.8\nf 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\nf 5 9 10 6\nf 6 10 11 7\nf 7 11 12 8\nf 8 12 9 5\nf 9 12 11 10\n");
+  write("a.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 0.8 0\nv 1 0.8 0\nv 1 0.8 1\nv 0 0.8 1\nv 0.2 1 0.2\nv 0.8 1 0.2\nv 0.8 1 "
+        "0.8\n"
+        "v 0.2 1 0.8\nf 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\nf 5 9 10 6\nf 6 10 11 7\nf 7 11 12 8\nf 8 12 9 "
+        "5\nf 9 12 11 10\n");
   const PlainMesh mesh = sightline::tests::read_plain_mesh(path("a.obj").string());
   ASSERT_EQ(draw("a.obj", {"--view", "iso"}).exit_code, 0);
   const RayReport report = sightline::tests::check_by_rays(mesh, view, strokes, seed);
@@ -145,7 +153,9 @@ TEST_F(RayCheckedDrawing, ShowsBevelsInShortNumbers) {
 // Meshes of few whole numbers: vertices and edges on faces, faces that touch or lie in one plane, lines that coincide.
 TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
   std::mt19937 engine(seed);
-  const auto random = [&engine](int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); };
+  const auto random = [&engine](int low, int high) {
+    return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));
+  };
   const auto triple = [&](int low, int high) {
     std::string text = std::to_string(random(low, high));
     for (int i = 0; i < 2; ++i) text += " " + std::to_string(random(low, high));
@@ -181,7 +191,8 @@ TEST_F(RayCheckedDrawing, ShowsWhatCanBeSeenOfRandomMeshes) {
     std::string direction = triple(-3, 3);
     if (direction == "0 0 0") direction = "1 2 -3";
     std::replace(direction.begin(), direction.end(), ' ', ',');
-    for (const sightline::test::Arguments& options : {sightline::test::Arguments{"--orthographic=" + direction}, {"--view", "iso", "--perspective"}}) {
+    for (const sightline::test::Arguments& options :
+         {sightline::test::Arguments{"--orthographic=" + direction}, {"--view", "iso", "--perspective"}}) {
       const auto ran = draw("a.obj", options);
       if (ran.exit_code == 4) continue;  // no face has an area
       ASSERT_EQ(ran.exit_code, 0) << ran.err << obj;

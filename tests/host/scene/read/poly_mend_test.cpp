@@ -355,6 +355,19 @@ TEST(PolyMend, ADistanceThatHelpsIsNamed) {
   EXPECT_EQ(mended(mesh_of(cube_corners, hole)).report.faces.helpful_weld, 0.0);
 }
 
+// A square of a height field, warped so that along y, its largest area, its outline crosses itself, and along z it does not.
+TEST(PolyMend, AWarpedSquareOfAHeightFieldIsTwoTriangles) {
+  const PolyImport result = mended(mesh_of({{0, 0, 20}, {0, 10, 23}, {10, 10, 2}, {10, 0, 27}}, {{0, 1, 2, 3}}));
+  EXPECT_EQ(result.report.faces.crossing_faces, 0U);
+  EXPECT_EQ(result.report.faces.split_faces, 1U);
+  EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 2U);
+  // One in a plane crosses itself from everywhere; turned, its corners are rounded.
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {9.7, 9.9, 3.3}, {9.7, 0, 3.3}, {0, 9.9, 0},
+                                                  {0, 0, 9}, {9, 0, 9},       {0, 9, 9}};
+  const PolyImport bow = mended(mesh_of(points, {{0, 1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(bow.report.faces.crossing_faces + bow.report.faces.dropped_faces, 1U);
+}
+
 // Whatever is drawn at random: what is left is in order. (Counts: that something is left at all.)
 TEST(PolyMend, SoupsAreInOrderAfterwards) {
   std::mt19937 random(7);
