@@ -706,7 +706,7 @@ class Check {
   // Whether they have edges on one line of the image. Short strokes of edges at an acute angle are as near to each other as the
   // digits of --strokes can tell; their edges are not.
   [[nodiscard]] bool on_one_line(const PlainStroke& one, const PlainStroke& other) const {
-    constexpr double exact = 1e-6;  // mm
+    constexpr double exact = 1e-9;  // mm
     for (const auto& first : one.edges) {
       for (const auto& second : other.edges) {
         const std::array<Point2, 4> ends{
