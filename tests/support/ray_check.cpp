@@ -646,6 +646,7 @@ class Check {
       const Point3& a = mesh_.vertices[edge.from];
       const Point3& b = mesh_.vertices[edge.to];
       const double size = placing_.scale * length(projection_.image(b) - projection_.image(a));
+      if (size <= 2 * paper_tolerance) continue;  // seen end-on: a point is no line
       const int count = static_cast<int>(std::clamp(size / 5, 2.0, 12.0));
       for (int i = 0; i < count; ++i) {
         const double s = (i + random()) / count;
