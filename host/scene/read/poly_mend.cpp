@@ -492,19 +492,19 @@ class Mending {
   // do vertices with which three faces would meet in a part.
   [[nodiscard]] std::vector<Division> helpful_divisions(const EdgeTable& edges, const std::vector<OpenEdge>& open,
                                                         const std::vector<Ring>& passed) const {
-    using Part = std::array<std::uint32_t, 3>;
+    using EdgePart = std::array<std::uint32_t, 3>;
     const auto part_of = [&](std::size_t e, std::size_t i) {
-      return Part{open[e].body, std::min(passed[e][i], passed[e][i + 1]), std::max(passed[e][i], passed[e][i + 1])};
+      return EdgePart{open[e].body, std::min(passed[e][i], passed[e][i + 1]), std::max(passed[e][i], passed[e][i + 1])};
     };
-    std::vector<Part> parts;
+    std::vector<EdgePart> parts;
     for (std::size_t e = 0; e < open.size(); ++e)
       for (std::size_t i = 0; i + 1 < passed[e].size(); ++i) parts.push_back(part_of(e, i));
     std::sort(parts.begin(), parts.end());
-    const auto is_shared = [&](const Part& part) {
+    const auto is_shared = [&](const EdgePart& part) {
       const auto found = std::lower_bound(parts.begin(), parts.end(), part);
       return found + 1 != parts.end() && *(found + 1) == part;
     };
-    const auto is_crowded = [&](const Part& part) {
+    const auto is_crowded = [&](const EdgePart& part) {
       const auto found = std::equal_range(parts.begin(), parts.end(), part);
       if (found.second - found.first > 2) return true;
       const auto uses = uses_of(edges, part[1], part[2]);
