@@ -81,7 +81,7 @@ void add_mesh_options(const Command& command, MeshArguments& arguments) {
       .option("--planar-tolerance", arguments.planar_tolerance,
               "Faces within this distance of a larger one's plane are one surface with it")
       .range(0.0, 1e30)
-      .default_value("4 units of the precision of the file")
+      .default_value("4 units of the precision of the file, at most a thousandth of its size")
       .value("DISTANCE")
       .excludes(strict)
       .group("Mesh");

@@ -19,6 +19,7 @@
 #include "host/picture/line_union.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/edge_table.hpp"
+#include "host/scene/model/face_cut.hpp"
 #include "host/scene/model/file_units.hpp"
 
 namespace sightline::app {
@@ -57,7 +58,7 @@ class BodyOfEdge {
   scene::EdgeTable edges_;
 };
 
-// Edges as text knows them: by their ends in the unit of the file, those of crossings rounded to the grid, and with their faces.
+// Edges as text knows them: by their ends in the unit of the file and with their faces. The ends of crossings are on no grid.
 class EdgesInFile {
  public:
   explicit EdgesInFile(const scene::PolyScene& scene) : scene_(scene), edges_(scene) {}
@@ -67,9 +68,8 @@ class EdgesInFile {
     base::Json ends = base::Json::array();
     std::set<std::uint32_t> faces;
     for (const picture::LineEdge& edge : edges) {
-      ends.push_back(base::Json::array({scene::file_point(scene_, scene_.vertices[edge.from]),
-                                        scene::file_point(scene_, scene_.vertices[edge.to])}));
-      if (!scene_.crossings.empty() && edge.from >= scene_.crossings.front().from) {
+      ends.push_back(base::Json::array({place_in_file(edge.from), place_in_file(edge.to)}));
+      if (is_end_of_crossing(edge.from)) {
         const scene::PolyCrossing& crossing = scene_.crossings[(edge.from - scene_.crossings.front().from) / 2];
         faces.insert({crossing.face_a + 1, crossing.face_b + 1});
       } else {
@@ -81,6 +81,16 @@ class EdgesInFile {
   }
 
  private:
+  [[nodiscard]] bool is_end_of_crossing(scene::VertexIndex vertex) const {
+    return !scene_.crossings.empty() && vertex >= scene_.crossings.front().from;
+  }
+  [[nodiscard]] std::array<double, 3> place_in_file(scene::VertexIndex vertex) const {
+    if (!is_end_of_crossing(vertex)) return scene::file_point(scene_, scene_.vertices[vertex]);
+    std::array<double, 3> place = scene::place_of(scene_, vertex);
+    for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + static_cast<double>(scene_.origin[a])) * scene_.step;
+    return place;
+  }
+
   const scene::PolyScene& scene_;
   scene::EdgeTable edges_;
 };

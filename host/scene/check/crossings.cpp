@@ -277,8 +277,15 @@ class CrossingSearch {
 }  // namespace
 
 PolyScene with_crossings(PolyScene scene) {
-  for (const Crossing& crossing : crossings_of(scene))
+  const std::vector<Crossing> crossings = crossings_of(scene);
+  if (crossings.empty()) return scene;
+  std::vector<std::uint32_t> body_of;  // of each face
+  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) body_of.insert(body_of.end(), scene.bodies[b].faces.size(), b);
+  for (const Crossing& crossing : crossings) {
     add_crossing(scene, crossing.face_a, crossing.face_b, 0, crossing.ends);
+    const std::uint32_t body = body_of[crossing.face_a];
+    if (body == body_of[crossing.face_b]) scene.bodies[body].sheet = true;
+  }
   return scene;
 }
 

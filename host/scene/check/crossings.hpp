@@ -30,7 +30,8 @@ struct Crossing {
 [[nodiscard]] std::vector<Crossing> crossings_of(const PolyScene& scene,
                                                  std::size_t most = std::numeric_limits<std::size_t>::max());
 
-// The same scene with its crossings.
+// The same scene with its crossings. A body that passes through itself is a sheet in it: behind the crossing its faces may be
+// turned the wrong side out, and then those turned away from the eye are seen and hide others.
 [[nodiscard]] PolyScene with_crossings(PolyScene scene);
 
 }  // namespace sightline::scene

@@ -156,7 +156,9 @@ class Import {
       return;
     }
     suggest_weld(file, body_sizes);
-    const double tolerance = options_.planar_tolerance.value_or(std::max(4 * mesh_.precision, options_.weld));
+    // Numbers so short that this would be much of the mesh are meant as they are: a bevel of 0.2 is none of their errors.
+    const double much = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step / 1000;
+    const double tolerance = options_.planar_tolerance.value_or(std::max(std::min(4 * mesh_.precision, much), options_.weld));
     find_surfaces(scene(), mended, file, std::max(tolerance, least_tolerance()));
     if (report().quantised && !scene().wires.empty()) find_surfaces_of_wires();
     if (mesh_.materials.empty()) return;

@@ -499,19 +499,19 @@ class Mending {
   // do vertices with which three faces would meet in a part.
   [[nodiscard]] std::vector<Division> helpful_divisions(const EdgeTable& edges, const std::vector<OpenEdge>& open,
                                                         const std::vector<Ring>& passed) const {
-    using Part = std::array<std::uint32_t, 3>;
+    using EdgePart = std::array<std::uint32_t, 3>;
     const auto part_of = [&](std::size_t e, std::size_t i) {
-      return Part{open[e].body, std::min(passed[e][i], passed[e][i + 1]), std::max(passed[e][i], passed[e][i + 1])};
+      return EdgePart{open[e].body, std::min(passed[e][i], passed[e][i + 1]), std::max(passed[e][i], passed[e][i + 1])};
     };
-    std::vector<Part> parts;
+    std::vector<EdgePart> parts;
     for (std::size_t e = 0; e < open.size(); ++e)
       for (std::size_t i = 0; i + 1 < passed[e].size(); ++i) parts.push_back(part_of(e, i));
     std::sort(parts.begin(), parts.end());
-    const auto is_shared = [&](const Part& part) {
+    const auto is_shared = [&](const EdgePart& part) {
       const auto found = std::lower_bound(parts.begin(), parts.end(), part);
       return found + 1 != parts.end() && *(found + 1) == part;
     };
-    const auto is_crowded = [&](const Part& part) {
+    const auto is_crowded = [&](const EdgePart& part) {
       const auto found = std::equal_range(parts.begin(), parts.end(), part);
       if (found.second - found.first > 2) return true;
       const std::size_t edge = edges.find(part[1], part[2]);
@@ -706,7 +706,7 @@ class Mending {
     }
   }
 
-  // Which solids lie in which: for each, its first vertex against those whose bounds are around its own.
+  // Which solids lie in which: for each, its vertices against those whose bounds are around its own.
   void orient() {
     std::vector<std::uint32_t> solids;
     for (std::uint32_t p = 0; p < parts_.size(); ++p) {
@@ -747,9 +747,14 @@ class Mending {
 
   // Rays along x meet only faces whose bounds in y are around them: those are looked up in rows.
   void nest(const std::vector<std::vector<std::uint32_t>>& inner) {
+    std::vector<bool> looked_up(parts_.size());
+    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+      if (!inner[p].empty()) looked_up[p] = true;
+      for (const std::uint32_t q : inner[p]) looked_up[q] = true;
+    }
     std::vector<std::vector<std::uint32_t>> faces_of(parts_.size());
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
-      if (!inner[part_of_[f]].empty()) faces_of[part_of_[f]].push_back(f);
+      if (looked_up[part_of_[f]]) faces_of[part_of_[f]].push_back(f);
     for (std::uint32_t p = 0; p < parts_.size(); ++p) {
       if (inner[p].empty()) continue;
       constexpr std::size_t rows = 256;
@@ -766,11 +771,20 @@ class Mending {
         }
         for (std::size_t row = first; row <= last; ++row) in_row[row].push_back(f);
       }
-      for (const std::uint32_t q : inner[p]) {
-        const PolyPoint& at = points()[face_at(parts_[q].first).outline[0]];
+      const auto is_inside = [&](VertexIndex vertex) {
+        const PolyPoint& at = points()[vertex];
         bool inside = false;
         for (const std::uint32_t f : in_row[row_of(at[1])]) inside = inside != ray_crosses(points(), face_at(f), at);
-        if (!inside) continue;
+        return inside;
+      };
+      for (const std::uint32_t q : inner[p]) {
+        if (!is_inside(face_at(parts_[q].first).outline[0])) continue;
+        // One that sticks out is no cavity.
+        std::vector<VertexIndex> others;
+        for (const std::uint32_t f : faces_of[q]) others.insert(others.end(), face_at(f).outline.begin(), face_at(f).outline.end());
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        if (!std::all_of(others.begin(), others.end(), is_inside)) continue;
         ++parts_[q].depth;
         if (parts_[q].around == no_part || size_of(p) < size_of(parts_[q].around)) parts_[q].around = p;
       }

@@ -2,6 +2,8 @@
 #include "host/scene/read/poly_triangulate.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 
 #include "host/geometry/predicates.hpp"
 
@@ -125,16 +127,12 @@ std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
   return sum;
 }
 
-std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::vector<PolyPoint>& vertices,
-                                                                   const PolyFace& face) {
-  std::size_t count = face.outline.size();
-  for (const auto& hole : face.holes) count += hole.size();
-  const std::size_t most = face.holes.empty() ? most_split_vertices : most_split_vertices_with_holes;
-  if (count > most || face.outline.size() < 3) return std::nullopt;
-  const auto normal = ring_normal(vertices, face.outline);
-  const std::size_t axis = geometry::dominant_axis(normal);
-  if (normal[axis] == 0) return std::nullopt;
-  const bool turned = normal[axis] < 0;
+namespace {
+
+// Of the face looked at along an axis, in whose direction its area is not 0.
+std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate_along(std::size_t axis, bool turned,
+                                                                         const std::vector<PolyPoint>& vertices,
+                                                                         const PolyFace& face) {
   Corners ring = corners_of(vertices, face.outline, axis, turned);
   std::vector<Corners> holes;
   for (const auto& hole : face.holes) {
@@ -151,6 +149,28 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::ve
   auto triangles = clip_ears(std::move(ring));
   if (triangles && turned)
     for (auto& triangle : *triangles) std::swap(triangle[1], triangle[2]);
+  return triangles;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::vector<PolyPoint>& vertices,
+                                                                   const PolyFace& face) {
+  std::size_t count = face.outline.size();
+  for (const auto& hole : face.holes) count += hole.size();
+  const std::size_t most = face.holes.empty() ? most_split_vertices : most_split_vertices_with_holes;
+  if (count > most || face.outline.size() < 3) return std::nullopt;
+  const auto normal = ring_normal(vertices, face.outline);
+  const std::size_t largest = geometry::dominant_axis(normal);
+  if (normal[largest] == 0) return std::nullopt;
+  const auto along = [&](std::size_t axis) { return triangulate_along(axis, normal[axis] < 0, vertices, face); };
+  auto triangles = along(largest);
+  // A warped face may be simple in another direction. A planar one seen nearly edge-on may seem so by rounding alone.
+  constexpr std::int64_t least_share = 16;
+  for (std::size_t axis = 0; axis < 3 && !triangles; ++axis) {
+    const bool is_large = std::abs(normal[axis]) >= std::abs(normal[largest]) / least_share && normal[axis] != 0;
+    if (axis != largest && is_large) triangles = along(axis);
+  }
   return triangles;
 }
 

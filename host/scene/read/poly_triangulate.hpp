@@ -21,7 +21,7 @@ inline constexpr std::size_t most_split_vertices_with_holes = 1024;
                                                       const std::vector<VertexIndex>& ring);
 
 // The triangles turn as the outline does. Empty if the face, looked at along the largest component of its
-// ring_normal, is not a simple ring with simple holes in it, or has too many vertices.
+// ring_normal or another one that is not far below it, is not a simple ring with simple holes in it, or has too many vertices.
 [[nodiscard]] std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(
     const std::vector<PolyPoint>& vertices, const PolyFace& face);
 

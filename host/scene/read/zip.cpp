@@ -35,7 +35,7 @@ base::Result<std::vector<ZipEntry>> zip_entries(std::string_view archive) {
     return zip_error(archive.size(), "found the end of the file", "the directory of a ZIP archive before it");
   const std::size_t count = zip_number(archive, end + 10, 2);
   std::size_t at = zip_number(archive, end + 16, 4);
-  // What has no place in these fields is in a directory of ZIP64 (PKWARE, APPNOTE.TXT 4.4.1.4).
+  // Values too large for these fields are in a directory of ZIP64 (PKWARE, APPNOTE.TXT 4.4.1.4).
   if (count == 0xffff || at == 0xffffffff)
     return base::Error{"", "byte " + std::to_string(end), "found a ZIP64 archive", "a ZIP archive without its extensions",
                        "save it again, or export it as OBJ, STL or PLY"};

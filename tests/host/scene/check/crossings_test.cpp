@@ -66,6 +66,21 @@ TEST(Crossings, ABarThroughABox) {
   EXPECT_EQ(drawn.vertices.size(), 16U + 16U);
 }
 
+// Two pyramids on one base, turned against each other: behind the crossing one of them is inside out.
+TEST(Crossings, ABodyThatPassesThroughItselfIsASheet) {
+  PolyScene scene;
+  add_box(scene, {90, 90, 90}, {100, 100, 100});
+  scene.vertices.insert(scene.vertices.end(), {{0, 0, 0}, {4, 0, 0}, {0, 0, 4}, {1, 4, 1}, {6, 3, 2}});
+  PolyBody body;
+  for (const auto& face : std::vector<std::vector<VertexIndex>>{{8, 11, 9}, {9, 11, 10}, {10, 11, 8}, {9, 12, 8}, {10, 12, 9}, {8, 12, 10}})
+    body.faces.push_back({face, {}});
+  scene.bodies.push_back(body);
+  const PolyScene drawn = with_crossings(scene);
+  EXPECT_FALSE(drawn.crossings.empty());
+  EXPECT_FALSE(drawn.bodies[0].sheet);
+  EXPECT_TRUE(drawn.bodies[1].sheet);
+}
+
 TEST(Crossings, AnEdgeThatSticksIntoABox) {
   PolyScene scene;
   add_box(scene, {0, 0, 0}, {100, 100, 100});

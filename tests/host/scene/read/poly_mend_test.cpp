@@ -150,6 +150,27 @@ TEST(PolyMend, FacesTwiceWithoutAreaCrossingThemselves) {
   EXPECT_EQ(result.report.faces.dropped_faces, 1U);
 }
 
+// A cube of 6, the first corner of which is in the middle of an octahedron whose bounds are around it, and that sticks out of it.
+TEST(PolyMend, ASolidThatSticksOutOfAnotherIsNoCavity) {
+  std::vector<std::array<double, 3>> points{{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10}, {0, 0, -10}};
+  Faces faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (const auto& face : cube_faces) {
+    faces.emplace_back();
+    for (const VertexIndex v : face) faces.back().push_back(6 + v);
+  }
+  for (const double size : {6.0, 2.0}) {  // within the octahedron it is a cavity
+    auto all = points;
+    for (const auto& corner : cube_corners) {
+      std::array<double, 3> p{};
+      for (std::size_t a = 0; a < 3; ++a) p[a] = corner[a] > 0 ? size : 0;
+      all.push_back(p);
+    }
+    const PolyImport result = mended(mesh_of(all, faces));
+    EXPECT_EQ(result.scene.bodies.size(), size == 6 ? 2U : 1U);
+    EXPECT_EQ(result.report.faces.turned_faces, size == 6 ? 0U : 6U);
+  }
+}
+
 TEST(PolyMend, AFlatTriangleLeavesNoCrack) {
   // A tetrahedron, one edge of which has a vertex in its middle on one side only, and a triangle that fills the gap.
   const std::vector<std::array<double, 3>> points{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}};
@@ -332,6 +353,19 @@ TEST(PolyMend, ADistanceThatHelpsIsNamed) {
   Faces hole = cube_faces;
   hole.pop_back();
   EXPECT_EQ(mended(mesh_of(cube_corners, hole)).report.faces.helpful_weld, 0.0);
+}
+
+// A square of a height field, warped so that along y, its largest area, its outline crosses itself, and along z it does not.
+TEST(PolyMend, AWarpedSquareOfAHeightFieldIsTwoTriangles) {
+  const PolyImport result = mended(mesh_of({{0, 0, 20}, {0, 10, 23}, {10, 10, 2}, {10, 0, 27}}, {{0, 1, 2, 3}}));
+  EXPECT_EQ(result.report.faces.crossing_faces, 0U);
+  EXPECT_EQ(result.report.faces.split_faces, 1U);
+  EXPECT_EQ(result.scene.bodies.at(0).faces.size(), 2U);
+  // One in a plane crosses itself from everywhere; turned, its corners are rounded.
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {9.7, 9.9, 3.3}, {9.7, 0, 3.3}, {0, 9.9, 0},
+                                                  {0, 0, 9}, {9, 0, 9},       {0, 9, 9}};
+  const PolyImport bow = mended(mesh_of(points, {{0, 1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(bow.report.faces.crossing_faces + bow.report.faces.dropped_faces, 1U);
 }
 
 // Whatever is drawn at random: what is left is in order. (Counts: that something is left at all.)

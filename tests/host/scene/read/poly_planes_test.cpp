@@ -67,6 +67,23 @@ TEST(PolyPlanes, ATurnedPlateHasSixSurfaces) {
   }
 }
 
+// A box of size 1 with bevels of 0.2 at 45 degrees, in tenths: its numbers are as short as its bevels are small, and exact.
+TEST(PolyPlanes, BevelsInShortNumbersAreNoErrors) {
+  PolyMesh mesh;
+  for (const double y : {0.0, 0.8}) mesh.vertices.insert(mesh.vertices.end(), {{0, y, 0}, {1, y, 0}, {1, y, 1}, {0, y, 1}});
+  mesh.vertices.insert(mesh.vertices.end(), {{0.2, 1, 0.2}, {0.8, 1, 0.2}, {0.8, 1, 0.8}, {0.2, 1, 0.8}});
+  mesh.bodies.emplace_back();
+  for (const VertexIndex ring : {0U, 4U})
+    for (VertexIndex i = 0; i < 4; ++i)
+      mesh.bodies[0].faces.push_back({{ring + i, ring + 4 + i, ring + 4 + (i + 1) % 4, ring + (i + 1) % 4}, {}});
+  mesh.bodies[0].faces.push_back({{0, 1, 2, 3}, {}});
+  mesh.bodies[0].faces.push_back({{11, 10, 9, 8}, {}});
+  mesh.precision = 0.1;
+  const auto import = import_poly(mesh, {.mend = true});
+  ASSERT_TRUE(import);
+  EXPECT_EQ(import->scene.surfaces.size(), 10U);
+}
+
 // From pair to pair neighbours are within the tolerance of each other; no two may be joined because of that.
 TEST(PolyPlanes, ACylinderOfManySidesStaysRound) {
   constexpr int sides = 2000;
