@@ -197,6 +197,23 @@ std::vector<std::uint32_t> drawing_layers(std::span<const LineLayer> layers) {
   return numbers;
 }
 
+// For each stroke the length of all strokes that it is connected with.
+std::vector<double> connected_lengths(std::span<const double> lengths, const Meetings& meetings) {
+  std::vector<std::uint32_t> parents(lengths.size());
+  std::iota(parents.begin(), parents.end(), std::uint32_t{0});
+  const auto root_of = [&parents](std::uint32_t i) {
+    while (parents[i] != i) i = parents[i] = parents[parents[i]];
+    return i;
+  };
+  for (std::size_t place = 0; place + 1 < meetings.starts.size(); ++place)
+    for (std::uint32_t i = meetings.starts[place] + 1; i < meetings.starts[place + 1]; ++i)
+      parents[root_of(meetings.ends[i] / 2)] = root_of(meetings.ends[i - 1] / 2);
+  std::vector<double> sums(lengths.size(), 0);
+  for (std::uint32_t i = 0; i < lengths.size(); ++i) sums[root_of(i)] += lengths[i];
+  for (std::uint32_t i = 0; i < lengths.size(); ++i) sums[i] = sums[root_of(i)];
+  return sums;
+}
+
 // See DrawingField::min_length. A line goes on through a place where just two strokes meet, if both are of one layer of the
 // drawing.
 void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer> layers, const Window& window,
@@ -204,7 +221,10 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
   const std::vector<std::uint32_t> numbers = drawing_layers(layers);
   const Meetings meetings(strokes);
   const auto ends_at = [&](std::uint32_t place) { return meetings.starts[place + 1] - meetings.starts[place]; };
-  const double unit = window.units(field);
+  std::vector<double> lengths;
+  for (const LineStroke& stroke : strokes)
+    lengths.push_back(std::hypot(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]) * window.units(field));
+  const std::vector<double> connected = connected_lengths(lengths, meetings);
   std::vector<bool> known(strokes.size(), false);
   std::vector<bool> left_out(strokes.size(), false);
   std::vector<std::uint32_t> line;
@@ -212,7 +232,7 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
     if (known[i]) continue;
     known[i] = true;
     line = {i};
-    bool is_free = false;
+    bool is_free = connected[i] < field.min_length;
     for (const std::uint32_t side : {0U, 1U}) {
       std::uint32_t end = 2 * i + side;  // where the line goes on
       while (true) {
@@ -228,8 +248,7 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
       }
     }
     double length = 0;
-    for (const std::uint32_t s : line)
-      length += std::hypot(strokes[s].to[0] - strokes[s].from[0], strokes[s].to[1] - strokes[s].from[1]) * unit;
+    for (const std::uint32_t s : line) length += lengths[s];
     if (is_free && length < field.min_length)
       for (const std::uint32_t s : line) left_out[s] = true;
   }

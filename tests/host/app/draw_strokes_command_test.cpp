@@ -163,7 +163,8 @@ TEST_F(DrawStrokes, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
   EXPECT_EQ(whole, 6);
   EXPECT_EQ(count({"--min-length", "0.3"}), whole);
   EXPECT_EQ(count({"--min-length", "0.5"}), whole - 1) << "the tick of 0.4 mm";
-  EXPECT_EQ(count({"--min-length", "900"}), whole - 1) << "a closed line has no free end, however short its parts";
+  EXPECT_EQ(count({"--min-length", "290"}), whole - 1) << "all sides together have 300.1";
+  EXPECT_EQ(count({"--min-length", "320"}), 0) << "the closed line, too";
   EXPECT_EQ(sightline({"draw", "exact", "l.obj", "--min-length", "1", "-o", "l.png"}).exit_code, 2);
 }
 
