@@ -175,7 +175,7 @@ double image_length(const LinePicture& picture, const scene::PolyScene& scene,
   const std::array<double, 2> scale{focal / length(camera.right), focal / length(camera.up)};
   double total = 0;
   for (const LinePiece& piece : picture.pieces) {
-    if (!scene.crossings.empty() && piece.edge.from >= scene.crossings.front().from) {
+    if (scene::crossing_at(scene, piece.edge.from) != nullptr) {
       const std::array<double, 2> from = crossing_image(piece.edge, piece.low.to_double(), scene, camera);
       const std::array<double, 2> to = crossing_image(piece.edge, piece.high.to_double(), scene, camera);
       total += std::hypot((to[0] - from[0]) * scale[0], (to[1] - from[1]) * scale[1]);

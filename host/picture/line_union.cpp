@@ -115,11 +115,11 @@ class LineUnion {
   static constexpr double least_depth = 1e-8;  // of an end that is not at infinity
 
   [[nodiscard]] bool is_crossing(const LineEdge& edge) const {
-    return !scene_.crossings.empty() && edge.from >= scene_.crossings.front().from;
+    return scene::crossing_at(scene_, edge.from) != nullptr;
   }
 
   [[nodiscard]] LineKey key_of(const LineEdge& edge) const {
-    if (is_crossing(edge)) return crossing_key(scene_.crossings[(edge.from - scene_.crossings.front().from) / 2]);
+    if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene_, edge.from)) return crossing_key(*crossing);
     const std::array<std::int64_t, 4> line = image_line(edge, scene_, camera_);
     return {line[0], line[1], line[2], line[3]};
   }

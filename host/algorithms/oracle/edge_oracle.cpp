@@ -432,11 +432,10 @@ picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::P
         picture.pieces.push_back({chosen.edges[e], seen.low, seen.high});
     };
     const LineEdge& edge = chosen.edges[e];
-    if (scene.crossings.empty() || edge.from < scene.crossings.front().from) {
-      add_visible(Segment(sight, sight.vertex(edge.from), sight.vertex(edge.to)));
+    if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene, edge.from)) {
+      add_visible(CrossingLine(sight, wide_end(scene, camera, crossing->ends[0]), wide_end(scene, camera, crossing->ends[1])));
     } else {
-      const auto& ends = scene.crossings[(edge.from - scene.crossings.front().from) / 2].ends;
-      add_visible(CrossingLine(sight, wide_end(scene, camera, ends[0]), wide_end(scene, camera, ends[1])));
+      add_visible(Segment(sight, sight.vertex(edge.from), sight.vertex(edge.to)));
     }
   }
   return picture;

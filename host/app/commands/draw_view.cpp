@@ -43,7 +43,7 @@ class BodyOfEdge {
 
   [[nodiscard]] std::size_t operator()(const picture::LineEdge& edge) const {
     const std::size_t number = edges_.find(edge.from, edge.to);
-    if (number == edges_.size()) return body_of(scene_.crossings[(edge.from - scene_.crossings.front().from) / 2].face_a);
+    if (number == edges_.size()) return body_of(scene::crossing_at(scene_, edge.from)->face_a);
     const auto uses = edges_.uses(number);
     return uses.empty() ? scene_.bodies.size() : body_of(uses.front().face);
   }
@@ -69,9 +69,8 @@ class EdgesInFile {
     std::set<std::uint32_t> faces;
     for (const picture::LineEdge& edge : edges) {
       ends.push_back(base::Json::array({place_in_file(edge.from), place_in_file(edge.to)}));
-      if (is_end_of_crossing(edge.from)) {
-        const scene::PolyCrossing& crossing = scene_.crossings[(edge.from - scene_.crossings.front().from) / 2];
-        faces.insert({crossing.face_a + 1, crossing.face_b + 1});
+      if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene_, edge.from)) {
+        faces.insert({crossing->face_a + 1, crossing->face_b + 1});
       } else {
         for (const scene::EdgeTable::Use& use : edges_.uses(edges_.find(edge.from, edge.to))) faces.insert(use.face + 1);
       }
@@ -81,11 +80,8 @@ class EdgesInFile {
   }
 
  private:
-  [[nodiscard]] bool is_end_of_crossing(scene::VertexIndex vertex) const {
-    return !scene_.crossings.empty() && vertex >= scene_.crossings.front().from;
-  }
   [[nodiscard]] std::array<double, 3> place_in_file(scene::VertexIndex vertex) const {
-    if (!is_end_of_crossing(vertex)) return scene::file_point(scene_, scene_.vertices[vertex]);
+    if (scene::crossing_at(scene_, vertex) == nullptr) return scene::file_point(scene_, scene_.vertices[vertex]);
     std::array<double, 3> place = scene::place_of(scene_, vertex);
     for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + static_cast<double>(scene_.origin[a])) * scene_.step;
     return place;

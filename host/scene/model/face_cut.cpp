@@ -114,10 +114,8 @@ void add_crossing(PolyScene& scene, std::uint32_t face_a, std::uint32_t face_b, 
 }
 
 std::array<double, 3> place_of(const PolyScene& scene, VertexIndex vertex) {
-  if (!scene.crossings.empty() && vertex >= scene.crossings.front().from) {
-    const VertexIndex end = vertex - scene.crossings.front().from;
-    return real(scene.vertices, scene.crossings[end / 2].ends[end % 2]);
-  }
+  if (const PolyCrossing* const crossing = crossing_at(scene, vertex))
+    return real(scene.vertices, crossing->ends[vertex - crossing->from]);
   const PolyPoint& p = scene.vertices[vertex];
   return {double(p[0]), double(p[1]), double(p[2])};
 }

@@ -119,6 +119,12 @@ struct PolyScene {
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };
 
+// The crossing that a vertex is an end of; null for one of faces or wires.
+[[nodiscard]] inline const PolyCrossing* crossing_at(const PolyScene& scene, VertexIndex vertex) {
+  if (scene.crossings.empty() || vertex < scene.crossings.front().from) return nullptr;
+  return &scene.crossings[(vertex - scene.crossings.front().from) / 2];
+}
+
 // The scene without its wires, and then without the vertices that no face has. The scene has no crossings (precondition).
 [[nodiscard]] PolyScene without_wires(PolyScene scene);
 
