@@ -268,6 +268,14 @@ std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const Lin
     wider.high[a] += slack;
   }
   std::vector<LineStroke> strokes = strokes_of(lines, wider);
+  // What only touches the border, or is finer than --strokes can say, is a point.
+  constexpr double least = 1.5e-6;
+  const auto is_point = [&](const LineStroke& stroke) {
+    const std::array<double, 2> from = window.in_field(stroke.from, field);
+    const std::array<double, 2> to = window.in_field(stroke.to, field);
+    return std::abs(to[0] - from[0]) < least && std::abs(to[1] - from[1]) < least;
+  };
+  strokes.erase(std::remove_if(strokes.begin(), strokes.end(), is_point), strokes.end());
   std::sort(strokes.begin(), strokes.end(), [](const LineStroke& a, const LineStroke& b) {
     if (a.layer != b.layer) return a.layer < b.layer;
     // Not <=>, which the arrays of libc++ 14 do not have.

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <string>
 
+#include "host/picture/hatching.hpp"
 #include "host/scene/model/poly_builder.hpp"
 
 namespace sightline::picture {
@@ -118,6 +121,32 @@ TEST(LineDrawing, CoincidingEdgesAreDrawnOnce) {
   const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, {}, field(100, 100));
   ASSERT_EQ(drawing.lines.size(), 1U);
   EXPECT_EQ(drawing.lines[0].count, 5U);
+}
+
+TEST(LineDrawing, ALineThatOnlyTouchesTheBorderIsNone) {
+  const std::array layers{LineLayer{"visible", {}}};
+  const ImageWindow window{{-1, -1}, {1, 1}};
+  UnitedLines lines;
+  lines.lines = {{{1, 0, 1}, {2, 0, 1}}, {{0.5, 2, 1}, {0.5, 1, 1}}, {{1, 0, 1}, {1, 0.5, 1}}};
+  const auto strokes = strokes_in(lines, layers, window, field(100, 100));
+  ASSERT_EQ(strokes.size(), 1U);
+  EXPECT_EQ(strokes[0].to, (std::array{1.0, 0.5})) << "that along the border";
+}
+
+// Edges first, then hatching, then hidden lines; all but for rounding.
+TEST(Hatching, LeavesOutWhatLiesOnEdgesAndHidesDashes) {
+  const std::array layers{LineLayer{"crease", {}, {}, "crease"}, LineLayer{"hatching", {}, {}, std::string(hatching_kind)},
+                          hidden_layer({}, "crease")};
+  UnitedLines lines;
+  lines.lines = {{{0, 5, 1}, {4, 5, 1}, 0}, {{0, 5 + 1e-9, 1}, {10, 5 + 1e-9, 1}, 1}, {{6, 5, 1}, {12, 5, 1}, 2}, {{6, 5, 1}, {6, 9, 1}, 2}};
+  leave_out_hatching_on_lines(lines, layers);
+  ASSERT_EQ(lines.lines.size(), 4U);
+  EXPECT_EQ(lines.lines[0].to[0], 4);
+  EXPECT_NEAR(lines.lines[1].from[0], 4, 1e-9);
+  EXPECT_NEAR(lines.lines[1].to[0], 10, 1e-9);
+  EXPECT_NEAR(lines.lines[2].from[0], 10, 1e-9);
+  EXPECT_NEAR(lines.lines[2].to[0], 12, 1e-9);
+  EXPECT_EQ(lines.lines[3].to[1], 9) << "across";
 }
 
 TEST(LineDrawing, NothingIsADrawingOfNothing) {
