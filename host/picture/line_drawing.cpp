@@ -7,8 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include "host/geometry/box.hpp"
+#include "host/geometry/box_tree.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -196,6 +200,51 @@ std::vector<std::uint32_t> drawing_layers(std::span<const LineLayer> layers) {
   return numbers;
 }
 
+// Finds strokes that pass through a place; a line that ends behind another one ends on it.
+class PassingStrokes {
+ public:
+  PassingStrokes(std::span<const LineStroke> strokes, const Window& window) : strokes_(strokes), window_(window) {
+    std::vector<geometry::Box> boxes;
+    boxes.reserve(strokes.size());
+    for (const LineStroke& stroke : strokes) {
+      geometry::Box box;
+      for (std::size_t a = 0; a < 2; ++a) {
+        box.low[a] = cell(std::min(stroke.from[a], stroke.to[a]), a) - 1;
+        box.high[a] = cell(std::max(stroke.from[a], stroke.to[a]), a) + 1;
+      }
+      boxes.push_back(box);
+    }
+    tree_.emplace(boxes);
+  }
+
+  // Whether one that does not end there passes through the place, but for rounding.
+  [[nodiscard]] bool any_at(const Place& place) const {
+    geometry::Box at;
+    for (std::size_t a = 0; a < 2; ++a) at.low[a] = at.high[a] = cell(place[a], a);
+    bool found = false;
+    tree_->for_each_touching(at, [&](std::uint32_t i) {
+      const LineStroke& stroke = strokes_[i];
+      const Place d{stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]};
+      const Place p{place[0] - stroke.from[0], place[1] - stroke.from[1]};
+      const double size = std::hypot(d[0], d[1]);
+      const double near = 1e-8 * (window_.high[0] - window_.low[0]);
+      const double along = (p[0] * d[0] + p[1] * d[1]) / size;
+      found = found || (std::abs(p[1] * d[0] - p[0] * d[1]) <= near * size && along > near && along < size - near);
+    });
+    return found;
+  }
+
+ private:
+  [[nodiscard]] std::int32_t cell(double place, std::size_t axis) const {
+    constexpr double cells = 1 << 20;
+    return static_cast<std::int32_t>((place - window_.low[axis]) / (window_.high[axis] - window_.low[axis]) * cells);
+  }
+
+  std::span<const LineStroke> strokes_;
+  const Window& window_;
+  std::optional<geometry::BoxTree> tree_;
+};
+
 // See DrawingField::min_length. A line goes on through a place where just two strokes meet, if both are of one layer of the
 // drawing.
 void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer> layers, const Window& window,
@@ -207,16 +256,17 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
   std::vector<bool> known(strokes.size(), false);
   std::vector<bool> left_out(strokes.size(), false);
   std::vector<std::uint32_t> line;
+  std::optional<PassingStrokes> passing;
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
     if (known[i]) continue;
     known[i] = true;
     line = {i};
-    bool is_free = false;
+    std::vector<std::uint32_t> free_ends;
     for (const std::uint32_t side : {0U, 1U}) {
       std::uint32_t end = 2 * i + side;  // where the line goes on
       while (true) {
         const std::uint32_t place = meetings.place_of[end];
-        if (ends_at(place) == 1) is_free = true;
+        if (ends_at(place) == 1) free_ends.push_back(end);
         if (ends_at(place) != 2) break;
         const std::uint32_t first = meetings.ends[meetings.starts[place]];
         const std::uint32_t other = first == end ? meetings.ends[meetings.starts[place] + 1] : first;
@@ -229,7 +279,12 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
     double length = 0;
     for (const std::uint32_t s : line)
       length += std::hypot(strokes[s].to[0] - strokes[s].from[0], strokes[s].to[1] - strokes[s].from[1]) * unit;
-    if (is_free && length < field.min_length)
+    if (free_ends.empty() || length >= field.min_length) continue;
+    if (!passing) passing.emplace(strokes, window);
+    const bool meets_others = std::all_of(free_ends.begin(), free_ends.end(), [&](std::uint32_t end) {
+      return passing->any_at(end % 2 == 0 ? strokes[end / 2].from : strokes[end / 2].to);
+    });
+    if (!meets_others)
       for (const std::uint32_t s : line) left_out[s] = true;
   }
   std::size_t kept = 0;
