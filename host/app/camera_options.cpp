@@ -207,8 +207,10 @@ class Aiming {
                        each.direction[2] * sides.away[a];
       }
       const scene::PolyCamera camera = camera_outside(frame_, scene_, direction, arguments_.perspective);
-      if (!arguments_.up.empty()) return towards(camera.eye, direction, camera.perspective);
-      return {camera, angle_to(camera, direction)};
+      // The direction is the same with --up and without.
+      const AimedCamera aimed =
+          arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, vector_of(camera.forward), camera.perspective);
+      return {aimed.camera, angle_to(aimed.camera, direction)};
     }
     throw Failure(ExitCode::usage, fmt::format("--view: found \"{}\", expected {}, or the eye, X,Y,Z", arguments_.view,
                                                base::joined(preset_names(), ", ")));

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "host/base/text.hpp"
 
@@ -90,14 +93,19 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
       if (line.layer != layer || line.count == 0) continue;
       const auto place = [&](std::uint32_t i) {
         const DrawingPoint& p = drawing.points[line.first + i];
-        number(10, paper.margin + p.x * across);
-        number(20, paper.margin + p.y * up);
-        number(30, 0);
+        std::string at;
+        base::append(at, " 10\n{:.3f}\n 20\n{:.3f}\n", paper.margin + p.x * across, paper.margin + p.y * up);
+        return at;
       };
-      if (line.count == 1) {
+      std::vector<std::string> places{place(0)};
+      for (std::uint32_t i = 1; i < line.count; ++i)
+        if (std::string at = place(i); at != places.back()) places.push_back(std::move(at));
+      if (places.size() == 1) {
+        if (line.count > 1) continue;  // shorter than a thousandth of a millimetre
         put(0, "POINT");
         put(8, name);
-        place(0);
+        text += places[0];
+        number(30, 0);
         continue;
       }
       put(0, "POLYLINE");
@@ -105,10 +113,11 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
       put(66, "1");
       if (drawing.layers[layer].dash > 0) put(70, "128");  // dashes go on around corners
       for (const int code : {10, 20, 30}) number(code, 0);
-      for (std::uint32_t i = 0; i < line.count; ++i) {
+      for (const std::string& at : places) {
         put(0, "VERTEX");
         put(8, name);
-        place(i);
+        text += at;
+        number(30, 0);
       }
       put(0, "SEQEND");
       put(8, name);

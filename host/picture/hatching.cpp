@@ -229,14 +229,72 @@ Ruled ruled(const ImageEnds& ends, const std::array<double, 2>& along) {
   return {(across(ends[0]) + across(ends[1])) / 2, std::min(at(ends[0]), at(ends[1])), std::max(at(ends[0]), at(ends[1]))};
 }
 
+// Lines of the image along a direction.
+struct Along {
+  std::array<double, 2> direction{};
+  double near = 0;  // lines nearer than this lie on one line
+
+  [[nodiscard]] bool has(const ImageEnds& ends) const {
+    const double off = (ends[1][1] - ends[0][1]) * direction[0] - (ends[1][0] - ends[0][0]) * direction[1];
+    return std::abs(off) <= near;
+  }
+};
+
+// Takes from lines along the direction what lies on other such lines.
+template <class IsTaken, class IsDrawn>
+void take_out(UnitedLines& lines, const Along& along, const IsTaken& is_taken, const IsDrawn& is_drawn) {
+  std::vector<Ruled> drawn;
+  for (const UnitedLine& line : lines.lines)
+    if (const ImageEnds ends = ends_of(line); is_drawn(line) && along.has(ends)) drawn.push_back(ruled(ends, along.direction));
+  if (drawn.empty()) return;
+  std::sort(drawn.begin(), drawn.end(), [](const Ruled& a, const Ruled& b) { return a.offset < b.offset; });
+  std::vector<UnitedLine> kept;
+  std::vector<std::pair<double, double>> covered;
+  for (const UnitedLine& line : lines.lines) {
+    covered.clear();
+    const ImageEnds ends = ends_of(line);
+    const Ruled at = ruled(ends, along.direction);
+    if (is_taken(line) && along.has(ends)) {
+      for (auto other = std::lower_bound(drawn.begin(), drawn.end(), at.offset - along.near,
+                                         [](const Ruled& r, double offset) { return r.offset < offset; });
+           other != drawn.end() && other->offset <= at.offset + along.near; ++other)
+        if (other->low < at.high - along.near && other->high > at.low + along.near) covered.emplace_back(other->low, other->high);
+    }
+    if (covered.empty()) {
+      kept.push_back(line);
+      continue;
+    }
+    // What is left, as points between the ends; these are in homogeneous coordinates.
+    std::sort(covered.begin(), covered.end());
+    const bool rises = ruled({{ends[0], ends[0]}}, along.direction).low == at.low;
+    const auto point = [&](double place) {
+      const std::array<double, 3>& low = rises ? line.from : line.to;
+      const std::array<double, 3>& high = rises ? line.to : line.from;
+      const double t = (place - at.low) / (at.high - at.low) * low[2];
+      const double s = (at.high - place) / (at.high - at.low) * high[2];
+      std::array<double, 3> p{};
+      for (std::size_t i = 0; i < 3; ++i) p[i] = (low[i] * s + high[i] * t) / (s + t);
+      return p;
+    };
+    double low = at.low;
+    covered.emplace_back(at.high, at.high);
+    for (const auto& [from, to] : covered) {
+      if (from > low + along.near)
+        kept.push_back({point(low), point(std::min(from, at.high)), line.layer, line.first_source, line.source_count});
+      low = std::max(low, to);
+    }
+  }
+  lines.lines = std::move(kept);
+}
+
 }  // namespace
 
 void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window) {
-  const double near = 1e-6 * std::max(window.high[0] - window.low[0], window.high[1] - window.low[1]);
+  const auto kind_of = [&](const UnitedLine& line) -> std::string_view { return layers[line.layer].kind; };
   for (const std::string_view kind : {hatching_kind, cross_hatching_kind}) {
-    const auto is_hatching = [&](const UnitedLine& line) { return layers[line.layer].kind == kind; };
+    const auto is_hatching = [&](const UnitedLine& line) { return kind_of(line) == kind; };
     // All of a kind are parallel: the longest says how.
-    std::array<double, 2> along{};
+    Along along;
     double longest = 0;
     for (const UnitedLine& line : lines.lines) {
       if (!is_hatching(line)) continue;
@@ -244,54 +302,16 @@ void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> 
       const double length = std::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
       if (!std::isfinite(length) || length <= longest) continue;
       longest = length;
-      along = {(ends[1][0] - ends[0][0]) / length, (ends[1][1] - ends[0][1]) / length};
+      along.direction = {(ends[1][0] - ends[0][0]) / length, (ends[1][1] - ends[0][1]) / length};
     }
     if (longest == 0) continue;
-    std::vector<Ruled> drawn;  // lines of other kinds along the hatching
-    for (const UnitedLine& line : lines.lines) {
-      const LineLayer& layer = layers[line.layer];
-      if (layer.hidden || layer.kind == hatching_kind || layer.kind == cross_hatching_kind) continue;
-      const ImageEnds ends = ends_of(line);
-      const double off = (ends[1][1] - ends[0][1]) * along[0] - (ends[1][0] - ends[0][0]) * along[1];
-      if (std::abs(off) <= near) drawn.push_back(ruled(ends, along));
-    }
-    std::sort(drawn.begin(), drawn.end(), [](const Ruled& a, const Ruled& b) { return a.offset < b.offset; });
-    std::vector<UnitedLine> kept;
-    std::vector<std::pair<double, double>> covered;
-    for (const UnitedLine& line : lines.lines) {
-      covered.clear();
-      const Ruled at = ruled(ends_of(line), along);
-      if (is_hatching(line)) {
-        for (auto other = std::lower_bound(drawn.begin(), drawn.end(), at.offset - near,
-                                           [](const Ruled& r, double offset) { return r.offset < offset; });
-             other != drawn.end() && other->offset <= at.offset + near; ++other)
-          if (other->low < at.high - near && other->high > at.low + near) covered.emplace_back(other->low, other->high);
-      }
-      if (covered.empty()) {
-        kept.push_back(line);
-        continue;
-      }
-      // What is left, as points between the ends; these are in homogeneous coordinates.
-      std::sort(covered.begin(), covered.end());
-      const bool rises = ruled({{ends_of(line)[0], ends_of(line)[0]}}, along).low == at.low;
-      const auto point = [&](double place) {
-        const std::array<double, 3>& low = rises ? line.from : line.to;
-        const std::array<double, 3>& high = rises ? line.to : line.from;
-        const double t = (place - at.low) / (at.high - at.low) * low[2];
-        const double s = (at.high - place) / (at.high - at.low) * high[2];
-        std::array<double, 3> p{};
-        for (std::size_t i = 0; i < 3; ++i) p[i] = (low[i] * s + high[i] * t) / (s + t);
-        return p;
-      };
-      double low = at.low;
-      covered.emplace_back(at.high, at.high);
-      for (const auto& [from, to] : covered) {
-        if (from > low + near)
-          kept.push_back({point(low), point(std::min(from, at.high)), line.layer, line.first_source, line.source_count});
-        low = std::max(low, to);
-      }
-    }
-    lines.lines = std::move(kept);
+    along.near = 1e-6 * std::max(window.high[0] - window.low[0], window.high[1] - window.low[1]);
+    const auto is_hidden = [&](const UnitedLine& line) { return layers[line.layer].hidden; };
+    const auto is_visible_edge = [&](const UnitedLine& line) {
+      return !is_hidden(line) && kind_of(line) != hatching_kind && kind_of(line) != cross_hatching_kind;
+    };
+    take_out(lines, along, is_hatching, is_visible_edge);
+    take_out(lines, along, is_hidden, is_hatching);
   }
 }
 

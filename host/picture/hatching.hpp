@@ -52,7 +52,7 @@ inline constexpr std::size_t most_hatch_lines = 2'000'000;
                                              const HatchOptions& options);
 
 // Takes from the hatching what lies on a visible line of another layer: an edge along the hatching may be one of its lines but for
-// rounding, within a millionth of the window.
+// rounding, within a millionth of the window. Then takes from hidden lines what lies on the hatching that is left.
 void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window);
 
 }  // namespace sightline::picture

@@ -7,8 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include "host/geometry/box.hpp"
+#include "host/geometry/box_tree.hpp"
 
 namespace sightline::picture {
 namespace {
@@ -214,6 +218,51 @@ std::vector<double> connected_lengths(std::span<const double> lengths, const Mee
   return sums;
 }
 
+// Finds strokes that pass through a place; a line that ends behind another one ends on it.
+class PassingStrokes {
+ public:
+  PassingStrokes(std::span<const LineStroke> strokes, const Window& window) : strokes_(strokes), window_(window) {
+    std::vector<geometry::Box> boxes;
+    boxes.reserve(strokes.size());
+    for (const LineStroke& stroke : strokes) {
+      geometry::Box box;
+      for (std::size_t a = 0; a < 2; ++a) {
+        box.low[a] = cell(std::min(stroke.from[a], stroke.to[a]), a) - 1;
+        box.high[a] = cell(std::max(stroke.from[a], stroke.to[a]), a) + 1;
+      }
+      boxes.push_back(box);
+    }
+    tree_.emplace(boxes);
+  }
+
+  // Whether one that does not end there passes through the place, but for rounding.
+  [[nodiscard]] bool any_at(const Place& place) const {
+    geometry::Box at;
+    for (std::size_t a = 0; a < 2; ++a) at.low[a] = at.high[a] = cell(place[a], a);
+    bool found = false;
+    tree_->for_each_touching(at, [&](std::uint32_t i) {
+      const LineStroke& stroke = strokes_[i];
+      const Place d{stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]};
+      const Place p{place[0] - stroke.from[0], place[1] - stroke.from[1]};
+      const double size = std::hypot(d[0], d[1]);
+      const double near = 1e-8 * (window_.high[0] - window_.low[0]);
+      const double along = (p[0] * d[0] + p[1] * d[1]) / size;
+      found = found || (std::abs(p[1] * d[0] - p[0] * d[1]) <= near * size && along > near && along < size - near);
+    });
+    return found;
+  }
+
+ private:
+  [[nodiscard]] std::int32_t cell(double place, std::size_t axis) const {
+    constexpr double cells = 1 << 20;
+    return static_cast<std::int32_t>((place - window_.low[axis]) / (window_.high[axis] - window_.low[axis]) * cells);
+  }
+
+  std::span<const LineStroke> strokes_;
+  const Window& window_;
+  std::optional<geometry::BoxTree> tree_;
+};
+
 // See DrawingField::min_length. A line goes on through a place where just two strokes meet, if both are of one layer of the
 // drawing.
 void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer> layers, const Window& window,
@@ -228,16 +277,17 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
   std::vector<bool> known(strokes.size(), false);
   std::vector<bool> left_out(strokes.size(), false);
   std::vector<std::uint32_t> line;
+  std::optional<PassingStrokes> passing;
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
     if (known[i]) continue;
     known[i] = true;
     line = {i};
-    bool is_free = connected[i] < field.min_length;
+    std::vector<std::uint32_t> free_ends;
     for (const std::uint32_t side : {0U, 1U}) {
       std::uint32_t end = 2 * i + side;  // where the line goes on
       while (true) {
         const std::uint32_t place = meetings.place_of[end];
-        if (ends_at(place) == 1) is_free = true;
+        if (ends_at(place) == 1) free_ends.push_back(end);
         if (ends_at(place) != 2) break;
         const std::uint32_t first = meetings.ends[meetings.starts[place]];
         const std::uint32_t other = first == end ? meetings.ends[meetings.starts[place] + 1] : first;
@@ -249,7 +299,15 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
     }
     double length = 0;
     for (const std::uint32_t s : line) length += lengths[s];
-    if (is_free && length < field.min_length)
+    if (length >= field.min_length) continue;
+    bool closes_gap = connected[i] >= field.min_length;
+    if (!free_ends.empty()) {
+      if (!passing) passing.emplace(strokes, window);
+      closes_gap = std::all_of(free_ends.begin(), free_ends.end(), [&](std::uint32_t end) {
+        return passing->any_at(end % 2 == 0 ? strokes[end / 2].from : strokes[end / 2].to);
+      });
+    }
+    if (!closes_gap)
       for (const std::uint32_t s : line) left_out[s] = true;
   }
   std::size_t kept = 0;
@@ -288,6 +346,14 @@ std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const Lin
     wider.high[a] += slack;
   }
   std::vector<LineStroke> strokes = strokes_of(lines, wider);
+  // What only touches the border, or is finer than --strokes can say, is a point.
+  constexpr double least = 1.5e-6;
+  const auto is_point = [&](const LineStroke& stroke) {
+    const std::array<double, 2> from = window.in_field(stroke.from, field);
+    const std::array<double, 2> to = window.in_field(stroke.to, field);
+    return std::abs(to[0] - from[0]) < least && std::abs(to[1] - from[1]) < least;
+  };
+  strokes.erase(std::remove_if(strokes.begin(), strokes.end(), is_point), strokes.end());
   std::sort(strokes.begin(), strokes.end(), [](const LineStroke& a, const LineStroke& b) {
     if (a.layer != b.layer) return a.layer < b.layer;
     // Not <=>, which the arrays of libc++ 14 do not have.

@@ -34,8 +34,7 @@ struct DrawingField {
   // that of the field, and nothing is cut off. The drawing is larger than the field where it has to be.
   std::optional<double> scale = {};
   double dash = 2;  // of hidden lines, and the gap after it three quarters of that
-  // Lines shorter than this are left out, unless both of their ends meet other lines, which together are longer: then they close a
-  // gap.
+  // Lines shorter than this are left out, unless they close a gap: both of their ends meet other lines, at an end or within.
   double min_length = 0;
 };
 

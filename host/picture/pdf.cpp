@@ -1,10 +1,14 @@
 // See pdf.hpp.
 #include "host/picture/pdf.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/base/text.hpp"
@@ -72,10 +76,19 @@ class PdfPage {
       colour(drawing_.layers[layer].colour, "RG");
       for (const DrawingLine& line : drawing_.lines) {
         if (line.layer != layer || line.count == 0) continue;
-        point(line.first, 'm');
-        for (std::uint32_t i = 1; i < line.count; ++i) point(line.first + i, 'l');
-        if (line.count == 1) point(line.first, 'l');
-        text_ += "S\n";
+        std::string before = place(line.first);
+        if (line.count == 1) base::append(text_, "{} m\n{} l\nS\n", before, before);
+        bool begun = false;
+        // What is shorter than a thousandth of a millimetre is no piece of a line.
+        for (std::uint32_t i = 1; i < line.count; ++i) {
+          std::string at = place(line.first + i);
+          if (at == before) continue;
+          if (!begun) base::append(text_, "{} m\n", before);
+          begun = true;
+          base::append(text_, "{} l\n", at);
+          before = std::move(at);
+        }
+        if (begun) text_ += "S\n";
       }
       text_ += "EMC\n";
     }
@@ -87,10 +100,11 @@ class PdfPage {
     base::append(text_, "{:.4f} {:.4f} {:.4f} {}\n", colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0, what);
   }
 
-  void point(std::uint32_t number, char what) {
+  [[nodiscard]] std::string place(std::uint32_t number) const {
     const DrawingPoint& p = drawing_.points[number];
-    base::append(text_, "{:.3f} {:.3f} {}\n", margin_ + p.x * across_, margin_ + p.y * up_, what);
+    return fmt::format("{:.3f} {:.3f}", margin_ + p.x * across_, margin_ + p.y * up_);
   }
+  void point(std::uint32_t number, char what) { base::append(text_, "{} {}\n", place(number), what); }
 
   const VectorDrawing& drawing_;
   double margin_;

@@ -102,7 +102,7 @@ class DrawingSvg {
     const std::size_t together = drawing_.lines.size() > many ? in_a_path : 1;
     std::size_t begun = 0;
     for (; line != drawing_.lines.end(); ++line) {
-      if (!in_layer(*line)) continue;
+      if (!in_layer(*line) || !can_be_seen(*line)) continue;
       begun % together == 0 ? svg_.begin_line() : svg_.begin_distances();
       polyline(*line);
       if (++begun % together == 0) svg_.end_shape();
@@ -111,13 +111,27 @@ class DrawingSvg {
     svg_.close_layer();
   }
 
+  [[nodiscard]] bool is_at(std::uint32_t number, const DrawingPoint& place) const {
+    const DrawingPoint& p = drawing_.points[number];
+    return place_.x(p) == place_.x(place) && place_.y(p) == place_.y(place);
+  }
+
+  // A line shorter than a micrometre is none; a dot is.
+  [[nodiscard]] bool can_be_seen(const DrawingLine& line) const {
+    for (std::uint32_t i = 1; i < line.count; ++i)
+      if (!is_at(line.first + i, drawing_.points[line.first])) return true;
+    return line.count == 1;
+  }
+
   void polyline(const DrawingLine& line) {
+    const DrawingPoint at = drawing_.points[line.first];
     if (line.count == 1) {
-      const DrawingPoint at = drawing_.points[line.first];
       svg_.dot(place_.x(at), height_ - place_.y(at));
-    } else {
-      points(line.first, line.count);
+      return;
     }
+    points(line.first, 1);
+    for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
+      if (!is_at(i, drawing_.points[i - 1])) points(i, 1);
   }
 
   const VectorDrawing& drawing_;

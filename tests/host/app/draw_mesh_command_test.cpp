@@ -462,6 +462,22 @@ TEST_F(DrawMesh, UpThatIsUpAnywayChangesNothing) {
   EXPECT_EQ(read("a.svg"), read("b.svg"));
 }
 
+TEST_F(DrawMesh, AnotherUpLeavesTheDirectionOfAView) {
+  write("box.obj", box);
+  for (const char* view : {"iso", "dimetric", "trimetric", "NW"}) {
+    const auto forward = [&](std::vector<std::string> more) {
+      std::vector<std::string> all{"draw", "exact", "box.obj", "--view", view, "--json", "-o", "a.svg"};
+      all.insert(all.end(), more.begin(), more.end());
+      const std::string out = sightline(all).out;
+      const std::size_t begin = out.find("\"forward\"");
+      return out.substr(begin, out.find(']', begin) - begin);
+    };
+    EXPECT_FALSE(forward({}).empty());
+    EXPECT_EQ(forward({}), forward({"--up", "0,0,1"})) << view;
+    EXPECT_EQ(forward({}), forward({"--up", "1,2,3"})) << view;
+  }
+}
+
 TEST_F(DrawMesh, EachLayerHasItsPenAndSharingIsSaid) {
   write("box.obj", box);
   const auto drawn = [&](std::vector<std::string> more, const std::string& file) {

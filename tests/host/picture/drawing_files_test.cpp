@@ -151,6 +151,24 @@ TEST(Dxf, DashedLayersHaveALinetype) {
   EXPECT_EQ(tests::lines_of_dxf(dxf), expected_lines);
 }
 
+// What is shorter than a thousandth of a millimetre is no piece of a line, alone or within a line.
+TEST(VectorDrawings, NoPieceHasLengthZeroInAFile) {
+  VectorDrawing drawing;
+  drawing.width = 100;
+  drawing.height = 70;
+  drawing.layers = {{"one", {}}};
+  drawing.points = {{1, 1}, {1.0001F, 1}, {5, 1}, {5, 1.0002F}, {5, 5}, {7, 7}, {7.0001F, 7}, {8, 8}};
+  drawing.lines = {{0, 0, 5}, {0, 5, 2}, {0, 7, 1}};
+  const DrawnLines expected{{{11, 11}, {15, 11}, {15, 15}}};
+  const auto without_dots = [](DrawnLines lines) {
+    if (!lines.empty()) lines.pop_back();
+    return lines;
+  };
+  EXPECT_EQ(without_dots(tests::lines_of_svg(svg_of(drawing, a_sheet, "t"), a_sheet.height)), expected);
+  EXPECT_EQ(without_dots(tests::lines_of_pdf(pdf_of(drawing, a_sheet, "t"))), expected);
+  EXPECT_EQ(without_dots(tests::lines_of_dxf(dxf_of(drawing, a_sheet))), expected);
+}
+
 // Distances do not add up their roundings: after thousands of them a line is where it should be.
 TEST(Svg, LinesAreWhereThePaperHasThem) {
   VectorDrawing drawing;

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <string>
 
+#include "host/picture/hatching.hpp"
 #include "host/scene/model/poly_builder.hpp"
 
 namespace sightline::picture {
@@ -118,6 +121,59 @@ TEST(LineDrawing, CoincidingEdgesAreDrawnOnce) {
   const VectorDrawing drawing = line_drawing(wire_frame(scene), scene, {}, field(100, 100));
   ASSERT_EQ(drawing.lines.size(), 1U);
   EXPECT_EQ(drawing.lines[0].count, 5U);
+}
+
+TEST(LineDrawing, ALineThatOnlyTouchesTheBorderIsNone) {
+  const std::array layers{LineLayer{"visible", {}}};
+  const ImageWindow window{{-1, -1}, {1, 1}};
+  UnitedLines lines;
+  lines.lines = {{{1, 0, 1}, {2, 0, 1}}, {{0.5, 2, 1}, {0.5, 1, 1}}, {{1, 0, 1}, {1, 0.5, 1}}};
+  const auto strokes = strokes_in(lines, layers, window, field(100, 100));
+  ASSERT_EQ(strokes.size(), 1U);
+  EXPECT_EQ(strokes[0].to, (std::array{1.0, 0.5})) << "that along the border";
+}
+
+// Only lines with an end that nothing meets are left out, and lengths are those of lines, not of their parts.
+TEST(LineDrawing, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
+  const std::array layers{LineLayer{"silhouette", {}}, LineLayer{"crease", {}}};
+  const ImageWindow window{{0, 0}, {10, 10}};
+  DrawingField f = field(10, 10);
+  f.min_length = 1;
+  UnitedLines lines;
+  lines.lines = {
+      {{0, 0, 1}, {10, 0, 1}, 0}, {{2, 1, 1}, {2, 9, 1}, 0}, {{2.5, 1, 1}, {2.5, 9, 1}, 0},                       // long
+      {{2, 5, 1}, {2.5, 5, 1}, 1},                                                                               // across a slit
+      {{6, 6, 1}, {6.3, 6, 1}, 1}, {{6, 6, 1}, {6, 6.3, 1}, 1}, {{6.3, 6, 1}, {6, 6.3, 1}, 1},                      // closed
+      {{4, 8, 1}, {4.6, 8, 1}, 1}, {{4.6, 8, 1}, {5.2, 8.1, 1}, 1},                                              // together long enough
+      {{7, 3, 1}, {7.5, 3, 1}, 1},                                                                               // alone
+      {{5, 0, 1}, {5, 0.5, 1}, 1},                                                                               // from a line
+      {{10, 0, 1}, {10, 0.9, 1}, 1},                                                                             // from a corner
+  };
+  const auto strokes = strokes_in(lines, layers, window, f);
+  EXPECT_EQ(strokes.size(), 9U);
+  for (const LineStroke& stroke : strokes) {
+    EXPECT_NE(stroke.from[0], 7);
+    EXPECT_NE(stroke.from[0], 5);
+    EXPECT_NE(stroke.from[0], 10);
+  }
+  f.min_length = 0;
+  EXPECT_EQ(strokes_in(lines, layers, window, f).size(), 12U);
+}
+
+// Edges first, then hatching, then hidden lines; all but for rounding.
+TEST(Hatching, LeavesOutWhatLiesOnEdgesAndHidesDashes) {
+  const std::array layers{LineLayer{"crease", {}, {}, "crease"}, LineLayer{"hatching", {}, {}, std::string(hatching_kind)},
+                          hidden_layer({}, "crease")};
+  UnitedLines lines;
+  lines.lines = {{{0, 5, 1}, {4, 5, 1}, 0}, {{0, 5 + 1e-9, 1}, {10, 5 + 1e-9, 1}, 1}, {{6, 5, 1}, {12, 5, 1}, 2}, {{6, 5, 1}, {6, 9, 1}, 2}};
+  leave_out_hatching_on_lines(lines, layers);
+  ASSERT_EQ(lines.lines.size(), 4U);
+  EXPECT_EQ(lines.lines[0].to[0], 4);
+  EXPECT_NEAR(lines.lines[1].from[0], 4, 1e-9);
+  EXPECT_NEAR(lines.lines[1].to[0], 10, 1e-9);
+  EXPECT_NEAR(lines.lines[2].from[0], 10, 1e-9);
+  EXPECT_NEAR(lines.lines[2].to[0], 12, 1e-9);
+  EXPECT_EQ(lines.lines[3].to[1], 9) << "across";
 }
 
 TEST(LineDrawing, NothingIsADrawingOfNothing) {
