@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace sightline::scene {
@@ -11,23 +12,38 @@ namespace {
 
 using FilePoint = OpenVertices::FilePoint;
 
-// Whether the segment passes the box, or comes nearer to it than `margin` in each coordinate.
-bool segment_meets(const PolyPoint& from, const PolyPoint& to, const geometry::Box& box, double margin) {
-  double begin = 0;
-  double end = 1;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double low = box.low[a] - margin - from[a];
-    const double high = box.high[a] + margin - from[a];
-    const double along = double(to[a]) - from[a];
-    if (along == 0) {
-      if (low > 0 || high < 0) return false;
-      continue;
+// A segment, and what is near it.
+class Segment {
+ public:
+  Segment(const PolyPoint& from, const PolyPoint& to) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      from_[a] = from[a];
+      const double along = double(to[a]) - from[a];
+      inverse_[a] = along == 0 ? 0 : 1 / along;
     }
-    begin = std::max(begin, (along > 0 ? low : high) / along);
-    end = std::min(end, (along > 0 ? high : low) / along);
   }
-  return begin <= end;
-}
+
+  // Whether it passes the box, or comes nearer to it than `margin` in each coordinate.
+  [[nodiscard]] bool meets(const geometry::Box& box, double margin) const {
+    double begin = 0;
+    double end = 1;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double low = box.low[a] - margin - from_[a];
+      const double high = box.high[a] + margin - from_[a];
+      if (inverse_[a] == 0) {
+        if (low > 0 || high < 0) return false;
+        continue;
+      }
+      begin = std::max(begin, (inverse_[a] > 0 ? low : high) * inverse_[a]);
+      end = std::min(end, (inverse_[a] > 0 ? high : low) * inverse_[a]);
+    }
+    return begin <= end;
+  }
+
+ private:
+  std::array<double, 3> from_{};
+  std::array<double, 3> inverse_{};  // of what it is long along each axis; 0 of no length
+};
 
 std::vector<VertexIndex> ends_of(std::span<const OpenEdge> edges) {
   std::vector<VertexIndex> ends;
@@ -132,7 +148,7 @@ std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FileP
   const auto visit = [&](std::uint32_t number) {
     const VertexIndex v = vertices_[number];
     if (v == edge.from || v == edge.to) return;
-    work += 1 + in_file(v).size();
+    work += in_file(v).size();
     double place = 0;
     double off = std::numeric_limits<double>::infinity();
     for (const FilePoint& p : in_file(v)) {
@@ -145,7 +161,11 @@ std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FileP
     if (!std::binary_search(with_bodies_.begin(), with_bodies_.end(), std::pair(v, edge.body))) return;
     found.emplace_back(place, points_[v], v);
   };
-  const auto meets = [&](const geometry::Box& box) { return segment_meets(points_[edge.from], points_[edge.to], box, margin); };
+  const Segment segment(points_[edge.from], points_[edge.to]);
+  const auto meets = [&](const geometry::Box& box) {
+    ++work;
+    return segment.meets(box, margin);
+  };
   tree_.for_each_that(meets, visit);
   std::sort(found.begin(), found.end());
   std::vector<VertexIndex> vertices;
@@ -154,7 +174,7 @@ std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FileP
   return vertices;
 }
 
-std::vector<double> weld_distances(const PolyScene& scene) {
+std::vector<double> weld_distances(const PolyScene& scene, std::size_t least_joints) {
   constexpr double part_of_body = 0.01;
   constexpr double part_of_edge = 0.5;
   const EdgeTable table(scene);
@@ -186,20 +206,49 @@ std::vector<double> weld_distances(const PolyScene& scene) {
   }
   const geometry::BoxTree tree(boxes_at(scene.vertices, vertices));
   std::vector<double> distances;
+  std::vector<std::uint32_t> group(vertices.size());  // of those that are next to each other: one of them
+  std::iota(group.begin(), group.end(), 0U);
+  const auto group_of = [&group](std::uint32_t i) {
+    while (group[i] != i) i = group[i] = group[group[i]];
+    return i;
+  };
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     const PolyPoint& p = scene.vertices[vertices[i]];
-    double nearest = reach[i] * reach[i];
-    bool found = false;
+    double nearest = 0;
+    std::uint32_t neighbour = i;
     const auto visit = [&](std::uint32_t other) {
       const double square = square_of_distance(p, scene.vertices[vertices[other]]);
       if (other == i || square >= nearest || square >= reach[other] * reach[other]) return;
       nearest = square;
-      found = true;
+      neighbour = other;
     };
-    const auto meets = [&](const geometry::Box& box) { return segment_meets(p, p, box, std::sqrt(nearest)); };
-    tree.for_each_that(meets, visit);
-    if (found) distances.push_back(std::sqrt(nearest));
+    // Most have a neighbour much nearer than the farthest that counts.
+    double most = 0;
+    for (double radius = 1; neighbour == i && most < reach[i]; radius *= 4) {
+      most = std::min(radius, reach[i]);
+      nearest = most * most;
+      const Segment here(p, p);
+      const auto meets = [&](const geometry::Box& box) { return here.meets(box, std::sqrt(nearest)); };
+      tree.for_each_that(meets, visit);
+    }
+    if (neighbour == i) continue;
+    distances.push_back(std::sqrt(nearest));
+    group[group_of(i)] = group_of(neighbour);
   }
+  // Edges that would be the same if all of these were joined.
+  std::vector<std::array<std::uint32_t, 2>> joined;
+  for (const OpenEdge& edge : edges) {
+    const auto group_at = [&](VertexIndex v) {
+      return group_of(static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin()));
+    };
+    const std::uint32_t a = group_at(edge.from);
+    const std::uint32_t b = group_at(edge.to);
+    if (a != b) joined.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(joined.begin(), joined.end());
+  std::size_t joints = 0;
+  for (std::size_t i = 1; i < joined.size(); ++i) joints += joined[i] == joined[i - 1] ? 1U : 0U;
+  if (joints < least_joints) return {};
   std::sort(distances.begin(), distances.end());
   distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
   return distances;
