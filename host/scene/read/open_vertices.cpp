@@ -206,7 +206,7 @@ std::vector<double> weld_distances(const PolyScene& scene, std::size_t least_joi
   }
   const geometry::BoxTree tree(boxes_at(scene.vertices, vertices));
   std::vector<double> distances;
-  std::vector<std::uint32_t> group(vertices.size());  // of those that are next to each other: one of them
+  std::vector<std::uint32_t> group(vertices.size());  // of those that are near each other: one of them
   std::iota(group.begin(), group.end(), 0U);
   const auto group_of = [&group](std::uint32_t i) {
     while (group[i] != i) i = group[i] = group[group[i]];
@@ -233,7 +233,16 @@ std::vector<double> weld_distances(const PolyScene& scene, std::size_t least_joi
     }
     if (neighbour == i) continue;
     distances.push_back(std::sqrt(nearest));
-    group[group_of(i)] = group_of(neighbour);
+  }
+  if (distances.empty()) return distances;
+  std::sort(distances.begin(), distances.end());
+  // Of more than two vertices at one place the nearest one of each does not tell which belong together.
+  const double together = 2 * distances[distances.size() / 2];
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    const PolyPoint& p = scene.vertices[vertices[i]];
+    const Segment here(p, p);
+    const auto meets = [&](const geometry::Box& box) { return here.meets(box, std::min(together, reach[i])); };
+    tree.for_each_that(meets, [&](std::uint32_t other) { group[group_of(i)] = group_of(other); });
   }
   // Edges that would be the same if all of these were joined.
   std::vector<std::array<std::uint32_t, 2>> joined;
@@ -249,7 +258,6 @@ std::vector<double> weld_distances(const PolyScene& scene, std::size_t least_joi
   std::size_t joints = 0;
   for (std::size_t i = 1; i < joined.size(); ++i) joints += joined[i] == joined[i - 1] ? 1U : 0U;
   if (joints < least_joints) return {};
-  std::sort(distances.begin(), distances.end());
   distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
   return distances;
 }
