@@ -97,8 +97,15 @@ base::Result<HeightGrid> read_by_content(HeightText& text, std::string_view sour
   const auto named = columns_of_heading(text, source);
   if (!named) return named.error();
   if (*named) return read_points(text, **named, false, source);
-  if (!text.words.empty()) return text.words.front().second;
-  if (auto error = unequal_lines(text.lines.front(), text.lines, source)) return *error;
+  const auto unequal = unequal_lines(text.lines.front(), text.lines, source);
+  if (!text.words.empty()) {
+    // Such as the types of points that gnuplot's "set table" writes behind them.
+    const auto is_behind = [](const auto& word) { return word.first > first_columns[2]; };
+    const bool behind = std::all_of(text.words.begin(), text.words.end(), is_behind);
+    if (behind && !unequal && (repeats_as_grid(text) || has_few_columns(text))) return read_points(text, first_columns, true, source);
+    return text.words.front().second;
+  }
+  if (unequal) return *unequal;
   const std::span<const HeightLine> others = std::span<const HeightLine>(text.lines).subspan(1);
   if (!text.has_heading() && is_table(text.lines.front(), others)) return read_as_table(text.lines.front(), others, true, source);
   if (repeats_as_grid(text) || has_few_columns(text)) return read_points(text, first_columns, true, source);

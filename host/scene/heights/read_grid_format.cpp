@@ -62,13 +62,20 @@ class Words {
     if (!value) fail(word, what + " from " + std::to_string(least) + " to " + std::to_string(most));
     return value.value_or(0);
   }
+  // Is the next word nan, with a sign or without one?
+  [[nodiscard]] bool at_nan() const {
+    const std::string word = base::lower_case(peek());
+    return word == "nan" || word == "-nan" || word == "+nan";
+  }
+  bool take_nan() {
+    if (!at_nan()) return false;
+    static_cast<void>(next());
+    return true;
+  }
   // A height; `hole` says which numbers stand for none.
   template <class Hole>
   double height(const Hole& hole) {
-    if (base::lower_case(peek()) == "nan") {
-      static_cast<void>(next());
-      return no_height;
-    }
+    if (take_nan()) return no_height;
     const double value = number("a height");
     return hole(value) ? no_height : value;
   }
@@ -129,7 +136,7 @@ base::Result<HeightGrid> read_esri(std::string_view text, std::string_view sourc
   enum Key : std::size_t { ncols, nrows, xllcorner, xllcenter, yllcorner, yllcenter, cellsize, dx, dy, nodata };
   std::array<std::optional<double>, keys.size()> values{};
   Words words(text, source);
-  while (!words.error() && !words.peek().empty() && base::lower_case(words.peek()) != "nan" && !base::decimal_number(words.peek())) {
+  while (!words.error() && !words.peek().empty() && !words.at_nan() && !base::decimal_number(words.peek())) {
     const Word word = words.next();
     const std::string key = base::lower_case(word.text);
     const auto known = std::find(keys.begin(), keys.end(), key);
@@ -139,6 +146,10 @@ base::Result<HeightGrid> read_esri(std::string_view text, std::string_view sourc
     }
     const auto index = static_cast<std::size_t>(known - keys.begin());
     if (values[index]) words.fail(word, "each key once");
+    if (index == nodata && words.take_nan()) {
+      values[index] = no_height;
+      continue;
+    }
     values[index] = index <= nrows ? static_cast<double>(words.count("a number", smallest_grid.points, largest_grid.points))
                                    : words.number("the value of " + key);
   }

@@ -34,7 +34,7 @@ bool is_word(std::string_view field, std::string_view word) {
 
 // As spreadsheets and statistics programs write a missing value.
 bool is_missing(std::string_view field) {
-  constexpr std::array<std::string_view, 4> words{"nan", "na", "n/a", "null"};
+  constexpr std::array<std::string_view, 5> words{"nan", "-nan", "na", "n/a", "null"};
   return field.empty() || std::any_of(words.begin(), words.end(), [field](std::string_view word) { return is_word(field, word); });
 }
 
@@ -63,8 +63,9 @@ std::size_t comment_of(std::string_view line) {
 std::vector<RawLine> raw_lines(std::string_view text) {
   std::vector<RawLine> lines;
   bool blank = false;
+  const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::size_t end = std::min(text.find(line_end), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);

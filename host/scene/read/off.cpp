@@ -48,8 +48,8 @@ class OffReader {
     return false;
   }
 
-  // The keyword, at which `word` begins, is taken from it: ST, C and N in front of OFF, each at most once and in this
-  // order. The first number may stand right behind it.
+  // The keyword, at which `word` begins, is taken from it: ST, C and N in front of OFF, each at most once, in this order or as
+  // MeshLab writes them, N first. The first number may stand right behind it.
   bool take_keyword(std::string_view& word) {
     if (word.starts_with("off")) {
       word.remove_prefix(3);
@@ -57,10 +57,17 @@ class OffReader {
     }
     constexpr std::array variants{std::pair{std::string_view("ST"), 2U}, std::pair{std::string_view("C"), 4U},
                                   std::pair{std::string_view("N"), 3U}};
-    for (const auto& [prefix, numbers] : variants) {
-      if (!word.starts_with(prefix)) continue;
+    std::array<bool, variants.size()> taken{};
+    for (std::size_t i = 0; i < variants.size();) {
+      const auto& [prefix, numbers] = variants[i];
+      if (taken[i] || !word.starts_with(prefix)) {
+        ++i;
+        continue;
+      }
       word.remove_prefix(prefix.size());
       more_of_vertex_ += numbers;
+      taken[i] = true;
+      i = 0;
     }
     if (!word.starts_with("OFF")) return false;
     word.remove_prefix(3);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace sightline::scene {
@@ -114,7 +115,7 @@ std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FileP
   const auto visit = [&](std::uint32_t number) {
     const VertexIndex v = vertices_[number];
     if (v == edge.from || v == edge.to) return;
-    work += 1 + in_file(v).size();
+    work += in_file(v).size();
     double place = 0;
     double off = std::numeric_limits<double>::infinity();
     for (const FilePoint& p : in_file(v)) {
@@ -127,7 +128,10 @@ std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FileP
     if (!std::binary_search(with_bodies_.begin(), with_bodies_.end(), std::pair(v, edge.body))) return;
     found.emplace_back(place, points_[v], v);
   };
-  const auto meets = [&](const geometry::Box& box) { return geometry::segment_meets(points_[edge.from], points_[edge.to], box, margin); };
+  const auto meets = [&](const geometry::Box& box) {
+    ++work;
+    return geometry::segment_meets(points_[edge.from], points_[edge.to], box, margin);
+  };
   tree_.for_each_that(meets, visit);
   std::sort(found.begin(), found.end());
   std::vector<VertexIndex> vertices;
@@ -136,7 +140,7 @@ std::vector<VertexIndex> OpenVertices::on_edge(const OpenEdge& edge, const FileP
   return vertices;
 }
 
-std::vector<double> weld_distances(const PolyScene& scene) {
+std::vector<double> weld_distances(const PolyScene& scene, std::size_t least_joints) {
   constexpr double part_of_body = 0.01;
   constexpr double part_of_edge = 0.5;
   const EdgeTable table(scene);
@@ -168,21 +172,56 @@ std::vector<double> weld_distances(const PolyScene& scene) {
   }
   const geometry::BoxTree tree(boxes_at(scene.vertices, vertices));
   std::vector<double> distances;
+  std::vector<std::uint32_t> group(vertices.size());  // of those that are near each other: one of them
+  std::iota(group.begin(), group.end(), 0U);
+  const auto group_of = [&group](std::uint32_t i) {
+    while (group[i] != i) i = group[i] = group[group[i]];
+    return i;
+  };
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     const PolyPoint& p = scene.vertices[vertices[i]];
-    double nearest = reach[i] * reach[i];
-    bool found = false;
+    double nearest = 0;
+    std::uint32_t neighbour = i;
     const auto visit = [&](std::uint32_t other) {
       const double square = square_of_distance(p, scene.vertices[vertices[other]]);
       if (other == i || square >= nearest || square >= reach[other] * reach[other]) return;
       nearest = square;
-      found = true;
+      neighbour = other;
     };
-    const auto meets = [&](const geometry::Box& box) { return geometry::segment_meets(p, p, box, std::sqrt(nearest)); };
-    tree.for_each_that(meets, visit);
-    if (found) distances.push_back(std::sqrt(nearest));
+    // Most have a neighbour much nearer than the farthest that counts.
+    double most = 0;
+    for (double radius = 1; neighbour == i && most < reach[i]; radius *= 4) {
+      most = std::min(radius, reach[i]);
+      nearest = most * most;
+      const auto meets = [&](const geometry::Box& box) { return geometry::segment_meets(p, p, box, std::sqrt(nearest)); };
+      tree.for_each_that(meets, visit);
+    }
+    if (neighbour == i) continue;
+    distances.push_back(std::sqrt(nearest));
   }
+  if (distances.empty()) return distances;
   std::sort(distances.begin(), distances.end());
+  // Of more than two vertices at one place the nearest one of each does not tell which belong together.
+  const double together = 2 * distances[distances.size() / 2];
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    const PolyPoint& p = scene.vertices[vertices[i]];
+    const auto meets = [&](const geometry::Box& box) { return geometry::segment_meets(p, p, box, std::min(together, reach[i])); };
+    tree.for_each_that(meets, [&](std::uint32_t other) { group[group_of(i)] = group_of(other); });
+  }
+  // Edges that would be the same if all of these were joined.
+  std::vector<std::array<std::uint32_t, 2>> joined;
+  for (const OpenEdge& edge : edges) {
+    const auto group_at = [&](VertexIndex v) {
+      return group_of(static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin()));
+    };
+    const std::uint32_t a = group_at(edge.from);
+    const std::uint32_t b = group_at(edge.to);
+    if (a != b) joined.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(joined.begin(), joined.end());
+  std::size_t joints = 0;
+  for (std::size_t i = 1; i < joined.size(); ++i) joints += joined[i] == joined[i - 1] ? 1U : 0U;
+  if (joints < least_joints) return {};
   distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
   return distances;
 }

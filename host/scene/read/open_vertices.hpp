@@ -61,7 +61,7 @@ class OpenVertices {
 
   // Those of the edge's body, but its own ends, that are between `from` and `to`, its ends in the file, and at most
   // `tolerance` from the line. In the order in which the edge passes them. `step` is that of the grid; `work` goes up by the
-  // number of points looked at.
+  // number of boxes and points that are looked at.
   [[nodiscard]] std::vector<VertexIndex> on_edge(const OpenEdge& edge, const FilePoint& from, const FilePoint& to,
                                                  double tolerance, double step, std::size_t& work) const;
 
@@ -78,7 +78,7 @@ class OpenVertices {
 
 // Distances for --weld, in grid steps and ascending, with which open edges of a scene may meet: from the end of an open edge to the
 // nearest other one. At most a hundredth of the size of each body, and less than half of the open edges at each end, so that
-// no detail is lost.
-[[nodiscard]] std::vector<double> weld_distances(const PolyScene& scene);
+// no detail is lost. None if fewer than `least_joints` pairs of open edges become one with all of them.
+[[nodiscard]] std::vector<double> weld_distances(const PolyScene& scene, std::size_t least_joints);
 
 }  // namespace sightline::scene

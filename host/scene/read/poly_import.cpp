@@ -129,6 +129,7 @@ class Import {
       }
       scene().vertices.push_back(p);
     }
+    size_ = 2 * static_cast<double>(bounds_of(scene()).half_size()) * report().step;
   }
 
   // --- mending
@@ -220,13 +221,16 @@ class Import {
     }
   }
 
-  // A vertex and the two ends of the edge that it is on were each rounded, by 0.87 units of the precision at most.
+  // A vertex and the two ends of the edge that it is on were each rounded, by 0.87 units of the precision at most. So are
+  // whole numbers in a mesh of many units: what a unit is of a smaller one is meant.
   [[nodiscard]] MendOptions mend_options(double weld) const {
+    constexpr double many = 1024;
+    const bool whole = mesh_.precision == 0 && size_ >= many;
     return {.weld = weld / result_.report.step,
             .grouped = mesh_.grouped,
             .step = result_.report.step,
             .rounded = result_.report.largest_shift > 0,
-            .tolerance = std::max(2 * mesh_.precision, least_tolerance())};
+            .tolerance = std::max(whole ? 2 : 2 * mesh_.precision, least_tolerance())};
   }
 
   // What double coordinates leave uncertain of a plane.
@@ -235,9 +239,9 @@ class Import {
   // For parts that are open: the smallest of 1, 2, 5, 10 .. with which as few are left as with any, if that is half of them
   // at most.
   void suggest_weld(const FileFaces& file, const std::vector<std::size_t>& body_sizes) {
-    if (faces().sheets == 0) return;
+    if (faces().sheets == 0 || faces().crowded) return;
     std::vector<double> welds;
-    for (const double distance : weld_distances(scene()))
+    for (const double distance : weld_distances(scene(), faces().sheets / 2))
       if (welds.empty() || distance * report().step > welds.back()) welds.push_back(round_up(distance * report().step));
     if (welds.empty()) return;
     welds.push_back(round_up(1.1 * welds.back()));  // several vertices that belong together are in a chain
@@ -464,6 +468,7 @@ class Import {
 
   PolyMesh mesh_;  // its vertices less the origin, once they are on the grid
   double reach_ = 0;  // the largest coordinate of the file
+  double size_ = 0;   // the largest side of its bounds
   std::vector<std::uint32_t> number_in_file_;  // of each face, if some were left out
   PolyImportOptions options_;
   PolyImport result_;

@@ -462,22 +462,34 @@ class Mending {
 
   bool divide_edges(const EdgeTable& edges, const std::vector<OpenEdge>& open) {
     const OpenVertices ends(points(), open, file_.vertices, target_);
-    // In a mesh that is meant, few vertices are near an edge. Where all edges pass all vertices, nothing is divided.
-    const std::size_t most_work = 1'000'000 + 200 * open.size();
-    std::size_t work = 0;
-    std::vector<Ring> passed;  // by each edge, with its ends
-    passed.reserve(open.size());
     const FileCorners corners(pieces_, open, file_, target_);
-    for (const OpenEdge& edge : open) {
+    const auto passed_by = [&](const OpenEdge& edge, std::size_t& work) {
+      // As this face has them in the file: other faces may have others that became the same vertices.
       const auto place_of = [&](VertexIndex v) {
         const auto corner = corners.find(pieces_[edge.face].source, v);
         return corner ? file_.vertices[*corner] : ends.in_file(v)[0];
       };
-      Ring& at = passed.emplace_back(
-          ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step, work));
-      if (work > most_work) return false;
+      Ring at = ends.on_edge(edge, place_of(edge.from), place_of(edge.to), options_.tolerance, options_.step, work);
       at.insert(at.begin(), edge.from);
       at.push_back(edge.to);
+      return at;
+    };
+    // In a mesh that is meant, few vertices are near an edge. Where all edges pass all vertices, nothing is divided. Some edges
+    // tell beforehand how much work it would be.
+    constexpr std::size_t most_for_edge = 200;
+    constexpr std::size_t samples = 1000;
+    const std::size_t most_work = 1'000'000 + most_for_edge * open.size();
+    std::size_t work = 0;
+    for (std::size_t i = 0; i < samples && open.size() > 10 * samples; ++i)
+      static_cast<void>(passed_by(open[i * (open.size() / samples)], work));
+    report_.crowded = work > samples * most_for_edge;
+    if (report_.crowded) return false;
+    std::vector<Ring> passed;  // by each edge, with its ends
+    passed.reserve(open.size());
+    for (const OpenEdge& edge : open) {
+      passed.push_back(passed_by(edge, work));
+      report_.crowded = work > most_work;
+      if (report_.crowded) return false;
     }
     std::vector<Division> divisions = helpful_divisions(edges, open, passed);
     if (divisions.empty()) return false;

@@ -74,6 +74,7 @@ struct MendReport {
   std::size_t crossing_faces = 0;     // left out, because their outlines cross themselves
   std::size_t first_crossing = 0;     // in the file, counted over all bodies from 0
   std::size_t dropped_wires = 0;      // without length
+  bool crowded = false;               // so many vertices are near so many open edges that none was divided
   double helpful_weld = 0;            // the distance with which fewer sheets are left, in the unit of the file; or 0
   std::size_t sheets_with_weld = 0;   // how many are left then
 };

@@ -94,22 +94,49 @@ Corners corners_of(const std::vector<PolyPoint>& vertices, const std::vector<Ver
   return corners;
 }
 
+// Is a vertex so near to the segment, and between its ends, that it lies on it but for rounding? Each of the three was rounded
+// by less than a step.
+bool is_on_but_for_rounding(const Point2& from, const Point2& to, const Point2& p) {
+  constexpr double nearest = 2;
+  std::array<double, 2> along{};
+  std::array<double, 2> way{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    along[i] = double(to[i]) - from[i];
+    way[i] = double(p[i]) - from[i];
+  }
+  const double square = along[0] * along[0] + along[1] * along[1];
+  const double foot = along[0] * way[0] + along[1] * way[1];
+  const double off = along[0] * way[1] - along[1] * way[0];
+  return foot > 0 && foot < square && off * off <= nearest * nearest * square;
+}
+
+// Does cutting this corner off leave the vertices on one side of a face together? The segment that cuts it off is no diagonal
+// if it lies on such a side: the face beyond may have the whole side as its edge.
+bool cuts_through_inside(const Corners& ring, std::size_t i) {
+  const EarCorner& a = ring[i == 0 ? ring.size() - 1 : i - 1];
+  const EarCorner& c = after(ring, i);
+  const auto is_on = [&](const EarCorner& other) { return is_on_but_for_rounding(a.at, c.at, other.at); };
+  return !is_on(ring[i]) && std::none_of(ring.begin(), ring.end(), is_on);
+}
+
 std::optional<std::vector<std::array<VertexIndex, 3>>> clip_ears(Corners ring) {
   std::vector<std::array<VertexIndex, 3>> triangles;
   std::size_t at = 0;
-  std::size_t tried = 0;
   while (ring.size() >= 3) {
-    if (tried == ring.size()) return std::nullopt;
     if (at >= ring.size()) at = 0;
-    if (!is_ear(ring, at)) {
-      ++at;
-      ++tried;
-      continue;
+    // From here on the first ear that cuts through the inside; of a ring as thin as rounding the first one.
+    std::optional<std::size_t> ear;
+    for (const bool any : {false, true}) {
+      for (std::size_t tried = 0; tried < ring.size() && !ear; ++tried) {
+        const std::size_t i = (at + tried) % ring.size();
+        if ((any || ring.size() == 3 || cuts_through_inside(ring, i)) && is_ear(ring, i)) ear = i;
+      }
     }
+    if (!ear) return std::nullopt;
+    at = *ear;
     const EarCorner& before = ring[at == 0 ? ring.size() - 1 : at - 1];
     triangles.push_back({before.vertex, ring[at].vertex, after(ring, at).vertex});
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
-    tried = 0;
     if (ring.size() == 2) break;
   }
   return triangles;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sightline::scene {
 namespace {
@@ -13,6 +14,22 @@ double largest_of(std::span<const std::array<double, 3>> vertices) {
     for (const double c : vertex)
       if (std::abs(c) > largest && std::isfinite(c)) largest = std::abs(c);
   return largest;
+}
+
+// The largest side of the vertices' bounds.
+double size_of(std::span<const std::array<double, 3>> vertices) {
+  double size = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const auto& vertex : vertices) {
+      if (!std::isfinite(vertex[a])) continue;
+      low = std::min(low, vertex[a]);
+      high = std::max(high, vertex[a]);
+    }
+    size = std::max(size, high - low);
+  }
+  return size;
 }
 
 double spacing_at(double largest, int mantissa_bits) {
@@ -50,9 +67,16 @@ void TextPrecision::add(std::string_view written, double value) {
       break;
     }
   }
+  const int last_decimal = std::max(exponent - decimals, -400);
   Seen& seen = seen_[static_cast<std::size_t>(std::ilogb(value) - lowest)];
-  seen.last_decimal = std::min(seen.last_decimal, std::max(exponent - decimals, -400));
+  seen.last_decimal = std::min(seen.last_decimal, last_decimal);
   seen.digits = std::max(seen.digits, digits);
+  const int decade = last_decimal + digits;
+  if (decade < top_decade_) return;
+  if (decade > top_decade_) top_ = {last_decimal, digits};
+  top_decade_ = decade;
+  top_.last_decimal = std::min(top_.last_decimal, last_decimal);
+  top_.digits = std::max(top_.digits, digits);
 }
 
 double TextPrecision::result(std::span<const std::array<double, 3>> vertices) const {
@@ -64,7 +88,10 @@ double TextPrecision::result(std::span<const std::array<double, 3>> vertices) co
     all.last_decimal = std::min(all.last_decimal, seen_[e].last_decimal);
     all.digits = std::max(all.digits, seen_[e].digits);
   }
-  if (all.last_decimal == 0) return 0;
+  constexpr int least_of_floating = 6;
+  if (top_.digits == all.digits && all.digits >= least_of_floating) all.last_decimal = top_.last_decimal;
+  constexpr double least_rounded = 0x1p18;
+  if (all.last_decimal == 0 && size_of(vertices) < least_rounded) return 0;
   constexpr int most_of_float32 = 9;
   return std::max(std::pow(10.0, all.last_decimal), spacing_at(largest, all.digits <= most_of_float32 ? 23 : 52));
 }

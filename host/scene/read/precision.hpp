@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,9 +15,11 @@ namespace sightline::scene {
 [[nodiscard]] double float64_precision(std::span<const std::array<double, 3>> vertices);
 
 // Of coordinates written as decimal numbers: the finest last decimal among those that are at least about a tenth
-// of the largest one, as smaller ones are often written with more decimals than the others have. If none of
-// these has more than 9 digits they may have been float32, and count as no finer than that. Whole numbers are
-// exact.
+// of the largest one, as smaller ones are often written with more decimals than the others have. Where the numbers
+// of the largest decade have as many digits as any of these, six or more, all were written with so many (as printf
+// does by %e and %g), and the last digit of that decade counts. If none of these has more than 9 digits they may have
+// been float32, and count as no finer than that. Whole numbers are exact, unless the mesh is so large (2^18) that they
+// are rounded anyway.
 class TextPrecision {
  public:
   // A coordinate as written, and its value; one that is not finite does not count.
@@ -32,6 +35,9 @@ class TextPrecision {
   static constexpr int lowest = -1100;
   static constexpr int highest = 1100;
   std::vector<Seen> seen_ = std::vector<Seen>(highest - lowest);  // by binary exponent of the value
+  // The numbers whose first digit stands for the highest power of ten; here last_decimal may be above 0.
+  Seen top_;
+  int top_decade_ = std::numeric_limits<int>::min();
 };
 
 }  // namespace sightline::scene

@@ -166,7 +166,7 @@ TEST(Hatching, LeavesOutWhatLiesOnEdgesAndHidesDashes) {
                           hidden_layer({}, "crease")};
   UnitedLines lines;
   lines.lines = {{{0, 5, 1}, {4, 5, 1}, 0}, {{0, 5 + 1e-9, 1}, {10, 5 + 1e-9, 1}, 1}, {{6, 5, 1}, {12, 5, 1}, 2}, {{6, 5, 1}, {6, 9, 1}, 2}};
-  leave_out_hatching_on_lines(lines, layers);
+  leave_out_hatching_on_lines(lines, layers, {{0, 0}, {10, 10}});
   ASSERT_EQ(lines.lines.size(), 4U);
   EXPECT_EQ(lines.lines[0].to[0], 4);
   EXPECT_NEAR(lines.lines[1].from[0], 4, 1e-9);

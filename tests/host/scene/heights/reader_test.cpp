@@ -31,7 +31,7 @@ const std::vector<double> one_to_six{1, 2, 3, 4, 5, 6};
 
 TEST(ReadHeightGrid, SeparatorsAndLineEnds) {
   for (const char* text :
-       {"1,2,3\n4,5,6\n", "1;2;3\r\n4;5;6\r\n", "1 2 3\n4 5 6", "\t1  2\t3 \n 4 5 6\n", "1 , 2,3\n4,5 ,6",
+       {"1,2,3\n4,5,6\n", "1;2;3\r\n4;5;6\r\n", "1 2 3\n4 5 6", "\t1  2\t3 \n 4 5 6\n", "1 , 2,3\n4,5 ,6", "1 2 3\r4 5 6\r",
         "# a grid; of six\n1,2,3 # near\n\n4,5,6\n\n", "\xEF\xBB\xBF+1,2e0,3.\n4,.5e1,6\n"}) {
     const HeightGrid grid = grid_of(text);
     EXPECT_EQ(grid.heights, one_to_six) << text;
@@ -280,9 +280,20 @@ TEST(GridLayouts, ColumnsOfWords) {
   EXPECT_EQ(grid_of(text).heights, one_to_six);
   EXPECT_EQ(note_of(text, {{"y", "x", "name"}}), "grid.txt:2:1: found 'a', expected a finite number or nan");
   EXPECT_EQ(error_of("x,y,z,t\n0,0,1,a\n1,0,b,c\n0,1,2,d\n"), "grid.txt:3:5: found 'b', expected a finite number or nan");
-  EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n"), "grid.txt:1:7: found 'a', expected a finite number or nan");
+  EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n"), "read as x y z in columns, a grid of 2 x 2, column 4 left out");
   EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n", {{}, GridLayout::points}), "");
   EXPECT_EQ(note_of("0 0 1 a\n1 0 2 a\n0 1 3 a\n1 1 4 b\n", {{}, GridLayout::matrix}).substr(0, 13), "grid.txt:1:7:");
+}
+
+// As "set table" of gnuplot writes a surface: the type of each point is behind it.
+TEST(GridLayouts, WordsBehindPoints) {
+  const HeightGrid grid = grid_of("# x y z type\n0 0 1  i\n5 0 2  i\n\n0 3 4  o\n5 3 nan  u\n");
+  EXPECT_EQ(grid.domain_x, (Interval{0, 5}));
+  EXPECT_EQ(grid.domain_z, (Interval{0, 3}));
+  EXPECT_TRUE(std::isnan(grid.heights.at(3)));
+  EXPECT_EQ(grid.note, "read as x y z in columns, a grid of 2 x 2, column 4 left out");
+  EXPECT_EQ(error_of("1 2 3 4 5\n1 2 3 4 x\n"), "grid.txt:2:9: found 'x', expected a finite number or nan");
+  EXPECT_EQ(error_of("0 0 1 i\n5 0 x i\n0 3 4 i\n5 3 4 i\n"), "grid.txt:1:7: found 'i', expected a finite number or nan");
 }
 
 TEST(GridLayouts, RepeatedPoints) {
@@ -354,6 +365,13 @@ TEST(EsriGrid, PlacesAreTheMiddlesOfCells) {
   EXPECT_TRUE(std::isnan(centres.height(0, 1)) && std::isnan(centres.height(1, 1)));
   EXPECT_EQ(note_of(cells, {{}, GridLayout::matrix}),
             "grid.txt: found an ASCII grid of ESRI or Surfer, whose layout is known, expected a file of numbers; leave out --layout and --xyz");
+}
+
+// GDAL writes nan for holes, and says so.
+TEST(EsriGrid, NanForNoHeight) {
+  const HeightGrid grid = grid_of("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value nan\n-nan 2\n3 4\n");
+  EXPECT_EQ(grid.heights[0], 3);
+  EXPECT_TRUE(std::isnan(grid.heights[2]));
 }
 
 TEST(EsriGrid, Damaged) {

@@ -53,6 +53,7 @@ TEST(ReadPoly, OffVariantsWithColoursAndNormals) {
   EXPECT_EQ(triangle("COFF", " 1 0 0 1"), plain);
   EXPECT_EQ(triangle("NOFF", " 0 0 1"), plain);
   EXPECT_EQ(triangle("STCNOFF", " 0 0 1 1 0 0 1 0 0"), plain);
+  EXPECT_EQ(triangle("NCOFF", " 255 0 0 255 0 0 1"), plain);  // MeshLab
 }
 
 TEST(ReadPoly, ObjectsComeBeforeGroups) {

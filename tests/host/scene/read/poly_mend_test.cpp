@@ -311,6 +311,50 @@ TEST(PolyMend, BoxesCutAnywhereStayBoxes) {
   EXPECT_GT(divided, 200U);
 }
 
+// A box at an angle: each side has vertices of its own on its edges, which the sides beside it do not have. The numbers have four
+// decimals, so that no side is planar: the triangles that it becomes leave no edge between vertices on one of its sides.
+TEST(PolyMend, SidesWithVerticesOfTheirOwnStayTogether) {
+  using Point = std::array<double, 3>;
+  std::mt19937 random(9);
+  for (int round = 0; round < 40; ++round) {
+    const double decimals = round % 2 == 0 ? 1e4 : 1;
+    const double scale = round % 2 == 0 ? 1 : 1e4;  // whole numbers, of a mesh of many units
+    const double angle = 0.3 + round * 0.1;
+    const auto place = [&](const Point& p) {
+      const Point q{std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2]};
+      Point r{q[0], std::cos(1.0) * q[1] - std::sin(1.0) * q[2], std::sin(1.0) * q[1] + std::cos(1.0) * q[2]};
+      for (double& c : r) c = std::round(c * scale * decimals) / decimals;
+      return r;
+    };
+    std::vector<Point> points;
+    Faces faces;
+    for (const auto& side : cube_faces) {
+      faces.emplace_back();
+      for (std::size_t i = 0; i < side.size(); ++i) {
+        const Point& from = cube_corners[side[i]];
+        const Point& to = cube_corners[side[(i + 1) % side.size()]];
+        const auto add = [&](double t) {
+          Point p{};
+          for (std::size_t a = 0; a < 3; ++a) p[a] = from[a] + t * (to[a] - from[a]);
+          faces.back().push_back(static_cast<VertexIndex>(points.size()));
+          points.push_back(place(p));
+        };
+        add(0);
+        const bool forwards = side[i] < side[(i + 1) % side.size()];
+        if (forwards && random() % 2 == 0) add(1.0 / 3);
+        if (forwards && random() % 2 == 0) add(3.0 / 7);
+        if (!forwards && random() % 2 == 0) add(0.2);
+      }
+    }
+    PolyMesh mesh = mesh_of(points, faces);
+    mesh.precision = decimals > 1 ? 1 / decimals : 0;
+    const PolyImport result = mended(std::move(mesh));
+    EXPECT_EQ(result.report.faces.sheets, 0U) << round;
+    EXPECT_EQ(result.report.faces.crowded_edges, 0U) << round;
+    EXPECT_EQ(result.scene.bodies.size(), 1U) << round;
+  }
+}
+
 // Corners a third of a step apart in the file, on neighbouring points of the grid: the cube is a solid. Where rounding loses nothing,
 // corners one step apart are what they are.
 TEST(PolyMend, CracksOfRoundingAreClosed) {

@@ -74,6 +74,22 @@ TEST(Stl, TextWithTwoSolids) {
   EXPECT_EQ(mesh->precision, 0.01);
 }
 
+// Written by %e, all numbers have as many digits, and the last one of the largest is coarser than those of the others. Where the
+// largest has fewer digits, zeros at its end were left out.
+TEST(Stl, PrecisionOfNumbersWithAnExponent) {
+  const auto precision = [](const std::string& large, const std::string& small) {
+    const std::string text = "solid\n" + facet("0 0 0", large + " 0 0", "0 " + small + " 0") + "endsolid\n";
+    return read_stl(text, "a.stl")->precision;
+  };
+  EXPECT_EQ(precision("1.778000e+02", "9.475650e+01"), 1e-4);
+  EXPECT_EQ(precision("177.800", "94.7565"), 1e-3);
+  EXPECT_EQ(precision("177.8", "94.7565"), 1e-4);
+  EXPECT_EQ(precision("123.456", "94.7565"), 1e-3);
+  EXPECT_EQ(precision("1.234567e+09", "9.5e+08"), 1e3);
+  EXPECT_EQ(precision("177", "94"), 0);
+  EXPECT_EQ(precision("1770000", "940000"), 1);  // rounded to whole numbers
+}
+
 TEST(Stl, EachKindOfDamageIsNamed) {
   const std::string whole = "solid s\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid s\n";
   EXPECT_EQ(stl_error(whole), "");
