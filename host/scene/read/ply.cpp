@@ -203,7 +203,7 @@ class PlyReader {
   void read_header() {
     // Old Macintosh programs end lines by CR alone. The byte behind the header may be an LF then, and belongs to the body.
     const std::size_t end = bytes_.find_first_of("\r\n");
-    if (end + 1 < bytes_.size() && bytes_[end] == '\r' && bytes_[end + 1] != '\n') line_end_ = '\r';
+    if (end != std::string_view::npos && end + 1 < bytes_.size() && bytes_[end] == '\r' && bytes_[end + 1] != '\n') line_end_ = '\r';
     const auto magic = header_line();
     if (!error_ && (magic.size() != 1 || magic[0] != "ply")) fail_at_line("found another text", "\"ply\"");
     bool format = false;

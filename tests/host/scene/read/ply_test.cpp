@@ -87,6 +87,7 @@ TEST(Ply, ColoursAreMaterialsAndOtherElementsAreNamed) {
 
 TEST(Ply, EachKindOfDamageIsNamed) {
   const std::string rows = "0 9 0 0\n3 9 0 0\n0 9 -3 0\n";
+  EXPECT_EQ(ply_error("ply"), "a.ply: line 1: found no end of the header, expected \"end_header\"") << "no line ends";
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\n"), "a.ply: line 3: found no end of the header, expected \"end_header\"");
   EXPECT_EQ(ply_error("ply\nformat ascii 2.0\nend_header\n").substr(0, 37), "a.ply: line 2: found another format, ");
   EXPECT_EQ(ply_error("ply\nelement vertex -3\n").substr(0, 26), "a.ply: line 2: found \"-3\",");
