@@ -144,10 +144,15 @@ std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper, const Hpgl
   for (std::uint32_t layer = 0; layer < drawing.layers.size(); ++layer) {
     for (const DrawingLine& line : drawing.lines) {
       if (line.layer != layer || line.count == 0) continue;
+      const auto first = place.at(drawing.points[line.first]);
+      const auto differs = [&](const DrawingPoint& p) { return place.at(p) != first; };
+      const auto points = drawing.points.begin() + static_cast<std::ptrdiff_t>(line.first);
+      // A line shorter than a unit is none; a dot is.
+      if (line.count > 1 && std::none_of(points, points + static_cast<std::ptrdiff_t>(line.count), differs)) continue;
       const int pen = pen_of_layer(layer, options);
       if (pen != held) base::append(text, "SP{};\n", pen);
       held = pen;
-      auto before = place.at(drawing.points[line.first]);
+      auto before = first;
       base::append(text, "{}{},{};\nPD", options.relative ? "PU;PA" : "PU", before[0], before[1]);
       std::size_t written = 0;
       for (std::uint32_t i = 1; i < line.count; ++i) {

@@ -3,7 +3,7 @@
 //
 // No time stamp, no host name: equal pictures give equal bytes. Text entries are tEXt chunks (Latin-1). Left
 // out: everything the program never writes (palettes, alpha, 16 bits, interlacing); the reader says so.
-// Source: PNG specification, second edition (ISO/IEC 15948), sections 5, 11.2.2 and 11.3.4.
+// Source: PNG specification, second edition (ISO/IEC 15948), sections 5, 11.2.2, 11.3.4 and 11.3.5.3.
 #pragma once
 
 #include <string>
@@ -26,7 +26,8 @@ struct PngFile {
   TextEntries text;
 };
 
-[[nodiscard]] base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text = {});
+// With `pixels_a_millimetre` the file says how large the image is on paper (chunk pHYs), rounded to pixels a metre.
+[[nodiscard]] base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text = {}, double pixels_a_millimetre = 0);
 [[nodiscard]] base::Result<base::Done> write_png(const std::string& path, const Image& image,
                                                  const TextEntries& text = {});
 

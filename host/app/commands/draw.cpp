@@ -112,7 +112,7 @@ std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& pr
   const auto seen = value_of(prepared.view(picture.camera, window), picture.source.name);
   const picture::Image image = picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene));
   const auto bytes = picture::encode_png(output.is_sheet() ? on_sheet(image, output) : image,
-                                         {{"Title", picture.source.name}, {"Software", "sightline"}});
+                                         {{"Title", picture.source.name}, {"Software", "sightline"}}, output.image.unit);
   if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
   file.write(std::span<const std::uint8_t>(*bytes));
   return seen.counts;

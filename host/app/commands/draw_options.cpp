@@ -441,7 +441,8 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& with_empty
   if (found.lines.empty() && found.facets.empty())
     warn(fmt::format("{}: the drawing is empty, nothing is in view", output.file));
   if (format == DrawingFormat::png) {
-    const auto bytes = picture::encode_png(image_on(with_dashes(found), output), {{"Title", title}, {"Software", "sightline"}});
+    const auto bytes = picture::encode_png(image_on(with_dashes(found), output), {{"Title", title}, {"Software", "sightline"}},
+                                           output.image.unit);
     if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
     file.write(std::span<const std::uint8_t>(*bytes));
     file.commit();

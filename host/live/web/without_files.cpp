@@ -17,7 +17,7 @@ Result<Bytes> read_file(const std::string& path, std::size_t) {
 
 namespace sightline::picture {
 
-base::Result<base::Bytes> encode_png(const Image&, const TextEntries&) {
+base::Result<base::Bytes> encode_png(const Image&, const TextEntries&, double) {
   return base::fail("no PNG files are written here; the page saves its own pictures");
 }
 

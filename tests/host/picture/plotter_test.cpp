@@ -177,9 +177,9 @@ TEST(Plotters, APointIsWrittenOnce) {
   VectorDrawing drawing;
   drawing.width = drawing.height = 100;
   drawing.layers = {{"visible", {}}};
-  // The second and the fourth are less than half a unit from those before them.
+  // The second and the fourth are less than half a unit from those before them; the second line is no line, the third a dot.
   drawing.points = {{1, 1}, {1.01F, 1}, {2, 1}, {2, 1.01F}, {2, 3}, {5, 5}, {5, 5.001F}};
-  drawing.lines = {{0, 0, 5}, {0, 5, 2}};
+  drawing.lines = {{0, 0, 5}, {0, 5, 2}, {0, 5, 1}};
   const Paper paper{100, 100, 0, 0.2};
   EXPECT_EQ(hpgl_of(drawing, paper), "IN;\nSP1;\nPU40,40;\nPD80,40,80,120;\nPU200,200;\nPD;\nPU;\nSP0;\n");
   EXPECT_EQ(hpgl_of(drawing, paper, {.relative = true}),

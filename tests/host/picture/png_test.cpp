@@ -32,6 +32,18 @@ std::string refusal(const base::Bytes& bytes) {
   return file ? "accepted" : file.error().message();
 }
 
+// ISO/IEC 15948, 11.3.5.3: pixels a metre across and up, each in four bytes, and 1 for the metre.
+TEST(Png, SaysHowLargeItIsOnPaper) {
+  const auto sheet = encode_png(noise(4, 3, 1), {}, 150 / 25.4);
+  ASSERT_TRUE(sheet);
+  const std::string bytes(sheet->begin(), sheet->end());
+  const std::size_t at = bytes.find("pHYs");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(bytes.substr(at + 4, 9), std::string("\0\0\x17\x12\0\0\x17\x12\1", 9)) << "5,906 pixels a metre";
+  const base::Bytes plain = encoded(noise(4, 3, 1));
+  EXPECT_EQ(std::string(plain.begin(), plain.end()).find("pHYs"), std::string::npos);
+}
+
 // A directory of its own for each test in the build tree, removed afterwards.
 class FileTest : public testing::Test {
  protected:
