@@ -58,7 +58,7 @@ struct EdgeImage {
 ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
                         const scene::PolyCamera& camera) {
   ImageSegment segment;
-  segment.line = image_line(piece.edge, scene, camera);
+  segment.line = in_lowest_terms(image_plane(piece.edge, scene, camera));
   const EdgeImage image(piece.edge, scene, camera);
   const Vector& a = image.ends[0];
   const Vector& b = image.ends[1];
@@ -80,20 +80,6 @@ std::array<std::int64_t, 4> image_plane(const LineEdge& edge, const scene::PolyS
   const Vector normal = camera.perspective ? cross(difference(a, camera.eye), difference(b, camera.eye))
                                            : cross(difference(b, a), vector_of(camera.forward));
   return {normal[0], normal[1], normal[2], camera.perspective ? 0 : dot(normal, vector_of(a))};
-}
-
-std::array<std::int64_t, 4> image_line(const LineEdge& edge, const scene::PolyScene& scene,
-                                       const scene::PolyCamera& camera) {
-  std::array<std::int64_t, 4> line = image_plane(edge, scene, camera);
-  std::uint64_t common = 0;
-  for (const std::int64_t part : line)
-    if (common != 1) common = geometry::common_divisor(common, static_cast<std::uint64_t>(part < 0 ? -part : part));
-  if (common == 0) return line;
-  auto divisor = static_cast<std::int64_t>(common);
-  const auto leading = std::find_if(line.begin(), line.end(), [](std::int64_t part) { return part != 0; });
-  if (*leading < 0) divisor = -divisor;
-  for (std::int64_t& part : line) part /= divisor;
-  return line;
 }
 
 ImageRatio image_coordinate(const LineEdge& edge, const Rational& parameter, std::size_t axis, const scene::PolyScene& scene,

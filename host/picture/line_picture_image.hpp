@@ -48,12 +48,26 @@ struct ImageSet {
   friend bool operator==(const ImageSet&, const ImageSet&) = default;
 };
 
-// The line of the image on which an edge lies: the plane as ImageSegment::line has it, but not in lowest terms, and in lowest
-// terms. The normal is zero if the edge is seen as a point.
+// The line of the image on which an edge lies: the plane that ImageSegment::line has in lowest terms. The normal is zero if the
+// edge is seen as a point.
 [[nodiscard]] std::array<std::int64_t, 4> image_plane(const LineEdge& edge, const scene::PolyScene& scene,
                                                       const scene::PolyCamera& camera);
-[[nodiscard]] std::array<std::int64_t, 4> image_line(const LineEdge& edge, const scene::PolyScene& scene,
-                                                     const scene::PolyCamera& camera);
+// The same plane, its numbers without a common divisor, the first that is not zero positive.
+template <class Integer>
+[[nodiscard]] std::array<Integer, 4> in_lowest_terms(std::array<Integer, 4> plane) {
+  geometry::Int128 common = 0;
+  for (const Integer part : plane)
+    if (common != 1) common = geometry::common_divisor(common, geometry::Int128{part});
+  if (common == 0) return plane;
+  auto divisor = static_cast<Integer>(common);
+  for (const Integer part : plane) {
+    if (part == 0) continue;
+    if (part < 0) divisor = -divisor;
+    break;
+  }
+  for (Integer& part : plane) part /= divisor;
+  return plane;
+}
 // Where the point of an edge with this parameter lies along right (axis 0) or up (1), as ImageSegment::low, but not in lowest
 // terms.
 [[nodiscard]] ImageRatio image_coordinate(const LineEdge& edge, const geometry::Rational& parameter, std::size_t axis,

@@ -28,16 +28,6 @@ double dot(const SightPoint& a, const scene::PolyPoint& b) {
 // A plane through the eye, so a line of the image: normal and offset, in lowest terms, the first that is not zero positive.
 using LineKey = std::array<Int128, 4>;
 
-LineKey lowest_terms(LineKey key) {
-  Int128 divisor = 0;
-  for (const Int128 part : key) divisor = geometry::common_divisor(divisor, part);
-  if (divisor == 0) return key;
-  const auto leading = std::find_if(key.begin(), key.end(), [](Int128 part) { return part != 0; });
-  if (*leading < 0) divisor = -divisor;
-  for (Int128& part : key) part /= divisor;
-  return key;
-}
-
 std::uint64_t hash_of(const LineKey& key) {
   std::uint64_t hash = 0;
   for (const Int128 part : key) {
@@ -120,7 +110,7 @@ class LineUnion {
 
   [[nodiscard]] LineKey key_of(const LineEdge& edge) const {
     if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene_, edge.from)) return crossing_key(*crossing);
-    const std::array<std::int64_t, 4> line = image_line(edge, scene_, camera_);
+    const std::array<std::int64_t, 4> line = in_lowest_terms(image_plane(edge, scene_, camera_));
     return {line[0], line[1], line[2], line[3]};
   }
 
@@ -128,7 +118,7 @@ class LineUnion {
   [[nodiscard]] LineKey crossing_key(const scene::PolyCrossing& crossing) const {
     const bool on_face = crossing.face_a == crossing.face_b;
     const geometry::Plane b = on_face ? scene_.cut_planes[crossing.plane] : plane_of(crossing.face_b);
-    if (on_face) return lowest_terms({b.normal[0], b.normal[1], b.normal[2], camera_.perspective ? 0 : b.offset});
+    if (on_face) return in_lowest_terms(LineKey{b.normal[0], b.normal[1], b.normal[2], camera_.perspective ? 0 : b.offset});
     const geometry::Plane a = plane_of(crossing.face_a);
     const geometry::Vector3 forward = geometry::vector_of(camera_.forward);
     const auto at_eye = [&](const geometry::Plane& plane) {
@@ -144,7 +134,7 @@ class LineUnion {
     LineKey key{};
     for (std::size_t i = 0; i < 3; ++i) key[i] = a.normal[i] * of_a - b.normal[i] * of_b;
     if (!camera_.perspective) key[3] = a.offset * of_a - b.offset * of_b;
-    return lowest_terms(key);
+    return in_lowest_terms(key);
   }
 
   [[nodiscard]] geometry::Plane plane_of(std::uint32_t face) const {

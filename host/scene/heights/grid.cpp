@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/base/result.hpp"
 
@@ -23,6 +24,14 @@ std::vector<double> normalised(std::vector<double> places, Interval domain) {
   const double half = domain.high / 2 - domain.low / 2;
   for (double& place : places) place = std::clamp((place - middle) / half, -1.0, 1.0);
   return places;
+}
+
+std::optional<std::vector<double>> positions_of(const std::vector<double>& ascending) {
+  const Interval domain{ascending.front(), ascending.back()};
+  if (!(domain.high / 2 - domain.low / 2 >= std::numeric_limits<double>::min())) return std::nullopt;
+  std::vector<double> positions = normalised(ascending, domain);
+  if (std::adjacent_find(positions.begin(), positions.end()) != positions.end()) return std::nullopt;
+  return positions;
 }
 
 Interval finite_range(const std::vector<double>& values) {

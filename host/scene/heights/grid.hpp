@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,9 @@ struct HeightGrid {
 
 // Ascending places of a domain, whose ends they have, in [-1, 1].
 [[nodiscard]] std::vector<double> normalised(std::vector<double> places, Interval domain);
+
+// The same of their own range. None: two of them come to the same.
+[[nodiscard]] std::optional<std::vector<double>> positions_of(const std::vector<double>& ascending);
 
 // The least and the greatest finite value. {0, 0} if there is none.
 [[nodiscard]] Interval finite_range(const std::vector<double>& values);

@@ -10,10 +10,35 @@
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
-#include "host/scene/heights/places.hpp"
 
 namespace sightline::scene {
 namespace {
+
+// Places of heights along one axis, each once, ascending. Places nearer to each other than 10^-9 of all are one, written with
+// different rounding.
+class Places {
+ public:
+  // Finite, at least one.
+  explicit Places(std::vector<double> values) {
+    constexpr double same_place = 1e-9;
+    std::sort(values.begin(), values.end());
+    // Halves, since a difference may be beyond the greatest double.
+    const double extent = values.back() / 2 - values.front() / 2;
+    for (const double value : values)
+      if (places_.empty() || value / 2 - places_.back() / 2 > same_place * extent) places_.push_back(value);
+  }
+
+  [[nodiscard]] const std::vector<double>& all() const { return places_; }
+  [[nodiscard]] std::size_t count() const { return places_.size(); }
+  [[nodiscard]] Interval domain() const { return {places_.front(), places_.back()}; }
+  // Of the place that this value is at; one of the constructor's values.
+  [[nodiscard]] std::size_t index(double value) const {
+    return static_cast<std::size_t>(std::upper_bound(places_.begin(), places_.end(), value) - places_.begin()) - 1;
+  }
+
+ private:
+  std::vector<double> places_;
+};
 
 constexpr const char* parametric = "parametric surfaces are not read";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/scene/heights/places.hpp"
 
 namespace sightline::scene {
 namespace {

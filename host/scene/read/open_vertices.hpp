@@ -61,7 +61,7 @@ class OpenVertices {
 
   // Those of the edge's body, but its own ends, that are between `from` and `to`, its ends in the file, and at most
   // `tolerance` from the line. In the order in which the edge passes them. `step` is that of the grid; `work` goes up by the
-  // number of boxes and points that are looked at.
+  // number of boxes and points that are tried.
   [[nodiscard]] std::vector<VertexIndex> on_edge(const OpenEdge& edge, const FilePoint& from, const FilePoint& to,
                                                  double tolerance, double step, std::size_t& work) const;
 

@@ -9,7 +9,7 @@
 // that no crack opens; other faces without area are left out.
 //
 // What is still open is closed as far as the numbers of the file say that it is meant to be. Edges that only one face of a
-// body of the file has are open; no others are looked at. Ends of open edges that are less than a step apart in the file,
+// body of the file has are open; no others are changed. Ends of open edges that are less than a step apart in the file,
 // and that rounding put on neighbouring points, become one, the nearest first; no group of them is wider than a step,
 // so that fine detail does not shrink to a point. Nothing is joined if rounding lost nothing. Then an open edge that
 // the file says an end of another open edge of the body is on, within `tolerance`, is divided there, if a part of it then is

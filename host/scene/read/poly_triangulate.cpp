@@ -156,7 +156,7 @@ std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
 
 namespace {
 
-// Of the face looked at along an axis, in whose direction its area is not 0.
+// Of the face seen along an axis, in whose direction its area is not 0.
 std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate_along(std::size_t axis, bool turned,
                                                                          const std::vector<PolyPoint>& vertices,
                                                                          const PolyFace& face) {

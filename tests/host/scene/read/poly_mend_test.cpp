@@ -118,17 +118,22 @@ TEST(PolyMend, AnOpenPartIsASheetAndAMoebiusBandHasOneSide) {
   EXPECT_EQ(mended(mesh_of(points, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}})).report.faces.one_sided, 1U);
 }
 
-TEST(PolyMend, VerticesOnOnePointAndNearEachOther) {
-  // Every face with corners of its own, as STL has them.
-  std::vector<std::array<double, 3>> points;
-  Faces faces;
+// A cube every face of which has corners of its own, as STL has them, moved along an axis by `apart`: by turns along x, y and z.
+void add_loose_cube(double apart, std::vector<std::array<double, 3>>& points, Faces& faces) {
   for (const auto& face : cube_faces) {
     faces.emplace_back();
     for (const VertexIndex v : face) {
       faces.back().push_back(static_cast<VertexIndex>(points.size()));
       points.push_back(cube_corners[v]);
+      points.back()[faces.size() % 3] += apart;
     }
   }
+}
+
+TEST(PolyMend, VerticesOnOnePointAndNearEachOther) {
+  std::vector<std::array<double, 3>> points;
+  Faces faces;
+  add_loose_cube(0, points, faces);
   const PolyImport joined = mended(mesh_of(points, faces));
   EXPECT_EQ(joined.report.faces.merged_vertices, 16U);
   EXPECT_FALSE(joined.scene.bodies.at(0).sheet);
@@ -381,14 +386,7 @@ TEST(PolyMend, CracksOfRoundingAreClosed) {
 TEST(PolyMend, ADistanceThatHelpsIsNamed) {
   std::vector<std::array<double, 3>> points;
   Faces faces;
-  for (const auto& face : cube_faces) {
-    faces.emplace_back();
-    for (const VertexIndex v : face) {
-      faces.back().push_back(static_cast<VertexIndex>(points.size()));
-      points.push_back(cube_corners[v]);
-      points.back()[faces.size() % 3] += 0.01;
-    }
-  }
+  add_loose_cube(0.01, points, faces);
   const PolyImport open = mended(mesh_of(points, faces));
   EXPECT_GT(open.report.faces.sheets, 0U);
   EXPECT_EQ(open.report.faces.helpful_weld, 0.02);  // corners are 0.01 or 0.0141 apart
