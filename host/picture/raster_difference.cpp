@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "host/picture/overlay.hpp"
@@ -49,6 +50,24 @@ class NearestLit {
   std::vector<std::int32_t> in_column_;  // points to the nearest lit one above, below or here
 };
 
+// Most points that are apart have a lit one this near, which is found without looking at the whole grid.
+constexpr int beside = 4;
+
+// Squared; empty if there is none within `beside` points in both directions.
+std::optional<std::int64_t> squared_beside(const PixelGrid& grid, int column, int row) {
+  std::optional<std::int64_t> nearest;
+  for (int y = std::max(row - beside, 0); y <= std::min(row + beside, grid.height - 1); ++y) {
+    for (int x = std::max(column - beside, 0); x <= std::min(column + beside, grid.width - 1); ++x) {
+      if (grid.at(x, y) == 0) continue;
+      const std::int64_t right = x - column;
+      const std::int64_t up = y - row;
+      nearest = std::min(nearest.value_or(std::numeric_limits<std::int64_t>::max()), right * right + up * up);
+    }
+  }
+  // One outside may be nearer than a corner.
+  return nearest && *nearest <= beside * beside ? nearest : std::nullopt;
+}
+
 // One direction: from the lit points of one set to the other.
 struct Direction {
   std::uint64_t lit = 0;
@@ -71,14 +90,19 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
     direction.distance = {infinite, infinite};
     return direction;
   }
-  const NearestLit nearest(to);
+  std::optional<NearestLit> nearest;  // once it is needed
   std::vector<std::int64_t> squares;  // of the points that are apart
   squares.reserve(direction.apart.all);
   for (int row = 0; row < from.height; ++row) {
     for (int column = 0; column < from.width; ++column) {
       const std::size_t i = from.index(column, row);
       if (from.values[i] == 0 || to.values[i] != 0) continue;
-      squares.push_back(nearest.squared(column, row));
+      auto square = squared_beside(to, column, row);
+      if (!square) {
+        if (!nearest) nearest.emplace(to);
+        square = nearest->squared(column, row);
+      }
+      squares.push_back(*square);
       direction.apart.beyond_1 += squares.back() > 1 ? 1U : 0U;
       direction.apart.beyond_2 += squares.back() > 4 ? 1U : 0U;
     }

@@ -2,8 +2,9 @@
 //
 // What a device shows is a set of points: the flashes of a display, the dots of a raster, the places of a pen that is
 // down. The truth is rasterized by the device's own rule (host/compare/device_raster.hpp), so what differs here is no
-// matter of the device. pixel_metrics.hpp compares numbers of faces, and apart near edges; overlay.hpp draws a difference with a title and a
-// legend in units of its own; here only lit and dark count, distances are measured, and the picture has a pixel a point.
+// matter of the device. pixel_metrics.hpp compares numbers of faces, and counts apart near edges; overlay.hpp draws a
+// difference with a title and a legend in units of its own; here only lit and dark count, distances are measured, and
+// the picture has a pixel a point.
 //
 // The distance of a point is the Euclidean one to the nearest lit point of the other set, points of the screen being
 // 1 apart; it is found in whole numbers, squared. "Beyond 1" and "beyond 2" are greater than 1 and 2: the point beside is
@@ -47,8 +48,8 @@ struct RasterDifference {
 // What is not 0 is lit. Both of the same size (precondition).
 [[nodiscard]] RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& drawn);
 
-// The difference in three colours on white, `pixels` pixels a point each way, at least 1; the top row first: lit in both grey, missing
-// orange, extra blue (difference_colours). Both of the same size (precondition).
+// The difference in three colours on white, a point being `pixels` pixels wide and high, at least 1: lit in both grey,
+// missing orange, extra blue (difference_colours). Both of the same size (precondition).
 [[nodiscard]] Image difference_image(const PixelGrid& truth, const PixelGrid& drawn, int pixels = 1);
 
 }  // namespace sightline::picture

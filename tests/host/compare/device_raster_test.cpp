@@ -57,7 +57,8 @@ TEST(Type340Points, AreThoseOfTheRateMultiplier) {
 
 TEST(Type340Points, AreOnTheScreen) {
   EXPECT_EQ(lit(type340_points(std::vector<PixelSegment>{{{-3, 0}, {1, 0.2}}})), (Places{{0, 0}, {1, 0}}));
-  EXPECT_EQ(lit(type340_points(std::vector<PixelSegment>{{{1022.6, 1023.7}, {1022, 1023}}})), (Places{{1022, 1023}, {1023, 1023}}));
+  EXPECT_EQ(lit(type340_points(std::vector<PixelSegment>{{{1022.6, 1023.7}, {1022, 1023}}})),
+            (Places{{1022, 1023}, {1023, 1023}}));
 }
 
 TEST(Type340Points, ALineOfNoLength) {
@@ -171,7 +172,8 @@ TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
 }
 
 TEST(LinesAsDrawn, TakesPiecesForWhatIsSeen) {
-  const std::vector<picture::ReferenceLine> lines{{7, {{0, 0}, {10, 0}}, {{0, 1}}, {{0, 1}}}, {9, {{0, 0}, {0, 8}}, {{0, 1}}, {{0, 1}}}};
+  const std::vector<picture::ReferenceLine> lines{{7, {{0, 0}, {10, 0}}, {{0, 1}}, {{0, 1}}},
+                                                  {9, {{0, 0}, {0, 8}}, {{0, 1}}, {{0, 1}}}};
   const std::vector<picture::DrawnPiece> pieces{{7, {{5, 0.1}, {2, 0}}}, {7, {{4, 0}, {6, 0}}}, {8, {{0, 0}, {1, 1}}}};
   const auto drawn = lines_as_drawn(lines, pieces);
   ASSERT_EQ(drawn.size(), 2U);
@@ -187,7 +189,8 @@ TEST(StripesPenPoints, AreThoseOfTheProgram) {
   const scene::PolyScene scene = scene::poly_scene_of(scene::builtin_scene("roberts"));
   guests::stripes::View view;
   view.camera = scene.camera;
-  const auto drawn = session.draw(scene, view, {guests::stripes::Output::vector, guests::stripes::Computer::host, guests::stripes::Computer::host});
+  constexpr auto host = guests::stripes::Computer::host;
+  const auto drawn = session.draw(scene, view, {guests::stripes::Output::vector, host, host});
   ASSERT_TRUE(drawn) << drawn.error().message();
   const PixelGrid shown = points_of(guests::stripes::pen_paths(drawn->picture.guest.commands));
   EXPECT_GT(lit(shown).size(), 300U);
