@@ -145,10 +145,11 @@ std::string guest_text(const compare::GuestCheck& guest) {
 std::string turn_text(const compare::TurnCheck& turn) {
   if (!turn.difference.empty()) return "turn on the PDP-7 differs: " + turn.difference + "\n";
   return fmt::format(
-      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact{}\n",
+      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact{}; by points, missing {} and extra {}, beyond 1 point {} and {}\n",
       turn.words, seconds(turn.time) * 1e3, turn.flashes, turn.angle * 360.0 / (1 << 18), turn.distance.greatest, turn.distance.usual,
       turn.agrees() ? fmt::format("; its words explain up to {:.2f}", turn.bound)
-                    : fmt::format(": MORE THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound));
+                    : fmt::format(": MORE THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound),
+      turn.raster.missing.all, turn.raster.extra.all, turn.raster.missing.beyond_1, turn.raster.extra.beyond_1);
 }
 
 std::string reasons_text(const std::vector<std::pair<std::string, std::string>>& reasons) {
@@ -339,6 +340,7 @@ Json compare_json(const SceneComparison& comparison) {
                         {"flashes", turn.flashes},
                         {"hausdorff", turn.distance.greatest},
                         {"hausdorff_bound", turn.bound},
+                        {"raster", raster_json(turn.raster)},
                         {"hausdorff_99_9", turn.distance.usual}};
   }
   document["not_compared"] = reasons_json(comparison.not_applicable);
