@@ -105,8 +105,9 @@ std::string dots_text(const HeightComparison& comparison) {
   }
   if (length > 0) text += fmt::format("dots against the unrounded lines between samples, {:.1f} px\n", length) + unrounded.text();
   if (comparison.view.picture == guests::skala::PictureKind::lines)
-    text += comparison.chord ? fmt::format("  chord error: the function itself is up to {:.2f} px from these lines\n", comparison.chord->greatest)
-                             : std::string("  chord error: none, there is nothing between the samples\n");
+    text += comparison.chord
+                ? fmt::format("  chord error: the function itself is up to {:.2f} px from these lines\n", comparison.chord->greatest)
+                : std::string("  chord error: none, there is nothing between the samples\n");
   TextTable devices({-15, 9, 9, 9, 9, 9, 9, 9, 9, 12});
   devices.row({"", "missing", ">1", ">2", "extra", ">1", ">2", "H px", "99.9 %", "drawn in s"});
   for (const compare::ComparedDevice& row : comparison.devices) {
@@ -151,7 +152,8 @@ std::string guest_text(const compare::GuestCheck& guest) {
 std::string turn_text(const compare::TurnCheck& turn) {
   if (!turn.difference.empty()) return "turn on the PDP-7 differs: " + turn.difference + "\n";
   return fmt::format(
-      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact{}; by points, missing {} and extra {}, beyond 1 point {} and {}\n",
+      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, "
+      "from exact{}; by points, missing {} and extra {}, beyond 1 point {} and {}\n",
       turn.words, seconds(turn.time) * 1e3, turn.flashes, turn.angle * 360.0 / (1 << 18), turn.distance.greatest, turn.distance.usual,
       turn.agrees() ? fmt::format("; its words explain up to {:.2f}", turn.bound)
                     : fmt::format(": MORE THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound),

@@ -225,8 +225,10 @@ TEST(ChordError, IsThatOfWhatIsSeen) {
   const scene::HeightGrid grid = sampler({5, 5});
   const HeightLines lines(grid, view);
   double behind = 0;
-  for (std::size_t i = 0; i < lines.lines().size(); ++i)
-    if ((*lines.sides()[i])[0].slice == 4 && (*lines.sides()[i])[1].slice == 4) behind += picture::total(lines.lines()[i].visible);
+  for (std::size_t i = 0; i < lines.lines().size(); ++i) {
+    const auto& [from, to] = *lines.sides()[i];
+    if (from.slice == 4 && to.slice == 4) behind += picture::total(lines.lines()[i].visible);
+  }
   ASSERT_EQ(behind, 0) << "the last slice is behind the wall";
   const auto error = chord_error(lines, grid, view, sampler);
   ASSERT_TRUE(error);
