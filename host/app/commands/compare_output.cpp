@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -84,6 +85,10 @@ void add_points(TextTable& table, const std::string& name, const PixelMetrics& m
              std::to_string(m.extra_far)});
 }
 
+double skala_seconds(core::TStates time) {
+  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
+}
+
 // Dots against truths that do not share the rounding of the programs, or share it knowingly.
 std::string dots_text(const HeightComparison& comparison) {
   std::string text;
@@ -100,20 +105,22 @@ std::string dots_text(const HeightComparison& comparison) {
   }
   if (length > 0) text += fmt::format("dots against the unrounded lines between samples, {:.1f} px\n", length) + unrounded.text();
   if (comparison.view.picture == guests::skala::PictureKind::lines)
-    text += comparison.chord ? fmt::format("  chord error: the function itself is up to {:.2f} px from these lines\n", comparison.chord->greatest)
-                             : std::string("  chord error: none, there is nothing between the samples\n");
-  TextTable native({-15, 9, 9, 9, 9, 9, 9, 9, 9});
-  native.row({"", "missing", ">1", ">2", "extra", ">1", ">2", "H px", "99.9 %"});
-  bool any = false;
-  for (const ComparedRaster& row : comparison.rasters) {
-    if (!row.from_native) continue;
-    any = true;
-    const picture::RasterDifference& d = *row.from_native;
-    native.row({"  " + row.name, std::to_string(d.missing.all), std::to_string(d.missing.beyond_1), std::to_string(d.missing.beyond_2),
-                std::to_string(d.extra.all), std::to_string(d.extra.beyond_1), std::to_string(d.extra.beyond_2),
-                distance_text(d.hausdorff.greatest), distance_text(d.hausdorff.usual)});
+    text += comparison.chord
+                ? fmt::format("  chord error: the function itself is up to {:.2f} px from these lines\n", comparison.chord->greatest)
+                : std::string("  chord error: none, there is nothing between the samples\n");
+  TextTable devices({-15, 9, 9, 9, 9, 9, 9, 9, 9, 12});
+  devices.row({"", "missing", ">1", ">2", "extra", ">1", ">2", "H px", "99.9 %", "drawn in s"});
+  for (const compare::ComparedDevice& row : comparison.devices) {
+    const picture::RasterDifference& d = row.raster;
+    devices.row({"  " + std::string(row.name), std::to_string(d.missing.all), std::to_string(d.missing.beyond_1),
+                 std::to_string(d.missing.beyond_2), std::to_string(d.extra.all), std::to_string(d.extra.beyond_1),
+                 std::to_string(d.extra.beyond_2), distance_text(d.hausdorff.greatest), distance_text(d.hausdorff.usual),
+                 fmt::format("{:.3f}", skala_seconds(row.time))});
+    if (!row.difference.empty()) devices.line(fmt::format("{}: guest and twin differ: {}", row.name, row.difference));
   }
-  return any ? text + "dots against the native drawing by the program's own rule\n" + native.text() : text;
+  if (!comparison.devices.empty())
+    text += "dots of the guest on each device against exact lines by the program's own rule\n" + devices.text();
+  return text;
 }
 
 std::string faces_text(const SceneComparison& comparison) {
@@ -145,7 +152,8 @@ std::string guest_text(const compare::GuestCheck& guest) {
 std::string turn_text(const compare::TurnCheck& turn) {
   if (!turn.difference.empty()) return "turn on the PDP-7 differs: " + turn.difference + "\n";
   return fmt::format(
-      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact{}; by points, missing {} and extra {}, beyond 1 point {} and {}\n",
+      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, "
+      "from exact{}; by points, missing {} and extra {}, beyond 1 point {} and {}\n",
       turn.words, seconds(turn.time) * 1e3, turn.flashes, turn.angle * 360.0 / (1 << 18), turn.distance.greatest, turn.distance.usual,
       turn.agrees() ? fmt::format("; its words explain up to {:.2f}", turn.bound)
                     : fmt::format(": MORE THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound),
@@ -179,6 +187,12 @@ picture::OverlayCaption lines_caption(const std::string& title, const LineMetric
 picture::OverlayCaption points_caption(const std::string& title, const PixelMetrics& m) {
   return {title, fmt::format("agreed {} points", m.lit - m.missing - (m.different() - m.missing - m.extra)),
           fmt::format("missing {}", m.missing), fmt::format("extra {}", m.different() - m.missing)};
+}
+
+// Without the numbers of what is seen.
+picture::PixelGrid lit_only(picture::PixelGrid grid) {
+  for (std::uint32_t& value : grid.values) value = value != 0 ? 1 : 0;
+  return grid;
 }
 
 std::string overlay_base(const std::string& directory, const std::string& scene, const std::string& name) {
@@ -298,10 +312,9 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
     text +=
         fmt::format("as lines, of which {:.1f} px are seen\n", vectors.metrics.true_length) + lines.text();
   }
-  text += comparison.agrees()
+  text += comparison.guest_difference.empty()
               ? fmt::format("guest and twin: identical in every dot and mask; drawn in {:.3f} s\n",
-                            static_cast<double>(comparison.guest_time.count()) /
-                                static_cast<double>(core::ClockRate{}.hertz))
+                            skala_seconds(comparison.guest_time))
               : "guest and twin differ: " + comparison.guest_difference + "\n";
   return text;
 }
@@ -371,7 +384,17 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
     else
       document["vectors"] = std::move(object);
   }
-  document["guest"] = {{"identical_to_twin", comparison.agrees()},
+  document["devices"] = Json::array();
+  for (const compare::ComparedDevice& device : comparison.devices) {
+    Json row{{"name", device.name},
+             {"identical_to_twin", device.difference.empty()},
+             {"difference", device.difference},
+             {"t_states", device.time.count()},
+             {"raster", raster_json(device.raster)}};
+    if (device.unrounded) row["unrounded"] = unrounded_json(*device.unrounded);
+    document["devices"].push_back(std::move(row));
+  }
+  document["guest"] = {{"identical_to_twin", comparison.guest_difference.empty()},
                        {"difference", comparison.guest_difference},
                        {"t_states", comparison.guest_time.count()}};
   return document;
@@ -413,6 +436,20 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
     write_overlay(overlay_base(directory, name, compared.name),
                   picture::overlay_of(compared.truth.value_or(comparison.truth), compared.grid, caption),
                   title, paths);
+  }
+  for (const compare::ComparedDevice& device : comparison.devices) {
+    // Boards show the same dots, plotters too: one picture of each.
+    const compare::ComparedDevice& first = *std::find_if(
+        comparison.devices.begin(), comparison.devices.end(),
+        [&](const compare::ComparedDevice& other) { return other.dots == device.dots && other.truth == device.truth; });
+    if (&first != &device) continue;
+    const picture::RasterDifference& d = device.raster;
+    const std::string title = fmt::format("{}, {}: dots of the guest, {}, against exact lines by its rule", name,
+                                          picture_name(comparison.view.picture), device.name);
+    const picture::OverlayCaption caption{title, fmt::format("agreed {} points", d.lit_in_truth - d.missing.all),
+                                          fmt::format("missing {}", d.missing.all), fmt::format("extra {}", d.extra.all)};
+    write_overlay(overlay_base(directory, name, std::string(device.name) + " dots"),
+                  picture::overlay_of(lit_only(device.truth), device.dots, caption), title, paths);
   }
   for (const ComparedVectors& vectors : comparison.vectors) {
     const std::string title = fmt::format("{}, {}: {} against what is truly seen of them", name,
