@@ -46,6 +46,9 @@ struct MethodView {
 [[nodiscard]] std::vector<MethodView> method_views(const SceneComparison& comparison);
 [[nodiscard]] std::vector<MethodView> method_views(const HeightComparison& comparison);
 
+// "skala-8080" for what methods of height grids call guest, "skala-twin" for twin, "skala" for native.
+[[nodiscard]] std::string height_method_name(std::string_view name);
+
 // As one object; without host times unless there are any. The raster difference is left out of what is read back.
 [[nodiscard]] base::Json json_of(const MethodView& view);
 // Empty if it is no such object.

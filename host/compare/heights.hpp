@@ -63,6 +63,7 @@ struct HeightComparison {
   std::optional<ChordError> chord;  // of lines; nothing: there is nothing between the samples
   std::string guest_difference;  // from its twin; empty: identical in every dot, mask and status
   core::TStates guest_time{};
+  std::optional<double> native_seconds{};  // of the native drawing here, if asked for: the median of repeated ones
   std::vector<ComparedDevice> devices{};  // of compare_devices(); compare_heights() leaves them out
 
   [[nodiscard]] bool agrees() const {
@@ -80,6 +81,6 @@ struct HeightComparison {
 [[nodiscard]] HeightComparison compare_heights(
     const scene::HeightGrid& grid, const guests::skala::View& view,
     const std::function<void(std::string_view)>& progress = [](std::string_view) {},
-    const HeightSampler& sampler = {});
+    const HeightSampler& sampler = {}, bool host_times = false);
 
 }  // namespace sightline::compare
