@@ -147,7 +147,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     }
     refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
     refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
-    return compare::compare_poly_scene(source.scene, camera_of(arguments.camera, source.scene, name), progress);
+    return compare::compare_poly_scene(source.scene, camera_of(arguments.camera, source.scene, name), {}, progress);
   };
   compare::SceneComparison comparison = value_of(compare_it(), name);
   if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();

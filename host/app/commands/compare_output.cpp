@@ -182,7 +182,7 @@ Json metrics_json(const LineMetrics& m) {
 }
 
 Json line_json(const ComparedPicture& compared) {
-  Json row{{"name", compared.name}, {"measured", compared.what}};
+  Json row{{"name", compared.name}, {"rounding", compared.rounding}};
   if (compared.identical) row["equal_to_oracle"] = *compared.identical;
   row.update(metrics_json(compared.metrics));
   return row;
