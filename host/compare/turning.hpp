@@ -86,6 +86,7 @@ struct TurnCheck {
   picture::HausdorffDistance distance;  // of the flashes and the exact lines, in points of the display
   double bound = 0;                     // of the greatest
   std::string difference;  // from the twin, or of the structure from the exact pieces; empty: identical
+  picture::LineMetrics metrics{};  // of its pieces on the exact edges, in points of the display; without the distance
 
   // The machine does what its words can.
   [[nodiscard]] bool agrees() const { return difference.empty() && distance.greatest <= bound; }
