@@ -89,10 +89,39 @@ MethodView method_view(const TurnCheck& turn) {
   view.far = turn.metrics.missing_far + turn.metrics.extra_far;
   view.greatest = finite(turn.distance.greatest);
   view.emulated_seconds = core::in_seconds(turn.time);
+  view.raster = turn.raster;
   if (!turn.difference.empty())
     view.defect = turn.difference;
   else if (!turn.agrees())
     view.defect = "farther from the exact lines than its words explain";
+  return view;
+}
+
+// Methods of height grids have short names among themselves.
+std::string_view height_method(std::string_view name) {
+  if (name == "guest") return "skala-8080";
+  if (name == "twin") return "skala-twin";
+  return "skala";
+}
+
+MethodView method_view(const ComparedRaster& row) {
+  MethodView view;
+  view.method = height_method(row.name);
+  view.picture = "dots";
+  view.rounding = row.rounding;
+  view.raster = row.from_native;
+  if (row.unrounded) {
+    view.unit = "px";
+    view.all = row.unrounded->length;
+    view.far = static_cast<double>(row.unrounded->dots_beyond_1) + row.unrounded->length_beyond_1;
+    view.wrong = view.far;
+    view.greatest = finite(row.unrounded->hausdorff.greatest);
+    return view;
+  }
+  view.unit = "dots";
+  view.all = static_cast<double>(row.metrics.lit);
+  view.wrong = static_cast<double>(row.metrics.missing + row.metrics.extra);
+  view.far = static_cast<double>(row.metrics.missing_far + row.metrics.extra_far);
   return view;
 }
 
@@ -128,6 +157,31 @@ std::vector<MethodView> method_views(const SceneComparison& comparison) {
   return views;
 }
 
+std::vector<MethodView> method_views(const HeightComparison& comparison) {
+  std::vector<MethodView> views;
+  for (const ComparedRaster& row : comparison.rasters) {
+    // Of a native drawing of lines the lines are measured, not dots made of them.
+    const bool native = height_method(row.name) == "skala";
+    if (native && !comparison.vectors.empty()) continue;
+    MethodView& view = views.emplace_back(method_view(row));
+    if (row.name == "guest") {
+      view.defect = comparison.guest_difference;
+      view.emulated_seconds = static_cast<double>(comparison.guest_time.count()) / static_cast<double>(core::ClockRate{}.hertz);
+    }
+  }
+  for (const ComparedVectors& row : comparison.vectors) {
+    ComparedPicture lines;
+    lines.name = "skala";
+    lines.rounding = not_rounded;
+    lines.metrics = row.metrics;
+    views.push_back(method_view(lines));
+  }
+  for (MethodView& view : views) {
+    if (comparison.chord) view.chord = comparison.chord->greatest;
+  }
+  return views;
+}
+
 base::Json json_of(const MethodView& view) {
   Json object{{"method", view.method}, {"picture", view.picture}, {"rounding", view.rounding}, {"unit", view.unit},
               {"all", view.all},       {"wrong", view.wrong},     {"far", view.far}};
@@ -139,6 +193,7 @@ base::Json json_of(const MethodView& view) {
   if (view.read) object["read"] = *view.read;
   if (view.of_all) object["of_all"] = *view.of_all;
   if (view.read) object["what"] = view.what;
+  if (view.chord) object["chord"] = *view.chord;
   if (view.raster) {
     const auto apart = [](const picture::PointsApart& points) {
       return Json{{"all", points.all}, {"beyond_1", points.beyond_1}, {"beyond_2", points.beyond_2}};
@@ -168,6 +223,7 @@ std::optional<MethodView> method_view_of(const base::Json& object) {
     view.*member = *number;
   }
   view.greatest = at(object, "greatest", &Json::number);
+  view.chord = at(object, "chord", &Json::number);
   view.exact = at(object, "exact", &Json::boolean);
   view.emulated_seconds = at(object, "emulated_s", &Json::number);
   view.host_seconds = at(object, "host_s", &Json::number);
@@ -218,6 +274,7 @@ std::vector<AnswerRow> Answer::rows() const {
     row.emulated_seconds = spread([](const MethodView& view) { return view.emulated_seconds; });
     row.host_seconds = spread([](const MethodView& view) { return view.host_seconds; });
     row.read = spread([](const MethodView& view) { return view.read ? std::optional(static_cast<double>(*view.read)) : std::nullopt; });
+    if (const auto chord = spread([](const MethodView& view) { return view.chord; })) row.chord = chord->greatest;
     double worst = -1;
     for (const auto& [number, view] : views) {
       row.right += view.right() ? 1 : 0;

@@ -36,6 +36,7 @@ struct MethodView {
   std::optional<std::uint64_t> read;       // of the scene: so many
   std::optional<std::uint64_t> of_all;     // of so many
   std::string what;                        // "cells", "faces", "pairs"
+  std::optional<double> chord{};           // of a sampled function: how far its curve is from the lines between samples, in points
   std::optional<picture::RasterDifference> raster{};  // the device's points against exact ones by the device's rule
 
   // Exact, or nothing of it is farther than a point from what is right.
@@ -73,6 +74,7 @@ struct AnswerRow {
   std::optional<std::uint64_t> of_all;
   std::string what;
   bool exact = false;                // an exact method
+  std::optional<double> chord;       // the greatest
   std::string defect;                // the first
   std::uint64_t worst_view = 0;      // the number of the view with the greatest wrong share, the first of such
 };

@@ -216,6 +216,13 @@ std::vector<PixelSegment> divided_as(std::span<const PixelSegment> lines, std::s
   return divided;
 }
 
+ComparedFlashes compare_flashes(std::span<const PixelSegment> exact, std::span<const PixelSegment> pieces,
+                                std::span<const core::Stroke> pass) {
+  ComparedFlashes compared{type340_points(divided_as(exact, pieces)), points_of(pass), {}};
+  compared.difference = picture::raster_difference(compared.truth, compared.shown);
+  return compared;
+}
+
 std::vector<PixelSegment> visible_segments(std::span<const ReferenceLine> lines) {
   std::vector<PixelSegment> segments;
   for (const ReferenceLine& line : lines)

@@ -24,6 +24,7 @@
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pen_path.hpp"
 #include "host/picture/pixel_metrics.hpp"
+#include "host/picture/raster_difference.hpp"
 #include "host/picture/stroke_sinks.hpp"
 
 namespace sightline::compare {
@@ -48,6 +49,17 @@ enum class LongLines : std::uint8_t { jones, turn };
 // The lines, each divided where pieces of a program's drawing that lie on it, by `near` points at most, begin and end.
 [[nodiscard]] std::vector<picture::PixelSegment> divided_as(std::span<const picture::PixelSegment> lines,
                                                             std::span<const picture::PixelSegment> pieces, double near = 1);
+
+struct ComparedFlashes {
+  picture::PixelGrid truth;
+  picture::PixelGrid shown;
+  picture::RasterDifference difference;
+};
+// The flashes of one pass of Jones's program against exact lines by its rule, divided where the program's pieces (before or after
+// their rounding) are; all in points of the display.
+[[nodiscard]] ComparedFlashes compare_flashes(std::span<const picture::PixelSegment> exact,
+                                              std::span<const picture::PixelSegment> pieces,
+                                              std::span<const core::Stroke> pass);
 
 // What is seen of the lines.
 [[nodiscard]] std::vector<picture::PixelSegment> visible_segments(std::span<const picture::ReferenceLine> lines);

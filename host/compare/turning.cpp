@@ -17,6 +17,7 @@
 #include "host/algorithms/plantinga/rotation_model.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/compare/device_raster.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/guests/turn/guest.hpp"
 #include "host/guests/turn/precision.hpp"
@@ -278,9 +279,14 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
   if (!prepared) return prepared.error();
   const auto view = prepared->view(shown->camera);
   if (!view) return view.error();
-  TurnCheck check{angle, shown->words, shown->time, shown->flashes.size(), {}, shown->flash_bound, shown->difference};
+  TurnCheck check{angle, shown->words, shown->time, shown->flashes.size(), {}, shown->flash_bound, {}, shown->difference};
   if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);
-  check.distance = picture::hausdorff_distance(turning->on_screen(view->picture, angle), shown->flashes);
+  picture::PixelGrid flashed(picture::screen_points, picture::screen_points);
+  for (const picture::PixelSegment& flash : shown->flashes)
+    flashed.set(static_cast<int>(flash.a.x), static_cast<int>(flash.a.y), 1);
+  const auto exact_lines = turning->on_screen(view->picture, angle);
+  check.distance = picture::hausdorff_distance(exact_lines, shown->flashes);
+  check.raster = picture::raster_difference(type340_points(exact_lines, LongLines::turn), flashed);
   check.metrics = metrics_on_edges(*turning, *shown, view->picture);
   return check;
 }

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/compare/height_truth.hpp"
 #include "host/compare/turning.hpp"
 #include "host/guests/jones/session.hpp"
@@ -106,6 +109,42 @@ TEST(Type340Points, OfJonesPiecesAreTheFlashesOfHisProgram) {
     const PixelGrid shown = points_of(run.guest.pass);
     EXPECT_EQ(type340_points(pieces_of(run.twin)), shown) << name;
     EXPECT_GT(lit(shown).size(), 1000U) << name;
+  }
+}
+
+TEST(CompareFlashes, OfHisProgramAndExactLines) {
+  for (const char* name : {"house", "roberts"}) {
+    SCOPED_TRACE(name);
+    const scene::CellScene cells = scene::builtin_scene(name);
+    const auto session = guests::jones::Session::of(cells, {});
+    ASSERT_TRUE(session);
+    guests::jones::GuestOptions options;
+    options.views = 1;
+    auto run = session->run(options);
+    algorithms::oracle::Window window;
+    window.near = guests::jones::near_z;
+    std::vector<PixelSegment> exact;
+    const auto seen = algorithms::oracle::visible_lines(cells, cells.default_view, window);
+    ASSERT_TRUE(seen);
+    for (const auto& line : algorithms::oracle::on_screen(*seen, cells.default_view, window))
+      exact.push_back({{line.x0, line.y0}, {line.x1, line.y1}});
+    const auto pieces = pieces_of(run.twin);
+    const ComparedFlashes right = compare_flashes(exact, pieces, run.guest.pass);
+    // Three fraction bits put the end of a line to the point beside, at the most.
+    EXPECT_EQ(right.difference.missing.beyond_1, 0U);
+    EXPECT_EQ(right.difference.extra.beyond_1, 0U);
+    EXPECT_LT(right.difference.share(right.difference.missing.all), 0.05);
+    // One flash elsewhere.
+    auto flash = std::find_if(run.guest.pass.begin(), run.guest.pass.end(), [&](const core::Stroke& stroke) {
+      return stroke.x > 100 && stroke.x < 900 && right.shown.at(stroke.x, stroke.y + 7) == 0;
+    });
+    ASSERT_NE(flash, run.guest.pass.end());
+    core::Stroke moved = *flash;
+    moved.y = static_cast<std::uint16_t>(moved.y + 7);
+    run.guest.pass.push_back(moved);
+    const ComparedFlashes wrong = compare_flashes(exact, pieces, run.guest.pass);
+    EXPECT_EQ(wrong.difference.extra.all, right.difference.extra.all + 1);
+    EXPECT_GT(wrong.difference.hausdorff.greatest, 1);
   }
 }
 
