@@ -304,6 +304,7 @@ std::vector<AnswerRow> Answer::rows() const {
       return values.empty() ? std::nullopt : std::optional(spread_of(std::move(values)));
     };
     row.wrong = *spread([](const MethodView& view) { return std::optional(view.wrong); });
+    row.far = *spread([](const MethodView& view) { return std::optional(view.far); });
     row.wrong_percent = *spread([](const MethodView& view) { return std::optional(wrong_percent(view)); });
     row.greatest = spread([](const MethodView& view) { return view.greatest; });
     row.emulated_seconds = spread([](const MethodView& view) { return view.emulated_seconds; });

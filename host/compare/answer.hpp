@@ -70,6 +70,7 @@ struct AnswerRow {
   std::size_t right = 0;             // views
   Spread wrong;                      // in the unit
   Spread wrong_percent;              // of what is truly seen; of a view in which nothing is, 0, or 100 if something is drawn
+  Spread far;                        // of wrong, farther than a point
   std::optional<Spread> greatest;    // points
   std::optional<Spread> emulated_seconds;
   std::optional<Spread> host_seconds;

@@ -56,26 +56,26 @@ std::string answer_text(const std::vector<AnswerRow>& rows) {
     host = host || row.host_seconds.has_value();
   }
   const bool many = !rows.empty() && rows.front().views > 1;
-  std::vector<int> widths{-14, -7, many ? 19 : 10};
-  if (host) widths.push_back(many ? 19 : 10);
-  for (const int width : {many ? 19 : 18, many ? 14 : 6, many ? 0 : 10, -20, 0}) widths.push_back(width);
+  // Columns begin with two blanks, so that a long cell does not touch the one before.
+  std::vector<int> widths{-20, -6, many ? 21 : 12};
+  if (host) widths.push_back(many ? 21 : 12);
+  for (const int width : {many ? 21 : 20, many ? 16 : 10, many ? 14 : 10, -24, 0}) widths.push_back(width);
   base::TextTable table(widths);
   std::string said;
   const auto line = [&](std::string_view method, std::string_view picture, std::string_view machine, std::string_view here, std::string_view wrong,
-                        std::string_view greatest, std::string_view right, std::string_view read, std::string_view paper) {
-    std::string padded_read = read.empty() && paper.empty() ? std::string() : fmt::format("  {}", read);
-    std::string of_paper = paper.empty() ? std::string() : fmt::format("  {}", paper);
+                        std::string_view greatest, std::string_view far, std::string_view read, std::string_view paper) {
+    const auto apart = [](std::string_view cell) { return cell.empty() ? std::string() : "  " + std::string(cell); };
     if (host)
-      table.row({method, picture, machine, here, wrong, greatest, right, padded_read, of_paper});
+      table.row({method, apart(picture), apart(machine), apart(here), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
     else
-      table.row({method, picture, machine, wrong, greatest, right, padded_read, of_paper});
+      table.row({method, apart(picture), apart(machine), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
   };
-  line("", "", "emulated", "here", "wrong", "greatest", many ? "right" : "right", "read", "the paper says");
+  line("", "", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says");
   for (const AnswerRow& row : rows) {
     if (several && row.scene != said) table.line(said = row.scene);
-    const std::string right = many ? fmt::format("{} of {}", row.right, row.views) : row.right == 1 ? "yes" : "NO";
+    const std::string far = many ? fmt::format("{} of {}", row.right, row.views) : fmt::format("{:.4g}", row.far.greatest);
     line(row.method, row.picture, spread_text(row.emulated_seconds, row.views, time_text), spread_text(row.host_seconds, row.views, time_text),
-         wrong_text(row), spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }), right,
+         wrong_text(row), spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }), far,
          read_text(row), compare::paper_figure(row.method));
     if (!row.defect.empty()) table.line(fmt::format("    {}: {}", row.method, row.defect));
   }
@@ -87,7 +87,7 @@ base::Json answer_json(const std::vector<AnswerRow>& rows) {
   for (const AnswerRow& row : rows) {
     Json object{{"scene", row.scene},   {"method", row.method}, {"picture", row.picture}, {"rounding", row.rounding},
                 {"views", row.views},   {"right", row.right},   {"unit", row.unit},       {"wrong", spread_json(row.wrong)},
-                {"wrong_percent", spread_json(row.wrong_percent)}};
+                {"wrong_percent", spread_json(row.wrong_percent)}, {"far", spread_json(row.far)}};
     if (row.greatest) object["greatest"] = spread_json(*row.greatest);
     if (row.emulated_seconds) object["emulated_s"] = spread_json(*row.emulated_seconds);
     if (row.host_seconds) object["host_s"] = spread_json(*row.host_seconds);
