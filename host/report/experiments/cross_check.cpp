@@ -20,7 +20,7 @@
 #include "host/picture/line_picture.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
-#include "host/report/hard_cases/case_images.hpp"
+#include "host/compare/hard_cases/case_images.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::report {
@@ -60,13 +60,13 @@ void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const com
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
     const std::string_view name = compare::participants()[who].name;
-    if (picture.lines) add(name, "", lines_image(*picture.lines, scene.scene, view.camera, extent_of(view)));
+    if (picture.lines) add(name, "", compare::lines_image(*picture.lines, scene.scene, view.camera, extent_of(view)));
     if (picture.screen) {
       std::vector<picture::DrawnPiece> lines;
       for (const picture::PixelSegment& line : picture.screen->turn.lines) lines.push_back({0, line});
-      add(name, "", screen_image(lines));
+      add(name, "", compare::screen_image(lines));
     }
-    if (picture.faces) add(name, picture.lines ? " (faces)" : "", faces_image(*picture.faces, case_image_side));
+    if (picture.faces) add(name, picture.lines ? " (faces)" : "", compare::faces_image(*picture.faces, compare::case_image_side));
   }
   if (number == 0) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
 }

@@ -17,18 +17,28 @@
 #include "host/base/text.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
-#include "host/report/hard_cases/first_failures.hpp"
-#include "host/report/hard_cases/manifest.hpp"
-#include "host/report/hard_cases/runner.hpp"
+#include "host/compare/hard_cases/first_failures.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/runner.hpp"
 
 namespace sightline::report {
 
 namespace {
 
+using compare::CaseRun;
+using compare::Family;
+using compare::FamilyResult;
+using compare::Finding;
+using compare::HardCase;
+using compare::HardCaseGroup;
+using compare::Manifest;
+using compare::SearchResult;
+using compare::hard_case_text;
+
 constexpr std::string_view manifest_file = "manifest.json";
 
 Manifest manifest() {
-  auto read = read_manifest(hard_case_text(manifest_file), manifest_file);
+  auto read = compare::read_manifest(hard_case_text(manifest_file), manifest_file);
   if (!read) throw Failure(ErrorKind::bad_input, read.error().message());
   return std::move(*read);
 }
@@ -78,7 +88,7 @@ void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
   std::vector<std::pair<std::string, Value>> found;
   std::optional<CaseRun> run;
   if (!hard.run.empty()) {
-    run.emplace(hard, load_input(hard));
+    run.emplace(hard, compare::load_input(hard));
     run->with_images();
   }
   for (const std::string& method : hard.run) {
@@ -98,7 +108,7 @@ void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
               {"what", hard.what},
               {"options", options_of(hard)},
               {"expected", hard.expected},
-              {"checked", checked(hard)},
+              {"checked", compare::checked(hard)},
               {"method", method},
               {"column", std::move(column)},
               {"outcome", verdict == nullptr ? "none" : verdict->good ? "right" : "wrong"},
@@ -119,7 +129,7 @@ std::string tried_text(const SearchResult& search) {
 }
 
 void add_family(RowSet& families, const Family& family) {
-  const auto results = run_family(family);
+  const auto results = compare::run_family(family);
   if (!results) throw Failure(ErrorKind::bad_input, results.error().message());
   for (const FamilyResult& result : *results) {
     const SearchResult& search = result.search;

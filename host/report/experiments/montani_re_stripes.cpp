@@ -23,7 +23,7 @@
 #include "host/report/experiments/clock.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/montani_re_growth.hpp"
-#include "host/report/hard_cases/montani_re_pixels.hpp"
+#include "host/compare/hard_cases/montani_re_pixels.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline::report {
@@ -33,8 +33,8 @@ namespace {
 namespace native = algorithms::montani_re;
 using picture::PixelGrid;
 using picture::PixelSegment;
-using report::PixelPlane;
-using report::PixelView;
+using compare::PixelPlane;
+using compare::PixelView;
 using scene::PolyScene;
 
 // In 1/(16 * 65536) pixel, the ends of what a band covers at an ordinate.
@@ -96,7 +96,7 @@ PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set,
       }
     }
   }
-  return report::grid_of(scene, set, raster);
+  return compare::grid_of(scene, set, raster);
 }
 
 // What is true of a view.
@@ -111,7 +111,7 @@ double told(double distance) {
 }
 
 Truth truth_of(const PolyScene& scene, const native::FaceSet& set, std::int32_t raster) {
-  Truth truth{report::pixels_in_perspective(scene, set, raster), {}};
+  Truth truth{compare::pixels_in_perspective(scene, set, raster), {}};
   const PixelPlane plane(scene.camera, truth.pixels.frame);
   for (const PixelSegment& image :
        segments_of(algorithms::exact::visible_edges(scene, scene.camera), scene, plane))
@@ -133,7 +133,7 @@ class Stripes {
     for (const std::int32_t units : stripe_units) {
       const auto raster =
           native::raster_by_difference(set->image, listed.list, listed.faces, frames_.back(), units);
-      add_row(family, *set, truth, 16.0 / units, report::grid_of(scene, *set, raster),
+      add_row(family, *set, truth, 16.0 / units, compare::grid_of(scene, *set, raster),
               drawn_in_stripes(*set, listed, frames_.back(), units), raster.sides);
     }
     const native::VisibleRegions seen = native::visible_regions(*set);

@@ -23,15 +23,15 @@
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/experiments/willis_scenes.hpp"
-#include "host/report/hard_cases/willis_views.hpp"
+#include "host/compare/hard_cases/willis_views.hpp"
 
 namespace sightline::report {
 
 namespace {
 
 namespace willis = algorithms::willis;
-using report::FaceErrors;
-using report::TrueFaces;
+using compare::FaceErrors;
+using compare::TrueFaces;
 
 constexpr std::size_t eyes = 160;
 constexpr int points_a_side = 24;
@@ -181,8 +181,8 @@ void add_pictures(RowSet& pictures, const WillisScene& scene, const TrueFaces& v
   const TrueFaces truth(scene.scene, {views.cameras().at(view)}, 256);
   for (const int depth : {0, 1, 12}) {
     const willis::Model model = scene.model({.limits = {.depth = depth}});
-    const auto corners = report::random_corners(model, static_cast<std::uint32_t>(view) + 1);
-    const auto drawn = report::ordered_faces(model, truth.cameras().front(), truth.size(), corners);
+    const auto corners = compare::random_corners(model, static_cast<std::uint32_t>(view) + 1);
+    const auto drawn = compare::ordered_faces(model, truth.cameras().front(), truth.size(), corners);
     const FaceErrors errors = truth.errors_of(drawn, 0);
     pictures.add({{"scene", scene.title()},
                   {"depth", depth},
@@ -205,7 +205,7 @@ Records willis_order(const Context& context) {
     add_normals(records["normals"], scene);
     // From among the solids, where the order is hardest. In plan the eye is between feet and tops, as it is
     // here.
-    const TrueFaces truth(scene.scene, report::cameras_within(scene.scene, eyes), points_a_side);
+    const TrueFaces truth(scene.scene, compare::cameras_within(scene.scene, eyes), points_a_side);
     add_models(records["models"], scene, truth, context.full);
     if (scene.name == prisms_in_space().name) add_pictures(records["pictures"], scene, truth);
   }

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "host/report/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 // What became of one value.
 struct Trial {
@@ -37,4 +37,4 @@ struct FamilyResult {
 // A result for each build, in their order. The error names a generator or a build that there is not.
 [[nodiscard]] base::Result<std::vector<FamilyResult>> run_family(const Family& family);
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

@@ -10,7 +10,7 @@
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 inline constexpr int case_image_side = 160;  // pixels
 
@@ -25,4 +25,4 @@ inline constexpr int case_image_side = 160;  // pixels
 // Lit dots in black, a pixel each.
 [[nodiscard]] picture::Image dots_image(const picture::PixelGrid& dots);
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

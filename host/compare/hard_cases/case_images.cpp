@@ -1,4 +1,4 @@
-#include "host/report/hard_cases/case_images.hpp"
+#include "host/compare/hard_cases/case_images.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/vector_drawing.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 namespace {
 
@@ -66,4 +66,4 @@ picture::Image dots_image(const picture::PixelGrid& dots) {
                [&](int column, int row) { return static_cast<std::uint8_t>(dots.at(column, row) == 0 ? 255 : 0); });
 }
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

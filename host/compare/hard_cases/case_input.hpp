@@ -8,12 +8,12 @@
 
 #include "host/base/result.hpp"
 #include "host/picture/image.hpp"
-#include "host/report/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
 #include "host/scene/heights/grid.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 // Commands of Skala's program and the dots that must come of them.
 struct CommandScreen {
@@ -32,4 +32,4 @@ struct CaseInput {
 // The error is what every reader of such a file says.
 [[nodiscard]] base::Result<CaseInput, std::string> load_input(const HardCase& hard);
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

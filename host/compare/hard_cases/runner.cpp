@@ -1,4 +1,4 @@
-#include "host/report/hard_cases/runner.hpp"
+#include "host/compare/hard_cases/runner.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -22,14 +22,14 @@
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/session.hpp"
 #include "host/picture/line_metrics.hpp"
-#include "host/report/hard_cases/case_images.hpp"
-#include "host/report/hard_cases/montani_re_pixels.hpp"
-#include "host/report/hard_cases/willis_views.hpp"
+#include "host/compare/hard_cases/case_images.hpp"
+#include "host/compare/hard_cases/montani_re_pixels.hpp"
+#include "host/compare/hard_cases/willis_views.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/cells/grid/decompose.hpp"
 #include "host/scene/model/eye_place.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 namespace {
 
@@ -391,7 +391,7 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
   }
   if (expect.areas.empty()) return complaints.finding();
   AreasByBody areas(scene);
-  const auto view = report::pixels_along_z(scene, report::on_lines);
+  const auto view = compare::pixels_along_z(scene, compare::on_lines);
   if (method == "oracle") {  // one sight line through every unit square
     for (const std::uint32_t face : view.truth.values)
       if (face != 0) areas.add(face, 1);
@@ -428,7 +428,7 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   }
   if (!prepared.not_solved.empty()) found.push_back("left over, named: " + prepared.not_solved.front());
   if (!pictures_) return complaints.finding(base::joined(found, ", "));
-  auto cameras = report::cameras_around(scene, scene.camera.eye[1]);
+  auto cameras = compare::cameras_around(scene, scene.camera.eye[1]);
   const auto no_eye = scene::eye_error(scene, scene.camera);
   if (no_eye.has_value() != expect.eye_refused)
     complaints.add(no_eye ? no_eye->message() : "the eye is accepted");
@@ -437,9 +437,9 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   } else {
     cameras.insert(cameras.begin(), scene.camera);
   }
-  const report::TrueFaces truth(scene, std::move(cameras), size);
+  const compare::TrueFaces truth(scene, std::move(cameras), size);
   const registry::FaceWindow window{size, size, size / 2.0, size / 2.0, size / 2.0};
-  report::FaceErrors errors;
+  compare::FaceErrors errors;
   for (std::size_t i = 0; i < truth.cameras().size(); ++i) {
     const auto view = prepared.view(truth.cameras()[i], window);
     if (!view) return {false, "refused: " + view.error().message()};
@@ -456,7 +456,7 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
 
 // With corners on lines between stripes every pixel must be right; elsewhere those not on an edge.
 Finding CaseRun::run_stripes(const MethodOptions& options) {
-  namespace pixels = sightline::report;
+  namespace pixels = sightline::compare;
   const PolyScene& scene = *input_->scene;
   Complaints complaints;
   std::string on_edges;
@@ -601,4 +601,4 @@ Finding CaseRun::run_commands(std::string_view method) {
   return complaints.finding();
 }
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

@@ -1,4 +1,4 @@
-#include "host/report/hard_cases/first_failures.hpp"
+#include "host/compare/hard_cases/first_failures.hpp"
 
 #include <fmt/format.h>
 
@@ -14,11 +14,11 @@
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/algorithms/registry/lines.hpp"
-#include "host/report/hard_cases/montani_re_pixels.hpp"
-#include "host/report/hard_cases/runner.hpp"
+#include "host/compare/hard_cases/montani_re_pixels.hpp"
+#include "host/compare/hard_cases/runner.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 namespace {
 
@@ -228,9 +228,9 @@ Trial count_pieces(CaseRun& run, const FamilyBuild& build, double) {
 // About 0.4 pixels a unit: pixels farther than 0.75 pixels from all edges.
 Trial compare_pinwheel(CaseRun& run, const FamilyBuild& build, double value) {
   if (build.method != "stripes") return run_method(run, build, value);
-  constexpr report::PixelParts parts{4, 10, {0, 0}};
+  constexpr compare::PixelParts parts{4, 10, {0, 0}};
   const PolyScene& scene = *run.input().scene;
-  const auto view = report::pixels_along_z(scene, parts);
+  const auto view = compare::pixels_along_z(scene, parts);
   registry::FaceOptions options;
   options.stripe = build.options.stripes.front();
   const auto prepared = registry::find_face_algorithm("montani-re")->prepare(scene, options);
@@ -254,7 +254,7 @@ double covered_percent(const PolyScene& scene, double thickness, double height) 
   constexpr double scale = 1.0 / sliver_pixel;
   const auto units = static_cast<std::int32_t>(16 / thickness);
   const auto pcs = native::stripe_pcs(set.image, set.faces[0].pcs, {{scale, scale}, {8, 8}, 64, 64}, units);
-  return 100 * report::square_pixels(pcs, units) / (20 * height);
+  return 100 * compare::square_pixels(pcs, units) / (20 * height);
 }
 
 Trial compare_sliver(CaseRun& run, const FamilyBuild& build, double height) {
@@ -585,4 +585,4 @@ base::Result<std::vector<FamilyResult>> run_family(const Family& family) {
   return results;
 }
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

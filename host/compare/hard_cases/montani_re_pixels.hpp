@@ -12,7 +12,7 @@
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 struct PixelView {
   algorithms::montani_re::StripeFrame frame;
@@ -62,4 +62,4 @@ class PixelPlane {
   algorithms::montani_re::StripeFrame frame_;
 };
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

@@ -14,7 +14,7 @@
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 // Face over all bodies + 1, 0 where there is none. The bottom row first.
 [[nodiscard]] picture::PixelGrid ordered_faces(const algorithms::willis::Model& model,
@@ -66,4 +66,4 @@ class TrueFaces {
 // bounds.
 [[nodiscard]] std::vector<scene::PolyCamera> cameras_within(const scene::PolyScene& scene, std::size_t count);
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

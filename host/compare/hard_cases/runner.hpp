@@ -11,11 +11,11 @@
 #include "host/base/result.hpp"
 #include "host/picture/image.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/report/hard_cases/case_input.hpp"
-#include "host/report/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/case_input.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 struct Finding {
   std::optional<bool> good;  // none: the method does not apply
@@ -77,4 +77,4 @@ enum class SegmentSeen { whole, in_part, nothing };
 [[nodiscard]] SegmentSeen seen_of(const SceneSegment& segment, const picture::LinePicture& picture,
                                   const scene::PolyScene& scene);
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

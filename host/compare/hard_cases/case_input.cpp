@@ -1,4 +1,4 @@
-#include "host/report/hard_cases/case_input.hpp"
+#include "host/compare/hard_cases/case_input.hpp"
 
 #include <fmt/core.h>
 
@@ -18,7 +18,7 @@
 #include "host/scene/read/poly_file.hpp"
 #include "host/scene/read/poly_json.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 namespace {
 
@@ -137,4 +137,4 @@ base::Result<CaseInput, std::string> load_input(const HardCase& hard) {
   return load_scene(std::move(*read));
 }
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "host/algorithms/willis/model.hpp"
-#include "host/report/hard_cases/first_failures.hpp"
-#include "host/report/hard_cases/manifest.hpp"
-#include "host/report/hard_cases/runner.hpp"
-#include "host/report/hard_cases/willis_views.hpp"
+#include "host/compare/hard_cases/first_failures.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/runner.hpp"
+#include "host/compare/hard_cases/willis_views.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 namespace {
 
 Manifest manifest() {
@@ -97,7 +97,7 @@ TEST_P(HardCaseRuns, EveryExpectationIsChecked) {
 
 // The method measures the distance of a piece to its first corner. Any other must give right pictures, too.
 TEST(WillisCorners, AnyOneOfAPieceGivesItsDistance) {
-  namespace views = sightline::report;
+  namespace views = sightline::compare;
   std::size_t cases = 0;
   for (const HardCaseGroup& group : manifest().groups) {
     if (group.id != "willis") continue;
@@ -140,4 +140,4 @@ TEST(HardCaseFamilies, FailFirstWhereTheManifestSays) {
 }
 
 }  // namespace
-}  // namespace sightline::report
+}  // namespace sightline::compare

@@ -1,4 +1,4 @@
-#include "host/report/hard_cases/montani_re_pixels.hpp"
+#include "host/compare/hard_cases/montani_re_pixels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 namespace {
 
@@ -163,4 +163,4 @@ double square_pixels(const native::StripePcs& pcs, std::int32_t units) {
   return sixteenths / units;
 }
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

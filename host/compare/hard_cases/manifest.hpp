@@ -27,7 +27,7 @@
 #include "host/guests/jones/precision/precision.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 using SceneSegment = std::array<scene::PolyPoint, 2>;
 
@@ -121,4 +121,4 @@ struct Manifest {
 // The text of an input; empty if there is none of that name.
 [[nodiscard]] std::string_view hard_case_text(std::string_view file);
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

@@ -1,5 +1,5 @@
 // See willis_views.hpp.
-#include "host/report/hard_cases/willis_views.hpp"
+#include "host/compare/hard_cases/willis_views.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 namespace {
 
@@ -182,4 +182,4 @@ std::vector<PolyCamera> cameras_around(const PolyScene& scene, std::int32_t heig
   return cameras;
 }
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

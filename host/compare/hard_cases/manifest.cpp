@@ -1,4 +1,4 @@
-#include "host/report/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,7 @@
 #include "host/base/text.hpp"
 #include "host/scene/read/builtin.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 
 namespace {
 
@@ -309,4 +309,4 @@ std::string_view hard_case_text(std::string_view file) {
   return scene::builtin_scene_text(name).value_or(std::string_view());
 }
 
-}  // namespace sightline::report
+}  // namespace sightline::compare

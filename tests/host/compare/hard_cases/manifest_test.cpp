@@ -1,7 +1,7 @@
 // The manifest of the hard cases: it is read whole, what is damaged is refused with file and place, its
 // inputs and the tests it names exist. And the search for a first failure, on builds that fail where one
 // says.
-#include "host/report/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@
 #include <tuple>
 #include <vector>
 
-#include "host/report/hard_cases/first_failures.hpp"
-#include "host/report/hard_cases/runner.hpp"
+#include "host/compare/hard_cases/first_failures.hpp"
+#include "host/compare/hard_cases/runner.hpp"
 
-namespace sightline::report {
+namespace sightline::compare {
 namespace {
 
 constexpr std::string_view file = "manifest.json";
@@ -198,4 +198,4 @@ TEST(HardCaseRunner, FindsWhatIsNotAsExpected) {
 }
 
 }  // namespace
-}  // namespace sightline::report
+}  // namespace sightline::compare
