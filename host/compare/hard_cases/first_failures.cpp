@@ -580,6 +580,12 @@ base::Result<std::vector<FamilyResult>> run_family(const Family& family) {
       if (!run) run = std::make_unique<CaseRun>(generator->generate(value));
       return generator->attempt(*run, build, value);
     });
+    result.as_recorded = result.search.first.has_value() == build.first.has_value();
+    if (result.as_recorded && build.first) {
+      // The manifest has tenths.
+      const auto& [value, trial] = result.search.tried[*result.search.first];
+      result.as_recorded = std::abs(trial.shown.value_or(value) - *build.first) <= 0.05 + 1e-9;
+    }
     results.push_back(std::move(result));
   }
   return results;

@@ -32,6 +32,7 @@ struct SearchResult {
 struct FamilyResult {
   std::string build;
   SearchResult search;
+  bool as_recorded = true;  // fails first where the manifest says, or nowhere as it says
 };
 
 // A result for each build, in their order. The error names a generator or a build that there is not.

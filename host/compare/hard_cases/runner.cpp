@@ -22,6 +22,7 @@
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/session.hpp"
 #include "host/picture/line_metrics.hpp"
+#include "host/picture/line_metrics_parts.hpp"
 #include "host/compare/hard_cases/case_images.hpp"
 #include "host/compare/hard_cases/montani_re_pixels.hpp"
 #include "host/compare/hard_cases/willis_views.hpp"
@@ -382,7 +383,7 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
     const auto drawn = made->view(all[i]);
     if (!drawn) return refused_by_name(expect, drawn.error().message());
     const auto& view = *drawn;
-    keep(image_, [&] { return lines_image(view.picture, scene, all[i]); });
+    keep(image_, [&] { return lines_image(view.picture, scene, all[i], {}, image_side_); });
     if (!no_eye && method != hard_.baseline &&
         !registry::agrees(*algorithm, view.picture, baseline(i), scene, all[i]))
       complaints.add(fmt::format("not the picture of {}", hard_.baseline));
@@ -444,8 +445,8 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
     const auto view = prepared.view(truth.cameras()[i], window);
     if (!view) return {false, "refused: " + view.error().message()};
     errors.add(truth.errors_of(view->faces, i));
-    keep(image_, [&] { return faces_image(view->faces, case_image_side); });
-    keep(truth_, [&] { return faces_image(truth.truth(i), case_image_side); });
+    keep(image_, [&] { return faces_image(view->faces, image_side_); });
+    keep(truth_, [&] { return faces_image(truth.truth(i), image_side_); });
   }
   found.push_back(fmt::format("{} of {} points wrong in {} views, {} more next to edges", errors.wrong_inside,
                               errors.points, truth.cameras().size(), errors.wrong_on_edges));
@@ -468,8 +469,8 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
     const auto drawn = prepared->view(scene.camera, window_of(view.frame));
     if (!drawn) return refused_by_name(hard_.expect, drawn.error().message());
     judge(picture::pixel_metrics(view.truth, drawn->faces, view.edges));
-    keep(image_, [&] { return faces_image(drawn->faces, case_image_side); });
-    keep(truth_, [&] { return faces_image(view.truth, case_image_side); });
+    keep(image_, [&] { return faces_image(drawn->faces, image_side_); });
+    keep(truth_, [&] { return faces_image(view.truth, image_side_); });
     return std::nullopt;
   };
   const auto on = pixels::pixels_along_z(scene, pixels::on_lines);
@@ -539,7 +540,14 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
     const auto vectors = compare::lines_of_vectors(program.scene);
     const auto pieces = method == "guest" ? compare::display_pieces(twin, vectors, reference)
                                           : compare::twin_pieces(twin, vectors, reference);
-    keep(image_, [&] { return screen_image(pieces); });
+    keep(image_, [&] { return screen_image(pieces, image_side_); });
+    keep(truth_, [&] {
+      std::vector<picture::DrawnPiece> seen;
+      for (const picture::ReferenceLine& line : reference.lines())
+        for (const picture::LinePart& part : line.visible)
+          seen.push_back({line.id, {picture::point_at(line.image, part.low), picture::point_at(line.image, part.high)}});
+      return screen_image(seen, image_side_);
+    });
     const auto metrics = picture::line_metrics(reference.lines(), pieces);
     if (metrics.extra_far > wrong_from)
       complaints.add(fmt::format("{:.1f} points too much", metrics.extra_far));

@@ -35,8 +35,8 @@ class CaseRun {
 
   // Programs are judged by what they say of themselves alone, without a picture.
   void without_pictures() { pictures_ = false; }
-  // Findings have images.
-  void with_images() { images_ = true; }
+  // Findings have images, of so many pixels a side; dots are a pixel each.
+  void with_images(int side) { image_side_ = side; }
   // `options` in place of the case's own.
   [[nodiscard]] Finding run(std::string_view method, const MethodOptions& options);
   [[nodiscard]] Finding run(std::string_view method) { return run(method, hard_.options); }
@@ -62,11 +62,11 @@ class CaseRun {
   // Keeps the image that `draw` gives, if images are asked for.
   template <class Draw>
   void keep(std::optional<picture::Image>& image, Draw draw) {
-    if (images_ && !image) image = draw();
+    if (image_side_ > 0 && !image) image = draw();
   }
 
   bool pictures_ = true;
-  bool images_ = false;
+  int image_side_ = 0;  // 0: no images
   std::optional<picture::Image> image_;  // of the finding being made
   std::optional<picture::Image> truth_;
   std::vector<std::optional<picture::LinePicture>> baselines_;

@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "host/compare/hard_cases/first_failures.hpp"
+#include "host/compare/hard_cases/case_images.hpp"
+#include "host/compare/hard_cases/run_case.hpp"
 #include "host/compare/hard_cases/runner.hpp"
 
 namespace sightline::compare {
@@ -195,6 +197,85 @@ TEST(HardCaseRunner, FindsWhatIsNotAsExpected) {
   HardCase none;
   none.input = "J0.json";
   EXPECT_EQ(finding(none, "jones").good, false);
+}
+
+// A record that is not what comes out is found: the two directions of a case, and of a family's first failure.
+TEST(HardCaseRecords, WhatIsOtherwiseIsFound) {
+  HardCase hard;
+  hard.input = "J5.json";
+  hard.run = {"jones"};
+  hard.expect.counts = {{"cells", 2}};
+  EXPECT_TRUE(run_case(hard).as_recorded());
+  hard.found = {{"jones", "differs: cells 2, not 3"}};
+  EXPECT_FALSE(run_case(hard).as_recorded());
+  hard.expect.counts = {{"cells", 3}};
+  EXPECT_TRUE(run_case(hard).as_recorded());
+  hard.found.clear();
+  EXPECT_FALSE(run_case(hard).as_recorded());
+
+  Family family;
+  family.generator = "neighbouring-angles";
+  family.values = {20, 21, 22, 23, 24, 25, 26, 27};
+  family.builds.emplace_back().method = "angles in single precision";
+  const auto first = [&] { return run_family(family)->front(); };
+  ASSERT_TRUE(first().search.first.has_value());
+  EXPECT_FALSE(first().as_recorded);
+  const auto& [value, trial] = first().search.tried[*first().search.first];
+  family.builds[0].first = trial.shown.value_or(value);
+  EXPECT_TRUE(first().as_recorded);
+  family.builds[0].first = *family.builds[0].first + 1;
+  EXPECT_FALSE(first().as_recorded);
+  family.values = {2};
+  EXPECT_FALSE(first().as_recorded);
+}
+
+picture::Image grey(const std::vector<std::uint8_t>& pixels) {
+  picture::Image image(static_cast<int>(pixels.size()), 1, 1);
+  image.pixels = pixels;
+  return image;
+}
+
+// Dark in the expected picture only, in the found one only, in both, in none.
+TEST(HardCasePictures, MarkWhatDiffers) {
+  const picture::Image image = side_by_side(grey({0, 255, 0, 255}), grey({255, 0, 0, 255}), "guest");
+  ASSERT_EQ(image.channels, 3);
+  const auto colour = [&](int column) {
+    const std::size_t at = image.index(2 * (4 + 8) + 8 + column, 32);
+    return std::vector<int>{image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]};
+  };
+  EXPECT_EQ(colour(0), (std::vector<int>{213, 94, 0}));
+  EXPECT_EQ(colour(1), (std::vector<int>{0, 114, 178}));
+  EXPECT_EQ(colour(2), (std::vector<int>{192, 192, 192}));
+  EXPECT_EQ(colour(3), (std::vector<int>{255, 255, 255}));
+}
+
+TEST(HardCaseCommands, AreTheInputInTheViewOfTheCase) {
+  const auto command = [](std::string_view id, std::string_view input) -> std::string {
+    for (const HardCaseGroup& group : manifest().groups)
+      for (const HardCase& hard : group.cases)
+        if (hard.id == id && hard.input == input) return compare_command(hard);
+    return "no such case";
+  };
+  EXPECT_EQ(command("J5", "J5-strip.json"), "sightline compare J5-strip.json");
+  EXPECT_EQ(command("J9", "house.json"), "sightline compare house");
+  EXPECT_EQ(command("J12", "J12.json"), "sightline compare J12.json --scale 511");
+  EXPECT_EQ(command("S11", "S11.csv"), "sightline compare S11.csv --along x --rotate 0 --elevate 0");
+  EXPECT_EQ(command("S9", "S9.csv"), "sightline compare S9.csv --both --rotate 0 --elevate 40");
+  EXPECT_EQ(command("S4", "S4.txt"), "");
+  EXPECT_EQ(command("S7", "octants"), "");
+}
+
+// Every text among the inputs says what it is; no scene and no grid is taken for one.
+TEST(HardCaseCommands, TextsSayWhatTheyAre) {
+  for (const auto& [name, text] : hard_case_files())
+    EXPECT_EQ(kind_of_commands(text).empty(), !name.ends_with(".txt")) << name;
+  EXPECT_EQ(kind_of_commands("# a comment\nMOVE 10 0\n"), "commands of Skala's program on the 8080");
+  EXPECT_EQ(kind_of_commands("vertex 1 2 3\n"), "edges and vertices of a turn");
+  EXPECT_EQ(kind_of_commands("A 0 0 0246\n"), "chains around regions");
+  EXPECT_EQ(kind_of_commands("x y z\n1 2 3\n"), "");
+  EXPECT_EQ(kind_of_commands("A B C D\n1 2 3 4\n"), "");
+  EXPECT_EQ(kind_of_commands("# nothing else"), "");
+  EXPECT_EQ(kind_of_commands(""), "");
 }
 
 }  // namespace
