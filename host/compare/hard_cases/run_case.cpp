@@ -49,6 +49,21 @@ void choose_pictures(CaseOutcome& outcome, std::vector<Drawn>& drawn) {
   outcome.found = std::move(found->image);
 }
 
+// In the command's usual view where the oracle does not know the case's, which is without zoom; empty if it knows neither.
+std::string command_of_grid(const std::string& command, const HardCase& hard) {
+  const auto input = load_input(hard);
+  if (!input) return command;
+  const auto& why_not = registry::find_height_method("oracle")->why_not;
+  registry::HeightView view = hard.options.view;
+  view.zoom = 1;
+  if (why_not(*input->heights, view)) return why_not(*input->heights, {}) ? "" : command;
+  constexpr std::array families{" --along x", " --along z", " --both", ""};
+  return fmt::format("{}{} --rotate {} --elevate {}", command,
+                     is_contours(hard) ? fmt::format(" --picture contours --levels {}", view.levels)
+                                       : std::string(families[static_cast<std::size_t>(view.family)]),
+                     view.rotation, view.elevation);
+}
+
 }  // namespace
 
 bool CaseOutcome::as_recorded() const {
@@ -99,18 +114,9 @@ std::string options_of(const HardCase& hard) {
 std::string compare_command(const HardCase& hard) {
   if (hard.input.empty() || hard.input == "octants" || hard.input.ends_with(".txt")) return "";
   const std::string stem = hard.input.substr(0, hard.input.rfind('.'));
-  std::string command = "sightline compare " + (scene::builtin_scene_text(stem) ? stem : hard.input);
-  if (is_grid(hard)) {
-    const registry::HeightView& view = hard.options.view;
-    constexpr std::array families{" --along x", " --along z", " --both", ""};
-    if (is_contours(hard))
-      command += fmt::format(" --picture contours --levels {}", view.levels);
-    else
-      command += families[static_cast<std::size_t>(view.family)];
-    command += fmt::format(" --rotate {} --elevate {}", view.rotation, view.elevation);
-  }
-  if (hard.options.scale != 512) command += fmt::format(" --scale {}", hard.options.scale);
-  return command;
+  const std::string command = "sightline compare " + (scene::builtin_scene_text(stem) ? stem : hard.input);
+  if (is_grid(hard)) return command_of_grid(command, hard);
+  return hard.options.scale == 512 ? command : fmt::format("{} --scale {}", command, hard.options.scale);
 }
 
 std::string_view kind_of_commands(std::string_view text) {

@@ -35,8 +35,8 @@ struct CaseOutcome {
 // Of a grid and of Willis's, in the words of the commands' options: "family x, rotation 0, elevation 30".
 [[nodiscard]] std::string options_of(const HardCase& hard);
 
-// "sightline compare J12.json --scale 511": the case's input in the view of the case, as far as the command has one. Empty if the
-// input is none of its kinds.
+// "sightline compare J12.json --scale 511": the case's input in the view of the case, or in the command's usual one where the oracle
+// does not know that. Empty if the command does not take the input.
 [[nodiscard]] std::string compare_command(const HardCase& hard);
 
 // What a text is that neither readers of scenes nor of grids take, but tests or the 8080: "commands of Skala's program". Empty if it is

@@ -261,6 +261,9 @@ TEST(HardCaseCommands, AreTheInputInTheViewOfTheCase) {
   EXPECT_EQ(command("J12", "J12.json"), "sightline compare J12.json --scale 511");
   EXPECT_EQ(command("S11", "S11.csv"), "sightline compare S11.csv --along x --rotate 0 --elevate 0");
   EXPECT_EQ(command("S9", "S9.csv"), "sightline compare S9.csv --both --rotate 0 --elevate 40");
+  EXPECT_EQ(command("S16", "S16.csv").substr(0, 40), "sightline compare S16.csv --picture cont");
+  EXPECT_EQ(command("S5", "S5.csv"), "sightline compare S5.csv");
+  EXPECT_EQ(command("S10", "S10.csv"), "");
   EXPECT_EQ(command("S4", "S4.txt"), "");
   EXPECT_EQ(command("S7", "octants"), "");
 }
