@@ -10,7 +10,6 @@ namespace sightline::report {
 [[nodiscard]] Records jones_accuracy(const Context& context);
 [[nodiscard]] Records jones_numbers(const Context& context);
 [[nodiscard]] Records jones_unseen(const Context& context);
-[[nodiscard]] Records jones_views(const Context& context);
 [[nodiscard]] Records montani_re_8080(const Context& context);
 [[nodiscard]] Records montani_re_growth(const Context& context);
 [[nodiscard]] Records montani_re_stripes(const Context& context);
