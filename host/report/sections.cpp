@@ -2,7 +2,18 @@
 
 #include <stdexcept>
 
+#include "host/report/experiments/cross_check.hpp"
 #include "host/report/experiments/jones_views.hpp"
+#include "host/report/experiments/montani_re_8080.hpp"
+#include "host/report/experiments/montani_re_growth.hpp"
+#include "host/report/experiments/montani_re_stripes.hpp"
+#include "host/report/experiments/montani_re_tables.hpp"
+#include "host/report/experiments/plantinga_accuracy.hpp"
+#include "host/report/experiments/plantinga_pdp7.hpp"
+#include "host/report/experiments/plantinga_turns.hpp"
+#include "host/report/experiments/willis_flight.hpp"
+#include "host/report/experiments/willis_order.hpp"
+#include "host/report/experiments/willis_times.hpp"
 
 namespace sightline::report {
 
@@ -34,7 +45,18 @@ const std::vector<Part>& report_parts() {
 
 const std::vector<Experiment>& report_experiments() {
   static const std::vector<Experiment> experiments{
+      experiment(&measure_willis_order),
+      experiment(&measure_willis_flight),
+      experiment(&measure_cross_check),
       experiment(&jones_views),
+      experiment(&measure_plantinga_accuracy),
+      experiment(&measure_plantinga_pdp7),
+      experiment(&measure_montani_re_8080),
+      experiment(&measure_montani_re_tables),
+      experiment(&measure_plantinga_turns, true),
+      experiment(&measure_montani_re_growth, true),
+      experiment(&measure_montani_re_stripes, true),
+      experiment(&measure_willis_times, true),
   };
   return experiments;
 }
@@ -51,21 +73,21 @@ const std::vector<SectionPlan>& report_sections() {
         old("skala-accuracy", 2),
         old("skala-needs", 4)}},
       {"montani-re", "Montani and Re 1985: faces as stripes", "montani_re",
-       {old("montani-re-timing", 1),
-        old("montani-re-8080", 1),
-        old("montani-re-accuracy", 2)}},
+       {chapter("montani-re-timing", 1, &montani_re_timing),
+        chapter("montani-re-8080", 1, &montani_re_8080),
+        chapter("montani-re-accuracy", 2, &montani_re_accuracy)}},
       {"willis", "Willis 1977: distance as priority", "willis",
-       {old("willis-timing", 1),
-        old("willis-flight", 1),
-        old("willis-accuracy", 2)}},
+       {chapter("willis-timing", 1, &willis_timing),
+        chapter("willis-flight", 1, &willis_flights),
+        chapter("willis-accuracy", 2, &willis_accuracy)}},
       {"plantinga", "Plantinga, Seales and Dyer 1990: a rotating scene", "plantinga",
-       {old("plantinga-timing", 1),
-        old("plantinga-pdp7", 1),
-        old("plantinga-accuracy", 2)}},
+       {chapter("plantinga-timing", 1, &plantinga_timing),
+        chapter("plantinga-pdp7", 1, &plantinga_pdp7_turns),
+        chapter("plantinga-accuracy", 2, &plantinga_errors)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",
        {old("hard-cases", 3)}},
       {"agreement", "Cross-check: every method against every other", "",
-       {old("cross-check", 5)}},
+       {chapter("cross-check", 5, &cross_check_results)}},
       {"about", "About this report", "",
        {old("about", 0)}},
   };

@@ -58,4 +58,7 @@ struct CrossCheck {
 
 [[nodiscard]] CrossCheck measure_cross_check(const Context& context);
 
+class Page;
+void cross_check_results(Page& page, const CrossCheck& checked);
+
 }  // namespace sightline::report

@@ -38,4 +38,8 @@ struct PlantingaAccuracy {
 
 [[nodiscard]] PlantingaAccuracy measure_plantinga_accuracy(const Context& context);
 
+class Page;
+struct PlantingaTurns;
+void plantinga_errors(Page& page, const PlantingaAccuracy& measured, const PlantingaTurns& times);
+
 }  // namespace sightline::report

@@ -75,4 +75,7 @@ struct PlantingaTurns {
 
 [[nodiscard]] PlantingaTurns measure_plantinga_turns(const Context& context);
 
+class Page;
+void plantinga_timing(Page& page, const PlantingaTurns& turns);
+
 }  // namespace sightline::report
