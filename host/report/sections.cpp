@@ -2,7 +2,11 @@
 
 #include <stdexcept>
 
+#include "host/report/experiments/jones_accuracy.hpp"
+#include "host/report/experiments/jones_unseen.hpp"
 #include "host/report/experiments/jones_views.hpp"
+#include "host/report/experiments/skala_accuracy.hpp"
+#include "host/report/experiments/skala_pictures.hpp"
 
 namespace sightline::report {
 
@@ -34,7 +38,12 @@ const std::vector<Part>& report_parts() {
 
 const std::vector<Experiment>& report_experiments() {
   static const std::vector<Experiment> experiments{
+      experiment(&jones_numbers),
+      experiment(&skala_accuracy),
+      experiment(&jones_accuracy),
       experiment(&jones_views),
+      experiment(&skala_pictures),
+      experiment(&jones_unseen, true),
   };
   return experiments;
 }
@@ -43,13 +52,13 @@ const std::vector<SectionPlan>& report_sections() {
   static const std::vector<SectionPlan> sections{
       {"jones", "Jones 1971: cells and portals on a PDP-7", "jones",
        {chapter("jones-timing", 1, &jones_timing),
-        old("jones-accuracy", 2),
+        chapter("jones-accuracy", 2, &jones_accuracy_chapter),
         chapter("jones-needs", 4, &jones_needs),
-        old("jones-unseen", 4)}},
+        chapter("jones-unseen", 4, &jones_unseen_chapter)}},
       {"skala", "Skala 1985: slices of a surface on an 8080", "skala",
-       {old("skala-timing", 1),
-        old("skala-accuracy", 2),
-        old("skala-needs", 4)}},
+       {chapter("skala-timing", 1, &skala_timing),
+        chapter("skala-accuracy", 2, &skala_accuracy_chapter),
+        chapter("skala-needs", 4, &skala_needs)}},
       {"montani-re", "Montani and Re 1985: faces as stripes", "montani_re",
        {old("montani-re-timing", 1),
         old("montani-re-8080", 1),

@@ -8,20 +8,15 @@ namespace {
 
 constexpr std::array experiments{
     // Long ones first: they run on several processors.
-    OldExperiment{"jones-numbers", &jones_numbers},
     OldExperiment{"hard-cases", &hard_cases},
-    OldExperiment{"skala-accuracy", &skala_accuracy},
-    OldExperiment{"jones-accuracy", &jones_accuracy},
     OldExperiment{"willis-order", &willis_order},
     OldExperiment{"willis-flight", &willis_flight},
     OldExperiment{"cross-check", &cross_check},
     OldExperiment{"plantinga-accuracy", &plantinga_accuracy},
     OldExperiment{"plantinga-pdp7", &plantinga_pdp7},
-    OldExperiment{"skala-pictures", &skala_pictures},
     OldExperiment{"montani-re-8080", &montani_re_8080},
     OldExperiment{"montani-re-tables", &montani_re_tables},
     OldExperiment{"plantinga-turns", &plantinga_turns, true},
-    OldExperiment{"jones-unseen", &jones_unseen, true},
     OldExperiment{"montani-re-growth", &montani_re_growth, true},
     OldExperiment{"montani-re-stripes", &montani_re_stripes, true},
     OldExperiment{"willis-times", &willis_times, true},
