@@ -1,10 +1,3 @@
-// All algorithms compared with each other on the common scenes.
-//
-//   cells     a pair of methods on a scene: how they agree, or that they do not
-//   failures  the cells that differ or could not be run, with the first difference
-//   scenes    a scene each: size, views, cells listed to run and run
-//   reasons   what does not apply, as listed
-//   pictures  the first view of each scene by every method
 #include "host/report/experiments/cross_check.hpp"
 
 #include <fmt/core.h>
@@ -18,7 +11,6 @@
 
 #include "host/base/text.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/hard_cases/case_images.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -30,12 +22,12 @@ namespace {
 using compare::CrossCheckCell;
 using compare::CrossCheckState;
 
-Value verdict_of(const CrossCheckCell& cell) {
+Cell verdict_of(const CrossCheckCell& cell) {
   switch (cell.state) {
     case CrossCheckState::agrees: return Verdict{true, cell.how};
     case CrossCheckState::differs: return Verdict{false, "differs"};
     case CrossCheckState::not_run: return Verdict{false, "not run"};
-    case CrossCheckState::not_applicable: return "n/a";
+    case CrossCheckState::not_applicable: return std::string("n/a");
   }
   return {};
 }
@@ -47,15 +39,12 @@ double extent_of(const compare::CrossCheckView& view) {
   return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
-void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
+void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
-    pictures.add({{"id", fmt::format("{}-{}", base::lower_case(scene.name), ++number)},
-                  {"scene", scene.name},
-                  {"title", scene.title},
-                  {"method", fmt::format("{}{}", who, what)},
-                  {"picture", png_picture(image)}});
+    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), scene.name, scene.title,
+                        fmt::format("{}{}", who, what), png_picture(image)});
   };
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
@@ -73,52 +62,48 @@ void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const com
 
 }  // namespace
 
-void add_cross_check(Records& records, const compare::CommonScene& scene,
-                     const compare::SceneCrossCheck& agreement) {
-  RowSet& failures = records["failures"];
-  if (failures.keys().empty()) failures = RowSet({"scene", "pair", "first"});
+bool CrossCheck::agrees() const {
+  return failures.empty() && std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
+}
+
+std::size_t CrossCheck::run() const {
+  std::size_t all = 0;
+  for (const CheckedScene& scene : scenes) all += scene.run;
+  return all;
+}
+
+void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
   std::size_t run = 0;
   for (const CrossCheckCell& cell : agreement.cells) {
     const std::string pair = fmt::format("{} and {}", cell.first, cell.second);
-    records["cells"].add({{"scene", scene.name},
-                          {"column", base::lower_case(scene.name)},
-                          {"pair", pair},
-                          {"verdict", verdict_of(cell)}});
+    cells.push_back({scene.name, pair, verdict_of(cell)});
     run += cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::differs ? 1U : 0U;
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
-      failures.add({{"scene", scene.name}, {"pair", pair}, {"first", cell.text}});
+      failures.push_back({scene.name, pair, cell.text});
   }
-  const auto perspective =
+  const auto perspective = static_cast<std::size_t>(
       std::count_if(scene.views.begin(), scene.views.end(),
-                    [](const compare::CrossCheckView& view) { return view.camera.perspective; });
+                    [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
   const std::size_t listed = compare::listed_cells(scene);
-  const bool good = agreement.agrees() && run == listed;
-  records["scenes"].add({{"scene", scene.name},
-                         {"what", scene.title},
-                         {"edges", picture::edges_of(scene.scene).size()},
-                         {"faces", scene::face_count(scene.scene)},
-                         {"parallel", static_cast<std::int64_t>(scene.views.size()) - perspective},
-                         {"perspective", perspective},
-                         {"listed", listed},
-                         {"run", run},
-                         {"result", Verdict{good, good ? "all agree" : "not all agree"}}});
-  add_pictures(records["pictures"], scene, agreement);
+  scenes.push_back({.scene = scene.name,
+                    .what = scene.title,
+                    .edges = picture::edges_of(scene.scene).size(),
+                    .faces = scene::face_count(scene.scene),
+                    .parallel = scene.views.size() - perspective,
+                    .perspective = perspective,
+                    .listed = listed,
+                    .run = run,
+                    .good = agreement.agrees() && run == listed});
+  add_pictures(pictures, scene, agreement);
 }
 
-Records cross_check(const Context& context) {
-  Records records;
+CrossCheck measure_cross_check(const Context& context) {
+  CrossCheck checked;
   for (const std::string_view name : compare::common_scene_names()) {
     const compare::CommonScene scene = compare::common_scene(name);
-    add_cross_check(records, scene, compare::cross_check(scene, {}, context.progress));
+    checked.add(scene, compare::cross_check(scene, {}, context.progress));
   }
-  for (const compare::NotApplicable& listed : compare::not_applicable()) {
-    const bool all = listed.views == compare::NotApplicable::Views::all;
-    records["reasons"].add({{"method", listed.who},
-                            {"scenes", listed.scenes},
-                            {"views", all ? "all" : "in perspective"},
-                            {"reason", listed.reason}});
-  }
-  return records;
+  return checked;
 }
 
 }  // namespace sightline::report

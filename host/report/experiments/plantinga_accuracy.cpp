@@ -1,11 +1,6 @@
-// Plantinga, Seales and Dyer (1990): how wrong frames are when events are joined within an angle tolerance, or when
-// a frame is shown until the next one.
-//
 // Reference: hidden-line removal from scratch, exact, at random angles of which the list of events knows nothing.
-//
-//   tolerances  a model and angle tolerance each
-//   steps       a model and angle from frame to frame each
-//   hidden      the share of the edges' length that is hidden, so wrong in the wire frame: a model each
+#include "host/report/experiments/plantinga_accuracy.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -20,7 +15,6 @@
 #include "host/algorithms/plantinga/event_file.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/plantinga_models.hpp"
 
 namespace sightline::report {
@@ -116,7 +110,7 @@ double expected_percent(std::size_t groups, double degrees) {
 }
 
 // shown: the frame that is shown at an angle is that of which angle.
-NamedValues error_row(const StudiedModel& studied, const native::EventList& list, const std::vector<ExactView>& views,
+TurnErrors errors_of(const StudiedModel& studied, const native::EventList& list, const std::vector<ExactView>& views,
                       double degrees, const std::function<double(double)>& shown) {
   native::EdgeStructureGraph graph(list);
   native::FrameMaker frame(studied.model);
@@ -140,19 +134,16 @@ NamedValues error_row(const StudiedModel& studied, const native::EventList& list
   }
   // Equal places from different sums differ in their last bits.
   const double share = wrong_length / all_length;
-  return {{"model", studied.name},
-          {"degrees", degrees},
-          {"topo_per_cent", 100 * static_cast<double>(wrong) / static_cast<double>(views.size())},
-          {"expected_per_cent", expected_percent(studied.list.events.size(), degrees)},
-          {"wvr_per_cent", share < 1e-12 ? 0 : 100 * share}};
+  return {studied.name, degrees, 100 * static_cast<double>(wrong) / static_cast<double>(views.size()),
+          expected_percent(studied.list.events.size(), degrees), share < 1e-12 ? 0 : 100 * share};
 }
 
 }  // namespace
 
-Records plantinga_accuracy(const Context& context) {
+PlantingaAccuracy measure_plantinga_accuracy(const Context& context) {
   Context untimed = context;
   untimed.host_times = false;
-  Records records;
+  PlantingaAccuracy measured;
   for (const std::string_view name : plantinga_turned_models(context)) {
     context.progress(fmt::format("{}: exact views at random angles", name));
     const StudiedModel studied = study_model(untimed, name);
@@ -162,21 +153,18 @@ Records plantinga_accuracy(const Context& context) {
       native::BuildOptions options;
       options.tolerance = degrees * degree;
       const auto list = *native::build_event_list(studied.model, options);
-      NamedValues row = error_row(studied, list, views, degrees, [](double angle) { return angle; });
-      row.emplace_back("groups", list.events.size());
-      row.emplace_back("file_kb", static_cast<double>(native::encode_events(list).size()) / 1024);
-      records["tolerances"].add(row);
+      measured.tolerances.push_back({errors_of(studied, list, views, degrees, [](double angle) { return angle; }), list.events.size(),
+                                     static_cast<double>(native::encode_events(list).size()) / 1024});
     }
     context.progress(fmt::format("{}: steps from frame to frame", name));
     for (const double degrees : plantinga_steps) {
       const double step = degrees * degree;
-      records["steps"].add(error_row(studied, studied.list, views, degrees,
-                                     [step](double angle) { return std::floor(angle / step) * step; }));
+      measured.steps.push_back(errors_of(studied, studied.list, views, degrees,
+                                         [step](double angle) { return std::floor(angle / step) * step; }));
     }
-    records["hidden"].add(
-        {{"model", studied.name}, {"views", views.size()}, {"hidden_per_cent", hidden_percent(views)}});
+    measured.hidden.push_back({studied.name, views.size(), hidden_percent(views)});
   }
-  return records;
+  return measured;
 }
 
 }  // namespace sightline::report
