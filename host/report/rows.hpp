@@ -20,8 +20,7 @@ using Chosen = std::vector<std::reference_wrapper<const Row>>;
 
 template <class Rows>
 struct RowOf {
-  using type = std::unwrap_reference_t<typename Rows::value_type>;
-  using Row = std::remove_const_t<type>;
+  using Row = std::remove_cvref_t<std::unwrap_reference_t<typename Rows::value_type>>;
 };
 
 template <class T>

@@ -3,6 +3,8 @@
 #include <stdexcept>
 
 #include "host/report/experiments/cross_check.hpp"
+#include "host/report/experiments/jones_accuracy.hpp"
+#include "host/report/experiments/jones_unseen.hpp"
 #include "host/report/experiments/jones_views.hpp"
 #include "host/report/experiments/montani_re_8080.hpp"
 #include "host/report/experiments/montani_re_growth.hpp"
@@ -11,6 +13,8 @@
 #include "host/report/experiments/plantinga_accuracy.hpp"
 #include "host/report/experiments/plantinga_pdp7.hpp"
 #include "host/report/experiments/plantinga_turns.hpp"
+#include "host/report/experiments/skala_accuracy.hpp"
+#include "host/report/experiments/skala_pictures.hpp"
 #include "host/report/experiments/willis_flight.hpp"
 #include "host/report/experiments/willis_order.hpp"
 #include "host/report/experiments/willis_times.hpp"
@@ -45,18 +49,23 @@ const std::vector<Part>& report_parts() {
 
 const std::vector<Experiment>& report_experiments() {
   static const std::vector<Experiment> experiments{
-      experiment(&measure_willis_order),
-      experiment(&measure_willis_flight),
-      experiment(&measure_cross_check),
+      experiment(&jones_numbers),
+      experiment(&skala_accuracy),
+      experiment(&jones_accuracy),
+      experiment(&willis_order),
+      experiment(&willis_flight),
+      experiment(&cross_check),
       experiment(&jones_views),
-      experiment(&measure_plantinga_accuracy),
-      experiment(&measure_plantinga_pdp7),
-      experiment(&measure_montani_re_8080),
-      experiment(&measure_montani_re_tables),
-      experiment(&measure_plantinga_turns, true),
-      experiment(&measure_montani_re_growth, true),
-      experiment(&measure_montani_re_stripes, true),
-      experiment(&measure_willis_times, true),
+      experiment(&plantinga_accuracy),
+      experiment(&plantinga_pdp7),
+      experiment(&skala_pictures),
+      experiment(&montani_re_8080),
+      experiment(&montani_re_tables),
+      experiment(&plantinga_turns, true),
+      experiment(&jones_unseen, true),
+      experiment(&montani_re_growth, true),
+      experiment(&montani_re_stripes, true),
+      experiment(&willis_times, true),
   };
   return experiments;
 }
@@ -65,29 +74,29 @@ const std::vector<SectionPlan>& report_sections() {
   static const std::vector<SectionPlan> sections{
       {"jones", "Jones 1971: cells and portals on a PDP-7", "jones",
        {chapter("jones-timing", 1, &jones_timing),
-        old("jones-accuracy", 2),
+        chapter("jones-accuracy", 2, &jones_accuracy_chapter),
         chapter("jones-needs", 4, &jones_needs),
-        old("jones-unseen", 4)}},
+        chapter("jones-unseen", 4, &jones_unseen_chapter)}},
       {"skala", "Skala 1985: slices of a surface on an 8080", "skala",
-       {old("skala-timing", 1),
-        old("skala-accuracy", 2),
-        old("skala-needs", 4)}},
+       {chapter("skala-timing", 1, &skala_timing),
+        chapter("skala-accuracy", 2, &skala_accuracy_chapter),
+        chapter("skala-needs", 4, &skala_needs)}},
       {"montani-re", "Montani and Re 1985: faces as stripes", "montani_re",
        {chapter("montani-re-timing", 1, &montani_re_timing),
-        chapter("montani-re-8080", 1, &montani_re_8080),
+        chapter("montani-re-8080", 1, &montani_re_8080_chapter),
         chapter("montani-re-accuracy", 2, &montani_re_accuracy)}},
       {"willis", "Willis 1977: distance as priority", "willis",
        {chapter("willis-timing", 1, &willis_timing),
-        chapter("willis-flight", 1, &willis_flights),
+        chapter("willis-flight", 1, &willis_flight_chapter),
         chapter("willis-accuracy", 2, &willis_accuracy)}},
       {"plantinga", "Plantinga, Seales and Dyer 1990: a rotating scene", "plantinga",
        {chapter("plantinga-timing", 1, &plantinga_timing),
-        chapter("plantinga-pdp7", 1, &plantinga_pdp7_turns),
-        chapter("plantinga-accuracy", 2, &plantinga_errors)}},
+        chapter("plantinga-pdp7", 1, &plantinga_pdp7_chapter),
+        chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",
        {old("hard-cases", 3)}},
       {"agreement", "Cross-check: every method against every other", "",
-       {chapter("cross-check", 5, &cross_check_results)}},
+       {chapter("cross-check", 5, &cross_check_chapter)}},
       {"about", "About this report", "",
        {old("about", 0)}},
   };

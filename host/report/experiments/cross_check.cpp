@@ -45,7 +45,7 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
-    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), scene.name, scene.title,
+    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name), std::string(scene.title),
                         fmt::format("{}{}", who, what), png_picture(image)});
   };
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
@@ -78,17 +78,17 @@ void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCros
   std::size_t run = 0;
   for (const CrossCheckCell& cell : agreement.cells) {
     const std::string pair = fmt::format("{} and {}", cell.first, cell.second);
-    cells.push_back({scene.name, pair, verdict_of(cell)});
+    cells.push_back({std::string(scene.name), pair, verdict_of(cell)});
     run += cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::differs ? 1U : 0U;
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
-      failures.push_back({scene.name, pair, cell.text});
+      failures.push_back({std::string(scene.name), pair, cell.text});
   }
   const auto perspective = static_cast<std::size_t>(
       std::count_if(scene.views.begin(), scene.views.end(),
                     [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
   const std::size_t listed = compare::listed_cells(scene);
-  scenes.push_back({.scene = scene.name,
-                    .what = scene.title,
+  scenes.push_back({.scene = std::string(scene.name),
+                    .what = std::string(scene.title),
                     .edges = picture::edges_of(scene.scene).size(),
                     .faces = scene::face_count(scene.scene),
                     .parallel = scene.views.size() - perspective,
@@ -99,7 +99,7 @@ void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCros
   add_pictures(pictures, scene, agreement);
 }
 
-CrossCheck measure_cross_check(const Context& context) {
+CrossCheck cross_check(const Context& context) {
   CrossCheck checked;
   for (const std::string_view name : compare::common_scene_names()) {
     const compare::CommonScene scene = compare::common_scene(name);
@@ -108,7 +108,7 @@ CrossCheck measure_cross_check(const Context& context) {
   return checked;
 }
 
-void cross_check_results(Page& page, const CrossCheck& checked) {
+void cross_check_chapter(Page& page, const CrossCheck& checked) {
   page.table("agreement-matrix", "Every pair on every scene", checked.cells, {{"pair", "Pair", &PairVerdict::pair}},
              {.notes = {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, drawn of other edges "
                         "where edges lie on each other in the image. pixels: the same face at every pixel whose middle is more than 0.75 pixels "

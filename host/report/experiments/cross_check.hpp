@@ -56,9 +56,9 @@ struct CrossCheck {
   void add(const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement);
 };
 
-[[nodiscard]] CrossCheck measure_cross_check(const Context& context);
+[[nodiscard]] CrossCheck cross_check(const Context& context);
 
 class Page;
-void cross_check_results(Page& page, const CrossCheck& checked);
+void cross_check_chapter(Page& page, const CrossCheck& checked);
 
 }  // namespace sightline::report

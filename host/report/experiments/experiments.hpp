@@ -6,10 +6,5 @@
 namespace sightline::report {
 
 [[nodiscard]] Records hard_cases(const Context& context);
-[[nodiscard]] Records jones_accuracy(const Context& context);
-[[nodiscard]] Records jones_numbers(const Context& context);
-[[nodiscard]] Records jones_unseen(const Context& context);
-[[nodiscard]] Records skala_accuracy(const Context& context);
-[[nodiscard]] Records skala_pictures(const Context& context);
 
 }  // namespace sightline::report

@@ -46,7 +46,7 @@ double whole_time(const stripes::GuestPicture& guest) { return seconds(guest.rec
 
 }  // namespace
 
-MontaniRe8080 measure_montani_re_8080(const Context& context) {
+MontaniRe8080 montani_re_8080(const Context& context) {
   MontaniRe8080 measured;
   const stripes::Session session;
   for (const std::string_view scene_name : stripe_scenes) {
@@ -89,7 +89,7 @@ MontaniRe8080 measure_montani_re_8080(const Context& context) {
   return measured;
 }
 
-void montani_re_8080(Page& page, const MontaniRe8080& measured, const SkalaPictures& skala) {
+void montani_re_8080_chapter(Page& page, const MontaniRe8080& measured, const SkalaPictures& skala) {
   const std::vector<StripesScene>& scenes = measured.scenes;
   page.table("montani-re-8080-scenes", "Scenes in stripes on an 8080 at 3 MHz", scenes,
              {{"scene", "Scene", &StripesScene::scene},

@@ -43,10 +43,10 @@ struct MontaniRe8080 {
   std::size_t most_faces = 0;
 };
 
-[[nodiscard]] MontaniRe8080 measure_montani_re_8080(const Context& context);
+[[nodiscard]] MontaniRe8080 montani_re_8080(const Context& context);
 
 class Page;
 struct SkalaPictures;
-void montani_re_8080(Page& page, const MontaniRe8080& measured, const SkalaPictures& skala);
+void montani_re_8080_chapter(Page& page, const MontaniRe8080& measured, const SkalaPictures& skala);
 
 }  // namespace sightline::report

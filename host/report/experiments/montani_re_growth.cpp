@@ -183,7 +183,7 @@ std::optional<double> growth_exponent(const std::vector<std::pair<double, double
   return variance > 0 ? covariance / variance : 0;
 }
 
-MontaniReGrowth measure_montani_re_growth(const Context& context) {
+MontaniReGrowth montani_re_growth(const Context& context) {
   std::vector<std::size_t> sizes{100, 300, 1000};
   if (context.full) sizes.push_back(long_scene);
   const int timed = context.full ? 5 : 3;

@@ -47,7 +47,7 @@ struct MontaniReGrowth {
   std::vector<GrowthExponents> exponents;
 };
 
-[[nodiscard]] MontaniReGrowth measure_montani_re_growth(const Context& context);
+[[nodiscard]] MontaniReGrowth montani_re_growth(const Context& context);
 
 // The exponent of y = c x^exponent, by least squares of logarithms. Points with a y of 0 are left out; there is none of
 // fewer than `fewest` others.

@@ -367,7 +367,7 @@ MontaniReStripes measure_stripes(const StripesOptions& options, const Context& c
   return measured;
 }
 
-MontaniReStripes measure_montani_re_stripes(const Context& context) {
+MontaniReStripes montani_re_stripes(const Context& context) {
   StripesOptions options;
   if (context.full) {
     options.scene_size = 50;

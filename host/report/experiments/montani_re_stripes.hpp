@@ -68,7 +68,7 @@ struct MontaniReStripes {
 };
 
 [[nodiscard]] MontaniReStripes measure_stripes(const StripesOptions& options, const Context& context);
-[[nodiscard]] MontaniReStripes measure_montani_re_stripes(const Context& context);
+[[nodiscard]] MontaniReStripes montani_re_stripes(const Context& context);
 
 // The boundary of stripes of so many sixteenths of a pixel, middles of pixels at whole numbers: sides, and
 // horizontal pieces where what is above is covered and what is below not, or the other way round.

@@ -163,7 +163,7 @@ Verdict equal_or_not(const Beside<Row>& row) {
 
 }  // namespace
 
-MontaniReTables measure_montani_re_tables(const Context& context) {
+MontaniReTables montani_re_tables(const Context& context) {
   context.progress("Montani and Re: the tables of the paper");
   MontaniReTables tables;
   tables.stripes = printed_stripes();

@@ -55,7 +55,7 @@ struct MontaniReTables {
   std::vector<FaceCycle> cycles;
 };
 
-[[nodiscard]] MontaniReTables measure_montani_re_tables(const Context& context);
+[[nodiscard]] MontaniReTables montani_re_tables(const Context& context);
 
 class Page;
 // Beside those that the paper prints.

@@ -244,7 +244,7 @@ void add_step_plot(Page& page, const std::vector<TurnErrors>& steps, const Plant
 
 }  // namespace
 
-PlantingaAccuracy measure_plantinga_accuracy(const Context& context) {
+PlantingaAccuracy plantinga_accuracy(const Context& context) {
   Context untimed = context;
   untimed.host_times = false;
   PlantingaAccuracy measured;
@@ -271,7 +271,7 @@ PlantingaAccuracy measure_plantinga_accuracy(const Context& context) {
   return measured;
 }
 
-void plantinga_errors(Page& page, const PlantingaAccuracy& measured, const PlantingaTurns& times) {
+void plantinga_accuracy_chapter(Page& page, const PlantingaAccuracy& measured, const PlantingaTurns& times) {
   page.paragraph(fmt::format(
       "Models that turn, compared with hidden-line removal from scratch at {} random angles. The measures are: views with a wrong structure, "
       "the share of angles at which any edge has other visible pieces or other ends than it should; and wrong visibility, the share of the "

@@ -36,10 +36,10 @@ struct PlantingaAccuracy {
   std::vector<HiddenShare> hidden;          // a model each
 };
 
-[[nodiscard]] PlantingaAccuracy measure_plantinga_accuracy(const Context& context);
+[[nodiscard]] PlantingaAccuracy plantinga_accuracy(const Context& context);
 
 class Page;
 struct PlantingaTurns;
-void plantinga_errors(Page& page, const PlantingaAccuracy& measured, const PlantingaTurns& times);
+void plantinga_accuracy_chapter(Page& page, const PlantingaAccuracy& measured, const PlantingaTurns& times);
 
 }  // namespace sightline::report

@@ -32,7 +32,7 @@ turn::Tape tape_of(std::string_view file, std::string_view text) {
 
 }  // namespace
 
-std::vector<Pdp7Turn> measure_plantinga_pdp7(const Context& context) {
+std::vector<Pdp7Turn> plantinga_pdp7(const Context& context) {
   std::vector<Pdp7Turn> turns;
   for (const auto& [file, text] : turn_model_files()) {
     const std::string model(file.substr(0, file.rfind('.')));
@@ -67,7 +67,7 @@ std::vector<Pdp7Turn> measure_plantinga_pdp7(const Context& context) {
   return turns;
 }
 
-void plantinga_pdp7_turns(Page& page, const std::vector<Pdp7Turn>& turns) {
+void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
   const auto with_eae = where(turns, &Pdp7Turn::eae);
   page.table("plantinga-pdp7-turns", "What 1965 could have done: solids turning with hidden lines removed on a PDP-7 with a Type 340", turns,
              {{"model", "Model", &Pdp7Turn::model},

@@ -29,9 +29,9 @@ struct Pdp7Turn {
   std::optional<Picture> screen = {};  // an eighth of a turn after the beginning; of runs with the EAE
 };
 
-[[nodiscard]] std::vector<Pdp7Turn> measure_plantinga_pdp7(const Context& context);
+[[nodiscard]] std::vector<Pdp7Turn> plantinga_pdp7(const Context& context);
 
 class Page;
-void plantinga_pdp7_turns(Page& page, const std::vector<Pdp7Turn>& turns);
+void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns);
 
 }  // namespace sightline::report

@@ -343,7 +343,7 @@ void add_claims(Page& page, const PlantingaTurns& turns) {
 
 }  // namespace
 
-PlantingaTurns measure_plantinga_turns(const Context& context) {
+PlantingaTurns plantinga_turns(const Context& context) {
   PlantingaTurns measured;
   const auto turned = plantinga_turned_models(context);
   for (const std::string_view name : plantinga_models_of(context)) {

@@ -73,7 +73,7 @@ struct PlantingaTurns {
   std::vector<TurnBaseline> baselines;     // a model each
 };
 
-[[nodiscard]] PlantingaTurns measure_plantinga_turns(const Context& context);
+[[nodiscard]] PlantingaTurns plantinga_turns(const Context& context);
 
 class Page;
 void plantinga_timing(Page& page, const PlantingaTurns& turns);

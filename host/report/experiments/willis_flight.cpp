@@ -86,7 +86,7 @@ void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
 
 }  // namespace
 
-std::vector<WillisFlight> measure_willis_flight(const Context& context) {
+std::vector<WillisFlight> willis_flight(const Context& context) {
   namespace guest = guests::flight;
   constexpr std::uint32_t frames = 100;
   constexpr std::size_t all = 200;
@@ -141,7 +141,7 @@ std::vector<WillisFlight> measure_willis_flight(const Context& context) {
   return flights;
 }
 
-void willis_flights(Page& page, const std::vector<WillisFlight>& flights) {
+void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights) {
   add_claims(page, flights);
   const std::uint64_t wrong_points = greatest(flights, &WillisFlight::wrong_points);
   const double of_100 = least(where(flights, is(&WillisFlight::pieces, 100U)), &WillisFlight::frames_a_second);

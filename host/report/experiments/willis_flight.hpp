@@ -33,9 +33,9 @@ struct WillisFlight {
   std::optional<Picture> screen = {};
 };
 
-[[nodiscard]] std::vector<WillisFlight> measure_willis_flight(const Context& context);
+[[nodiscard]] std::vector<WillisFlight> willis_flight(const Context& context);
 
 class Page;
-void willis_flights(Page& page, const std::vector<WillisFlight>& flights);
+void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights);
 
 }  // namespace sightline::report

@@ -206,7 +206,7 @@ void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::str
 
 }  // namespace
 
-WillisOrder measure_willis_order(const Context& context) {
+WillisOrder willis_order(const Context& context) {
   WillisOrder measured;
   measured.areas = boundary_areas();
   for (const WillisScene& scene : willis_order_scenes()) {

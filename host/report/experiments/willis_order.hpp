@@ -69,7 +69,7 @@ struct WillisOrder {
   std::vector<WillisPicture> pictures;  // cut never, once, and as often as it takes
 };
 
-[[nodiscard]] WillisOrder measure_willis_order(const Context& context);
+[[nodiscard]] WillisOrder willis_order(const Context& context);
 
 class Page;
 struct WillisTimes;

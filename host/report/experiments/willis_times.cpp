@@ -248,7 +248,7 @@ const WillisModelTime& WillisTimes::of(const WillisModel& model, const WillisOrd
   return models.at(static_cast<std::size_t>(&model - order.models.data()));
 }
 
-WillisTimes measure_willis_times(const Context& context) {
+WillisTimes willis_times(const Context& context) {
   WillisTimes measured;
   measured.display = {1e9 / static_cast<double>(display::frame.count()), display::frame / display::line,
                       static_cast<double>(display::line.count()) / 1e3, display::lines,

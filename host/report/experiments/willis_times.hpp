@@ -58,7 +58,7 @@ struct WillisTimes {
   [[nodiscard]] const WillisModelTime& of(const WillisModel& model, const WillisOrder& order) const;
 };
 
-[[nodiscard]] WillisTimes measure_willis_times(const Context& context);
+[[nodiscard]] WillisTimes willis_times(const Context& context);
 
 class Page;
 void willis_timing(Page& page, const WillisTimes& times, const WillisOrder& order);
