@@ -10,6 +10,7 @@
 #include "host/report/experiments/montani_re_growth.hpp"
 #include "host/report/experiments/montani_re_stripes.hpp"
 #include "host/report/experiments/montani_re_tables.hpp"
+#include "host/report/experiments/overview.hpp"
 #include "host/report/experiments/plantinga_accuracy.hpp"
 #include "host/report/experiments/plantinga_pdp7.hpp"
 #include "host/report/experiments/plantinga_turns.hpp"
@@ -72,6 +73,24 @@ const std::vector<Experiment>& report_experiments() {
 
 const std::vector<SectionPlan>& report_sections() {
   static const std::vector<SectionPlan> sections{
+      {"overview", "Which lines can the eye see?", "",
+       {chapter("overview", 0, &overview_question),
+        chapter("method-jones", 0, &method_jones),
+        chapter("method-willis", 0, &method_willis),
+        chapter("method-montani-re", 0, &method_montani_re),
+        chapter("method-skala", 0, &method_skala),
+        chapter("method-plantinga", 0, &method_plantinga),
+        chapter("finding-view-time", 0, &finding_view_time),
+        chapter("finding-pdp7-turn", 0, &finding_pdp7_turn),
+        chapter("finding-8080-stripes", 0, &finding_8080_stripes),
+        chapter("finding-flight", 0, &finding_flight),
+        chapter("finding-word-length", 0, &finding_word_length),
+        chapter("finding-visibility-cost", 0, &finding_visibility_cost),
+        chapter("finding-growth", 0, &finding_growth),
+        chapter("finding-unseen", 0, &finding_unseen),
+        chapter("finding-normals", 0, &finding_normals),
+        chapter("finding-events", 0, &finding_events),
+        chapter("finding-agreement", 0, &finding_agreement)}},
       {"jones", "Jones 1971: cells and portals on a PDP-7", "jones",
        {chapter("jones-timing", 1, &jones_timing),
         chapter("jones-accuracy", 2, &jones_accuracy_chapter),
@@ -98,7 +117,7 @@ const std::vector<SectionPlan>& report_sections() {
       {"agreement", "Cross-check: every method against every other", "",
        {chapter("cross-check", 5, &cross_check_chapter)}},
       {"about", "About this report", "",
-       {old("about", 0)}},
+       {chapter("about", 0, &about)}},
   };
   return sections;
 }
