@@ -150,6 +150,7 @@ auto MaskClip<Number>::intersect(const BasicMask<Coordinate>& mask, std::span<co
 
 template class MaskClip<ShortWords>;
 template class MaskClip<LongWords>;
+template class MaskClip<MixedWords>;
 template class MaskClip<SingleFloat>;
 template class MaskClip<DoubleFloat>;
 

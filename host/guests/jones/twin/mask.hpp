@@ -156,6 +156,7 @@ class MaskClip {
 };
 extern template class MaskClip<ShortWords>;
 extern template class MaskClip<LongWords>;
+extern template class MaskClip<MixedWords>;
 extern template class MaskClip<SingleFloat>;
 extern template class MaskClip<DoubleFloat>;
 
