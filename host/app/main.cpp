@@ -14,7 +14,7 @@ struct Entry {
   void (*add)(const Command& program);
 };
 
-constexpr std::array<Entry, 19> commands{{
+constexpr std::array<Entry, 20> commands{{
     {"demo", add_demo_command},
     {"report", add_report_command},
     {"jones", add_jones_command},
@@ -27,6 +27,7 @@ constexpr std::array<Entry, 19> commands{{
     {"turn", add_turn_command},
     {"flight", add_flight_command},
     {"sweep", add_sweep_command},
+    {"atlas", add_atlas_command},
     {"asm", add_asm_command},
     {"disasm", add_disasm_command},
     {"run", add_run_command},

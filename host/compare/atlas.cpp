@@ -50,8 +50,8 @@ AtlasQuantiles quantiles_of(std::vector<double> values) {
 }
 
 std::string names_of(const std::array<bool, jones::roundings>& finer) {
-  if (std::all_of(finer.begin(), finer.end(), [](bool b) { return b; })) return "all fraction bits";
-  static constexpr std::array<const char*, jones::roundings> names{"line ends", "portal corners", "mask corners"};
+  static constexpr std::array<const char*, jones::roundings> names{"of a line", "of a portal", "of a mask"};
+  if (std::all_of(finer.begin(), finer.end(), [](bool b) { return b; })) return "of everything";
   std::string text;
   for (std::size_t i = 0; i < finer.size(); ++i)
     if (finer[i]) text += (text.empty() ? "" : " and ") + std::string(names[i]);
@@ -93,9 +93,10 @@ std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uin
 
 std::string WrongCause::name() const {
   if (status != jones::Status::complete) return std::string(jones::name(status));
-  if (finer.empty()) return "not a rounding: wrong with 8 fraction bits, too";
+  if (hollow_mask) return "mask corner";
+  if (finer.empty()) return "no rounding: wrong with 8 fraction bits, too";
   std::string text;
-  for (const auto& roundings : finer) text += (text.empty() ? "rounding of " : " or ") + names_of(roundings);
+  for (const auto& roundings : finer) text += (text.empty() ? "rounding " : " or ") + names_of(roundings);
   return text;
 }
 
@@ -175,7 +176,8 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
     return view.status == jones::Status::complete &&
            wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, whole_screen()).length() == 0;
   };
-  for (std::size_t count = 1; count <= jones::roundings && cause.finer.empty(); ++count)
+  cause.hollow_mask = is_right(jones::run_mixed(core, header, parameters, {true, true, true}, true));
+  for (std::size_t count = cause.hollow_mask ? jones::roundings + 1 : 1; count <= jones::roundings && cause.finer.empty(); ++count)
     for (unsigned chosen = 1; chosen < 1U << jones::roundings; ++chosen) {
       std::array<bool, jones::roundings> finer{};
       std::array<bool, jones::roundings> of_machine{};
@@ -192,22 +194,80 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
 
 namespace {
 
+using LineKey = std::tuple<std::size_t, std::array<std::int32_t, 2>>;
+
+LineKey key_of(const AxisLine& line) {
+  return {line.axis, line.cross};
+}
+
+// Every view's first view of its cluster.
+class Connected {
+ public:
+  explicit Connected(std::size_t count) : before_(count) {
+    for (std::size_t i = 0; i < count; ++i) before_[i] = i;
+  }
+  [[nodiscard]] std::size_t first(std::size_t i) const {
+    while (before_[i] != i) i = before_[i];
+    return i;
+  }
+  void connect(std::size_t i, std::size_t j) {
+    i = first(i);
+    j = first(j);
+    before_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::size_t> before_;
+};
+
+// The line that is wrong in most of the views; of several, the one with the greatest wrong length.
+std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers, const std::vector<AtlasView>& views) {
+  struct Wrong {
+    AxisLine line;
+    std::size_t views = 0;
+    double length = 0;
+  };
+  std::map<LineKey, Wrong> lines;
+  for (const std::size_t number : numbers) {
+    std::map<LineKey, Wrong> of_view;
+    for (const ScreenStretch& stretch : views[number].wrong.stretches) {
+      Wrong& wrong = of_view[key_of(stretch.line)];
+      wrong.line = stretch.line;
+      wrong.length += stretch.length;
+    }
+    for (const auto& [key, wrong] : of_view) {
+      lines[key].line = wrong.line;
+      lines[key].length += wrong.length;
+      ++lines[key].views;
+    }
+  }
+  const Wrong* most = nullptr;
+  for (const auto& [key, wrong] : lines)
+    if (most == nullptr || std::tuple(wrong.views, wrong.length) > std::tuple(most->views, most->length)) most = &wrong;
+  if (most == nullptr) return std::nullopt;
+  return most->line;
+}
+
 std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
-  std::map<std::tuple<std::string, std::optional<std::tuple<std::size_t, std::array<std::int32_t, 2>>>>, AtlasCluster> found;
+  Connected connected(views.size());
+  std::map<std::tuple<std::string, std::optional<LineKey>>, std::size_t> seen;
   for (std::size_t number = 0; number < views.size(); ++number) {
     const AtlasView& view = views[number];
     if (!view.is_wrong()) continue;
-    std::optional<AxisLine> line;
-    const auto& stretches = view.wrong.stretches;
-    const auto longest = std::max_element(stretches.begin(), stretches.end(),
-                                          [](const ScreenStretch& a, const ScreenStretch& b) { return a.length < b.length; });
-    if (view.cause->status == jones::Status::complete && longest != stretches.end()) line = longest->line;
-    std::optional<std::tuple<std::size_t, std::array<std::int32_t, 2>>> place;
-    if (line) place.emplace(line->axis, line->cross);
-    AtlasCluster& cluster = found[{view.cause->name(), place}];
+    const std::string cause = view.cause->name();
+    if (view.cause->status != jones::Status::complete)
+      connected.connect(number, seen.emplace(std::tuple(cause, std::nullopt), number).first->second);
+    else
+      for (const ScreenStretch& stretch : view.wrong.stretches)
+        connected.connect(number, seen.emplace(std::tuple(cause, key_of(stretch.line)), number).first->second);
+  }
+  std::map<std::size_t, AtlasCluster> found;
+  for (std::size_t number = 0; number < views.size(); ++number) {
+    const AtlasView& view = views[number];
+    if (!view.is_wrong()) continue;
+    AtlasCluster& cluster = found[connected.first(number)];
     if (cluster.views.empty()) {
       cluster.cause = view.cause->name();
-      cluster.line = line;
       cluster.worst = number;
       cluster.right_from_bits = 0;
     }
@@ -221,7 +281,10 @@ std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
     cluster.most_wrong = views[cluster.worst].wrong.length();
   }
   std::vector<AtlasCluster> clusters;
-  for (auto& [key, cluster] : found) clusters.push_back(std::move(cluster));
+  for (auto& [first, cluster] : found) {
+    if (views[first].cause->status == jones::Status::complete) cluster.line = line_of(cluster.views, views);
+    clusters.push_back(std::move(cluster));
+  }
   std::stable_sort(clusters.begin(), clusters.end(),
                    [](const AtlasCluster& a, const AtlasCluster& b) { return a.most_wrong > b.most_wrong; });
   return clusters;

@@ -4,12 +4,15 @@
 // (wrong_stretches.hpp); the truth is the oracle's visible lines. The ends of what is drawn are taken as the program
 // calculated them, before they are rounded to whole points for the display.
 //
-// The cause of a wrong view is found by experiment: its twin runs again, with one of the program's roundings made finer
-// (twin/number.hpp, MixedWords), then with two of them. The fewest that make the view right are the cause.
+// The cause of a wrong view is found by experiment: its twin runs again with one thing changed (twin/number.hpp, MixedWords).
+// First, masks that rounding has made hollow are made convex again; then one of the program's roundings is made finer, then
+// two of them. The first change that makes the view right is the cause.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +42,10 @@ inline constexpr int most_lattice_steps = 1000;
 // Why a view is wrong.
 struct WrongCause {
   guests::jones::Status status = guests::jones::Status::complete;  // of the machine: it stopped before the end
-  // Each makes the view right if these of the program's roundings, by the order of `Rounding`, become 32 times finer or
+  // The view is right if corners at which rounding has made a mask hollow are left out: the line through two corners that
+  // lie near each other has another direction then, and cuts off what is far from them.
+  bool hollow_mask = false;
+  // If not: each makes the view right if these of the program's roundings, by the order of `Rounding`, become 32 times finer or
   // more; all have the same, least number of roundings. Empty: none does.
   std::vector<std::array<bool, guests::jones::roundings>> finer;
   // The view is right with this number of fraction bits and with every greater one up to 8, in words of 36 bits.
@@ -47,7 +53,7 @@ struct WrongCause {
   // Of an arithmetic overflow: the shortest word that completes the view.
   std::optional<int> word_bits;
 
-  // "rounding of mask corners", "rounding of portal corners or mask corners" (either is enough), "display file overflow".
+  // "mask corner", "rounding of a portal", "rounding of a line or of a mask" (either is enough), "display file overflow".
   [[nodiscard]] std::string name() const;
 };
 
@@ -94,11 +100,11 @@ class ErrorAtlas {
   std::vector<algorithms::oracle::RealLine> lines_;
 };
 
-// Wrong views of one cause whose longest wrong stretch is on one line of the scene; those that the machine did not
-// complete are together by status.
+// Wrong views of one cause that are connected by lines of the scene of which they show a stretch wrongly; those that the
+// machine did not complete are connected by their status.
 struct AtlasCluster {
   std::string cause;
-  std::optional<AxisLine> line;
+  std::optional<AxisLine> line;  // the one that is wrong in most of the views
   std::vector<std::size_t> views;  // numbers, ascending
   std::size_t worst = 0;           // of the greatest wrong length
   double most_wrong = 0;           // points

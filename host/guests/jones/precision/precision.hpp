@@ -68,7 +68,7 @@ struct PreciseView {
 // The same with the machine's words, or with 8 fraction bits, for each rounding: true is the machine's own, of the
 // parameters' fraction_bits and truncate.
 [[nodiscard]] PreciseView run_mixed(std::span<const core::Word18> core, std::uint32_t scene_header, const Parameters& parameters,
-                                    const std::array<bool, roundings>& of_machine);
+                                    const std::array<bool, roundings>& of_machine, bool convex_masks = false);
 
 // A scene in core without the program, its header at 0, and which line each vector word represents.
 struct SceneInCore {

@@ -163,8 +163,14 @@ class MixedWords : public LongWords {
   static constexpr int fine_bits = 8;
 
   // machine_bits: fraction bits of the machine, 0..3.
-  MixedWords(int machine_bits, bool truncate, const std::array<bool, roundings>& of_machine)
-      : LongWords(36, fine_bits, truncate), unit_(std::int64_t{1} << (fine_bits - machine_bits)), of_machine_(of_machine) {}
+  // convex_masks: corners at which rounding has made a mask hollow are left out of it.
+  MixedWords(int machine_bits, bool truncate, const std::array<bool, roundings>& of_machine, bool convex_masks = false)
+      : LongWords(36, fine_bits, truncate),
+        unit_(std::int64_t{1} << (fine_bits - machine_bits)),
+        of_machine_(of_machine),
+        convex_masks_(convex_masks) {}
+
+  [[nodiscard]] bool convex_masks() const { return convex_masks_; }
 
   // What follows is done for these numbers of the view.
   void enter(Rounding rounding) { coarse_ = of_machine_[static_cast<std::size_t>(rounding)]; }
@@ -186,6 +192,7 @@ class MixedWords : public LongWords {
  private:
   std::int64_t unit_;
   std::array<bool, roundings> of_machine_;
+  bool convex_masks_;
   bool coarse_ = false;
 };
 using SingleFloat = FloatingPoint<float>;
