@@ -93,6 +93,7 @@ std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uin
 
 std::string WrongCause::name() const {
   if (status != jones::Status::complete) return std::string(jones::name(status));
+  if (fraction_bits) return "fraction bits";
   if (hollow_mask) return "mask corner";
   if (finer.empty()) return "no rounding: wrong with 8 fraction bits, too";
   std::string text;
@@ -176,8 +177,10 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
     return view.status == jones::Status::complete &&
            wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, whole_screen()).length() == 0;
   };
-  cause.hollow_mask = is_right(jones::run_mixed(core, header, parameters, {true, true, true}, true));
-  for (std::size_t count = cause.hollow_mask ? jones::roundings + 1 : 1; count <= jones::roundings && cause.finer.empty(); ++count)
+  cause.fraction_bits = options_.fraction_bits < jones::machine_fraction_bits &&
+                        is_right(in_words(jones::machine_word_bits, jones::machine_fraction_bits));
+  cause.hollow_mask = !cause.fraction_bits && is_right(jones::run_mixed(core, header, parameters, {true, true, true}, true));
+  for (std::size_t count = cause.fraction_bits || cause.hollow_mask ? jones::roundings + 1 : 1; count <= jones::roundings && cause.finer.empty(); ++count)
     for (unsigned chosen = 1; chosen < 1U << jones::roundings; ++chosen) {
       std::array<bool, jones::roundings> finer{};
       std::array<bool, jones::roundings> of_machine{};

@@ -5,8 +5,8 @@
 // calculated them, before they are rounded to whole points for the display.
 //
 // The cause of a wrong view is found by experiment: its twin runs again with one thing changed (twin/number.hpp, MixedWords).
-// First, masks that rounding has made hollow are made convex again; then one of the program's roundings is made finer, then
-// two of them. The first change that makes the view right is the cause.
+// First it gets all the fraction bits that the program can have; then masks that rounding has made hollow are made convex
+// again; then one of its roundings is made finer, then two of them. The first change that makes the view right is the cause.
 #pragma once
 
 #include <array>
@@ -42,7 +42,9 @@ inline constexpr int most_lattice_steps = 1000;
 // Why a view is wrong.
 struct WrongCause {
   guests::jones::Status status = guests::jones::Status::complete;  // of the machine: it stopped before the end
-  // The view is right if corners at which rounding has made a mask hollow are left out: the line through two corners that
+  // The program is assembled with fewer fraction bits than it can have, and is right with all of them.
+  bool fraction_bits = false;
+  // If not: the view is right if corners at which rounding has made a mask hollow are left out: the line through two corners that
   // lie near each other has another direction then, and cuts off what is far from them.
   bool hollow_mask = false;
   // If not: each makes the view right if these of the program's roundings, by the order of `Rounding`, become 32 times finer or
@@ -53,7 +55,7 @@ struct WrongCause {
   // Of an arithmetic overflow: the shortest word that completes the view.
   std::optional<int> word_bits;
 
-  // "mask corner", "rounding of a portal", "rounding of a line or of a mask" (either is enough), "display file overflow".
+  // "mask corner", "fraction bits", "rounding of a portal", "rounding of a line or of a mask" (either is enough), "display file overflow".
   [[nodiscard]] std::string name() const;
 };
 

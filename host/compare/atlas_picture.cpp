@@ -21,15 +21,18 @@ using picture::VectorDrawing;
 // Pixels.
 constexpr double border = 28;
 constexpr double text_height = 13;
+constexpr double small_text = 10;
 constexpr double line_height = 24;
-constexpr double gap = 48;  // between the panels
+constexpr double gap = 64;  // at the right of a panel
 constexpr double most_across = 600;
-constexpr double most_along = 860;
-constexpr double least_across = 440;  // of a panel with its legend
-constexpr std::size_t most_listed = 12;
+constexpr double most_along = 800;
+constexpr double least_side = 120;    // of a plan, which is stretched if need be
+constexpr double least_across = 520;  // of a panel with its legend
+constexpr std::size_t most_listed = 16;
+constexpr double mark = 3;  // half a mark of a wrong view, which is seen however small its place is
 
 constexpr Colour grey{205, 205, 205};  // no eye is possible
-constexpr Colour right{222, 236, 246};
+constexpr Colour right{190, 216, 236};
 constexpr Colour paper{255, 255, 255};
 // Of a wrong length up to so many points. The colours of Okabe and Ito (2008), and black where the machine stopped.
 struct WrongClass {
@@ -103,33 +106,41 @@ class Plan {
   Plan(const scene::CellScene& scene, const std::optional<AtlasLattice>& lattice) : scene_(&scene), lattice_(lattice) {
     const auto across = static_cast<double>(scene.outer.span(0).length());
     const auto along = static_cast<double>(scene.outer.span(2).length());
-    scale_ = std::min(most_across / across, most_along / along);
-    width_ = across * scale_;
-    height_ = along * scale_;
+    const double scale = std::min(most_across / across, most_along / along);
+    width_ = std::max(across * scale, least_side);
+    height_ = std::max(along * scale, least_side);
+    scale_x_ = width_ / across;
+    scale_z_ = height_ / along;
   }
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double height() const { return height_; }
 
-  void draw(Sheet& sheet, double left, double top, const std::vector<AtlasView>& views,
+  // large_marks: those of wrong views.
+  void draw(Sheet& sheet, double left, double top, const std::vector<AtlasView>& views, bool large_marks,
             const std::function<Colour(const AtlasView&)>& colour) const {
-    const auto x = [&](double at) { return left + (at - scene_->outer.low[0]) * scale_; };
-    const auto y = [&](double at) { return top + (scene_->outer.high[2] - at) * scale_; };
-    sheet.box(left, top, left + width_, top + height_, lattice_ ? grey : paper);
-    if (!lattice_)
+    const auto x = [&](double at) { return left + (at - scene_->outer.low[0]) * scale_x_; };
+    const auto y = [&](double at) { return top + (scene_->outer.high[2] - at) * scale_z_; };
+    const auto fill_solids = [&](Colour shade) {
       for (const geometry::Box& solid : scene_->solids)
-        sheet.box(x(solid.low[0]), y(solid.high[2]), x(solid.high[0]), y(solid.low[2]), {235, 235, 235});
+        if (at_height(solid.span(1))) sheet.box(x(solid.low[0]), y(solid.high[2]), x(solid.high[0]), y(solid.low[2]), shade);
+    };
+    sheet.box(left, top, left + width_, top + height_, lattice_ ? grey : paper);
+    if (!lattice_) fill_solids({235, 235, 235});
     // Wrong ones last, so that no other covers them.
-    for (const bool wrong : {false, true})
+    for (const bool wrong : {false, true}) {
+      if (wrong && lattice_) fill_solids(grey);
       for (const AtlasView& view : views) {
-        if (view.is_wrong() != wrong || (!view.free && lattice_)) continue;
-        const double across = lattice_ ? width_ / lattice_->columns / 2 : 2.2;
-        const double along = lattice_ ? height_ / lattice_->rows / 2 : 2.2;
-        const double more = wrong ? 3 : 0;  // a wrong view is seen however small its place
-        const double half_x = std::max(across, wrong ? 3.0 : 0.0) + (lattice_ ? 0 : more);
-        const double half_y = std::max(along, wrong ? 3.0 : 0.0) + (lattice_ ? 0 : more);
-        sheet.box(x(view.eye[0]) - half_x, y(view.eye[2]) - half_y, x(view.eye[0]) + half_x, y(view.eye[2]) + half_y,
-                  view.free ? colour(view) : grey);
+        if (view.is_wrong() != wrong || !view.free) continue;
+        // Eyes are at whole units: a unit more leaves no gap between their places.
+        double half_x = lattice_ ? (width_ / lattice_->columns + scale_x_) / 2 : 2.2;
+        double half_y = lattice_ ? (height_ / lattice_->rows + scale_z_) / 2 : 2.2;
+        if (wrong && large_marks) {
+          half_x = std::max(half_x, lattice_ ? mark : 1.8 * mark);
+          half_y = std::max(half_y, lattice_ ? mark : 1.8 * mark);
+        }
+        sheet.box(x(view.eye[0]) - half_x, y(view.eye[2]) - half_y, x(view.eye[0]) + half_x, y(view.eye[2]) + half_y, colour(view));
       }
+    }
     for (const geometry::Box& solid : scene_->solids)
       sheet.frame(at_height(solid.span(1)) ? wall : faint, x(solid.low[0]), y(solid.high[2]), x(solid.high[0]), y(solid.low[2]));
     for (const geometry::Rectangle& rectangle : scene_->walls) {
@@ -138,6 +149,13 @@ class Plan {
       sheet.line(at_height(box.span(1)) ? wall : faint, x(box.low[0]), y(box.low[2]), x(box.high[0]), y(box.high[2]));
     }
     sheet.frame(wall, left, top, left + width_, top + height_);
+    const auto corner = [](char axis, std::int32_t at) { return fmt::format("{} = {}", axis, at); };
+    std::string across = fmt::format("x = {} to {}", scene_->outer.low[0], scene_->outer.high[0]);
+    if (std::abs(scale_x_ / scale_z_ - 1) > 0.01)
+      across += fmt::format(", {} stretched {:.1f} times", scale_x_ > scale_z_ ? "x" : "z", std::max(scale_x_ / scale_z_, scale_z_ / scale_x_));
+    sheet.text(left, top + height_ + small_text + 6, across, small_text);
+    sheet.text(left + width_ + 4, top + small_text, corner('z', scene_->outer.high[2]), small_text, gap - 8);
+    sheet.text(left + width_ + 4, top + height_, corner('z', scene_->outer.low[2]), small_text, gap - 8);
   }
 
   // The number of each cluster at its worst eye.
@@ -145,8 +163,8 @@ class Plan {
                     const std::vector<AtlasCluster>& clusters) const {
     for (std::size_t n = 0; n < std::min(clusters.size(), most_listed); ++n) {
       const geometry::Point& eye = views[clusters[n].worst].eye;
-      const double x = left + (eye[0] - scene_->outer.low[0]) * scale_;
-      const double y = top + (scene_->outer.high[2] - eye[2]) * scale_;
+      const double x = left + (eye[0] - scene_->outer.low[0]) * scale_x_;
+      const double y = top + (scene_->outer.high[2] - eye[2]) * scale_z_;
       const std::string number = std::to_string(n + 1);
       const bool at_right = x + 26 < left + width_;
       sheet.text(at_right ? x + 9 : x - 9 - picture::text_width(text_height, number), y + text_height / 2, number);
@@ -159,7 +177,8 @@ class Plan {
 
   const scene::CellScene* scene_;
   std::optional<AtlasLattice> lattice_;
-  double scale_ = 1;
+  double scale_x_ = 1;  // pixels of a unit
+  double scale_z_ = 1;
   double width_ = 0;
   double height_ = 0;
 };
@@ -172,7 +191,7 @@ double legend_row(Sheet& sheet, double x, double y, Colour colour, const std::st
 }
 
 void wrong_legend(Sheet& sheet, double x, double y, const std::vector<AtlasView>& views, const AtlasSummary& summary) {
-  y = legend_row(sheet, x, y, right, fmt::format("right to a point: {}", summary.free - summary.wrong));
+  y = legend_row(sheet, x, y, right, fmt::format("right within a point: {}", summary.free - summary.wrong));
   for (const WrongClass& each : wrong_classes) {
     const auto count = std::count_if(views.begin(), views.end(), [&](const AtlasView& view) {
       return view.is_wrong() && colour_of(view) == each.colour && &class_of(view.wrong.length()) == &each;
@@ -183,7 +202,18 @@ void wrong_legend(Sheet& sheet, double x, double y, const std::vector<AtlasView>
     return view.is_wrong() && view.cause->status != guests::jones::Status::complete;
   });
   y = legend_row(sheet, x, y, stopped, fmt::format("the program stopped: {}", ended));
-  legend_row(sheet, x, y, grey, fmt::format("no eye: in a solid, or at a wall: {}", views.size() - summary.free));
+  y = legend_row(sheet, x, y, grey, fmt::format("no eye: in a solid, or at a wall: {}", views.size() - summary.free));
+  if (!summary.clusters.empty()) sheet.text(x, y, "1, 2, ...: the worst view of each cluster below");
+}
+
+// 1, 2 or 5 times a power of ten, four to ten of which make up the whole.
+double tick_of(double whole) {
+  double tick = 1;
+  while (tick * 5 > whole) tick /= 10;
+  while (tick * 50 <= whole) tick *= 10;
+  for (const double more : {5.0, 2.0})
+    if (tick * more * 4 <= whole) return tick * more;
+  return tick;
 }
 
 void time_legend(Sheet& sheet, double x, double y, double width, const AtlasSummary& summary) {
@@ -191,16 +221,16 @@ void time_legend(Sheet& sheet, double x, double y, double width, const AtlasSumm
   constexpr int steps = 64;
   for (int i = 0; i < steps; ++i)
     sheet.box(x + width * i / steps, y - text_height, x + width * (i + 1) / steps, y + 6, picture::height_colour((i + 0.5) / steps));
-  for (int i = 0; i <= 4; ++i) {
-    const double at = x + width * i / 4;
-    const std::string label = fmt::format("{:.3g}", greatest * i / 4);
+  const double tick = tick_of(greatest);
+  for (int i = 0; i * tick <= greatest * 1.001; ++i) {
+    const double at = x + width * std::min(1.0, i * tick / greatest);
+    const std::string label = fmt::format("{:.3g}", i * tick);
     sheet.line(ink, at, y + 6, at, y + 12);
-    sheet.text(i == 4 ? at - picture::text_width(text_height, label + " s") : i == 0 ? at : at - picture::text_width(text_height, label) / 2,
-               y + 16 + text_height, i == 4 ? label + " s" : label);
+    sheet.text(std::min(at - (i == 0 ? 0 : picture::text_width(text_height, label) / 2), x + width - picture::text_width(text_height, label)),
+               y + 18 + text_height, label);
   }
-  sheet.text(x, y + 16 + text_height + line_height * 1.2,
-             fmt::format("median {:.3f} s, 90 % {:.3f} s, greatest {:.3f} s", summary.time.median, summary.time.of_90, summary.time.greatest),
-             text_height, width);
+  sheet.text(x, y + 18 + text_height + line_height * 1.2,
+             fmt::format("seconds of the PDP-7: median {:.3f}, greatest {:.3f}", summary.time.median, summary.time.greatest), text_height, width);
 }
 
 std::string text_of(const geometry::Point& eye) {
@@ -219,46 +249,47 @@ picture::Image atlas_picture(const scene::CellScene& scene, const std::vector<At
                              const std::optional<AtlasLattice>& lattice, const AtlasCaption& caption) {
   const Plan plan(scene, lattice);
   const double panel = std::max(plan.width(), least_across);
-  const double top = border + 4 * line_height;
-  const double legend = top + plan.height() + 2 * line_height;
-  const double list = legend + 8 * line_height;
+  const double top = border + 5 * line_height;
+  const double legend = top + plan.height() + 2.6 * line_height;
+  const double list = legend + 9 * line_height;
   const std::size_t rows = std::min(summary.clusters.size(), most_listed) + (summary.clusters.size() > most_listed ? 1 : 0);
-  const double width = 2 * border + 2 * panel + gap;
+  const double width = border + 2 * (panel + gap);
   Sheet sheet(width, list + (rows == 0 ? 0 : static_cast<double>(rows + 2)) * line_height + border / 2);
 
   const double room = width - 2 * border;
   sheet.text(border, border + text_height, caption.title, 17, room);
-  sheet.text(border, border + text_height + line_height * 1.1, caption.subtitle, text_height, room);
+  sheet.text(border, border + text_height + line_height * 1.1, caption.eyes, text_height, room);
+  sheet.text(border, border + text_height + line_height * 2,
+             "Wrong: missing or extra, and farther than one point of the screen from the truth.", text_height, room);
   const double left = border;
   const double second = border + panel + gap;
   sheet.text(left, top - 10, fmt::format("Wrong length by position of the eye: {} of {} views wrong", summary.wrong, summary.free),
              text_height, panel);
   sheet.text(second, top - 10, "Emulated time of the view by position of the eye", text_height, panel);
-  plan.draw(sheet, left, top, views, colour_of);
+  plan.draw(sheet, left, top, views, true, colour_of);
   plan.draw_numbers(sheet, left, top, views, summary.clusters);
   const double greatest = summary.time.greatest > 0 ? summary.time.greatest : 1;
-  plan.draw(sheet, second, top, views,
+  plan.draw(sheet, second, top, views, false,
             [&](const AtlasView& view) { return picture::height_colour(static_cast<double>(view.emulated_ns) / 1e9 / greatest); });
   wrong_legend(sheet, left, legend, views, summary);
   time_legend(sheet, second, legend, panel, summary);
 
   if (rows == 0) return sheet.image();
-  // As columns of a table.
-  const std::array<double, 6> columns{border, border + 40, border + 110, border + 240, border + 510, border + 830};
+  const std::array<double, 6> columns{border, border + 44, border + 112, border + 200, border + 500, border + 870};
   const auto row = [&](double y, const std::array<std::string, 6>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i)
-      sheet.text(columns[i], y, cells[i], text_height, (i + 1 < cells.size() ? columns[i + 1] - 8 : width - border) - columns[i]);
+      sheet.text(columns[i], y, cells[i], text_height, (i + 1 < cells.size() ? columns[i + 1] - 14 : width - border / 2) - columns[i]);
   };
-  row(list, {"no", "views", "points wrong", "cause", "line of the scene", "worst eye"});
+  row(list, {"no", "views", "points", "cause", "line of the scene", "worst eye x,y,z"});
   for (std::size_t n = 0; n < std::min(summary.clusters.size(), most_listed); ++n) {
     const AtlasCluster& cluster = summary.clusters[n];
     row(list + static_cast<double>(n + 1) * line_height,
-        {std::to_string(n + 1), std::to_string(cluster.views.size()), fmt::format("up to {:.1f}", cluster.most_wrong), cluster.cause,
+        {std::to_string(n + 1), std::to_string(cluster.views.size()), fmt::format("{:.1f}", cluster.most_wrong), cluster.cause,
          cluster.line ? text_of(*cluster.line) : std::string("-"), text_of(views[cluster.worst].eye)});
   }
   if (summary.clusters.size() > most_listed)
     sheet.text(border, list + static_cast<double>(rows) * line_height,
-               fmt::format("and {} more clusters", summary.clusters.size() - most_listed));
+               fmt::format("and {} more clusters, which --json lists", summary.clusters.size() - most_listed));
   return sheet.image();
 }
 

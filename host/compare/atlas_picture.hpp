@@ -17,8 +17,8 @@ namespace sightline::compare {
 [[nodiscard]] std::string text_of(const AxisLine& line);
 
 struct AtlasCaption {
-  std::string title;     // what was run
-  std::string subtitle;  // which eyes
+  std::string title;  // what was run
+  std::string eyes;   // which eyes, and how they look
 };
 
 // lattice: how the eyes lie, if they are those of lattice_eyes. At least one view is free.

@@ -31,6 +31,8 @@ using compare::AtlasView;
 
 constexpr std::uint64_t most_eyes = 1'000'000;
 
+constexpr std::size_t most_listed = 25;
+
 struct AtlasArguments {
   std::string scene;
   std::string lattice;
@@ -48,14 +50,14 @@ struct AtlasArguments {
 struct Eyes {
   std::optional<compare::AtlasLattice> lattice;
   std::vector<geometry::Point> points;
-  std::string what;  // "a lattice of 46 x 87 eyes at y = 160"
+  std::string what;  // "a lattice of 46 x 87 at y = 160"
 };
 
 Eyes eyes_of(const AtlasArguments& arguments, const scene::CellScene& scene) {
   Eyes eyes;
   if (arguments.views) {
     eyes.points = compare::random_eyes(scene, *arguments.views, arguments.seed);
-    eyes.what = fmt::format("{} random eyes, seed {}", *arguments.views, arguments.seed);
+    eyes.what = fmt::format("{} at random, seed {}", *arguments.views, arguments.seed);
     return eyes;
   }
   compare::AtlasLattice lattice = compare::usual_lattice(scene);
@@ -69,7 +71,7 @@ Eyes eyes_of(const AtlasArguments& arguments, const scene::CellScene& scene) {
   }
   if (arguments.height) lattice.height = *arguments.height;
   eyes.points = compare::lattice_eyes(scene, lattice);
-  eyes.what = fmt::format("a lattice of {} x {} eyes at y = {}", lattice.columns, lattice.rows, lattice.height);
+  eyes.what = fmt::format("a lattice of {} x {} at y = {}", lattice.columns, lattice.rows, lattice.height);
   eyes.lattice = lattice;
   return eyes;
 }
@@ -119,7 +121,7 @@ std::string compare_command(const AtlasArguments& arguments, const AtlasView& vi
 
 std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes, const std::vector<AtlasView>& views,
                          const compare::AtlasSummary& summary) {
-  std::string text = fmt::format("{}, PDP-7 {} EAE, {} fraction bits: {}\n", arguments.scene, arguments.no_eae ? "without" : "with",
+  std::string text = fmt::format("{}, PDP-7 {} EAE, {} fraction bits; eyes: {}\n", arguments.scene, arguments.no_eae ? "without" : "with",
                                  arguments.fraction, eyes.what);
   text += fmt::format("{} eyes in free space, {} in a solid or at a wall; {} views are wrong by more than a point\n", summary.free,
                       views.size() - summary.free, summary.wrong);
@@ -137,14 +139,16 @@ std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes, cons
   text += fmt::format("worst view    {}: {:.1f} of {:.1f} points\n", atlas_eye_text(worst), worst.wrong.length(), worst.wrong.true_length);
   text += fmt::format("              {}\n              {}\n", jones_command(arguments, worst), compare_command(arguments, worst));
   text += "clusters of wrong views: the same cause, and lines of the scene in common\n";
-  base::TextTable clusters({3, 6, 8, 11, -14, -35, 0});
+  base::TextTable clusters({3, 6, 8, 11, -16, -39, 0});
   clusters.row({"no", "views", "points", "right from", "  worst eye", "  line", "  cause"});
-  for (std::size_t n = 0; n < summary.clusters.size(); ++n) {
+  for (std::size_t n = 0; n < std::min(summary.clusters.size(), most_listed); ++n) {
     const compare::AtlasCluster& cluster = summary.clusters[n];
     clusters.row({std::to_string(n + 1), std::to_string(cluster.views.size()), fmt::format("{:.1f}", cluster.most_wrong),
                   cluster.right_from_bits ? fmt::format("{} bits", *cluster.right_from_bits) : "-", "  " + atlas_eye_text(views[cluster.worst]),
                   "  " + (cluster.line ? compare::text_of(*cluster.line) : std::string("-")), "  " + cluster.cause});
   }
+  if (summary.clusters.size() > most_listed)
+    clusters.line(fmt::format("and {} more; --json has them all", summary.clusters.size() - most_listed));
   return text + clusters.text();
 }
 
@@ -210,16 +214,13 @@ Json document_of(const AtlasArguments& arguments, const Eyes& eyes, const std::v
   return document;
 }
 
-std::string write_picture(const AtlasArguments& arguments, const scene::CellScene& scene, const Eyes& eyes,
+void write_picture(const AtlasArguments& arguments, const scene::CellScene& scene, const Eyes& eyes,
                           const std::vector<AtlasView>& views, const compare::AtlasSummary& summary, Output& output) {
   compare::AtlasCaption caption;
   caption.title = fmt::format("{}: Jones's program (1971) on the emulated PDP-7 {} EAE, {} fraction bits, against the oracle",
                               arguments.scene, arguments.no_eae ? "without" : "with", arguments.fraction);
-  caption.subtitle = fmt::format("Plan of the scene, x to the right; every eye looks along +z, upwards. {}. Wrong: farther than one "
-                                 "point of the screen from the truth.",
-                                 eyes.what);
+  caption.eyes = fmt::format("Plan with x to the right; every eye looks along +z, upwards. Eyes: {}.", eyes.what);
   write_png(output, compare::atlas_picture(scene, views, summary, eyes.lattice, caption), {{"Title", caption.title}});
-  return caption.title;
 }
 
 ExitCode run_atlas(const AtlasArguments& arguments) {
@@ -235,7 +236,7 @@ ExitCode run_atlas(const AtlasArguments& arguments) {
   const std::vector<AtlasView> views = views_of(atlas, arguments);
   if (views.empty()) return ExitCode::interrupted;
   const compare::AtlasSummary summary = compare::summary_of(views);
-  static_cast<void>(write_picture(arguments, scene, eyes, views, summary, output));
+  write_picture(arguments, scene, eyes, views, summary, output);
   output.commit();
   if (arguments.json) {
     print_json(document_of(arguments, eyes, views, summary, path));
