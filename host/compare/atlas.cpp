@@ -95,7 +95,7 @@ std::string WrongCause::name() const {
   if (status != jones::Status::complete) return std::string(jones::name(status));
   if (fraction_bits) return "fraction bits";
   if (hollow_mask) return "mask corner";
-  if (finer.empty()) return "no rounding: wrong with 8 fraction bits, too";
+  if (finer.empty()) return "not a rounding";
   std::string text;
   for (const auto& roundings : finer) text += (text.empty() ? "rounding " : " or ") + names_of(roundings);
   return text;

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string_view>
+#include <utility>
 
 #include "host/picture/height_colours.hpp"
 #include "host/picture/lettering.hpp"
@@ -233,6 +235,21 @@ void time_legend(Sheet& sheet, double x, double y, double width, const AtlasSumm
              fmt::format("seconds of the PDP-7: median {:.3f}, greatest {:.3f}", summary.time.median, summary.time.greatest), text_height, width);
 }
 
+// What the causes mean that there are.
+std::vector<std::string> notes_on(const std::vector<AtlasCluster>& clusters) {
+  const auto any = [&clusters](std::string_view begin) {
+    return std::any_of(clusters.begin(), clusters.end(), [&](const AtlasCluster& cluster) { return cluster.cause.starts_with(begin); });
+  };
+  std::vector<std::string> notes;
+  if (any("mask corner"))
+    notes.push_back("mask corner: rounding turned the short side between two near corners of a mask, and it cuts off lines far from it");
+  if (any("rounding"))
+    notes.push_back("rounding: the line runs along a side of a mask; rounded, it falls outside of the mask and is cut off");
+  if (any("not a rounding")) notes.push_back("not a rounding: still wrong with 8 fraction bits");
+  if (any("fraction bits")) notes.push_back("fraction bits: the view is right with the 3 fraction bits that the program can have");
+  return notes;
+}
+
 std::string text_of(const geometry::Point& eye) {
   return fmt::format("{},{},{}", eye[0], eye[1], eye[2]);
 }
@@ -253,8 +270,9 @@ picture::Image atlas_picture(const scene::CellScene& scene, const std::vector<At
   const double legend = top + plan.height() + 2.6 * line_height;
   const double list = legend + 9 * line_height;
   const std::size_t rows = std::min(summary.clusters.size(), most_listed) + (summary.clusters.size() > most_listed ? 1 : 0);
+  const std::vector<std::string> notes = notes_on(summary.clusters);
   const double width = border + 2 * (panel + gap);
-  Sheet sheet(width, list + (rows == 0 ? 0 : static_cast<double>(rows + 2)) * line_height + border / 2);
+  Sheet sheet(width, list + (rows == 0 ? 0 : static_cast<double>(rows + notes.size() + 2)) * line_height + border / 2);
 
   const double room = width - 2 * border;
   sheet.text(border, border + text_height, caption.title, 17, room);
@@ -275,12 +293,12 @@ picture::Image atlas_picture(const scene::CellScene& scene, const std::vector<At
   time_legend(sheet, second, legend, panel, summary);
 
   if (rows == 0) return sheet.image();
-  const std::array<double, 6> columns{border, border + 44, border + 112, border + 200, border + 500, border + 870};
+  const std::array<double, 6> columns{border, border + 44, border + 112, border + 240, border + 530, border + 880};
   const auto row = [&](double y, const std::array<std::string, 6>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i)
       sheet.text(columns[i], y, cells[i], text_height, (i + 1 < cells.size() ? columns[i + 1] - 14 : width - border / 2) - columns[i]);
   };
-  row(list, {"no", "views", "points", "cause", "line of the scene", "worst eye x,y,z"});
+  row(list, {"no", "views", "points wrong", "cause", "line of the scene", "worst eye x,y,z"});
   for (std::size_t n = 0; n < std::min(summary.clusters.size(), most_listed); ++n) {
     const AtlasCluster& cluster = summary.clusters[n];
     row(list + static_cast<double>(n + 1) * line_height,
@@ -290,6 +308,8 @@ picture::Image atlas_picture(const scene::CellScene& scene, const std::vector<At
   if (summary.clusters.size() > most_listed)
     sheet.text(border, list + static_cast<double>(rows) * line_height,
                fmt::format("and {} more clusters, which --json lists", summary.clusters.size() - most_listed));
+  for (std::size_t i = 0; i < notes.size(); ++i)
+    sheet.text(border, list + (static_cast<double>(rows + i) + 1.3) * line_height, notes[i], text_height, room);
   return sheet.image();
 }
 

@@ -114,16 +114,11 @@ std::string atlas_eye_text(const AtlasView& view) {
 std::string jones_command(const AtlasArguments& arguments, const AtlasView& view) {
   return fmt::format("sightline jones {} --eye {}{}", arguments.scene, atlas_eye_text(view), options_of(arguments));
 }
-// `compare` takes no fraction bits.
-std::string compare_command(const AtlasArguments& arguments, const AtlasView& view) {
-  return fmt::format("sightline compare {} --eye {}{}", arguments.scene, atlas_eye_text(view), arguments.no_eae ? " --no-eae" : "");
-}
-
 std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes, const std::vector<AtlasView>& views,
                          const compare::AtlasSummary& summary) {
   std::string text = fmt::format("{}, PDP-7 {} EAE, {} fraction bits; eyes: {}\n", arguments.scene, arguments.no_eae ? "without" : "with",
                                  arguments.fraction, eyes.what);
-  text += fmt::format("{} eyes in free space, {} in a solid or at a wall; {} views are wrong by more than a point\n", summary.free,
+  text += fmt::format("eyes in free space {}, in a solid or at a wall {}; views wrong by more than a point {}\n", summary.free,
                       views.size() - summary.free, summary.wrong);
   base::TextTable table({-24, 10, 10, 10, 10});
   table.row({"", "median", "90 %", "99 %", "greatest"});
@@ -137,8 +132,11 @@ std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes, cons
   text += table.text() + fmt::format("slowest view  {}\n", jones_command(arguments, views[summary.slowest]));
   if (summary.wrong == 0) return text;
   text += fmt::format("worst view    {}: {:.1f} of {:.1f} points\n", atlas_eye_text(worst), worst.wrong.length(), worst.wrong.true_length);
-  text += fmt::format("              {}\n              {}\n", jones_command(arguments, worst), compare_command(arguments, worst));
-  text += "clusters of wrong views: the same cause, and lines of the scene in common\n";
+  text += fmt::format("              {}\n", jones_command(arguments, worst));
+  // `compare` runs the program with all its fraction bits.
+  if (arguments.fraction == guests::jones::machine_fraction_bits)
+    text += fmt::format("              sightline compare {} --eye {}{}\n", arguments.scene, atlas_eye_text(worst), options_of(arguments));
+  text += "clusters of wrong views, with one cause and wrong lines in common (the causes: `sightline atlas --help`)\n";
   base::TextTable clusters({3, 6, 8, 11, -16, -39, 0});
   clusters.row({"no", "views", "points", "right from", "  worst eye", "  line", "  cause"});
   for (std::size_t n = 0; n < std::min(summary.clusters.size(), most_listed); ++n) {

@@ -111,6 +111,40 @@ TEST(Atlas, TheLineThatIsWrongIsNamed) {
   EXPECT_EQ(view.cause->right_from_bits, 5);
 }
 
+// Cells behind each other, each with a doorway to the next: a frame of 9 of the 450 words of the stack for each doorway.
+scene::CellScene doorways(std::int32_t cells) {
+  scene::CellScene scene;
+  scene.name = "doorways";
+  scene.outer = {{0, 0, 0}, {40, 40, 20 * cells}};
+  scene.default_view = {20, 20, 10};
+  for (std::int32_t i = 0; i < cells; ++i) {
+    scene.cells.push_back({{{0, 0, 20 * i}, {40, 40, 20 * i + 20}}, {}});
+    if (i == 0) continue;
+    const std::int32_t z = 20 * i;
+    const geometry::Rectangle doorway{2, z, {geometry::Span{10, 30}, geometry::Span{10, 30}}};
+    for (const auto& [x, y] : {std::pair{geometry::Span{0, 10}, geometry::Span{0, 40}}, std::pair{geometry::Span{30, 40}, geometry::Span{0, 40}},
+                               std::pair{geometry::Span{10, 30}, geometry::Span{0, 10}}, std::pair{geometry::Span{10, 30}, geometry::Span{30, 40}}})
+      scene.walls.push_back({2, z, {x, y}});
+    const auto cell = static_cast<std::size_t>(i);
+    scene.openings.push_back({{cell - 1, cell},
+                              doorway,
+                              {{10, 10, z}, {30, 10, z}, {30, 30, z}, {10, 30, z}},
+                              {{true, 0, 20}, {true, 1, 20}, {true, 0, -20}, {true, 1, -20}}});
+  }
+  return scene;
+}
+
+TEST(Atlas, AProgramThatStopsIsACauseOfItsOwn) {
+  const auto views = views_of(doorways(53), {{20, 20, 10}, {20, 20, 30}, {20, 20, 50}});
+  for (const std::size_t through_51 : {0U, 1U}) {
+    ASSERT_TRUE(views[through_51].is_wrong());
+    EXPECT_EQ(views[through_51].cause->status, jones::Status::stack_overflow);
+    EXPECT_EQ(views[through_51].cause->name(), "stack overflow");
+  }
+  EXPECT_TRUE(!views[2].is_wrong() || views[2].cause->status == jones::Status::complete) << "50 doorways take all 450 words";
+  EXPECT_EQ(views[2].difference, "");
+}
+
 TEST(Atlas, LatticeEyesAreTheMiddlesOfRectangles) {
   scene::CellScene scene;
   scene.outer = {{0, 0, 100}, {40, 50, 130}};
