@@ -45,7 +45,9 @@ std::vector<ImagePiece> pieces_of(const std::vector<jones::PrecisePiece>& pieces
 
 AtlasQuantiles quantiles_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  const auto at = [&values](std::size_t per_cent) { return values[(per_cent * values.size() + 99) / 100 - 1]; };
+  const auto at = [&values](std::size_t per_cent) {
+    return values[(per_cent * values.size() + 99) / 100 - 1];
+  };
   return {at(50), at(90), at(99), values.back()};
 }
 
@@ -83,7 +85,8 @@ std::vector<geometry::Point> lattice_eyes(const scene::CellScene& scene, const A
   return eyes;
 }
 
-std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uint64_t count, std::uint64_t seed) {
+std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uint64_t count,
+                                         std::uint64_t seed) {
   const scene::PolyScene polyhedra = scene::poly_scene_of(scene);
   std::vector<geometry::Point> eyes;
   for (std::uint64_t number = 0; number < count; ++number)
@@ -103,8 +106,9 @@ std::string WrongCause::name() const {
 
 base::Result<ErrorAtlas> ErrorAtlas::of(const scene::CellScene& scene, std::vector<geometry::Point> eyes,
                                         const AtlasOptions& options) {
-  const auto free = std::find_if(eyes.begin(), eyes.end(),
-                                 [&](const geometry::Point& eye) { return jones::viewpoint(scene, eye).has_value(); });
+  const auto free = std::find_if(eyes.begin(), eyes.end(), [&](const geometry::Point& eye) {
+    return jones::viewpoint(scene, eye).has_value();
+  });
   if (free == eyes.end()) return base::fail("found no eye in free space, a unit from every wall");
   auto matter = oracle::Matter::of(scene);
   if (!matter) return base::fail("found too many grid units for the oracle");
@@ -114,13 +118,12 @@ base::Result<ErrorAtlas> ErrorAtlas::of(const scene::CellScene& scene, std::vect
   of_program.tape.view = *free;
   auto session = jones::Session::of(scene, of_program);
   if (!session) return session.error();
-  return ErrorAtlas(scene, std::move(eyes), options, std::move(*session), std::move(*matter));
+  return ErrorAtlas(std::move(eyes), options, std::move(*session), std::move(*matter));
 }
 
-ErrorAtlas::ErrorAtlas(const scene::CellScene& scene, std::vector<geometry::Point> eyes, const AtlasOptions& options,
-                       jones::Session session, oracle::Matter matter)
-    : scene_(&scene),
-      eyes_(std::move(eyes)),
+ErrorAtlas::ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, jones::Session session,
+                       oracle::Matter matter)
+    : eyes_(std::move(eyes)),
       options_(options),
       session_(std::move(session)),
       lines_of_words_(lines_of_vectors(session_.program().scene)),
@@ -149,7 +152,8 @@ AtlasView ErrorAtlas::view(std::size_t number) const {
     const auto x = [&](std::int32_t at) { return words.points(at) + window.centre[0]; };
     const auto y = [&](std::int32_t at) { return words.points(at) + window.centre[1]; };
     const jones::ScreenSegment& at = piece.line;
-    if (line != lines_of_words_.end()) drawn.push_back({line->second, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}});
+    if (line != lines_of_words_.end())
+      drawn.push_back({line->second, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}});
   }
   view.wrong = wrong_stretches(truth, drawn, forgiven, view.eye, window);
   if (run.twin.status != jones::Status::complete || view.wrong.length() > 0)
@@ -165,7 +169,8 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
   jones::Parameters parameters = jones::default_parameters(core, header);
   parameters.fraction_bits = options_.fraction_bits;
   const auto in_words = [&](int bits, int fraction_bits) {
-    return jones::run_precisely(core, header, parameters, {jones::NumberKind::fixed_point, bits, fraction_bits, false});
+    return jones::run_precisely(core, header, parameters,
+                                {jones::NumberKind::fixed_point, bits, fraction_bits, false});
   };
   if (status == jones::Status::arithmetic_overflow) {
     for (int bits = jones::machine_word_bits + 1; bits <= jones::longest_word && !cause.word_bits; ++bits)
@@ -175,16 +180,22 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
 
   const auto is_right = [&](const jones::PreciseView& view) {
     return view.status == jones::Status::complete &&
-           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, whole_screen()).length() == 0;
+           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, whole_screen())
+                   .length() == 0;
   };
   cause.fraction_bits = options_.fraction_bits < jones::machine_fraction_bits &&
                         is_right(in_words(jones::machine_word_bits, jones::machine_fraction_bits));
-  cause.hollow_mask = !cause.fraction_bits && is_right(jones::run_mixed(core, header, parameters, {true, true, true}, true));
-  for (std::size_t count = cause.fraction_bits || cause.hollow_mask ? jones::roundings + 1 : 1; count <= jones::roundings && cause.finer.empty(); ++count)
+  cause.hollow_mask =
+      !cause.fraction_bits && is_right(jones::run_mixed(core, header, parameters, {true, true, true}, true));
+  for (std::size_t count = cause.fraction_bits || cause.hollow_mask ? jones::roundings + 1 : 1;
+       count <= jones::roundings && cause.finer.empty(); ++count)
     for (unsigned chosen = 1; chosen < 1U << jones::roundings; ++chosen) {
       std::array<bool, jones::roundings> finer{};
       std::array<bool, jones::roundings> of_machine{};
-      for (std::size_t i = 0; i < finer.size(); ++i) of_machine[i] = !(finer[i] = (chosen >> i & 1U) != 0);
+      for (std::size_t i = 0; i < finer.size(); ++i) {
+        finer[i] = (chosen >> i & 1U) != 0;
+        of_machine[i] = !finer[i];
+      }
       if (static_cast<std::size_t>(std::count(finer.begin(), finer.end(), true)) != count) continue;
       if (is_right(jones::run_mixed(core, header, parameters, of_machine))) cause.finer.push_back(finer);
     }
@@ -224,7 +235,8 @@ class Connected {
 };
 
 // The line that is wrong in most of the views; of several, the one with the greatest wrong length.
-std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers, const std::vector<AtlasView>& views) {
+std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers,
+                                const std::vector<AtlasView>& views) {
   struct Wrong {
     AxisLine line;
     std::size_t views = 0;
@@ -246,7 +258,8 @@ std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers, const s
   }
   const Wrong* most = nullptr;
   for (const auto& [key, wrong] : lines)
-    if (most == nullptr || std::tuple(wrong.views, wrong.length) > std::tuple(most->views, most->length)) most = &wrong;
+    if (most == nullptr || std::tuple(wrong.views, wrong.length) > std::tuple(most->views, most->length))
+      most = &wrong;
   if (most == nullptr) return std::nullopt;
   return most->line;
 }
@@ -262,7 +275,8 @@ std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
       connected.connect(number, seen.emplace(std::tuple(cause, std::nullopt), number).first->second);
     else
       for (const ScreenStretch& stretch : view.wrong.stretches)
-        connected.connect(number, seen.emplace(std::tuple(cause, key_of(stretch.line)), number).first->second);
+        connected.connect(number,
+                          seen.emplace(std::tuple(cause, key_of(stretch.line)), number).first->second);
   }
   std::map<std::size_t, AtlasCluster> found;
   for (std::size_t number = 0; number < views.size(); ++number) {
@@ -303,7 +317,8 @@ AtlasSummary summary_of(const std::vector<AtlasView>& views) {
     const AtlasView& view = views[number];
     if (!view.free) continue;
     const auto longer = [&](std::size_t than) {
-      return std::tuple(view.wrong.length(), view.emulated_ns) > std::tuple(views[than].wrong.length(), views[than].emulated_ns);
+      return std::tuple(view.wrong.length(), view.emulated_ns) >
+             std::tuple(views[than].wrong.length(), views[than].emulated_ns);
     };
     if (summary.free == 0 || longer(summary.worst)) summary.worst = number;
     if (summary.free == 0 || view.emulated_ns > views[summary.slowest].emulated_ns) summary.slowest = number;

@@ -1,12 +1,14 @@
-// Where in a scene Jones's program on the emulated PDP-7 draws a wrong picture, and why; and how long it takes from where.
+// Where in a scene Jones's program on the emulated PDP-7 draws a wrong picture, and why; and how long it
+// takes from where.
 //
-// A view is wrong if a stretch of it is missing, or extra, and farther than one point of the screen from the truth
-// (wrong_stretches.hpp); the truth is the oracle's visible lines. The ends of what is drawn are taken as the program
-// calculated them, before they are rounded to whole points for the display.
+// A view is wrong if a stretch of it is missing, or extra, and farther than one point of the screen from the
+// truth (wrong_stretches.hpp); the truth is the oracle's visible lines. The ends of what is drawn are taken
+// as the program calculated them, before they are rounded to whole points for the display.
 //
-// The cause of a wrong view is found by experiment: its twin runs again with one thing changed (twin/number.hpp, MixedWords).
-// First it gets all the fraction bits that the program can have; then masks that rounding has made hollow are made convex
-// again; then one of its roundings is made finer, then two of them. The first change that makes the view right is the cause.
+// The cause of a wrong view is found by experiment: its twin runs again with one thing changed
+// (twin/number.hpp, MixedWords). First it gets all the fraction bits that the program can have; then masks
+// that rounding has made hollow are made convex again; then one of its roundings is made finer, then two of
+// them. The first change that makes the view right is the cause.
 #pragma once
 
 #include <array>
@@ -34,28 +36,35 @@ struct AtlasLattice {
 inline constexpr int most_lattice_steps = 1000;
 // Of about 4,000 eyes in squares, no two of which are at one place.
 [[nodiscard]] AtlasLattice usual_lattice(const scene::CellScene& scene);
-// The middles of equal rectangles over the plan of the scene, row by row from the least z; those at one place once.
-[[nodiscard]] std::vector<geometry::Point> lattice_eyes(const scene::CellScene& scene, const AtlasLattice& lattice);
+// The middles of equal rectangles over the plan of the scene, row by row from the least z; those at one place
+// once.
+[[nodiscard]] std::vector<geometry::Point> lattice_eyes(const scene::CellScene& scene,
+                                                        const AtlasLattice& lattice);
 // The eyes of sweep_camera's views 0 to count - 1.
-[[nodiscard]] std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uint64_t count, std::uint64_t seed);
+[[nodiscard]] std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uint64_t count,
+                                                       std::uint64_t seed);
 
 // Why a view is wrong.
 struct WrongCause {
-  guests::jones::Status status = guests::jones::Status::complete;  // of the machine: it stopped before the end
+  guests::jones::Status status =
+      guests::jones::Status::complete;  // of the machine: it stopped before the end
   // The program is assembled with fewer fraction bits than it can have, and is right with all of them.
   bool fraction_bits = false;
-  // If not: the view is right if corners at which rounding has made a mask hollow are left out: the line through two corners that
-  // lie near each other has another direction then, and cuts off what is far from them.
+  // If not: the view is right if corners at which rounding has made a mask hollow are left out: the line
+  // through two corners that lie near each other has another direction then, and cuts off what is far from
+  // them.
   bool hollow_mask = false;
-  // If not: each makes the view right if these of the program's roundings, by the order of `Rounding`, become 32 times finer or
-  // more; all have the same, least number of roundings. Empty: none does.
+  // If not: each makes the view right if these of the program's roundings, by the order of `Rounding`, become
+  // 32 times finer or more; all have the same, least number of roundings. Empty: none does.
   std::vector<std::array<bool, guests::jones::roundings>> finer;
-  // The view is right with this number of fraction bits and with every greater one up to 8, in words of 36 bits.
+  // The view is right with this number of fraction bits and with every greater one up to 8, in words of 36
+  // bits.
   std::optional<int> right_from_bits;
   // Of an arithmetic overflow: the shortest word that completes the view.
   std::optional<int> word_bits;
 
-  // "mask corner", "fraction bits", "rounding of a portal", "rounding of a line or of a mask" (either is enough), "display file overflow".
+  // "mask corner", "fraction bits", "rounding of a portal", "rounding of a line or of a mask" (either is
+  // enough), "display file overflow".
   [[nodiscard]] std::string name() const;
 };
 
@@ -78,9 +87,10 @@ struct AtlasOptions {
 // A checked scene, the program assembled for it, and its truth.
 class ErrorAtlas {
  public:
-  // The scene outlives this. Errors: no eye is in free space; the scene does not fit into core, or is too large for the
-  // oracle.
-  [[nodiscard]] static base::Result<ErrorAtlas> of(const scene::CellScene& scene, std::vector<geometry::Point> eyes,
+  // Errors: no eye is in free space; the scene does not fit into core, or is too
+  // large for the oracle.
+  [[nodiscard]] static base::Result<ErrorAtlas> of(const scene::CellScene& scene,
+                                                   std::vector<geometry::Point> eyes,
                                                    const AtlasOptions& options);
 
   [[nodiscard]] const std::vector<geometry::Point>& eyes() const { return eyes_; }
@@ -88,12 +98,11 @@ class ErrorAtlas {
   [[nodiscard]] AtlasView view(std::size_t number) const;
 
  private:
-  ErrorAtlas(const scene::CellScene& scene, std::vector<geometry::Point> eyes, const AtlasOptions& options,
-             guests::jones::Session session, algorithms::oracle::Matter matter);
+  ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, guests::jones::Session session,
+             algorithms::oracle::Matter matter);
   [[nodiscard]] WrongCause cause_of(guests::jones::Status status, const std::vector<core::Word18>& core,
                                     const std::vector<ImagePiece>& truth, const geometry::Point& eye) const;
 
-  const scene::CellScene* scene_;
   std::vector<geometry::Point> eyes_;
   AtlasOptions options_;
   guests::jones::Session session_;
@@ -102,14 +111,14 @@ class ErrorAtlas {
   std::vector<algorithms::oracle::RealLine> lines_;
 };
 
-// Wrong views of one cause that are connected by lines of the scene of which they show a stretch wrongly; those that the
-// machine did not complete are connected by their status.
+// Wrong views of one cause that are connected by lines of the scene of which they show a stretch wrongly;
+// those that the machine did not complete are connected by their status.
 struct AtlasCluster {
   std::string cause;
-  std::optional<AxisLine> line;  // the one that is wrong in most of the views
-  std::vector<std::size_t> views;  // numbers, ascending
-  std::size_t worst = 0;           // of the greatest wrong length
-  double most_wrong = 0;           // points
+  std::optional<AxisLine> line;        // the one that is wrong in most of the views
+  std::vector<std::size_t> views;      // numbers, ascending
+  std::size_t worst = 0;               // of the greatest wrong length
+  double most_wrong = 0;               // points
   std::optional<int> right_from_bits;  // of all its views; none if one of them never is
 };
 
@@ -128,7 +137,7 @@ struct AtlasSummary {
   AtlasQuantiles time;          // emulated seconds
   std::size_t worst = 0;        // number of the view of the greatest wrong length; the slowest of equal ones
   std::size_t slowest = 0;
-  std::vector<AtlasCluster> clusters;      // the most wrong first
+  std::vector<AtlasCluster> clusters;       // the most wrong first
   std::optional<std::size_t> not_its_twin;  // a view where the guest is not its twin
 };
 // At least one view is free.

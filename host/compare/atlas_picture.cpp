@@ -28,7 +28,7 @@ constexpr double line_height = 24;
 constexpr double gap = 64;  // at the right of a panel
 constexpr double most_across = 600;
 constexpr double most_along = 800;
-constexpr double least_side = 120;    // of a plan, which is stretched if need be
+constexpr double least_side = 120;    // of a plan, which is stretched if necessary
 constexpr double least_across = 520;  // of a panel with its legend
 constexpr std::size_t most_listed = 16;
 constexpr double mark = 3;  // half a mark of a wrong view, which is seen however small its place is
@@ -36,7 +36,8 @@ constexpr double mark = 3;  // half a mark of a wrong view, which is seen howeve
 constexpr Colour grey{205, 205, 205};  // no eye is possible
 constexpr Colour right{190, 216, 236};
 constexpr Colour paper{255, 255, 255};
-// Of a wrong length up to so many points. The colours of Okabe and Ito (2008), and black where the machine stopped.
+// Of a wrong length up to so many points. The colours of Okabe and Ito (2008), and black where the machine
+// stopped.
 struct WrongClass {
   double up_to;
   const char* label;
@@ -51,7 +52,8 @@ constexpr Colour stopped{0, 0, 0};
 enum Layer : std::uint32_t { ink, faint, wall, ring };
 
 const WrongClass& class_of(double length) {
-  return *std::find_if(wrong_classes.begin(), wrong_classes.end(), [&](const WrongClass& c) { return length <= c.up_to; });
+  return *std::find_if(wrong_classes.begin(), wrong_classes.end(),
+                       [&](const WrongClass& c) { return length <= c.up_to; });
 }
 
 Colour colour_of(const AtlasView& view) {
@@ -65,7 +67,8 @@ class Sheet {
   Sheet(double width, double height) {
     drawing_.width = width;
     drawing_.height = height;
-    drawing_.layers = {{"text", {0, 0, 0}}, {"edges", {150, 150, 150}}, {"walls", {40, 40, 40}}, {"marks", {0, 0, 0}}};
+    drawing_.layers = {
+        {"text", {0, 0, 0}}, {"edges", {150, 150, 150}}, {"walls", {40, 40, 40}}, {"marks", {0, 0, 0}}};
   }
 
   // From the top left of the sheet, y downwards.
@@ -87,7 +90,8 @@ class Sheet {
   // On its baseline; made smaller if it is wider than the room.
   void text(double x, double y, const std::string& words, double height = text_height, double room = 1e9) {
     const double width = picture::text_width(height, words);
-    picture::append_text(drawing_, ink, x, drawing_.height - y, width > room ? height * room / width : height, words);
+    picture::append_text(drawing_, ink, x, drawing_.height - y, width > room ? height * room / width : height,
+                         words);
   }
   [[nodiscard]] picture::Image image() const {
     picture::ImageSize size;
@@ -105,7 +109,8 @@ class Sheet {
 // The plan of the scene on the sheet.
 class Plan {
  public:
-  Plan(const scene::CellScene& scene, const std::optional<AtlasLattice>& lattice) : scene_(&scene), lattice_(lattice) {
+  Plan(const scene::CellScene& scene, const std::optional<AtlasLattice>& lattice)
+      : scene_(&scene), lattice_(lattice) {
     const auto across = static_cast<double>(scene.outer.span(0).length());
     const auto along = static_cast<double>(scene.outer.span(2).length());
     const double scale = std::min(most_across / across, most_along / along);
@@ -124,7 +129,8 @@ class Plan {
     const auto y = [&](double at) { return top + (scene_->outer.high[2] - at) * scale_z_; };
     const auto fill_solids = [&](Colour shade) {
       for (const geometry::Box& solid : scene_->solids)
-        if (at_height(solid.span(1))) sheet.box(x(solid.low[0]), y(solid.high[2]), x(solid.high[0]), y(solid.low[2]), shade);
+        if (at_height(solid.span(1)))
+          sheet.box(x(solid.low[0]), y(solid.high[2]), x(solid.high[0]), y(solid.low[2]), shade);
     };
     sheet.box(left, top, left + width_, top + height_, lattice_ ? grey : paper);
     if (!lattice_) fill_solids({235, 235, 235});
@@ -140,21 +146,25 @@ class Plan {
           half_x = std::max(half_x, lattice_ ? mark : 1.8 * mark);
           half_y = std::max(half_y, lattice_ ? mark : 1.8 * mark);
         }
-        sheet.box(x(view.eye[0]) - half_x, y(view.eye[2]) - half_y, x(view.eye[0]) + half_x, y(view.eye[2]) + half_y, colour(view));
+        sheet.box(x(view.eye[0]) - half_x, y(view.eye[2]) - half_y, x(view.eye[0]) + half_x,
+                  y(view.eye[2]) + half_y, colour(view));
       }
     }
     for (const geometry::Box& solid : scene_->solids)
-      sheet.frame(at_height(solid.span(1)) ? wall : faint, x(solid.low[0]), y(solid.high[2]), x(solid.high[0]), y(solid.low[2]));
+      sheet.frame(at_height(solid.span(1)) ? wall : faint, x(solid.low[0]), y(solid.high[2]),
+                  x(solid.high[0]), y(solid.low[2]));
     for (const geometry::Rectangle& rectangle : scene_->walls) {
       if (rectangle.axis == 1) continue;
       const geometry::Box box = rectangle.bounds();
-      sheet.line(at_height(box.span(1)) ? wall : faint, x(box.low[0]), y(box.low[2]), x(box.high[0]), y(box.high[2]));
+      sheet.line(at_height(box.span(1)) ? wall : faint, x(box.low[0]), y(box.low[2]), x(box.high[0]),
+                 y(box.high[2]));
     }
     sheet.frame(wall, left, top, left + width_, top + height_);
     const auto corner = [](char axis, std::int32_t at) { return fmt::format("{} = {}", axis, at); };
     std::string across = fmt::format("x = {} to {}", scene_->outer.low[0], scene_->outer.high[0]);
     if (std::abs(scale_x_ / scale_z_ - 1) > 0.01)
-      across += fmt::format(", {} stretched {:.1f} times", scale_x_ > scale_z_ ? "x" : "z", std::max(scale_x_ / scale_z_, scale_z_ / scale_x_));
+      across += fmt::format(", {} stretched {:.1f} times", scale_x_ > scale_z_ ? "x" : "z",
+                            std::max(scale_x_ / scale_z_, scale_z_ / scale_x_));
     sheet.text(left, top + height_ + small_text + 6, across, small_text);
     sheet.text(left + width_ + 4, top + small_text, corner('z', scene_->outer.high[2]), small_text, gap - 8);
     sheet.text(left + width_ + 4, top + height_, corner('z', scene_->outer.low[2]), small_text, gap - 8);
@@ -169,13 +179,16 @@ class Plan {
       const double y = top + (scene_->outer.high[2] - eye[2]) * scale_z_;
       const std::string number = std::to_string(n + 1);
       const bool at_right = x + 26 < left + width_;
-      sheet.text(at_right ? x + 9 : x - 9 - picture::text_width(text_height, number), y + text_height / 2, number);
+      sheet.text(at_right ? x + 9 : x - 9 - picture::text_width(text_height, number), y + text_height / 2,
+                 number);
     }
   }
 
  private:
   // Whether the eyes' plan cuts it; without one plan, all that is not flat does.
-  [[nodiscard]] bool at_height(geometry::Span span) const { return !lattice_ || span.contains(lattice_->height); }
+  [[nodiscard]] bool at_height(geometry::Span span) const {
+    return !lattice_ || span.contains(lattice_->height);
+  }
 
   const scene::CellScene* scene_;
   std::optional<AtlasLattice> lattice_;
@@ -192,7 +205,8 @@ double legend_row(Sheet& sheet, double x, double y, Colour colour, const std::st
   return y + line_height;
 }
 
-void wrong_legend(Sheet& sheet, double x, double y, const std::vector<AtlasView>& views, const AtlasSummary& summary) {
+void wrong_legend(Sheet& sheet, double x, double y, const std::vector<AtlasView>& views,
+                  const AtlasSummary& summary) {
   y = legend_row(sheet, x, y, right, fmt::format("right within a point: {}", summary.free - summary.wrong));
   for (const WrongClass& each : wrong_classes) {
     const auto count = std::count_if(views.begin(), views.end(), [&](const AtlasView& view) {
@@ -204,7 +218,8 @@ void wrong_legend(Sheet& sheet, double x, double y, const std::vector<AtlasView>
     return view.is_wrong() && view.cause->status != guests::jones::Status::complete;
   });
   y = legend_row(sheet, x, y, stopped, fmt::format("the program stopped: {}", ended));
-  y = legend_row(sheet, x, y, grey, fmt::format("no eye: in a solid, or at a wall: {}", views.size() - summary.free));
+  y = legend_row(sheet, x, y, grey,
+                 fmt::format("no eye: in a solid, or at a wall: {}", views.size() - summary.free));
   if (!summary.clusters.empty()) sheet.text(x, y, "1, 2, ...: the worst view of each cluster below");
 }
 
@@ -222,31 +237,41 @@ void time_legend(Sheet& sheet, double x, double y, double width, const AtlasSumm
   const double greatest = summary.time.greatest > 0 ? summary.time.greatest : 1;
   constexpr int steps = 64;
   for (int i = 0; i < steps; ++i)
-    sheet.box(x + width * i / steps, y - text_height, x + width * (i + 1) / steps, y + 6, picture::height_colour((i + 0.5) / steps));
+    sheet.box(x + width * i / steps, y - text_height, x + width * (i + 1) / steps, y + 6,
+              picture::height_colour((i + 0.5) / steps));
   const double tick = tick_of(greatest);
   for (int i = 0; i * tick <= greatest * 1.001; ++i) {
     const double at = x + width * std::min(1.0, i * tick / greatest);
     const std::string label = fmt::format("{:.3g}", i * tick);
     sheet.line(ink, at, y + 6, at, y + 12);
-    sheet.text(std::min(at - (i == 0 ? 0 : picture::text_width(text_height, label) / 2), x + width - picture::text_width(text_height, label)),
+    sheet.text(std::min(at - (i == 0 ? 0 : picture::text_width(text_height, label) / 2),
+                        x + width - picture::text_width(text_height, label)),
                y + 18 + text_height, label);
   }
   sheet.text(x, y + 18 + text_height + line_height * 1.2,
-             fmt::format("seconds of the PDP-7: median {:.3f}, greatest {:.3f}", summary.time.median, summary.time.greatest), text_height, width);
+             fmt::format("seconds of the PDP-7: median {:.3f}, greatest {:.3f}", summary.time.median,
+                         summary.time.greatest),
+             text_height, width);
 }
 
 // What the causes mean that there are.
 std::vector<std::string> notes_on(const std::vector<AtlasCluster>& clusters) {
   const auto any = [&clusters](std::string_view begin) {
-    return std::any_of(clusters.begin(), clusters.end(), [&](const AtlasCluster& cluster) { return cluster.cause.starts_with(begin); });
+    return std::any_of(clusters.begin(), clusters.end(),
+                       [&](const AtlasCluster& cluster) { return cluster.cause.starts_with(begin); });
   };
   std::vector<std::string> notes;
   if (any("mask corner"))
-    notes.push_back("mask corner: rounding turned the short side between two near corners of a mask, and it cuts off lines far from it");
+    notes.push_back(
+        "mask corner: rounding turned the short side between two near corners of a mask, and it cuts off "
+        "lines far from it");
   if (any("rounding"))
-    notes.push_back("rounding: the line runs along a side of a mask; rounded, it falls outside of the mask and is cut off");
+    notes.push_back(
+        "rounding: the line runs along a side of a mask; rounded, it falls outside of the mask and is cut "
+        "off");
   if (any("not a rounding")) notes.push_back("not a rounding: still wrong with 8 fraction bits");
-  if (any("fraction bits")) notes.push_back("fraction bits: the view is right with the 3 fraction bits that the program can have");
+  if (any("fraction bits"))
+    notes.push_back("fraction bits: the view is right with the 3 fraction bits that the program can have");
   return notes;
 }
 
@@ -259,57 +284,70 @@ std::string text_of(const geometry::Point& eye) {
 std::string text_of(const AxisLine& line) {
   static constexpr std::array<char, 3> names{'x', 'y', 'z'};
   const auto [u, v] = geometry::other_axes(line.axis);
-  return fmt::format("parallel to {} at {} = {}, {} = {}", names[line.axis], names[u], line.cross[0], names[v], line.cross[1]);
+  return fmt::format("parallel to {} at {} = {}, {} = {}", names[line.axis], names[u], line.cross[0],
+                     names[v], line.cross[1]);
 }
 
-picture::Image atlas_picture(const scene::CellScene& scene, const std::vector<AtlasView>& views, const AtlasSummary& summary,
-                             const std::optional<AtlasLattice>& lattice, const AtlasCaption& caption) {
+picture::Image atlas_picture(const scene::CellScene& scene, const std::vector<AtlasView>& views,
+                             const AtlasSummary& summary, const std::optional<AtlasLattice>& lattice,
+                             const AtlasCaption& caption) {
   const Plan plan(scene, lattice);
   const double panel = std::max(plan.width(), least_across);
   const double top = border + 5 * line_height;
   const double legend = top + plan.height() + 2.6 * line_height;
   const double list = legend + 9 * line_height;
-  const std::size_t rows = std::min(summary.clusters.size(), most_listed) + (summary.clusters.size() > most_listed ? 1 : 0);
+  const std::size_t rows =
+      std::min(summary.clusters.size(), most_listed) + (summary.clusters.size() > most_listed ? 1 : 0);
   const std::vector<std::string> notes = notes_on(summary.clusters);
   const double width = border + 2 * (panel + gap);
-  Sheet sheet(width, list + (rows == 0 ? 0 : static_cast<double>(rows + notes.size() + 2)) * line_height + border / 2);
+  Sheet sheet(width, list + (rows == 0 ? 0 : static_cast<double>(rows + notes.size() + 2)) * line_height +
+                         border / 2);
 
   const double room = width - 2 * border;
   sheet.text(border, border + text_height, caption.title, 17, room);
   sheet.text(border, border + text_height + line_height * 1.1, caption.eyes, text_height, room);
   sheet.text(border, border + text_height + line_height * 2,
-             "Wrong: missing or extra, and farther than one point of the screen from the truth.", text_height, room);
+             "Wrong: missing or extra, and farther than one point of the screen from the truth.", text_height,
+             room);
   const double left = border;
   const double second = border + panel + gap;
-  sheet.text(left, top - 10, fmt::format("Wrong length by position of the eye: {} of {} views wrong", summary.wrong, summary.free),
-             text_height, panel);
+  sheet.text(
+      left, top - 10,
+      fmt::format("Wrong length by position of the eye: {} of {} views wrong", summary.wrong, summary.free),
+      text_height, panel);
   sheet.text(second, top - 10, "Emulated time of the view by position of the eye", text_height, panel);
   plan.draw(sheet, left, top, views, true, colour_of);
   plan.draw_numbers(sheet, left, top, views, summary.clusters);
   const double greatest = summary.time.greatest > 0 ? summary.time.greatest : 1;
-  plan.draw(sheet, second, top, views, false,
-            [&](const AtlasView& view) { return picture::height_colour(static_cast<double>(view.emulated_ns) / 1e9 / greatest); });
+  plan.draw(sheet, second, top, views, false, [&](const AtlasView& view) {
+    return picture::height_colour(static_cast<double>(view.emulated_ns) / 1e9 / greatest);
+  });
   wrong_legend(sheet, left, legend, views, summary);
   time_legend(sheet, second, legend, panel, summary);
 
   if (rows == 0) return sheet.image();
-  const std::array<double, 6> columns{border, border + 44, border + 112, border + 240, border + 530, border + 880};
+  const std::array<double, 6> columns{border,       border + 44,  border + 112,
+                                      border + 240, border + 530, border + 880};
   const auto row = [&](double y, const std::array<std::string, 6>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i)
-      sheet.text(columns[i], y, cells[i], text_height, (i + 1 < cells.size() ? columns[i + 1] - 14 : width - border / 2) - columns[i]);
+      sheet.text(columns[i], y, cells[i], text_height,
+                 (i + 1 < cells.size() ? columns[i + 1] - 14 : width - border / 2) - columns[i]);
   };
   row(list, {"no", "views", "points wrong", "cause", "line of the scene", "worst eye x,y,z"});
   for (std::size_t n = 0; n < std::min(summary.clusters.size(), most_listed); ++n) {
     const AtlasCluster& cluster = summary.clusters[n];
     row(list + static_cast<double>(n + 1) * line_height,
-        {std::to_string(n + 1), std::to_string(cluster.views.size()), fmt::format("{:.1f}", cluster.most_wrong), cluster.cause,
+        {std::to_string(n + 1), std::to_string(cluster.views.size()),
+         fmt::format("{:.1f}", cluster.most_wrong), cluster.cause,
          cluster.line ? text_of(*cluster.line) : std::string("-"), text_of(views[cluster.worst].eye)});
   }
   if (summary.clusters.size() > most_listed)
-    sheet.text(border, list + static_cast<double>(rows) * line_height,
-               fmt::format("and {} more clusters, which --json lists", summary.clusters.size() - most_listed));
+    sheet.text(
+        border, list + static_cast<double>(rows) * line_height,
+        fmt::format("and {} more clusters, which --json lists", summary.clusters.size() - most_listed));
   for (std::size_t i = 0; i < notes.size(); ++i)
-    sheet.text(border, list + (static_cast<double>(rows + i) + 1.3) * line_height, notes[i], text_height, room);
+    sheet.text(border, list + (static_cast<double>(rows + i) + 1.3) * line_height, notes[i], text_height,
+               room);
   return sheet.image();
 }
 

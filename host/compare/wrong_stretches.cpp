@@ -80,7 +80,8 @@ Part part_near(const ScreenSegment& s, const ScreenSegment& t, double distance) 
     const double rest = half * half - square * (px * px + py * py - distance * distance);
     if (rest < 0) continue;
     const double root = std::sqrt(rest);
-    if ((-half + root) >= 0 && (-half - root) <= square) add((-half - root) / square, (-half + root) / square);
+    if ((-half + root) >= 0 && (-half - root) <= square)
+      add((-half - root) / square, (-half + root) / square);
   }
   // The rectangle along t: two strips.
   const double tx = t.x1 - t.x0, ty = t.y1 - t.y0;
@@ -97,13 +98,15 @@ Part part_near(const ScreenSegment& s, const ScreenSegment& t, double distance) 
     high = std::min(high, std::max(a, b));
   };
   keep(((s.x0 - t.x0) * tx + (s.y0 - t.y0) * ty) / length, (sx * tx + sy * ty) / length, 0, length);
-  keep(((s.x0 - t.x0) * -ty + (s.y0 - t.y0) * tx) / length, (sx * -ty + sy * tx) / length, -distance, distance);
+  keep(((s.x0 - t.x0) * -ty + (s.y0 - t.y0) * tx) / length, (sx * -ty + sy * tx) / length, -distance,
+       distance);
   if (low <= high) add(low, high);
   return part;
 }
 
 // The parts of s that are farther than the distance from all others.
-std::vector<Part> parts_alone(const ScreenSegment& s, const std::vector<ImagePiece>& others, double distance) {
+std::vector<Part> parts_alone(const ScreenSegment& s, const std::vector<ImagePiece>& others,
+                              double distance) {
   const double length = std::hypot(s.x1 - s.x0, s.y1 - s.y0);
   if (length == 0) return {};
   std::vector<Part> near;
@@ -141,7 +144,8 @@ using ByPlane = std::map<SightPlane, std::vector<OnLine>>;
 // What overlaps or touches becomes one.
 void unite(std::vector<OnLine>& stretches) {
   std::sort(stretches.begin(), stretches.end(), [](const OnLine& a, const OnLine& b) {
-    return std::tie(a.low, a.high, a.line.axis, a.line.cross) < std::tie(b.low, b.high, b.line.axis, b.line.cross);
+    return std::tie(a.low, a.high, a.line.axis, a.line.cross) <
+           std::tie(b.low, b.high, b.line.axis, b.line.cross);
   });
   std::vector<OnLine> united;
   for (const OnLine& stretch : stretches) {
@@ -155,8 +159,8 @@ void unite(std::vector<OnLine>& stretches) {
 
 // `parts` gives the parts of a piece that count.
 template <class Parts>
-ByPlane by_plane(const std::vector<ImagePiece>& pieces, const geometry::Point& eye, const oracle::Window& window,
-                 const Parts& parts) {
+ByPlane by_plane(const std::vector<ImagePiece>& pieces, const geometry::Point& eye,
+                 const oracle::Window& window, const Parts& parts) {
   ByPlane planes;
   for (const ImagePiece& piece : pieces) {
     const auto plane = plane_of(piece.line, eye);
@@ -164,7 +168,9 @@ ByPlane by_plane(const std::vector<ImagePiece>& pieces, const geometry::Point& e
     const ImageLine image(*plane, window);
     const ScreenSegment& at = piece.at;
     for (const Part& part : parts(at)) {
-      const auto place = [&](double t) { return image.along(at.x0 + t * (at.x1 - at.x0), at.y0 + t * (at.y1 - at.y0)); };
+      const auto place = [&](double t) {
+        return image.along(at.x0 + t * (at.x1 - at.x0), at.y0 + t * (at.y1 - at.y0));
+      };
       const auto [low, high] = std::minmax({place(part.low), place(part.high)});
       planes[*plane].push_back({low, high, piece.line});
     }
@@ -173,9 +179,11 @@ ByPlane by_plane(const std::vector<ImagePiece>& pieces, const geometry::Point& e
   return planes;
 }
 
-void add_wrong(const std::vector<ImagePiece>& pieces, const std::vector<ImagePiece>& others, bool extra, double distance,
-               const geometry::Point& eye, const oracle::Window& window, WrongStretches& wrong) {
-  const ByPlane planes = by_plane(pieces, eye, window, [&](const ScreenSegment& at) { return parts_alone(at, others, distance); });
+void add_wrong(const std::vector<ImagePiece>& pieces, const std::vector<ImagePiece>& others, bool extra,
+               double distance, const geometry::Point& eye, const oracle::Window& window,
+               WrongStretches& wrong) {
+  const ByPlane planes = by_plane(pieces, eye, window,
+                                  [&](const ScreenSegment& at) { return parts_alone(at, others, distance); });
   for (const auto& [plane, stretches] : planes) {
     const ImageLine image(plane, window);
     for (const OnLine& stretch : stretches) {
@@ -189,8 +197,8 @@ void add_wrong(const std::vector<ImagePiece>& pieces, const std::vector<ImagePie
 
 }  // namespace
 
-std::vector<ImagePiece> image_pieces(const std::vector<oracle::VisibleLine>& visible, const geometry::Point& eye,
-                                     const oracle::Window& window) {
+std::vector<ImagePiece> image_pieces(const std::vector<oracle::VisibleLine>& visible,
+                                     const geometry::Point& eye, const oracle::Window& window) {
   std::vector<ImagePiece> pieces;
   for (const oracle::VisibleLine& seen : visible) {
     const std::size_t axis = seen.p[0] != seen.q[0] ? 0 : seen.p[1] != seen.q[1] ? 1 : 2;
@@ -201,10 +209,12 @@ std::vector<ImagePiece> image_pieces(const std::vector<oracle::VisibleLine>& vis
   return pieces;
 }
 
-WrongStretches wrong_stretches(const std::vector<ImagePiece>& truth, const std::vector<ImagePiece>& drawn, double distance,
-                               const geometry::Point& eye, const oracle::Window& window) {
+WrongStretches wrong_stretches(const std::vector<ImagePiece>& truth, const std::vector<ImagePiece>& drawn,
+                               double distance, const geometry::Point& eye, const oracle::Window& window) {
   WrongStretches wrong;
-  for (const auto& [plane, stretches] : by_plane(truth, eye, window, [](const ScreenSegment&) { return std::vector<Part>{{0, 1}}; }))
+  for (const auto& [plane, stretches] : by_plane(truth, eye, window, [](const ScreenSegment&) {
+         return std::vector<Part>{{0, 1}};
+       }))
     for (const OnLine& stretch : stretches) wrong.true_length += stretch.high - stretch.low;
   add_wrong(truth, drawn, false, distance, eye, window, wrong);
   add_wrong(drawn, truth, true, distance, eye, window, wrong);

@@ -1,8 +1,9 @@
-// What a drawing of a scene of cells shows wrongly: stretches of the true lines that are farther than a distance from
-// everything drawn, and stretches drawn that are farther than it from everything true.
+// What a drawing of a scene of cells shows wrongly: stretches of the true lines that are farther than a
+// distance from everything drawn, and stretches drawn that are farther than it from everything true.
 //
-// Both pictures are sets of points of the screen: lines that lie on each other in the image count once. Ends of stretches
-// are calculated, not sampled: what is within a distance of a segment is convex, so of another segment it is one interval.
+// Both pictures are sets of points of the screen: lines that lie on each other in the image count once. Ends
+// of stretches are calculated, not sampled: what is within a distance of a segment is convex, so of another
+// segment it is one interval.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +22,9 @@ struct ImagePiece {
   algorithms::oracle::ScreenSegment at;
 };
 
-[[nodiscard]] std::vector<ImagePiece> image_pieces(const std::vector<algorithms::oracle::VisibleLine>& visible,
-                                                   const geometry::Point& eye, const algorithms::oracle::Window& window);
+[[nodiscard]] std::vector<ImagePiece> image_pieces(
+    const std::vector<algorithms::oracle::VisibleLine>& visible, const geometry::Point& eye,
+    const algorithms::oracle::Window& window);
 
 struct ScreenStretch {
   AxisLine line;       // of lines that lie on each other in the image, the first in their order
@@ -43,8 +45,9 @@ struct WrongStretches {
 inline constexpr double least_wrong_stretch = 0.25;
 
 // distance: points of the screen, above 0. Pieces of lines through the eye are left out.
-[[nodiscard]] WrongStretches wrong_stretches(const std::vector<ImagePiece>& truth, const std::vector<ImagePiece>& drawn,
-                                             double distance, const geometry::Point& eye,
+[[nodiscard]] WrongStretches wrong_stretches(const std::vector<ImagePiece>& truth,
+                                             const std::vector<ImagePiece>& drawn, double distance,
+                                             const geometry::Point& eye,
                                              const algorithms::oracle::Window& window);
 
 }  // namespace sightline::compare

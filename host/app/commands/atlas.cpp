@@ -1,4 +1,5 @@
-// `sightline atlas`: where in a scene Jones's program draws wrong pictures, why, and how long it takes from where.
+// `sightline atlas`: where in a scene Jones's program draws wrong pictures, why, and how long it takes from
+// where.
 #include "host/compare/atlas.hpp"
 
 #include <fmt/core.h>
@@ -64,8 +65,9 @@ Eyes eyes_of(const AtlasArguments& arguments, const scene::CellScene& scene) {
   if (!arguments.lattice.empty()) {
     const auto steps = base::whole_numbers<int, 2>(arguments.lattice, ',', 1, compare::most_lattice_steps);
     if (!steps)
-      throw Failure(ExitCode::usage, fmt::format("--lattice: found \"{}\", expected NX,NZ, two whole numbers from 1 to {}",
-                                                 arguments.lattice, compare::most_lattice_steps));
+      throw Failure(ExitCode::usage,
+                    fmt::format("--lattice: found \"{}\", expected NX,NZ, two whole numbers from 1 to {}",
+                                arguments.lattice, compare::most_lattice_steps));
     lattice.columns = (*steps)[0];
     lattice.rows = (*steps)[1];
   }
@@ -103,7 +105,8 @@ std::vector<AtlasView> views_of(const compare::ErrorAtlas& atlas, const AtlasArg
 std::string options_of(const AtlasArguments& arguments) {
   std::string text;
   if (arguments.no_eae) text += " --no-eae";
-  if (arguments.fraction != guests::jones::machine_fraction_bits) text += fmt::format(" --fraction {}", arguments.fraction);
+  if (arguments.fraction != guests::jones::machine_fraction_bits)
+    text += fmt::format(" --fraction {}", arguments.fraction);
   return text;
 }
 
@@ -112,14 +115,16 @@ std::string atlas_eye_text(const AtlasView& view) {
 }
 
 std::string jones_command(const AtlasArguments& arguments, const AtlasView& view) {
-  return fmt::format("sightline jones {} --eye {}{}", arguments.scene, atlas_eye_text(view), options_of(arguments));
+  return fmt::format("sightline jones {} --eye {}{}", arguments.scene, atlas_eye_text(view),
+                     options_of(arguments));
 }
-std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes, const std::vector<AtlasView>& views,
-                         const compare::AtlasSummary& summary) {
-  std::string text = fmt::format("{}, PDP-7 {} EAE, {} fraction bits; eyes: {}\n", arguments.scene, arguments.no_eae ? "without" : "with",
-                                 arguments.fraction, eyes.what);
-  text += fmt::format("eyes in free space {}, in a solid or at a wall {}; views wrong by more than a point {}\n", summary.free,
-                      views.size() - summary.free, summary.wrong);
+std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes,
+                         const std::vector<AtlasView>& views, const compare::AtlasSummary& summary) {
+  std::string text = fmt::format("{}, PDP-7 {} EAE, {} fraction bits; eyes: {}\n", arguments.scene,
+                                 arguments.no_eae ? "without" : "with", arguments.fraction, eyes.what);
+  text +=
+      fmt::format("eyes in free space {}, in a solid or at a wall {}; views wrong by more than a point {}\n",
+                  summary.free, views.size() - summary.free, summary.wrong);
   base::TextTable table({-24, 10, 10, 10, 10});
   table.row({"", "median", "90 %", "99 %", "greatest"});
   const auto row = [&table](const char* name, const char* format, const compare::AtlasQuantiles& of) {
@@ -131,19 +136,26 @@ std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes, cons
   const AtlasView& worst = views[summary.worst];
   text += table.text() + fmt::format("slowest view  {}\n", jones_command(arguments, views[summary.slowest]));
   if (summary.wrong == 0) return text;
-  text += fmt::format("worst view    {}: {:.1f} of {:.1f} points\n", atlas_eye_text(worst), worst.wrong.length(), worst.wrong.true_length);
+  text += fmt::format("worst view    {}: {:.1f} of {:.1f} points\n", atlas_eye_text(worst),
+                      worst.wrong.length(), worst.wrong.true_length);
   text += fmt::format("              {}\n", jones_command(arguments, worst));
   // `compare` runs the program with all its fraction bits.
   if (arguments.fraction == guests::jones::machine_fraction_bits)
-    text += fmt::format("              sightline compare {} --eye {}{}\n", arguments.scene, atlas_eye_text(worst), options_of(arguments));
-  text += "clusters of wrong views, with one cause and wrong lines in common (the causes: `sightline atlas --help`)\n";
+    text += fmt::format("              sightline compare {} --eye {}{}\n", arguments.scene,
+                        atlas_eye_text(worst), options_of(arguments));
+  text +=
+      "clusters of wrong views, with one cause and wrong lines in common (the causes: `sightline atlas "
+      "--help`)\n";
   base::TextTable clusters({3, 6, 8, 11, -16, -39, 0});
   clusters.row({"no", "views", "points", "right from", "  worst eye", "  line", "  cause"});
   for (std::size_t n = 0; n < std::min(summary.clusters.size(), most_listed); ++n) {
     const compare::AtlasCluster& cluster = summary.clusters[n];
-    clusters.row({std::to_string(n + 1), std::to_string(cluster.views.size()), fmt::format("{:.1f}", cluster.most_wrong),
-                  cluster.right_from_bits ? fmt::format("{} bits", *cluster.right_from_bits) : "-", "  " + atlas_eye_text(views[cluster.worst]),
-                  "  " + (cluster.line ? compare::text_of(*cluster.line) : std::string("-")), "  " + cluster.cause});
+    clusters.row({std::to_string(n + 1), std::to_string(cluster.views.size()),
+                  fmt::format("{:.1f}", cluster.most_wrong),
+                  cluster.right_from_bits ? fmt::format("{} bits", *cluster.right_from_bits) : "-",
+                  "  " + atlas_eye_text(views[cluster.worst]),
+                  "  " + (cluster.line ? compare::text_of(*cluster.line) : std::string("-")),
+                  "  " + cluster.cause});
   }
   if (summary.clusters.size() > most_listed)
     clusters.line(fmt::format("and {} more; --json has them all", summary.clusters.size() - most_listed));
@@ -161,9 +173,13 @@ Json line_json(const std::optional<compare::AxisLine>& line) {
 
 Json document_of(const AtlasArguments& arguments, const Eyes& eyes, const std::vector<AtlasView>& views,
                  const compare::AtlasSummary& summary, const std::string& picture) {
-  Json document{{"schema", "sightline/atlas/1"}, {"scene", arguments.scene}, {"eae", !arguments.no_eae}, {"fraction_bits", arguments.fraction}};
+  Json document{{"schema", "sightline/atlas/1"},
+                {"scene", arguments.scene},
+                {"eae", !arguments.no_eae},
+                {"fraction_bits", arguments.fraction}};
   if (eyes.lattice)
-    document["lattice"] = {{"columns", eyes.lattice->columns}, {"rows", eyes.lattice->rows}, {"height", eyes.lattice->height}};
+    document["lattice"] = {
+        {"columns", eyes.lattice->columns}, {"rows", eyes.lattice->rows}, {"height", eyes.lattice->height}};
   else
     document["seed"] = arguments.seed;
   document["eyes"] = views.size();
@@ -172,7 +188,8 @@ Json document_of(const AtlasArguments& arguments, const Eyes& eyes, const std::v
   document["wrong_points"] = json_of(summary.wrong_length);
   document["emulated_seconds"] = json_of(summary.time);
   const auto named = [&](std::size_t number) {
-    return Json{{"view", number}, {"eye", views[number].eye}, {"command", jones_command(arguments, views[number])}};
+    return Json{
+        {"view", number}, {"eye", views[number].eye}, {"command", jones_command(arguments, views[number])}};
   };
   document["worst"] = summary.wrong == 0 ? Json() : named(summary.worst);
   document["slowest"] = named(summary.slowest);
@@ -213,12 +230,16 @@ Json document_of(const AtlasArguments& arguments, const Eyes& eyes, const std::v
 }
 
 void write_picture(const AtlasArguments& arguments, const scene::CellScene& scene, const Eyes& eyes,
-                          const std::vector<AtlasView>& views, const compare::AtlasSummary& summary, Output& output) {
+                   const std::vector<AtlasView>& views, const compare::AtlasSummary& summary,
+                   Output& output) {
   compare::AtlasCaption caption;
-  caption.title = fmt::format("{}: Jones's program (1971) on the emulated PDP-7 {} EAE, {} fraction bits, against the oracle",
-                              arguments.scene, arguments.no_eae ? "without" : "with", arguments.fraction);
-  caption.eyes = fmt::format("Plan with x to the right; every eye looks along +z, upwards. Eyes: {}.", eyes.what);
-  write_png(output, compare::atlas_picture(scene, views, summary, eyes.lattice, caption), {{"Title", caption.title}});
+  caption.title = fmt::format(
+      "{}: Jones's program (1971) on the emulated PDP-7 {} EAE, {} fraction bits, against the oracle",
+      arguments.scene, arguments.no_eae ? "without" : "with", arguments.fraction);
+  caption.eyes =
+      fmt::format("Plan with x to the right; every eye looks along +z, upwards. Eyes: {}.", eyes.what);
+  write_png(output, compare::atlas_picture(scene, views, summary, eyes.lattice, caption),
+            {{"Title", caption.title}});
 }
 
 ExitCode run_atlas(const AtlasArguments& arguments) {
@@ -229,7 +250,8 @@ ExitCode run_atlas(const AtlasArguments& arguments) {
   options.fraction_bits = arguments.fraction;
   const auto atlas = value_of(compare::ErrorAtlas::of(scene, eyes.points, options), arguments.scene);
   make_directory(arguments.directory);
-  const std::string path = (std::filesystem::path(arguments.directory) / (file_stem(scene.name) + "-atlas.png")).string();
+  const std::string path =
+      (std::filesystem::path(arguments.directory) / (file_stem(scene.name) + "-atlas.png")).string();
   Output output(path);
   const std::vector<AtlasView> views = views_of(atlas, arguments);
   if (views.empty()) return ExitCode::interrupted;
@@ -244,8 +266,8 @@ ExitCode run_atlas(const AtlasArguments& arguments) {
   }
   if (!summary.not_its_twin) return ExitCode::ok;
   const AtlasView& view = views[*summary.not_its_twin];
-  complain(fmt::format("{}: the program on the machine is not its twin, a defect of this program: {}; see {}", arguments.scene,
-                       view.difference, jones_command(arguments, view)));
+  complain(fmt::format("{}: the program on the machine is not its twin, a defect of this program: {}; see {}",
+                       arguments.scene, view.difference, jones_command(arguments, view)));
   return ExitCode::differs;
 }
 
@@ -255,16 +277,19 @@ void add_atlas_command(const Command& program) {
   const Command command = program.add_command("atlas", help_page("atlas"));
   const auto arguments = std::make_shared<AtlasArguments>();
   command.option("SCENE", arguments->scene, cells_help).required();
-  const Option lattice = command.option("--lattice", arguments->lattice, "Eyes at the middles of NX by NZ rectangles of the plan")
-                             .default_value("about 4000 in squares")
-                             .value("NX,NZ");
+  const Option lattice =
+      command
+          .option("--lattice", arguments->lattice, "Eyes at the middles of NX by NZ rectangles of the plan")
+          .default_value("about 4000 in squares")
+          .value("NX,NZ");
   const Option height = command.option("--height", arguments->height, "The y of the eyes of the lattice")
                             .default_value("that of the scene's own view")
                             .range(-32767, 32767)
                             .value("Y");
-  const Option views = command.option("--views", arguments->views, "Instead of a lattice, random eyes: those of `sweep`")
-                           .range(std::uint64_t{1}, most_eyes)
-                           .value("N");
+  const Option views =
+      command.option("--views", arguments->views, "Instead of a lattice, random eyes: those of `sweep`")
+          .range(std::uint64_t{1}, most_eyes)
+          .value("N");
   static_cast<void>(views.excludes(lattice).excludes(height));
   command.option("--seed", arguments->seed, "Seed of the random eyes")
       .check(why_no_whole_number)
@@ -272,7 +297,9 @@ void add_atlas_command(const Command& program) {
       .value("N")
       .needs(views);
   add_eae_options(command, arguments->no_eae);
-  command.option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates").default_value().range(0, 3);
+  command.option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
+      .default_value()
+      .range(0, 3);
   command.option("--jobs", arguments->jobs, "Threads; the result is the same for any number")
       .default_value("as many as there are cores")
       .range(1U, 1024U);

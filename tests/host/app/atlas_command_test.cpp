@@ -30,11 +30,12 @@ TEST_F(AtlasCommand, IsTheSameFromAnyNumberOfThreads) {
 }
 
 TEST_F(AtlasCommand, SaysWhatIsWrongAndHowToSeeIt) {
-
   const auto right = sightline({"atlas", "house", "--lattice", "1,1"});
   EXPECT_EQ(right.exit_code, 0) << right.err;
   EXPECT_TRUE(has(right.out, "eyes: a lattice of 1 x 1 at y = 160")) << right.out;
-  EXPECT_TRUE(has(right.out, "eyes in free space 1, in a solid or at a wall 0; views wrong by more than a point 0\n")) << right.out;
+  EXPECT_TRUE(
+      has(right.out, "eyes in free space 1, in a solid or at a wall 0; views wrong by more than a point 0\n"))
+      << right.out;
   EXPECT_TRUE(has(right.out, "slowest view  sightline jones house --eye ")) << right.out;
   EXPECT_TRUE(has(right.out, "picture out/house-atlas.png")) << right.out;
   EXPECT_FALSE(has(right.out, "worst view")) << right.out;
@@ -58,6 +59,7 @@ TEST_F(AtlasCommand, EyesInSolidsAreLeftOutAndCounted) {
 TEST_F(AtlasCommand, WrongUsage) {
   expect_error({"atlas"}, 2, "SCENE");
   expect_error({"atlas", "street44"}, 5, "did you mean \"street4\"?");
+  expect_error({"atlas", "nowhere.json"}, 5, "nowhere.json");
   expect_error({"atlas", "boxes-5"}, 2, "expected a scene of cells");
   expect_error({"atlas", "house", "--lattice", "5"}, 2, "--lattice: found \"5\", expected NX,NZ");
   expect_error({"atlas", "house", "--lattice", "0,5"}, 2, "--lattice: found \"0,5\"");
@@ -71,6 +73,14 @@ TEST_F(AtlasCommand, WrongUsage) {
   expect_error({"atlas", "house", "--height", "30000"}, 4, "house: found no eye in free space");
 }
 
+TEST_F(AtlasCommand, DamagedScenes) {
+  write("s.json", R"({"name": "s", "outer": [[0,0,0],[9,9,9]], "cells": 3})");
+  const auto ran = sightline({"atlas", "s.json", "-o", "to"});
+  EXPECT_EQ(ran.exit_code, 4) << ran.err;
+  EXPECT_TRUE(has(ran.err, "s.json: ")) << ran.err;
+  EXPECT_FALSE(exists("to"));
+}
+
 TEST_F(AtlasCommand, APlaceThatCannotBeWritten) {
   write("file", "");
   const auto ran = sightline({"atlas", "house", "--lattice", "2,2", "-o", "file"});
@@ -79,7 +89,8 @@ TEST_F(AtlasCommand, APlaceThatCannotBeWritten) {
 }
 
 TEST_F(AtlasCommand, InterruptedItLeavesNothing) {
-  const auto ran = sightline({"atlas", "corridor32", "--views", "100000"}, "", std::chrono::milliseconds(1500));
+  const auto ran =
+      sightline({"atlas", "corridor32", "--views", "100000"}, "", std::chrono::milliseconds(1500));
   EXPECT_EQ(ran.exit_code, 130) << ran.err;
   EXPECT_TRUE(has(ran.err, "no picture is written")) << ran.err;
   EXPECT_FALSE(exists("out/corridor32-atlas.png"));

@@ -24,7 +24,8 @@ namespace {
 namespace jones = guests::jones;
 namespace oracle = algorithms::oracle;
 
-std::vector<AtlasView> views_of(const scene::CellScene& scene, const std::vector<geometry::Point>& eyes, const AtlasOptions& options = {}) {
+std::vector<AtlasView> views_of(const scene::CellScene& scene, const std::vector<geometry::Point>& eyes,
+                                const AtlasOptions& options = {}) {
   const auto atlas = ErrorAtlas::of(scene, eyes, options);
   if (!atlas) throw std::runtime_error(atlas.error().message());
   std::vector<AtlasView> views;
@@ -33,11 +34,13 @@ std::vector<AtlasView> views_of(const scene::CellScene& scene, const std::vector
 }
 
 // Assembled for every eye, the visible lines made from the scene, lengths sampled.
-void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<geometry::Point>& eyes, const AtlasOptions& options) {
+void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<geometry::Point>& eyes,
+                              const AtlasOptions& options) {
   const std::vector<AtlasView> views = views_of(scene, eyes, options);
   ASSERT_EQ(views.size(), eyes.size());
   for (std::size_t i = 0; i < eyes.size(); ++i) {
-    SCOPED_TRACE(std::to_string(eyes[i][0]) + "," + std::to_string(eyes[i][1]) + "," + std::to_string(eyes[i][2]));
+    SCOPED_TRACE(std::to_string(eyes[i][0]) + "," + std::to_string(eyes[i][1]) + "," +
+                 std::to_string(eyes[i][2]));
     EXPECT_EQ(views[i].eye, eyes[i]);
     jones::ProgramOptions of_program;
     of_program.eae = options.eae;
@@ -57,8 +60,10 @@ void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<g
     std::vector<oracle::ScreenSegment> drawn;
     const double unit = 1 << options.fraction_bits;
     for (const jones::Piece& piece : run.twin.pieces)
-      drawn.push_back({512 + piece.line.a.x / unit, 512 + piece.line.a.y / unit, 512 + piece.line.b.x / unit, 512 + piece.line.b.y / unit});
-    const oracle::DrawnError error = oracle::drawn_error(oracle::on_screen(*oracle::visible_lines(scene, eyes[i], window), eyes[i], window), drawn, 1);
+      drawn.push_back({512 + piece.line.a.x / unit, 512 + piece.line.a.y / unit, 512 + piece.line.b.x / unit,
+                       512 + piece.line.b.y / unit});
+    const oracle::DrawnError error = oracle::drawn_error(
+        oracle::on_screen(*oracle::visible_lines(scene, eyes[i], window), eyes[i], window), drawn, 1);
     EXPECT_EQ(views[i].is_wrong(), error.missing + error.extra > 0);
     // The steps of sampling, and lines that lie on each other.
     EXPECT_LE(views[i].wrong.true_length, error.true_length + 1e-6);
@@ -77,7 +82,8 @@ TEST(Atlas, IsWhatALoopOverItsEyesGives) {
   const scene::CellScene street = scene::builtin_scene("street4");
   AtlasOptions options;
   options.eae = false;
-  expect_as_by_brute_force(street, {{73, 582, 814}, {-400, 160, 600}, {298, 677, 1812}, {37, 160, 20}}, options);
+  expect_as_by_brute_force(street, {{73, 582, 814}, {-400, 160, 600}, {298, 677, 1812}, {37, 160, 20}},
+                           options);
   options.fraction_bits = 0;
   expect_as_by_brute_force(street, {{-534, 49, 2348}, {73, 582, 814}, {37, 160, 20}}, options);
 }
@@ -90,11 +96,12 @@ std::string cause_in_street(const geometry::Point& eye, int fraction_bits = 3) {
 }
 
 TEST(Atlas, NamesTheCauseOfAWrongView) {
-  // A mask of this view has, in a row, the corners (855.750, 236.625), (1013.375, 110.375) and (1023, 102.625): the turn at
-  // the second, 157.625 x -7.75 + 126.25 x 9.625, is below 0, to the right. Unrounded it turns to the left.
+  // A mask of this view has, in a row, the corners (855.750, 236.625), (1013.375, 110.375) and (1023,
+  // 102.625): the turn at the second, 157.625 x -7.75 + 126.25 x 9.625, is below 0, to the right. Unrounded
+  // it turns to the left.
   EXPECT_EQ(cause_in_street({73, 582, 814}), "mask corner");
-  // The line x = -800, y = 0 ends at (0, 196.312) of the screen; the side of the mask along it goes to (0, 196.367)
-  // unrounded, and to (0, 196.25) between the corners of its portal as rounded.
+  // The line x = -800, y = 0 ends at (0, 196.312) of the screen; the side of the mask along it goes to (0,
+  // 196.367) unrounded, and to (0, 196.25) between the corners of its portal as rounded.
   EXPECT_EQ(cause_in_street({298, 677, 1812}), "rounding of a portal");
   EXPECT_EQ(cause_in_street({37, 160, 20}), "none");
   // Right with all the fraction bits that the program can have.
@@ -111,7 +118,8 @@ TEST(Atlas, TheLineThatIsWrongIsNamed) {
   EXPECT_EQ(view.cause->right_from_bits, 5);
 }
 
-// Cells behind each other, each with a doorway to the next: a frame of 9 of the 450 words of the stack for each doorway.
+// Cells behind each other, each with a doorway to the next: a frame of 9 of the 450 words of the stack for
+// each doorway.
 scene::CellScene doorways(std::int32_t cells) {
   scene::CellScene scene;
   scene.name = "doorways";
@@ -122,8 +130,10 @@ scene::CellScene doorways(std::int32_t cells) {
     if (i == 0) continue;
     const std::int32_t z = 20 * i;
     const geometry::Rectangle doorway{2, z, {geometry::Span{10, 30}, geometry::Span{10, 30}}};
-    for (const auto& [x, y] : {std::pair{geometry::Span{0, 10}, geometry::Span{0, 40}}, std::pair{geometry::Span{30, 40}, geometry::Span{0, 40}},
-                               std::pair{geometry::Span{10, 30}, geometry::Span{0, 10}}, std::pair{geometry::Span{10, 30}, geometry::Span{30, 40}}})
+    for (const auto& [x, y] : {std::pair{geometry::Span{0, 10}, geometry::Span{0, 40}},
+                               std::pair{geometry::Span{30, 40}, geometry::Span{0, 40}},
+                               std::pair{geometry::Span{10, 30}, geometry::Span{0, 10}},
+                               std::pair{geometry::Span{10, 30}, geometry::Span{30, 40}}})
       scene.walls.push_back({2, z, {x, y}});
     const auto cell = static_cast<std::size_t>(i);
     scene.openings.push_back({{cell - 1, cell},
@@ -141,14 +151,16 @@ TEST(Atlas, AProgramThatStopsIsACauseOfItsOwn) {
     EXPECT_EQ(views[through_51].cause->status, jones::Status::stack_overflow);
     EXPECT_EQ(views[through_51].cause->name(), "stack overflow");
   }
-  EXPECT_TRUE(!views[2].is_wrong() || views[2].cause->status == jones::Status::complete) << "50 doorways take all 450 words";
+  EXPECT_TRUE(!views[2].is_wrong() || views[2].cause->status == jones::Status::complete)
+      << "50 doorways take all 450 words";
   EXPECT_EQ(views[2].difference, "");
 }
 
 TEST(Atlas, LatticeEyesAreTheMiddlesOfRectangles) {
   scene::CellScene scene;
   scene.outer = {{0, 0, 100}, {40, 50, 130}};
-  const std::vector<geometry::Point> expected{{10, 7, 105}, {30, 7, 105}, {10, 7, 115}, {30, 7, 115}, {10, 7, 125}, {30, 7, 125}};
+  const std::vector<geometry::Point> expected{{10, 7, 105}, {30, 7, 105}, {10, 7, 115},
+                                              {30, 7, 115}, {10, 7, 125}, {30, 7, 125}};
   EXPECT_EQ(lattice_eyes(scene, {2, 3, 7}), expected);
   // More steps than there are whole coordinates.
   EXPECT_EQ(lattice_eyes(scene, {1000, 1, 7}).size(), 40U);
@@ -165,18 +177,21 @@ TEST(Atlas, RandomEyesAreThoseOfASweep) {
   const auto eyes = random_eyes(scene, 20, 3);
   ASSERT_EQ(eyes.size(), 20U);
   const scene::PolyScene polyhedra = scene::poly_scene_of(scene);
-  for (std::size_t k = 0; k < eyes.size(); ++k) EXPECT_EQ(eyes[k], sweep_camera(polyhedra, &scene, false, 3, k).eye);
+  for (std::size_t k = 0; k < eyes.size(); ++k)
+    EXPECT_EQ(eyes[k], sweep_camera(polyhedra, &scene, false, 3, k).eye);
 }
 
 TEST(Atlas, NoEyeInFreeSpaceIsAnError) {
   const scene::CellScene scene = scene::builtin_scene("street4");
   const auto atlas = ErrorAtlas::of(scene, {{-400, 160, 600}, {-400, 5000, 600}}, {});
   ASSERT_FALSE(atlas);
-  EXPECT_NE(atlas.error().message().find("no eye in free space"), std::string::npos) << atlas.error().message();
+  EXPECT_NE(atlas.error().message().find("no eye in free space"), std::string::npos)
+      << atlas.error().message();
 }
 
 // Views without a machine: the summary reads nothing else.
-AtlasView view_with(std::int64_t milliseconds, std::vector<std::pair<AxisLine, double>> wrong, bool hollow = true) {
+AtlasView view_with(std::int64_t milliseconds, std::vector<std::pair<AxisLine, double>> wrong,
+                    bool hollow = true) {
   AtlasView view;
   view.free = true;
   view.emulated_ns = milliseconds * 1'000'000;
@@ -197,15 +212,15 @@ TEST(Atlas, TheSummaryCountsAndClusters) {
   const AxisLine a{0, {1, 2}}, b{1, {3, 4}}, c{2, {5, 6}};
   std::vector<AtlasView> views;
   for (int i = 0; i < 94; ++i) views.push_back(view_with(1, {}));
-  views.push_back(AtlasView{});                            // 94: no eye
-  views.push_back(view_with(4, {{a, 2}}));                 // 95
-  views.push_back(view_with(5, {{c, 9}}));                 // 96
-  views.push_back(view_with(6, {{a, 1}, {b, 4}}));         // 97: connects 95 and 98
-  views.push_back(view_with(2, {{b, 3}}));                 // 98
-  views.push_back(view_with(3, {{b, 30}}, false));         // 99: another cause
+  views.push_back(AtlasView{});                     // 94: no eye
+  views.push_back(view_with(4, {{a, 2}}));          // 95
+  views.push_back(view_with(5, {{c, 9}}));          // 96
+  views.push_back(view_with(6, {{a, 1}, {b, 4}}));  // 97: connects 95 and 98
+  views.push_back(view_with(2, {{b, 3}}));          // 98
+  views.push_back(view_with(3, {{b, 30}}, false));  // 99: another cause
   AtlasView stopped = view_with(9, {{a, 1}});
   stopped.cause->status = jones::Status::display_file_overflow;
-  views.push_back(stopped);                                // 100
+  views.push_back(stopped);  // 100
   const AtlasSummary summary = summary_of(views);
   EXPECT_EQ(summary.free, 100U);
   EXPECT_EQ(summary.wrong, 6U);
@@ -237,7 +252,8 @@ TEST(Atlas, ThePictureShowsAWrongViewWhereItsEyeIs) {
   const auto eyes = lattice_eyes(scene, lattice);
   const auto count = [&](const std::vector<AtlasView>& views) {
     const picture::Image image = atlas_picture(scene, views, summary_of(views), lattice, {"title", "eyes"});
-    std::array<std::size_t, 3> found{};  // of the class of the longest wrong lengths: pixels, greatest column, least row
+    std::array<std::size_t, 3>
+        found{};  // of the class of the longest wrong lengths: pixels, greatest column, least row
     found[2] = 100000;
     for (int row = 0; row < image.height; ++row)
       for (int column = 0; column < image.width; ++column) {

@@ -55,8 +55,8 @@ TEST(WrongStretches, AGapIsMissingButForAPointAtItsEnds) {
   EXPECT_NEAR(stretch.at.y0, 612, 1e-9);
 }
 
-// The lines y = 100, z = 512 and y = 200, z = 1024 have one image, and so have, from an eye at their height, one parallel
-// to x and one parallel to z.
+// The lines y = 100, z = 512 and y = 200, z = 1024 have one image, and so have, from an eye at their height,
+// one parallel to x and one parallel to z.
 TEST(WrongStretches, LinesOfOneImageCountOnce) {
   const std::vector<ImagePiece> truth{row_piece(600, 700), row_piece(650, 750, 200, 1024)};
   EXPECT_NEAR(wrong_of(truth, {}).true_length, 150, 1e-9);
@@ -95,7 +95,8 @@ TEST(WrongStretches, AreThoseThatSamplingFinds) {
     const auto sampled = [](const std::vector<ImagePiece>& of) {
       std::vector<oracle::ScreenSegment> segments;
       for (const ImagePiece& piece : of)
-        segments.push_back({piece.at.x0 * enlarged, piece.at.y0 * enlarged, piece.at.x1 * enlarged, piece.at.y1 * enlarged});
+        segments.push_back(
+            {piece.at.x0 * enlarged, piece.at.y0 * enlarged, piece.at.x1 * enlarged, piece.at.y1 * enlarged});
       return segments;
     };
     const oracle::DrawnError error = oracle::drawn_error(sampled(truth), sampled(drawn), enlarged);

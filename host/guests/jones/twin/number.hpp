@@ -172,7 +172,7 @@ class MixedWords : public LongWords {
 
   [[nodiscard]] bool convex_masks() const { return convex_masks_; }
 
-  // What follows is done for these numbers of the view.
+  // What follows rounds these numbers of the view.
   void enter(Rounding rounding) { coarse_ = of_machine_[static_cast<std::size_t>(rounding)]; }
 
   [[nodiscard]] std::optional<std::int64_t> muldiv(std::int64_t a, std::int64_t b, std::int64_t c) const {
