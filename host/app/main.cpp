@@ -28,6 +28,7 @@ constexpr std::array<Entry, 20> commands{{
     {"turn", add_turn_command},
     {"flight", add_flight_command},
     {"sweep", add_sweep_command},
+    {"atlas", add_atlas_command},
     {"asm", add_asm_command},
     {"disasm", add_disasm_command},
     {"run", add_run_command},

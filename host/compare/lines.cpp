@@ -15,10 +15,10 @@
 #include "host/picture/line_picture_image.hpp"
 
 namespace sightline::compare {
-
 namespace {
 
 using picture::DrawnPiece;
+using picture::LineEdge;
 using picture::LineId;
 using picture::LinePart;
 using picture::LinePicture;
@@ -30,8 +30,7 @@ using picture::ReferenceLine;
 constexpr double shortest_image = 1e-6;  // pixels: of what counts as a line
 constexpr LineId no_line = std::numeric_limits<LineId>::max();
 
-SeenEdge seen_edge(const picture::LineEdge& edge, const scene::PolyScene& scene,
-                   const scene::PolyCamera& camera) {
+SeenEdge seen_edge(const LineEdge& edge, const scene::PolyScene& scene, const scene::PolyCamera& camera) {
   return {scene.vertices[edge.from], scene.vertices[edge.to], camera};
 }
 
@@ -47,30 +46,6 @@ LinePart part_of(const LinePiece& piece) {
 
 LinePart part_on(const PixelSegment& image, const PixelSegment& pixels) {
   return {picture::place_on(image, pixels.a), picture::place_on(image, pixels.b)};
-}
-
-ScreenFrame frame_of(const algorithms::oracle::Window& window) {
-  const auto& [across, up] = window.points;
-  return {static_cast<double>(window.scale),
-          {static_cast<double>(window.centre[0]), static_cast<double>(window.centre[1])},
-          static_cast<double>(std::min(across.low, up.low)),
-          static_cast<double>(std::max(across.high, up.high)),
-          static_cast<double>(window.near)};
-}
-
-AxisLine line_through(const geometry::Point& p, const geometry::Point& q) {
-  const std::size_t axis = p[0] != q[0] ? 0 : p[1] != q[1] ? 1 : 2;
-  const auto [u, v] = geometry::other_axes(axis);
-  return {axis, {p[u], p[v]}};
-}
-
-// By an eye that looks along z.
-SeenEdge seen_from(const geometry::Point& eye, const geometry::Point& p, const geometry::Point& q) {
-  const auto relative = [&](const geometry::Point& r) {
-    return SeenPoint{static_cast<double>(r[0] - eye[0]), static_cast<double>(r[1] - eye[1]),
-                     static_cast<double>(r[2] - eye[2])};
-  };
-  return {relative(p), relative(q)};
 }
 
 }  // namespace
@@ -108,77 +83,66 @@ ScreenFrame fitted_frame(const LinePicture& picture, const scene::PolyScene& sce
   return frame;
 }
 
-std::vector<ReferenceLine> reference_lines(const LinePicture& truth, const scene::PolyScene& scene,
-                                           const scene::PolyCamera& camera, const ScreenFrame& frame) {
-  std::vector<ReferenceLine> lines;
-  const auto edges = picture::edges_of(scene);
-  auto piece = truth.pieces.begin();
-  for (LineId id = 0; id < edges.size(); ++id) {
-    const auto first =
-        std::find_if(piece, truth.pieces.end(), [&](const LinePiece& p) { return !(p.edge < edges[id]); });
-    piece = std::find_if(first, truth.pieces.end(), [&](const LinePiece& p) { return p.edge != edges[id]; });
-    const SeenEdge edge = seen_edge(edges[id], scene, camera);
-    const auto inside = edge.part_in(frame);
-    if (!inside) continue;
-    ReferenceLine line{id, edge.pixels_of(*inside, frame), {{0, 1}}, {}};
-    if (picture::length_of(line.image) < shortest_image) continue;
-    for (auto p = first; p != piece; ++p) {
-      const auto part = common_part(*inside, part_of(*p));
-      if (!part) continue;
-      line.visible.push_back({picture::place_on(line.image, edge.pixel_at(part->low, frame)),
-                              picture::place_on(line.image, edge.pixel_at(part->high, frame))});
+ImageLines::ImageLines(const LinePicture& truth, const scene::PolyScene& scene, const scene::PolyCamera& camera, const ScreenFrame& frame,
+                       const picture::ChosenEdges* chosen)
+    : scene_(&scene), camera_(camera), frame_(frame), edges_(picture::edges_of(scene)) {
+  std::map<std::array<std::int64_t, 4>, LineId> known;
+  LineId next = 0;
+  for (const LineEdge& edge : edges_) {
+    const auto plane = picture::in_lowest_terms(picture::image_plane(edge, scene, camera));
+    // An edge whose image is a point is a line by itself, and never referred to.
+    if (plane[0] == 0 && plane[1] == 0 && plane[2] == 0) {
+      line_of_edge_.push_back(next++);
+      continue;
     }
-    lines.push_back(std::move(line));
+    const auto [line, is_new] = known.try_emplace(plane, next);
+    if (is_new) ++next;
+    line_of_edge_.push_back(line->second);
   }
-  return lines;
-}
 
-std::vector<DrawnPiece> drawn_pieces(const LinePicture& drawn, const scene::PolyScene& scene,
-                                     const scene::PolyCamera& camera, const ScreenFrame& frame) {
-  std::vector<DrawnPiece> pieces;
-  const auto edges = picture::edges_of(scene);
-  for (const LinePiece& piece : drawn.pieces) {
-    const SeenEdge edge = seen_edge(piece.edge, scene, camera);
-    const auto inside = edge.part_in(frame);
-    const auto part = inside ? common_part(*inside, part_of(piece)) : std::nullopt;
-    if (!part) continue;
-    const auto id = std::lower_bound(edges.begin(), edges.end(), piece.edge) - edges.begin();
-    pieces.push_back({static_cast<LineId>(id), edge.pixels_of(*part, frame)});
-  }
-  return pieces;
-}
-
-CellReference::CellReference(const std::vector<algorithms::oracle::RealLine>& lines,
-                             const std::vector<algorithms::oracle::VisibleLine>& visible,
-                             const geometry::Point& eye, const algorithms::oracle::Window& window) {
-  const ScreenFrame frame = frame_of(window);
   struct OnScreen {
-    AxisLine line;
+    LineId line = 0;
     PixelSegment pixels;
   };
-  std::vector<OnScreen> edges;
-  for (const auto& line : lines) {
-    const SeenEdge edge = seen_from(eye, line.from, line.to);
-    const auto inside = edge.part_in(frame);
+  std::vector<OnScreen> images;
+  for (const LineEdge& edge : chosen != nullptr ? chosen->edges : edges_) {
+    const SeenEdge seen = seen_edge(edge, scene, camera);
+    const auto inside = seen.part_in(frame);
     if (!inside) continue;
-    const PixelSegment pixels = edge.pixels_of(*inside, frame);
-    if (picture::length_of(pixels) >= shortest_image)
-      edges.push_back({line_through(line.from, line.to), pixels});
+    const PixelSegment pixels = seen.pixels_of(*inside, frame);
+    if (picture::length_of(pixels) >= shortest_image) images.push_back({line_of(edge), pixels});
   }
-  for (const OnScreen& edge : edges) reach(edge.line, edge.pixels);
-  for (const OnScreen& edge : edges) {
-    ReferenceLine& line = lines_[numbers_.at(edge.line)];
-    line.edges.push_back(part_on(line.image, edge.pixels));
+  std::vector<DrawnPiece> visible = pieces(truth);
+
+  // Of each line the longest image gives the direction, and all of them the ends.
+  std::map<LineId, PixelSegment> longest;
+  for (const OnScreen& image : images) {
+    const auto [line, is_new] = longest.try_emplace(image.line, image.pixels);
+    if (!is_new && picture::length_of(line->second) < picture::length_of(image.pixels)) line->second = image.pixels;
   }
-  for (const auto& piece : visible) {
-    const auto known = numbers_.find(line_through(piece.p, piece.q));
-    if (known == numbers_.end()) continue;
-    ReferenceLine& line = lines_[known->second];
-    const SeenEdge edge = seen_from(eye, piece.p, piece.q);
-    for (const auto& [low, high] : piece.intervals.intervals()) {
-      const PixelSegment pixels = edge.pixels_of({low.to_double(), high.to_double()}, frame);
-      line.visible.push_back(part_on(line.image, pixels));
+  std::map<LineId, LinePart> extent;
+  for (const OnScreen& image : images) {
+    LinePart& reach = extent.try_emplace(image.line, LinePart{0, 1}).first->second;
+    for (const PixelPoint& end : {image.pixels.a, image.pixels.b}) {
+      const double place = picture::place_on(longest.at(image.line), end);
+      reach = {std::min(reach.low, place), std::max(reach.high, place)};
     }
+  }
+  std::map<LineId, std::size_t> place;
+  for (const auto& [line, reach] : extent) {
+    const PixelSegment& along = longest.at(line);
+    place[line] = lines_.size();
+    lines_.push_back({line, {picture::point_at(along, reach.low), picture::point_at(along, reach.high)}, {}, {}});
+  }
+  for (const OnScreen& image : images) {
+    ReferenceLine& line = lines_[place.at(image.line)];
+    line.edges.push_back(part_on(line.image, image.pixels));
+  }
+  for (const DrawnPiece& piece : visible) {
+    const auto found = place.find(piece.line);
+    if (found == place.end()) continue;
+    ReferenceLine& line = lines_[found->second];
+    line.visible.push_back(part_on(line.image, piece.image));
   }
   for (ReferenceLine& line : lines_) {
     line.edges = picture::united(std::move(line.edges));
@@ -186,31 +150,26 @@ CellReference::CellReference(const std::vector<algorithms::oracle::RealLine>& li
   }
 }
 
-void CellReference::reach(const AxisLine& line, const PixelSegment& pixels) {
-  const auto [known, fresh] = numbers_.try_emplace(line, static_cast<LineId>(lines_.size()));
-  if (fresh) {
-    lines_.push_back({known->second, pixels, {}, {}});
-    return;
-  }
-  PixelSegment& image = lines_[known->second].image;
-  for (const PixelPoint& end : {pixels.a, pixels.b}) {
-    const double place = picture::place_on(image, end);
-    if (place < 0) image.a = end;
-    if (place > 1) image.b = end;
-  }
+LineId ImageLines::line_of(const LineEdge& edge) const {
+  const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge);
+  return found != edges_.end() && *found == edge ? line_of_edge_[static_cast<std::size_t>(found - edges_.begin())] : no_line;
 }
 
-LineId CellReference::number_of(const AxisLine& line) const {
-  const auto known = numbers_.find(line);
-  return known == numbers_.end() ? no_line : known->second;
+std::vector<DrawnPiece> ImageLines::pieces(const LinePicture& drawn) const {
+  std::vector<DrawnPiece> pieces;
+  for (const LinePiece& piece : drawn.pieces) {
+    const SeenEdge edge = seen_edge(piece.edge, *scene_, camera_);
+    const auto inside = edge.part_in(frame_);
+    const auto part = inside ? common_part(*inside, part_of(piece)) : std::nullopt;
+    if (part) pieces.push_back({line_of(piece.edge), edge.pixels_of(*part, frame_)});
+  }
+  return pieces;
 }
 
 // Pieces of Jones's program as pieces of the scene's lines: which line a vector word of core is on, and where
 // on the screen a piece lies. See lines.hpp.
 
 namespace {
-
-using picture::DrawnPiece;
 
 constexpr double screen_centre = 512;  // of the one window of a mono view
 
@@ -248,42 +207,42 @@ class VectorWalk {
   std::map<std::uint32_t, AxisLine> lines_;
 };
 
+guests::jones::ShortWords words_of(int fraction_bits) {
+  return guests::jones::ShortWords(guests::jones::machine_word_bits, fraction_bits);
+}
+
 template <class ToPixel>
-std::vector<DrawnPiece> pieces_of(const guests::jones::View& view,
-                                  const std::map<std::uint32_t, AxisLine>& vectors,
-                                  const CellReference& reference, ToPixel&& pixel) {
+std::vector<DrawnPiece> pieces_of(const guests::jones::View& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
   std::vector<DrawnPiece> pieces;
   for (const auto& piece : view.pieces) {
-    const picture::PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)},
-                                      {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
+    const PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)}, {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
     if (image.a.x == image.b.x && image.a.y == image.b.y) continue;
-    pieces.push_back({reference.number_of(vectors.at(piece.vector_address)), image});
+    pieces.push_back({lines.at(piece.vector_address), image});
   }
   return pieces;
 }
 
 }  // namespace
 
-std::map<std::uint32_t, AxisLine> lines_of_vectors(const guests::jones::EncodedScene& scene) {
+std::map<std::uint32_t, LineId> lines_of_vectors(const guests::jones::EncodedScene& scene, const MatterScene& matter,
+                                                 const ImageLines& lines) {
   VectorWalk walk(scene);
   for (const std::uint32_t cell : scene.cell_addresses) walk.walk(cell);
   for (const std::uint32_t opening : scene.opening_addresses) walk.walk(opening + 2);
-  return std::move(walk).take();
+  std::map<std::uint32_t, LineId> result;
+  for (const auto& [address, line] : std::move(walk).take()) {
+    const auto wire = matter.wire_on(line);
+    result[address] = wire ? lines.line_of(*wire) : no_line;
+  }
+  return result;
 }
 
-std::vector<DrawnPiece> twin_pieces(const guests::jones::View& view,
-                                    const std::map<std::uint32_t, AxisLine>& vectors,
-                                    const CellReference& reference) {
-  return pieces_of(view, vectors, reference, [number = guests::jones::ShortWords()](std::int32_t at) {
-    return number.points(at) + screen_centre;
-  });
+std::vector<DrawnPiece> twin_pieces(const guests::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+  return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.points(at) + screen_centre; });
 }
 
-std::vector<DrawnPiece> display_pieces(const guests::jones::View& view,
-                                       const std::map<std::uint32_t, AxisLine>& vectors,
-                                       const CellReference& reference) {
-  return pieces_of(view, vectors, reference,
-                   [number = guests::jones::ShortWords()](std::int32_t at) { return number.point(at) + screen_centre; });
+std::vector<DrawnPiece> display_pieces(const guests::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+  return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 
 namespace {
@@ -336,79 +295,6 @@ picture::PixelPoint SeenEdge::pixel_at(double s, const ScreenFrame& frame) const
   const SeenPoint point = at(s);
   return {frame.scale * point[0] / point[2] + frame.centre.x,
           frame.scale * point[1] / point[2] + frame.centre.y};
-}
-
-namespace {
-
-using picture::LineId;
-using picture::LinePart;
-using picture::LineParts;
-using picture::PixelSegment;
-using picture::ReferenceLine;
-
-// The line in the image that every edge lies on, counted from 0 in the order of the edges.
-std::vector<LineId> image_lines(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
-  std::vector<LineId> numbers;
-  std::map<std::array<std::int64_t, 4>, LineId> known;
-  LineId next = 0;
-  for (const picture::LineEdge& edge : picture::edges_of(scene)) {
-    const picture::LinePicture alone{{{edge, geometry::Rational(0), geometry::Rational(1)}}};
-    const auto image = picture::image_set(alone, scene, camera).segments;
-    // An edge whose image is a point is a line by itself, and never referred to.
-    if (image.empty())
-      numbers.push_back(next++);
-    else if (const auto [line, is_new] = known.try_emplace(image.front().line, next); is_new)
-      numbers.push_back(next++);
-    else
-      numbers.push_back(line->second);
-  }
-  return numbers;
-}
-
-// From the least to the greatest place of all of them, along the longest.
-PixelSegment common_image(const std::vector<const ReferenceLine*>& members) {
-  const ReferenceLine& longest =
-      **std::max_element(members.begin(), members.end(), [](const auto* a, const auto* b) {
-        return picture::length_of(a->image) < picture::length_of(b->image);
-      });
-  LinePart extent{0, 1};
-  for (const ReferenceLine* member : members) {
-    for (const picture::PixelPoint& end : {member->image.a, member->image.b}) {
-      const double place = picture::place_on(longest.image, end);
-      extent = {std::min(extent.low, place), std::max(extent.high, place)};
-    }
-  }
-  return {picture::point_at(longest.image, extent.low), picture::point_at(longest.image, extent.high)};
-}
-
-LineParts parts_on(const PixelSegment& image, const std::vector<const ReferenceLine*>& members,
-                   std::vector<LinePart> ReferenceLine::*which) {
-  LineParts parts;
-  for (const ReferenceLine* member : members)
-    for (const LinePart& part : member->*which)
-      parts.push_back({picture::place_on(image, picture::point_at(member->image, part.low)),
-                       picture::place_on(image, picture::point_at(member->image, part.high))});
-  return picture::united(std::move(parts));
-}
-
-}  // namespace
-
-ImageLines::ImageLines(const std::vector<ReferenceLine>& lines, const scene::PolyScene& scene,
-                       const scene::PolyCamera& camera)
-    : line_of_edge_(image_lines(scene, camera)) {
-  std::map<LineId, std::vector<const ReferenceLine*>> members;
-  for (const ReferenceLine& line : lines) members[line_of_edge_.at(line.id)].push_back(&line);
-  for (const auto& [number, together] : members) {
-    const PixelSegment image = common_image(together);
-    lines_.push_back({number, image, parts_on(image, together, &ReferenceLine::edges),
-                      parts_on(image, together, &ReferenceLine::visible)});
-  }
-}
-
-std::vector<picture::DrawnPiece> ImageLines::pieces(std::vector<picture::DrawnPiece> of_edges) const {
-  for (picture::DrawnPiece& piece : of_edges)
-    if (piece.line < line_of_edge_.size()) piece.line = line_of_edge_[piece.line];
-  return of_edges;
 }
 
 }  // namespace sightline::compare

@@ -1,9 +1,8 @@
-// Converts every kind of line picture for the metrics (host/picture/line_metrics.hpp): lines of the scene on
-// the screen with what is seen of them, and the pieces a program or algorithm drew.
+// Line pictures on the screen, as the metrics want them (host/picture/line_metrics.hpp): lines of the image with what is truly seen of
+// them, and the pieces that a program or algorithm drew, each on its line.
 //
-// Exact pictures of polyhedra: a line is an edge of the scene, in the order of picture::edges_of. Pictures of
-// cell scenes by guest and twin: a line is everything on one axis-parallel line of space, because cells, and
-// with them vector words, divide lines where the scene does not.
+// A line is a line of the image: edges that lie on each other there are one line, and what is seen of it is the union of what is seen of
+// them. So pictures are compared as sets of image points, and the length of what is seen does not depend on how a method divides it.
 #pragma once
 
 #include <array>
@@ -13,9 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/compare/matter_scene.hpp"
 #include "host/guests/jones/encode.hpp"
 #include "host/guests/jones/twin/twin.hpp"
+#include "host/picture/edge_choice.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -36,56 +36,41 @@ struct ScreenFrame {
 [[nodiscard]] ScreenFrame fitted_frame(const picture::LinePicture& picture, const scene::PolyScene& scene,
                                        const scene::PolyCamera& camera);
 
-// The parts of the scene's edges in the frame; edges whose image is a point are left out.
-[[nodiscard]] std::vector<picture::ReferenceLine> reference_lines(const picture::LinePicture& truth,
-                                                                  const scene::PolyScene& scene,
-                                                                  const scene::PolyCamera& camera,
-                                                                  const ScreenFrame& frame);
-[[nodiscard]] std::vector<picture::DrawnPiece> drawn_pieces(const picture::LinePicture& drawn,
-                                                            const scene::PolyScene& scene,
-                                                            const scene::PolyCamera& camera,
-                                                            const ScreenFrame& frame);
-
-// A line of space parallel to an axis.
-struct AxisLine {
-  std::size_t axis = 0;
-  std::array<std::int32_t, 2> cross{};  // on other_axes(axis)
-
-  friend auto operator<=>(const AxisLine&, const AxisLine&) = default;
-};
-
-// The lines of a cell scene as one eye sees them.
-class CellReference {
+// The lines of a scene's image, and what is seen of them.
+class ImageLines {
  public:
-  // `visible` is the oracle's answer for these lines, this eye and this window, which is a square.
-  CellReference(const std::vector<algorithms::oracle::RealLine>& lines,
-                const std::vector<algorithms::oracle::VisibleLine>& visible, const geometry::Point& eye,
-                const algorithms::oracle::Window& window);
+  // `truth` is what is seen; the lines are those of the edges `chosen`, or of all. Lines whose image in the frame is a point are left out.
+  ImageLines(const picture::LinePicture& truth, const scene::PolyScene& scene, const scene::PolyCamera& camera, const ScreenFrame& frame,
+             const picture::ChosenEdges* chosen = nullptr);
 
   [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
-  // Lines that are not in the scene, or not in the window, get a number of their own that no reference line
-  // has.
-  [[nodiscard]] picture::LineId number_of(const AxisLine& line) const;
+  // Pieces of edges of the same scene, cut to the frame, on these lines.
+  [[nodiscard]] std::vector<picture::DrawnPiece> pieces(const picture::LinePicture& drawn) const;
+  // The line that an edge lies on; one that no reference line has for an edge that is none of the scene.
+  [[nodiscard]] picture::LineId line_of(const picture::LineEdge& edge) const;
 
  private:
-  // The line's image reaches to these pixels.
-  void reach(const AxisLine& line, const picture::PixelSegment& pixels);
-
-  std::map<AxisLine, picture::LineId> numbers_;
+  const scene::PolyScene* scene_;
+  scene::PolyCamera camera_;
+  ScreenFrame frame_;
+  std::vector<picture::LineEdge> edges_;  // ascending
+  std::vector<picture::LineId> line_of_edge_;
   std::vector<picture::ReferenceLine> lines_;
 };
 
-// Which line of space each vector word of an encoded scene is on, by address: the layout of encode.hpp.
-[[nodiscard]] std::map<std::uint32_t, AxisLine> lines_of_vectors(const guests::jones::EncodedScene& scene);
+// Which line of the image each vector word of an encoded scene of cells is on, by address: the layout of encode.hpp. `lines` are of the
+// wires of `matter`.
+[[nodiscard]] std::map<std::uint32_t, picture::LineId> lines_of_vectors(const guests::jones::EncodedScene& scene, const MatterScene& matter,
+                                                                        const ImageLines& lines);
 
-// Pieces of a mono view, in pixels, before and after the rounding to points of the screen; those that become
-// a single point then are not drawn.
+// Pieces of a mono view, in pixels, before and after the rounding to points of the screen; those that become a single point then are
+// not drawn.
 [[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const guests::jones::View& view,
-                                                           const std::map<std::uint32_t, AxisLine>& vectors,
-                                                           const CellReference& reference);
-[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(
-    const guests::jones::View& view, const std::map<std::uint32_t, AxisLine>& vectors,
-    const CellReference& reference);
+                                                           const std::map<std::uint32_t, picture::LineId>& lines,
+                                                           int fraction_bits = guests::jones::machine_fraction_bits);
+[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(const guests::jones::View& view,
+                                                              const std::map<std::uint32_t, picture::LineId>& lines,
+                                                              int fraction_bits = guests::jones::machine_fraction_bits);
 
 // Edges on the screen in floating point, cut to a frame: for measuring and drawing only, never for deciding
 // what is visible.
@@ -112,23 +97,6 @@ class SeenEdge {
 
   SeenPoint from_;
   SeenPoint to_;
-};
-
-// Lines of a scene that lie on each other in the image taken as one: the reference for algorithms that draw
-// the nearest of them only (LineAlgorithm::same_by_image), whose pictures are right as sets of points.
-class ImageLines {
- public:
-  // `lines` are those of reference_lines (lines.hpp) for this scene and camera.
-  ImageLines(const std::vector<picture::ReferenceLine>& lines, const scene::PolyScene& scene,
-             const scene::PolyCamera& camera);
-
-  [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
-  // Pieces of edges as pieces of these lines.
-  [[nodiscard]] std::vector<picture::DrawnPiece> pieces(std::vector<picture::DrawnPiece> of_edges) const;
-
- private:
-  std::vector<picture::LineId> line_of_edge_;
-  std::vector<picture::ReferenceLine> lines_;
 };
 
 }  // namespace sightline::compare

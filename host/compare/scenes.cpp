@@ -4,18 +4,22 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 #include <vector>
 
 #include "host/algorithms/oracle/edge_oracle.hpp"
-#include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
+#include "host/compare/device_raster.hpp"
+#include "host/compare/host_time.hpp"
 #include "host/compare/lines.hpp"
+#include "host/compare/matter_scene.hpp"
 #include "host/compare/stripes.hpp"
+#include "host/compare/sweep_views.hpp"
 #include "host/compare/willis_8080.hpp"
 #include "host/guests/jones/session.hpp"
+#include "host/picture/line_picture_image.hpp"
+#include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/file_units.hpp"
@@ -31,75 +35,32 @@ using picture::PixelSegment;
 using picture::ReferenceLine;
 
 constexpr double least_stretch = 1;  // pixels, in a difference
+constexpr std::string_view bodies_intersect = "bodies intersect";
+constexpr std::string_view jones_on_pdp7 = "jones-pdp7";
+constexpr std::string_view jones_twin = "jones-twin";
 
-ComparedPicture compared(std::string name, std::string what, const std::vector<ReferenceLine>& truth,
+bool chosen(const CompareOptions& options, std::string_view name) {
+  return options.methods.empty() || std::find(options.methods.begin(), options.methods.end(), name) != options.methods.end();
+}
+
+ComparedPicture compared(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
                          const std::vector<DrawnPiece>& drawn) {
-  return {std::move(name), std::move(what), std::nullopt, picture::line_metrics(truth, drawn),
+  return {std::string(name), std::move(rounding), std::nullopt, picture::line_metrics(truth, drawn),
           picture::line_difference(truth, drawn, least_stretch)};
 }
 
-// exact algorithms
-
-ComparedPicture compared_by_image(const std::string& name, const std::vector<ReferenceLine>& lines,
-                                  const std::vector<DrawnPiece>& pieces, const scene::PolyScene& scene,
-                                  const scene::PolyCamera& camera) {
-  const ImageLines together(lines, scene, camera);
-  return compared(name, "exact pieces, of edges that lie on each other in the image once", together.lines(),
-                  together.pieces(pieces));
-}
-
-constexpr const char* bodies_intersect = "bodies intersect";
-
-// Adds a picture for every algorithm of the table but the oracle's own.
-std::optional<base::Error> compare_algorithms(const scene::PolyScene& scene, const CompareProgress& progress,
-                                              const std::optional<ScreenFrame>& frame,
-                                              SceneComparison& comparison) {
-  const scene::PolyCamera& camera = comparison.camera;
-  if (auto error = scene::eye_error(scene, camera)) return error;
-  progress("oracle");
-  const picture::LinePicture truth = oracle::visible_edges(scene, camera);
-  comparison.frame = frame ? *frame : fitted_frame(truth, scene, camera);
-  const auto lines = reference_lines(truth, scene, camera, comparison.frame);
-  const bool crossing = !scene::crossings_of(scene, 1).empty();
-  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) {
-    if (algorithm.name == "oracle") continue;
-    const std::string name(algorithm.name);
-    progress(name);
-    if (crossing && !algorithm.draws_crossings) {
-      comparison.not_applicable.emplace_back(name, bodies_intersect);
-      continue;
-    }
-    if (const auto reason = algorithm.why_not(scene)) {
-      comparison.not_applicable.emplace_back(name, *reason);
-      continue;
-    }
-    if (const auto reason = algorithm.why_not_seen(scene, camera)) {
-      comparison.not_applicable.emplace_back(name, *reason);
-      continue;
-    }
-    const auto prepared = algorithm.prepare(scene);
-    if (!prepared) return prepared.error();
-    const auto view = prepared->view(camera);
-    if (!view) return view.error();
-    const picture::LinePicture& drawn = view->picture;
-    const auto pieces = drawn_pieces(drawn, scene, camera, comparison.frame);
-    auto row = algorithm.same_by_image ? compared_by_image(name, lines, pieces, scene, camera)
-                                       : compared(name, "exact pieces of the scene's edges", lines, pieces);
-    row.identical = agrees(algorithm, drawn, truth, scene, camera);
-    comparison.pictures.push_back(std::move(row));
-  }
-  return std::nullopt;
-}
-
 // Adds the algorithms that say which face is seen at each point.
-void compare_faces(const scene::PolyScene& scene, const CompareProgress& progress,
+void compare_faces(const scene::PolyScene& scene, const CompareOptions& options, const CompareProgress& progress,
                    SceneComparison& comparison) {
+  std::vector<const registry::FaceAlgorithm*> algorithms;
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms())
+    if (chosen(options, algorithm.name)) algorithms.push_back(&algorithm);
+  if (chosen(options, willis_on_8080().name)) algorithms.push_back(&willis_on_8080());
+  const bool stripes = chosen(options, stripes_name);
+  if (algorithms.empty() && !stripes) return;
   progress("oracle of sight lines");
   const auto truth = FaceTruth::of(scene, comparison.camera);
   const bool crossing = !scene::crossings_of(scene, 1).empty();
-  std::vector<const registry::FaceAlgorithm*> algorithms;
-  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) algorithms.push_back(&algorithm);
-  algorithms.push_back(&willis_on_8080());
   for (const registry::FaceAlgorithm* const algorithm : algorithms) {
     const std::string name(algorithm->name);
     if (crossing) {
@@ -111,12 +72,13 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
       continue;
     }
     progress(name);
-    auto compared = truth->compared(*algorithm);
+    auto compared = truth->compared(*algorithm, options.host_times);
     if (!compared)
       comparison.not_applicable.emplace_back(name, compared.error().message());
     else
       comparison.faces.push_back(std::move(*compared));
   }
+  if (!stripes) return;
   const std::string name(stripes_name);
   if (crossing || !truth) {
     comparison.not_applicable.emplace_back(name, crossing ? bodies_intersect : truth.error().message());
@@ -130,9 +92,11 @@ void compare_faces(const scene::PolyScene& scene, const CompareProgress& progres
   }
   comparison.stripes_difference = drawn->difference;
   comparison.faces.push_back(truth->compared(name, std::move(drawn->faces), drawn->not_solved));
+  comparison.faces.back().counts = {{"faces", drawn->faces_listed}};
+  comparison.faces.back().emulated_seconds = drawn->seconds;
+  auto pen = stripes_pen(scene, comparison.camera, truth->window(), truth->faces());
+  if (pen) comparison.stripes_pen = std::move(*pen);
 }
-
-// guest and twin
 
 // Every point that is lit in one pass.
 std::vector<PixelSegment> lit_points(const std::vector<core::Stroke>& pass) {
@@ -148,111 +112,302 @@ std::vector<PixelSegment> lit_points(const std::vector<core::Stroke>& pass) {
   return points;
 }
 
-std::vector<PixelSegment> seen_segments(const std::vector<ReferenceLine>& lines) {
-  std::vector<PixelSegment> segments;
-  for (const ReferenceLine& line : lines) {
-    for (const picture::LinePart& part : line.visible) {
-      const auto at = [&](double place) {
-        return picture::PixelPoint{line.image.a.x + place * (line.image.b.x - line.image.a.x),
-                                   line.image.a.y + place * (line.image.b.y - line.image.a.y)};
-      };
-      segments.push_back({at(part.low), at(part.high)});
-    }
-  }
-  return segments;
-}
-
-// The guest's and the twin's pictures, first and second.
-std::optional<base::Error> compare_programs(const scene::CellScene& scene, const CompareOptions& options,
-                                            const CompareProgress& progress, SceneComparison& comparison) {
-  guests::jones::ProgramOptions of_program;
-  of_program.eae = options.eae;
-  of_program.tape.view = comparison.camera.eye;
-  const auto session = guests::jones::Session::of(scene, of_program);
-  if (!session) return session.error();
-  const auto matter = oracle::Matter::of(scene);
-  if (!matter) return base::Error{"", "", "is too large for the oracle"};
-
-  progress("cell oracle");
-  oracle::Window window;
-  window.scale = options.scale;
-  window.near = guests::jones::near_z;
-  const auto real_lines = matter->real_lines();
-  const CellReference reference(real_lines,
-                                oracle::visible_lines(*matter, real_lines, comparison.camera.eye, window),
-                                comparison.camera.eye, window);
-
-  progress("guest and twin");
-  guests::jones::GuestOptions of_guest;
-  of_guest.scale = options.scale;
-  of_guest.views = 1;
-  const guests::jones::CheckedRun run = session->run(of_guest);
-  if (run.guest.timed_out || run.guest.views.empty())
-    return base::Error{"", "", "the program on the PDP-7 did not complete a view"};
-  const guests::jones::GuestView& guest = run.guest.views.back();
-  comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference};
-
-  const auto vectors = lines_of_vectors(session->program().scene);
-  if (comparison.guest->difference.empty()) {
-    auto row = compared("guest", "display vectors; distance of the points lit", reference.lines(),
-                        display_pieces(run.twin, vectors, reference));
-    row.metrics.hausdorff =
-        picture::hausdorff_distance(seen_segments(reference.lines()), lit_points(run.guest.pass));
-    comparison.pictures.push_back(std::move(row));
-  } else {
-    comparison.not_applicable.emplace_back(
-        "guest",
-        "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
-  }
-  comparison.pictures.push_back(compared("twin", "pieces with fractions of a point", reference.lines(),
-                                         twin_pieces(run.twin, vectors, reference)));
-  return std::nullopt;
-}
-
 }  // namespace
+
+class SceneMethods::Parts {
+ public:
+  explicit Parts(CompareOptions options) : options_(std::move(options)) {}
+
+  std::optional<Error> prepare(const scene::CellScene& scene) {
+    cells_ = &scene;
+    polyhedra_ = scene::poly_scene_of(scene);
+    auto matter = MatterScene::of(scene);
+    if (!matter) return matter.error();
+    matter_.emplace(std::move(*matter));
+    if (chosen(options_, jones_on_pdp7) || chosen(options_, jones_twin)) {
+      program_.eae = options_.eae;
+      program_.fraction_bits = options_.fraction_bits;
+      auto session = guests::jones::Session::of(scene, program_);
+      // The program may not accept the scene's own view, and accept another: it is assembled for each view then.
+      if (session) session_.emplace(std::move(*session));
+    }
+    return prepare_algorithms();
+  }
+  std::optional<Error> prepare(const scene::PolyScene& scene) {
+    polyhedra_ = scene;
+    return prepare_algorithms();
+  }
+
+  base::Result<SceneComparison> view(const scene::PolyCamera& camera, const CompareProgress& progress) const {
+    SceneComparison comparison;
+    comparison.scene = cells_ != nullptr ? cells_->name : polyhedra_.name;
+    comparison.camera = camera;
+    comparison.eye = scene::file_point(polyhedra_, camera.eye);
+    comparison.not_applicable = not_applicable_;
+    if (auto error = compare_lines(comparison, progress)) return *error;
+    if (options_.faces) compare_faces(polyhedra_, options_, progress, comparison);
+    if (cells_ == nullptr && chosen(options_, turn_name)) compare_turn(comparison, progress);
+    return comparison;
+  }
+
+ private:
+  struct Entry {
+    const registry::LineAlgorithm* algorithm = nullptr;
+    registry::PreparedScene prepared;
+    bool of_faces = false;  // its picture is one of MatterScene::with_box()
+  };
+
+  // Everything of a view that is compared.
+  struct Truth {
+    const scene::PolyScene& scene;
+    picture::LinePicture visible;  // as far as the window of the screen reaches, of a scene of cells
+    std::optional<picture::ChosenEdges> chosen;
+    ImageLines lines;
+  };
+
+  std::optional<Error> prepare_algorithms() {
+    const scene::PolyScene& with_faces = matter_ ? matter_->with_box() : polyhedra_;
+    const bool crossing = !scene::crossings_of(with_faces, 1).empty();
+    for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) {
+      if (algorithm.name == "oracle" || !chosen(options_, algorithm.name)) continue;
+      const bool of_cells = matter_ && algorithm.prepare_cells != nullptr;
+      if (of_cells) {
+        entries_.push_back({&algorithm, algorithm.prepare_cells(scene::complex_of(*cells_, matter_->scene())), false});
+        continue;
+      }
+      const bool of_faces = matter_ && !algorithm.draws_crossings;
+      if (crossing && !algorithm.draws_crossings) {
+        not_applicable_.emplace_back(algorithm.name, bodies_intersect);
+        continue;
+      }
+      const scene::PolyScene& scene = matter_ && !of_faces ? matter_->scene() : with_faces;
+      if (const auto reason = algorithm.why_not(scene)) {
+        not_applicable_.emplace_back(algorithm.name, *reason);
+        continue;
+      }
+      auto prepared = algorithm.prepare(scene);
+      if (!prepared) return prepared.error();
+      entries_.push_back({&algorithm, std::move(*prepared), of_faces});
+    }
+    return std::nullopt;
+  }
+
+  // Of a scene of cells what the screen of the Type 340 shows.
+  [[nodiscard]] oracle::Window window() const {
+    oracle::Window window;
+    window.scale = options_.scale;
+    window.near = guests::jones::near_z;
+    return window;
+  }
+
+  [[nodiscard]] Truth truth_of(SceneComparison& comparison) const {
+    const scene::PolyCamera& camera = comparison.camera;
+    if (matter_) {
+      const scene::PolyScene& scene = matter_->scene();
+      comparison.frame = {};
+      comparison.frame.scale = options_.scale;
+      comparison.frame.near = guests::jones::near_z;
+      auto lines = matter_->lines_at(camera.eye);
+      picture::LinePicture visible = matter_->visible(camera.eye, window());
+      ImageLines image(visible, scene, camera, comparison.frame, &lines);
+      return {scene, std::move(visible), std::move(lines), std::move(image)};
+    }
+    picture::LinePicture visible = oracle::visible_edges(polyhedra_, camera);
+    comparison.frame = fitted_frame(visible, polyhedra_, camera);
+    ImageLines image(visible, polyhedra_, camera, comparison.frame);
+    return {polyhedra_, std::move(visible), std::nullopt, std::move(image)};
+  }
+
+  std::optional<Error> compare_lines(SceneComparison& comparison, const CompareProgress& progress) const {
+    if (auto error = scene::eye_error(polyhedra_, comparison.camera)) return error;
+    progress("oracle");
+    const Truth truth = truth_of(comparison);
+    if (matter_)
+      if (auto error = compare_programs(truth, comparison, progress)) return error;
+    // Of a scene of cells the truth is cut to the screen; what exact methods see of all lines is compared with the oracle of edges.
+    const picture::LinePicture whole = matter_ && !entries_.empty()
+                                           ? oracle::visible_edges(truth.scene, comparison.camera, *truth.chosen)
+                                           : picture::LinePicture{};
+    for (const Entry& entry : entries_) {
+      const registry::LineAlgorithm& algorithm = *entry.algorithm;
+      progress(algorithm.name);
+      if (const auto reason = algorithm.why_not_seen(truth.scene, comparison.camera)) {
+        comparison.not_applicable.emplace_back(algorithm.name, *reason);
+        continue;
+      }
+      auto drawn = drawn_by(entry, truth, comparison.camera);
+      if (!drawn) return drawn.error();
+      auto row = compared(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture));
+      const picture::LinePicture& all = matter_ ? whole : truth.visible;
+      // Edges of other names may lie on each other: of a scene of cells always compared as images.
+      row.identical = matter_ ? picture::image_set(drawn->picture, truth.scene, comparison.camera) ==
+                                    picture::image_set(all, truth.scene, comparison.camera)
+                              : registry::agrees(algorithm, drawn->picture, all, truth.scene, comparison.camera);
+      row.counts = entry.prepared.counts;
+      for (const registry::AlgorithmCount& count : drawn->counts)  // of all cells, and of those a view enters
+        row.counts.push_back({count.name == "cells" ? "cells_read" : count.name, count.value});
+      if (options_.host_times)
+        row.host_seconds = median_seconds([&] { static_cast<void>(view_of(entry, truth, comparison.camera)); });
+      comparison.pictures.push_back(std::move(row));
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] static base::Result<registry::LineView> view_of(const Entry& entry, const Truth& truth, const scene::PolyCamera& camera) {
+    return truth.chosen && !entry.of_faces ? registry::view_of(entry.prepared, camera, *truth.chosen) : entry.prepared.view(camera);
+  }
+
+  // As a picture of the truth's scene.
+  [[nodiscard]] base::Result<registry::LineView> drawn_by(const Entry& entry, const Truth& truth, const scene::PolyCamera& camera) const {
+    auto view = view_of(entry, truth, camera);
+    if (view && entry.of_faces) view->picture = matter_->on_lines(view->picture, camera.eye);
+    return view;
+  }
+
+  // Jones's program on its machine, and its twin.
+  std::optional<Error> compare_programs(const Truth& truth, SceneComparison& comparison, const CompareProgress& progress) const {
+    const bool guest_row = chosen(options_, jones_on_pdp7);
+    const bool twin_row = chosen(options_, jones_twin);
+    if (!guest_row && !twin_row) return std::nullopt;
+    progress(jones_on_pdp7);
+    guests::jones::GuestOptions of_guest;
+    of_guest.scale = options_.scale;
+    of_guest.views = 1;
+    if (session_) {
+      const auto core = session_->core_at(comparison.camera.eye);
+      if (!core) return core.error();
+      return compare_run(*session_, session_->run(*core, of_guest), truth, comparison);
+    }
+    guests::jones::ProgramOptions program = program_;
+    program.tape.view = comparison.camera.eye;
+    const auto session = guests::jones::Session::of(*cells_, program);
+    if (!session) return session.error();
+    return compare_run(*session, session->run(of_guest), truth, comparison);
+  }
+
+  std::optional<Error> compare_run(const guests::jones::Session& session, const guests::jones::CheckedRun& run, const Truth& truth,
+                                   SceneComparison& comparison) const {
+    if (run.guest.timed_out || run.guest.views.empty()) return Error{"", "", "the program on the PDP-7 did not complete a view"};
+    const guests::jones::GuestView& guest = run.guest.views.back();
+    comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference};
+
+    const auto lines = lines_of_vectors(session.program().scene, *matter_, truth.lines);
+    if (chosen(options_, jones_on_pdp7)) {
+      if (comparison.guest->difference.empty()) {
+        const auto drawn = display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits));
+        auto row = compared(jones_on_pdp7, "points of the Type 340", truth.lines.lines(), drawn);
+        const auto seen = visible_segments(truth.lines.lines());
+        row.metrics.hausdorff = picture::hausdorff_distance(seen, lit_points(run.guest.pass));
+        row.emulated = guest.time;
+        row.counts = {{"cells_read", guest.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", guest.visits},
+                      {"openings_tested", guest.openings_tested}, {"lines_clipped", guest.lines_clipped}};
+        std::vector<PixelSegment> vectors;
+        for (const DrawnPiece& piece : drawn) vectors.push_back(piece.image);
+        ComparedFlashes flashes = compare_flashes(seen, vectors, run.guest.pass);
+        row.lit = std::move(flashes.shown);
+        row.lit_in_truth = std::move(flashes.truth);
+        row.raster = flashes.difference;
+        comparison.pictures.push_back(std::move(row));
+      } else {
+        comparison.not_applicable.emplace_back(
+            jones_on_pdp7, "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
+      }
+    }
+    if (chosen(options_, jones_twin)) {
+      const int parts = 1 << options_.fraction_bits;
+      auto row = compared(jones_twin, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
+                          twin_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)));
+      const guests::jones::Counts& c = run.twin.counts;
+      row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
+      if (options_.host_times) {
+        guests::jones::GuestOptions of_twin;
+        of_twin.scale = options_.scale;
+        const auto core = session.core_at(comparison.camera.eye);
+        if (core) row.host_seconds = median_seconds([&] { static_cast<void>(session.twin(*core, of_twin)); });
+      }
+      comparison.pictures.push_back(std::move(row));
+    }
+    return std::nullopt;
+  }
+
+  void compare_turn(SceneComparison& comparison, const CompareProgress& progress) const {
+    const auto angle = turn_angle_of(comparison.camera);
+    if (!angle) return;
+    progress(turn_name);
+    auto checked = check_turn(polyhedra_, *angle);
+    if (checked)
+      comparison.turn = std::move(*checked);
+    else
+      comparison.not_applicable.emplace_back(turn_name, checked.error().message());
+  }
+
+  CompareOptions options_;
+  const scene::CellScene* cells_ = nullptr;
+  scene::PolyScene polyhedra_;
+  std::optional<MatterScene> matter_;  // of a scene of cells
+  guests::jones::ProgramOptions program_;
+  std::optional<guests::jones::Session> session_;
+  std::vector<Entry> entries_;
+  std::vector<std::pair<std::string, std::string>> not_applicable_;
+};
+
+SceneMethods::SceneMethods(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+SceneMethods::SceneMethods(SceneMethods&&) noexcept = default;
+SceneMethods& SceneMethods::operator=(SceneMethods&&) noexcept = default;
+SceneMethods::~SceneMethods() = default;
+
+base::Result<SceneMethods> SceneMethods::of(const scene::CellScene& scene, const CompareOptions& options) {
+  auto parts = std::make_unique<Parts>(options);
+  if (auto error = parts->prepare(scene)) return *error;
+  return SceneMethods(std::move(parts));
+}
+
+base::Result<SceneMethods> SceneMethods::of(const scene::PolyScene& scene, const CompareOptions& options) {
+  auto parts = std::make_unique<Parts>(options);
+  if (auto error = parts->prepare(scene)) return *error;
+  return SceneMethods(std::move(parts));
+}
+
+base::Result<SceneComparison> SceneMethods::view(const scene::PolyCamera& camera, const CompareProgress& progress) const {
+  return parts_->view(camera, progress);
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names{std::string(jones_on_pdp7), std::string(jones_twin)};
+  const auto add = [&names](std::string_view name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+  };
+  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
+    if (algorithm.name != "oracle") add(algorithm.name);
+  for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) add(algorithm.name);
+  add(willis_on_8080().name);
+  add(stripes_name);
+  add(turn_name);
+  for (const char* const skala : {"skala-8080", "skala-twin", "skala"}) add(skala);  // of functions: answer.hpp
+  return names;
+}
 
 bool SceneComparison::agrees() const {
   return std::none_of(pictures.begin(), pictures.end(),
                       [](const ComparedPicture& p) { return p.identical && !*p.identical; }) &&
          std::all_of(faces.begin(), faces.end(), [](const ComparedFaces& f) { return f.agrees(); }) &&
-         (!guest || guest->difference.empty()) && stripes_difference.empty() && (!turn || turn->agrees());
+         (!guest || guest->difference.empty()) && stripes_difference.empty() && (!stripes_pen || stripes_pen->difference.empty()) && (!turn || turn->agrees());
 }
 
 base::Result<SceneComparison> compare_cell_scene(const scene::CellScene& scene, const CompareOptions& options,
                                                  const CompareProgress& progress) {
-  const scene::PolyScene polyhedra = scene::poly_scene_of(scene);
-  SceneComparison comparison;
-  comparison.scene = scene.name;
-  comparison.camera = polyhedra.camera;
-  comparison.camera.eye = options.eye.value_or(scene.default_view);
-  comparison.eye = scene::file_point(polyhedra, comparison.camera.eye);
-  if (auto error = compare_programs(scene, options, progress, comparison)) return *error;
-  ScreenFrame frame;
-  frame.scale = options.scale;
-  frame.near = guests::jones::near_z;
-  if (auto error = compare_algorithms(polyhedra, progress, frame, comparison)) return *error;
-  compare_faces(polyhedra, progress, comparison);
-  return comparison;
+  const auto methods = SceneMethods::of(scene, options);
+  if (!methods) return methods.error();
+  scene::PolyCamera camera;
+  camera.eye = options.eye.value_or(scene.default_view);
+  return methods->view(camera, progress);
 }
 
-base::Result<SceneComparison> compare_poly_scene(const scene::PolyScene& scene,
-                                                 const scene::PolyCamera& camera,
-                                                 const CompareProgress& progress) {
-  SceneComparison comparison;
-  comparison.scene = scene.name;
-  comparison.camera = camera;
-  comparison.eye = scene::file_point(scene, camera.eye);
-  if (auto error = compare_algorithms(scene, progress, std::nullopt, comparison)) return *error;
-  compare_faces(scene, progress, comparison);
-  if (const auto angle = turn_angle_of(camera)) {
-    progress("turn");
-    auto checked = check_turn(scene, *angle);
-    if (checked)
-      comparison.turn = std::move(*checked);
-    else
-      comparison.not_applicable.emplace_back("turn", checked.error().message());
-  }
-  return comparison;
+base::Result<SceneComparison> compare_poly_scene(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                                 const CompareOptions& options, const CompareProgress& progress) {
+  const auto methods = SceneMethods::of(scene, options);
+  if (!methods) return methods.error();
+  return methods->view(camera, progress);
 }
 
 }  // namespace sightline::compare

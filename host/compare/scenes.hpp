@@ -1,37 +1,52 @@
-// One view of a scene, drawn by every applicable method and compared with the oracle: Jones's program on its
-// machine, its native twin, every line algorithm of the table, and every algorithm of faces by points.
+// One view of a scene, drawn by every applicable method and compared with one truth: Jones's program on its machine, its native twin,
+// every line algorithm of the table, and every algorithm of faces by points.
 //
-// Guest and twin draw the lines of a cell scene (the outer box's too) on the screen of the Type 340; their
-// truth is the cell oracle's. Exact algorithms draw edges of polyhedra; theirs is the edge oracle's. Both
-// truths are cut to the same screen.
+// Of a scene of cells the truth is the oracle's visible real lines of its matter (matter_scene.hpp), for all rows, on the screen of the
+// Type 340. Of other scenes it is the visible edges of the oracle of edges. Pictures are sets of points of the image: what lies on
+// each other there counts once, so the true length is the same for all rows of a view.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
+#include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/faces.hpp"
 #include "host/compare/lines.hpp"
+#include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
+#include "host/picture/raster_difference.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::compare {
 
+// How the coordinates of a row's picture are rounded, in words for a reader.
+inline constexpr std::string_view not_rounded = "none";
+
 struct ComparedPicture {
-  std::string name;               // "guest", "twin", or the algorithm's
-  std::string what;               // what was measured
-  std::optional<bool> identical;  // exact algorithms: the oracle's picture, piece for piece
+  std::string name;               // "jones-pdp7", "jones-twin", or the algorithm's
+  std::string rounding;           // of what was measured
+  std::optional<bool> identical;  // exact algorithms: exactly what the truth has, without rounding
   picture::LineMetrics metrics;
   picture::LineDifference difference;  // without stretches of up to a pixel
+  std::optional<core::Duration> emulated{};  // what the view took on the machine
+  std::optional<double> host_seconds{};      // what it took here: median of repeated views; not of a machine's program
+  std::vector<registry::AlgorithmCount> counts{};  // what was read of the scene, and done
+  // Of a machine's program: the points it lit, and those that the exact lines light by the rule of its display, and their difference.
+  picture::PixelGrid lit{};
+  picture::PixelGrid lit_in_truth{};
+  std::optional<picture::RasterDifference> raster{};
 };
 
 // How the machine's run ended, beside its twin's.
@@ -51,6 +66,7 @@ struct SceneComparison {
   std::vector<ComparedFaces> faces;  // of the algorithms that say which face is seen at each point
   std::vector<std::pair<std::string, std::string>> not_applicable;  // name, reason
   std::optional<GuestCheck> guest;                                  // of cell scenes
+  std::optional<StripesPen> stripes_pen;  // the same view by the 8080 on a plotter
   std::string stripes_difference;  // where the 8080's stripes are not their twin's; empty: nowhere
   std::optional<TurnCheck> turn;  // of polyhedra in parallel projection, along the plane of a turn, that the machine can hold
 
@@ -64,16 +80,44 @@ struct CompareOptions {
   std::optional<geometry::Point> eye;  // the scene's default view if not given
   std::int32_t scale = 512;            // S, 64..4096
   bool eae = true;
+  std::uint32_t fraction_bits = 3;     // of Jones's program, 0..3
+  std::vector<std::string> methods{};  // of these names alone; empty: all
+  bool faces = true;                   // and not lines alone
+  bool host_times = false;             // measure them
 };
 
-// Of a checked scene. Errors: the eye is where the program or the algorithms cannot have it; the scene does
-// not fit into core; the oracle cannot hold it; the guest did not complete a view.
+// The names that CompareOptions::methods may have, in the order of rows.
+[[nodiscard]] std::vector<std::string> method_names();
+
+// All methods of a scene, prepared once for any number of views. Several threads may ask at once.
+class SceneMethods {
+ public:
+  // Of a checked scene, which outlives this. Errors: the program cannot be assembled for it; the oracle cannot hold it; a method that
+  // applies cannot prepare it.
+  [[nodiscard]] static base::Result<SceneMethods> of(const scene::CellScene& scene, const CompareOptions& options);
+  [[nodiscard]] static base::Result<SceneMethods> of(const scene::PolyScene& scene, const CompareOptions& options);
+  SceneMethods(SceneMethods&&) noexcept;
+  SceneMethods& operator=(SceneMethods&&) noexcept;
+  ~SceneMethods();
+
+  // One view. Cameras of a scene of cells look along z, as Jones's program does (precondition). Errors: the eye is where the program or
+  // the algorithms cannot have it; the program did not complete a view.
+  [[nodiscard]] base::Result<SceneComparison> view(
+      const scene::PolyCamera& camera, const CompareProgress& progress = [](std::string_view) {}) const;
+
+ private:
+  class Parts;
+  explicit SceneMethods(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+// The view of the options, or the scene's default view.
 [[nodiscard]] base::Result<SceneComparison> compare_cell_scene(
     const scene::CellScene& scene, const CompareOptions& options,
     const CompareProgress& progress = [](std::string_view) {});
 // Of a checked scene, without Jones's program. Error: the eye is inside a solid or on a face.
 [[nodiscard]] base::Result<SceneComparison> compare_poly_scene(
-    const scene::PolyScene& scene, const scene::PolyCamera& camera,
+    const scene::PolyScene& scene, const scene::PolyCamera& camera, const CompareOptions& options = {},
     const CompareProgress& progress = [](std::string_view) {});
 
 }  // namespace sightline::compare

@@ -83,6 +83,10 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
 
 }  // namespace
 
+bool is_line_for(const RealLine& line, const Point& eye) {
+  return feature_for(line, relative(line.from, eye));
+}
+
 std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<RealLine>& lines,
                                        const Point& eye, const Window& window) {
   std::vector<VisibleLine> visible;

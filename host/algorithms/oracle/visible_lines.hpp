@@ -40,6 +40,9 @@ struct VisibleLine {
   geometry::IntervalSet intervals;  // of t in [0, 1], the point being p + t (q - p)
 };
 
+// Whether the line is one for an eye there: matter is not flat on the side, or sides, that the eye is on.
+[[nodiscard]] bool is_line_for(const RealLine& line, const geometry::Point& eye);
+
 // Lines of which nothing is seen are left out, and so are those that run through the eye. The eye is inside
 // the outer box and in no solid (precondition).
 [[nodiscard]] std::vector<VisibleLine> visible_lines(const Matter& matter, const std::vector<RealLine>& lines,

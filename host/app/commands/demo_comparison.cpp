@@ -23,7 +23,7 @@ using compare::SceneComparison;
 
 const ComparedPicture* guest_of(const SceneComparison& comparison) {
   const auto found = std::find_if(comparison.pictures.begin(), comparison.pictures.end(),
-                                  [](const ComparedPicture& picture) { return picture.name == "guest"; });
+                                  [](const ComparedPicture& picture) { return picture.name == "jones-pdp7"; });
   return found == comparison.pictures.end() ? nullptr : &*found;
 }
 

@@ -528,19 +528,21 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
   if (status != jones::Status::complete)
     complaints.add(fmt::format("stops with \"{}\"", jones::name(status)));
   if (pictures_) {
-    const auto matter = oracle::Matter::of(scene);
+    const auto matter = compare::MatterScene::of(scene);
     if (!matter) return {false, "beyond the oracle"};
     oracle::Window window;
     window.scale = options.scale;
     window.near = jones::near_z;
-    const auto lines = matter->real_lines();
-    const geometry::Point& eye = scene.default_view;
-    const compare::CellReference reference(lines, oracle::visible_lines(*matter, lines, eye, window), eye,
-                                           window);
-    const auto vectors = compare::lines_of_vectors(program.scene);
-    const auto pieces = method == "guest" ? compare::display_pieces(twin, vectors, reference)
-                                          : compare::twin_pieces(twin, vectors, reference);
-    keep(image_, [&] { return screen_image(pieces, image_side_); });
+    compare::ScreenFrame frame;
+    frame.scale = options.scale;
+    frame.near = jones::near_z;
+    scene::PolyCamera camera;
+    camera.eye = scene.default_view;
+    const auto chosen = matter->lines_at(camera.eye);
+    const compare::ImageLines reference(matter->visible(camera.eye, window), matter->scene(), camera, frame, &chosen);
+    const auto vectors = compare::lines_of_vectors(program.scene, *matter, reference);
+    const auto pieces = method == "guest" ? compare::display_pieces(twin, vectors) : compare::twin_pieces(twin, vectors);
+        keep(image_, [&] { return screen_image(pieces, image_side_); });
     keep(truth_, [&] {
       std::vector<picture::DrawnPiece> seen;
       for (const picture::ReferenceLine& line : reference.lines())

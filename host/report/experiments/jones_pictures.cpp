@@ -88,18 +88,20 @@ SceneViews::SceneViews(const jones::SixViews& views) : name_(views.scene) {
   auto scene = scene::load_cell_scene(name_);
   if (!scene) throw Failure(ErrorKind::bad_input, scene.error().message());
   scene_ = *std::move(scene);
-  const auto matter = oracle::Matter::of(scene_);
-  if (!matter)
-    throw Failure(ErrorKind::bad_input, name_ + ": found a scene with too many grid units for the exact reference");
-  const auto lines = matter->real_lines();
+  auto matter = compare::MatterScene::of(scene_);
+  if (!matter) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name_, matter.error().message()));
+  matter_ = std::make_unique<const compare::MatterScene>(std::move(*matter));
   oracle::Window window;
   window.near = jones::near_z;
+  compare::ScreenFrame frame;
+  frame.near = jones::near_z;
   for (const geometry::Point& eye : views.eyes) {
     auto in_core = jones::scene_in_core(scene_, eye);
     if (!in_core) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name_, in_core.error().message()));
-    const auto visible = oracle::visible_lines(*matter, lines, eye, window);
-    views_.push_back({eye, *std::move(in_core),
-                      compare::CellReference(lines, visible, eye, window)});
+    scene::PolyCamera camera;
+    camera.eye = eye;
+    const auto lines = matter_->lines_at(eye);
+    views_.push_back({eye, *std::move(in_core), {matter_->visible(eye, window), matter_->scene(), camera, frame, &lines}});
   }
 }
 
@@ -107,7 +109,8 @@ picture::DrawnPiece SceneViews::piece(std::size_t view, const jones::SceneLine& 
                                       const algorithms::oracle::ScreenSegment& image) const {
   const auto [u, v] = geometry::other_axes(line.axis);
   const compare::AxisLine of{line.axis, {line.from[u], line.from[v]}};
-  return {views_[view].reference.number_of(of), {{image.x0, image.y0}, {image.x1, image.y1}}};
+  const picture::LineEdge none;  // of no scene
+  return {views_[view].reference.line_of(matter_->wire_on(of).value_or(none)), {{image.x0, image.y0}, {image.x1, image.y1}}};
 }
 
 void SceneViews::add(PictureError& error, std::size_t view, jones::Status status,

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <memory>
 #include <vector>
 
 #include "host/compare/lines.hpp"
@@ -52,11 +53,12 @@ class SceneViews {
   struct View {
     geometry::Point eye{};
     guests::jones::SceneInCore in_core;
-    compare::CellReference reference;
+    compare::ImageLines reference;
   };
 
   std::string name_;
   scene::CellScene scene_;
+  std::unique_ptr<const compare::MatterScene> matter_;
   std::vector<View> views_;
 };
 

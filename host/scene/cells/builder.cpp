@@ -28,6 +28,7 @@ void for_each_side(const PolyScene& scene, Visit visit) {
       for (const auto& hole : face.holes) ring_sides(hole);
     }
   }
+  for (const auto& [a, b] : scene.wires) visit(std::min(a, b), std::max(a, b));
 }
 
 // The plane in lowest terms, its first component that is not 0 positive; whether it was turned for that.
