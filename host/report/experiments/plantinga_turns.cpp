@@ -267,17 +267,17 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
              {.notes = std::move(notes)});
 }
 
-// Frames a second of a model in the paper's Table 2.
-double printed_rate(const Papers& papers, std::string_view model, std::string_view key) {
-  const PrintedTable& table = papers.table("plantinga_table_2");
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "model") == model) return table.number(i, key);
+// The row of a model in the paper's Table 2, frames a second.
+std::size_t row_of(const PrintedTable& table_2, std::string_view model) {
+  for (std::size_t i = 0; i < table_2.rows.size(); ++i)
+    if (table_2.text(i, "model") == model) return i;
   throw std::logic_error(fmt::format("Table 2 has no row {}", model));
 }
 
 void add_table_2(Page& page, const std::vector<TurnFrames>& frames) {
-  const auto printed = [&page](std::string_view key) {
-    return [&page, key](const TurnFrames& f) { return printed_rate(page.papers(), f.model, key); };
+  const PrintedTable& table_2 = page.papers().table("plantinga_table_2");
+  const auto printed = [&table_2](std::string_view key) {
+    return [&table_2, key](const TurnFrames& f) { return table_2.cell(row_of(table_2, f.model), key); };
   };
   const auto here = [](double TurnFrames::* ns) { return [ns](const TurnFrames& f) { return 1e9 / (f.*ns); }; };
   page.table("plantinga-table-2", "Plantinga, Seales and Dyer: Table 2, as printed and here, frames a second", frames,
@@ -313,8 +313,10 @@ void add_claims(Page& page, const PlantingaTurns& turns) {
                               .condition = fmt::format("changes of edges for each edge, {} models", models.size()),
                               .comparison = more == 0 ? "less here as well" : fmt::format("more here for {} of {} models", more, models.size())}};
   if (page.host_times()) {
-    const auto printed_ratio = [&page](std::string_view model) {
-      return printed_rate(page.papers(), model, "image_2") / printed_rate(page.papers(), model, "image_30");
+    const PrintedTable& table_2 = page.papers().table("plantinga_table_2");
+    const auto printed_ratio = [&table_2](std::string_view model) {
+      const std::size_t row = row_of(table_2, model);
+      return table_2.number(row, "image_2") / table_2.number(row, "image_30");
     };
     rows.push_back(
         {.claim = "plantinga.step",
