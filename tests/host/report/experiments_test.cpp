@@ -1,4 +1,5 @@
-// The experiments' data: that they hold the rows promised, and what must be true of any run.
+// The experiments' records: that they hold the rows promised, what must be true of any run, and that the data files
+// read the keys that are there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,20 +9,11 @@
 #include <span>
 #include <string>
 #include <thread>
-#include <vector>
 
-#include "host/report/experiments/jones_accuracy.hpp"
-#include "host/report/experiments/jones_unseen.hpp"
-#include "host/report/experiments/jones_views.hpp"
-#include "host/report/experiments/montani_re_growth.hpp"
-#include "host/report/experiments/montani_re_tables.hpp"
-#include "host/report/experiments/plantinga_accuracy.hpp"
-#include "host/report/experiments/plantinga_turns.hpp"
-#include "host/report/experiments/skala_pictures.hpp"
-#include "host/report/experiments/willis_order.hpp"
-#include "host/report/experiments/willis_times.hpp"
 #include "host/report/html_page.hpp"
+#include "host/report/layout.hpp"
 #include "host/report/make_report.hpp"
+#include "host/report/table_text.hpp"
 
 namespace sightline::report {
 namespace {
@@ -42,201 +34,203 @@ const Results& results() {
   return made;
 }
 
+const RowSet& set(const std::string& experiment, const std::string& name) {
+  return results().at(experiment).at(name);
+}
+
+double number(const RowSet& rows, std::size_t row, std::string_view key) {
+  const auto value = rows.at(row, key).number();
+  EXPECT_TRUE(value) << key << row;
+  return value.value_or(0);
+}
+
+TEST(Experiments, AndDataFilesHaveTheSameKeys) {
+  for (const std::string& line : mismatches(read_layout(layout_files()), results())) ADD_FAILURE() << line;
+}
+
 TEST(Experiments, HaveAllScenesAndFunctions) {
-  const auto& views = results().of<JonesViews>().views;
+  const RowSet& views = set("jones-views", "views");
   ASSERT_EQ(views.size(), 10U);
-  for (std::size_t i = 0; i < views.size(); i += 2) {
-    const JonesView& with_eae = views[i];
-    const JonesView& without = views[i + 1];
-    EXPECT_EQ(with_eae.scene, without.scene);
-    EXPECT_GT(without.second_view_s, 2 * with_eae.second_view_s) << "the EAE multiplies and divides far quicker than a program";
-    EXPECT_EQ(with_eae.pieces, without.pieces);
-    EXPECT_GE(with_eae.second_view_s, with_eae.first_view_s) << "the display takes cycles from the second view";
-    ASSERT_TRUE(with_eae.screen && with_eae.phosphor) << with_eae.scene;
-    EXPECT_GT(with_eae.screen->bytes.size(), 100U) << with_eae.scene;
-    EXPECT_GT(with_eae.phosphor->bytes.size(), 100U) << with_eae.scene;
+  for (std::size_t row = 0; row < views.size(); row += 2) {
+    EXPECT_EQ(views.at(row, "scene"), views.at(row + 1, "scene"));
+    EXPECT_GT(number(views, row + 1, "second_view_s"), 2 * number(views, row, "second_view_s"))
+        << "the EAE multiplies and divides far quicker than a program";
+    EXPECT_EQ(views.at(row, "pieces"), views.at(row + 1, "pieces"));
+    EXPECT_GE(number(views, row, "second_view_s"), number(views, row, "first_view_s"))
+        << "the display takes cycles from the second view";
+    for (const char* const picture : {"screen", "phosphor"})
+      EXPECT_GT(std::get<Picture>(views.at(row, picture).kind()).bytes.size(), 100U) << picture << row;
   }
-  const auto& skala = results().of<SkalaPictures>();
-  EXPECT_EQ(skala.pictures.size(), 24U);
-  for (const SkalaPicture& picture : skala.pictures)
-    EXPECT_GT(picture.raster.bytes.size(), 100U) << picture.function << ' ' << picture.picture;
-  EXPECT_EQ(skala.curves.size(), 8U);
+  const RowSet& pictures = set("skala-pictures", "pictures");
+  EXPECT_EQ(pictures.size(), 24U);
+  for (std::size_t row = 0; row < pictures.size(); ++row)
+    EXPECT_GT(std::get<Picture>(pictures.at(row, "raster").kind()).bytes.size(), 100U) << row;
+  EXPECT_EQ(set("skala-pictures", "curves").size(), 8U);
 }
 
 // Fig. 6 gives the layout: what the words of all openings come to is counted apart from the assembler.
 TEST(Experiments, TheLayoutOfFigure6IsTheProgramsOwn) {
-  const auto& elements = results().of<JonesViews>().elements;
+  const RowSet& elements = set("jones-views", "elements");
   ASSERT_EQ(elements.size(), 5U);
-  for (const JonesElements& of_scene : elements) EXPECT_EQ(of_scene.opening_words, of_scene.opening_words_counted) << of_scene.scene;
+  for (std::size_t row = 0; row < elements.size(); ++row)
+    EXPECT_EQ(elements.at(row, "opening_words"), elements.at(row, "opening_words_counted")) << row;
 }
 
 TEST(Experiments, NoSceneNeedsMoreThanThereIs) {
-  for (const JonesView& view : results().of<JonesViews>().views) {
-    EXPECT_LE(view.used_words, 8192U);
-    EXPECT_GE(view.used_words, view.program_words + view.scene_words);
-    EXPECT_LE(view.file_words, view.file_room_words);
-    EXPECT_LE(view.stack_words, view.stack_room_words);
-    EXPECT_LE(view.cells_read, view.cells);
-    EXPECT_GE(view.visits, view.cells_read);
-    EXPECT_LE(view.depth, view.cells);
-    EXPECT_GT(view.stolen_cycles, 0U);
+  const RowSet& views = set("jones-views", "views");
+  for (std::size_t row = 0; row < views.size(); ++row) {
+    EXPECT_EQ(views.at(row, "core_words"), Value(8192));
+    EXPECT_LE(number(views, row, "used_words"), 8192);
+    EXPECT_GE(number(views, row, "used_words"),
+              number(views, row, "program_words") + number(views, row, "scene_words"));
+    EXPECT_LE(number(views, row, "file_words"), number(views, row, "file_room_words"));
+    EXPECT_LE(number(views, row, "stack_words"), number(views, row, "stack_room_words"));
+    EXPECT_LE(number(views, row, "cells_read"), number(views, row, "cells"));
+    EXPECT_GE(number(views, row, "visits"), number(views, row, "cells_read"));
+    EXPECT_LE(number(views, row, "depth"), number(views, row, "cells"));
+    EXPECT_GT(number(views, row, "stolen_cycles"), 0);
   }
-  const auto& memory = results().of<SkalaPictures>().memory;
-  ASSERT_FALSE(memory.empty());
-  for (const auto bytes : {&SkalaMemory::lines_bytes, &SkalaMemory::surface_bytes, &SkalaMemory::contours_bytes}) {
-    std::size_t used = 0;
-    for (std::size_t i = 0; i + 1 < memory.size(); ++i) used += memory[i].*bytes;
-    EXPECT_LE(used, memory.back().*bytes);
+  const RowSet& memory = set("skala-pictures", "memory");
+  for (const char* const picture : {"lines_bytes", "surface_bytes", "contours_bytes"}) {
+    double sum = 0;
+    for (std::size_t row = 0; row + 1 < memory.size(); ++row) sum += number(memory, row, picture);
+    EXPECT_LE(sum, number(memory, memory.size() - 1, picture)) << picture;
   }
 }
 
 // "Cells to which access is not gained in this way are never even considered."
 TEST(Experiments, UnseenRoomsCostTheMachineNothing) {
-  const auto& corridors = results().of<JonesViews>().corridors;
+  const RowSet& corridors = set("jones-views", "corridors");
   ASSERT_EQ(corridors.size(), 4U);
-  for (const std::size_t i : {0U, 2U}) {
-    const JonesCorridor& small = corridors[i];
-    const JonesCorridor& large = corridors[i + 1];
-    EXPECT_EQ(small.cells, 8U);
-    EXPECT_EQ(large.cells, 32U);
-    EXPECT_EQ(small.cells_read, large.cells_read);
-    EXPECT_EQ(small.visits, large.visits);
-    EXPECT_EQ(small.instructions, large.instructions);
-    EXPECT_EQ(small.view_s, large.view_s);
+  for (const std::size_t row : {0U, 2U}) {
+    EXPECT_EQ(corridors.at(row, "cells"), Value(8));
+    EXPECT_EQ(corridors.at(row + 1, "cells"), Value(32));
+    for (const char* const same : {"cells_read", "visits", "instructions", "view_s"})
+      EXPECT_EQ(corridors.at(row, same), corridors.at(row + 1, same)) << same;
   }
 }
 
 TEST(Experiments, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
-  const auto& house = results().of<JonesUnseen>().house;
+  const RowSet& house = set("jones-unseen", "house");
   ASSERT_EQ(house.size(), 4U);
-  std::size_t cells = 0;
-  for (const JonesHouse& row : house) {
-    EXPECT_GT(row.cells, cells);
-    cells = row.cells;
-    EXPECT_GT(cells, row.rooms);
+  double cells = 0;
+  for (std::size_t row = 0; row < house.size(); ++row) {
+    EXPECT_GT(number(house, row, "cells"), cells);
+    cells = number(house, row, "cells");
+    EXPECT_GT(cells, number(house, row, "rooms"));
     // Of the house there are 64 rooms and what lies around them.
-    EXPECT_LT(row.cells_seen, 100U);
-    EXPECT_EQ(row.cells_seen, house.front().cells_seen);
-    EXPECT_EQ(row.visits, house.front().visits);
-    EXPECT_EQ(row.segments, house.front().segments);
+    EXPECT_LT(number(house, row, "cells_seen"), 100);
+    for (const char* const same : {"cells_seen", "visits", "segments"})
+      EXPECT_EQ(house.at(row, same), house.at(0, same)) << same;
   }
 }
 
 // What is computed exactly has no error, and what fits its words has one that falls with fraction bits.
 TEST(Experiments, ErrorsFallWithFractionBits) {
-  const auto& builds = results().of<JonesAccuracy>().builds;
-  ASSERT_EQ(builds.size(), 4U * 2 * 4);
-  for (std::size_t i = 0; i < builds.size(); i += 4)
-    EXPECT_LT(builds[i + 3].computed.symmetric_per_cent(), builds[i].computed.symmetric_per_cent()) << i;
-  for (const JonesNumber& number : results().of<JonesNumbers>().numbers)
-    if (number.study == "exact" || number.arithmetic == "double") {
-      EXPECT_EQ(number.error.symmetric_per_cent(), 0) << number.scene << ' ' << number.arithmetic;
+  const RowSet& machine = set("jones-accuracy", "machine");
+  ASSERT_EQ(machine.size(), 4U * 2 * 4);
+  for (std::size_t row = 0; row < machine.size(); row += 4)
+    EXPECT_LT(number(machine, row + 3, "l_sym_per_cent"), number(machine, row, "l_sym_per_cent")) << row;
+  const RowSet& numbers = set("jones-numbers", "numbers");
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    if (numbers.at(row, "study") == Value("exact") || numbers.at(row, "arithmetic") == Value("double")) {
+      EXPECT_EQ(number(numbers, row, "l_sym_per_cent"), 0) << row;
     }
+  }
 }
 
 // At tolerance 0 every view at a random angle is exact; what is joined or shown longer is wrong in more views.
 TEST(Experiments, TurnsAreExactWithoutATolerance) {
-  EXPECT_EQ(results().of<PlantingaTurns>().models.size(), 5U);
-  const auto& measured = results().of<PlantingaAccuracy>();
-  const auto rises = [](const auto& rows) {
-    ASSERT_FALSE(rows.empty());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (rows[i].degrees == 0) {
-        EXPECT_EQ(rows[i].topo_per_cent, 0) << rows[i].model;
+  EXPECT_EQ(set("plantinga-turns", "models").size(), 5U);
+  for (const char* const how : {"tolerances", "steps"}) {
+    const RowSet& rows = set("plantinga-accuracy", how);
+    const std::size_t each = rows.size() / 2;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (number(rows, row, "degrees") == 0) {
+        EXPECT_EQ(number(rows, row, "topo_per_cent"), 0);
       }
-      if (i > 0 && rows[i].model == rows[i - 1].model) {
-        EXPECT_GE(rows[i].topo_per_cent, rows[i - 1].topo_per_cent) << rows[i].model << ' ' << rows[i].degrees;
-      }
+      if (row % each == 0) continue;
+      EXPECT_GE(number(rows, row, "topo_per_cent"), number(rows, row - 1, "topo_per_cent")) << how << row;
     }
-  };
-  rises(measured.tolerances);
-  rises(measured.steps);
+  }
 }
 
 // The printed Table 1: in five rows events are edges times events an edge. In the row Grid they are not (hard case
 // P22), so nothing should be tuned to it.
 TEST(ReportPapers, OnlyTheRowGridDisagreesWithItself) {
-  const PrintedTable& printed = Papers::of_program().table("plantinga_table_1");
-  ASSERT_EQ(printed.rows.size(), 6U);
-  for (std::size_t row = 0; row < printed.rows.size(); ++row) {
-    const double average = printed.number(row, "events") / printed.number(row, "edges");
-    EXPECT_EQ(std::abs(average - printed.number(row, "per_edge")) > 0.0501, printed.text(row, "model") == "grid") << row;
+  const Layout layout = read_layout(layout_files());
+  const RowSet& printed = layout.paper_tables.at("plantinga_table_1");
+  ASSERT_EQ(printed.size(), 6U);
+  for (std::size_t row = 0; row < printed.size(); ++row) {
+    const double average = number(printed, row, "events") / number(printed, row, "edges");
+    EXPECT_EQ(std::abs(average - number(printed, row, "per_edge")) > 0.0501, printed.at(row, "model") == Value("grid")) << row;
   }
 }
 
 // Without the 90-degree rule nothing is wrong where no pair of surfaces is left over; with it, something is. Between the
 // first cut and the last the error may rise, too: a cut makes pairs that were none before.
 TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
-  const auto& order = results().of<WillisOrder>();
-  const std::vector<WillisModel>& models = order.models;
+  const RowSet& models = set("willis-order", "models");
   ASSERT_EQ(models.size(), 16U * 9);
-  std::uint64_t wrong_by_rule = 0;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const WillisModel& model = models[i];
-    EXPECT_EQ(model.depth, static_cast<int>(i % 9));
-    if (model.depth > 0) {
-      EXPECT_GE(model.pieces, models[i - 1].pieces) << i;
+  double wrong_by_rule = 0;
+  for (std::size_t row = 0; row < models.size(); ++row) {
+    const bool rule = models.at(row, "rule90") == Value("on");
+    if (row % 9 > 0) {
+      EXPECT_GE(number(models, row, "pieces"), number(models, row - 1, "pieces")) << row;
     }
-    if (model.depth == 8) {
-      EXPECT_EQ(model.left_over, 0U) << i << ": else nothing was shown";
+    if (row % 9 == 8) {
+      EXPECT_EQ(models.at(row, "left_over"), Value(0)) << row << ": else nothing was shown";
     }
-    if (model.left_over > 0) continue;
-    if (model.rule90) {
-      wrong_by_rule += model.lines_wrong;
-    } else {
-      EXPECT_EQ(model.lines_wrong, 0U) << i;
-      EXPECT_EQ(model.points_wrong, 0U) << i;
-    }
+    if (models.at(row, "left_over") != Value(0)) continue;
+    if (rule) wrong_by_rule += number(models, row, "lines_wrong");
+    if (rule) continue;
+    EXPECT_EQ(models.at(row, "lines_wrong"), Value(0)) << row;
+    EXPECT_EQ(models.at(row, "points_wrong"), Value(0)) << row;
   }
-  EXPECT_GT(wrong_by_rule, 0U);
+  EXPECT_GT(wrong_by_rule, 0);
   // With nothing cut.
-  EXPECT_GT(models[0].lines_wrong_percent, 0.02);
-  EXPECT_LT(models[0].lines_wrong_percent, 2);
-  ASSERT_EQ(order.pictures.size(), 3U);
-  EXPECT_GT(order.pictures[0].wrong_inside, 0U);
-  EXPECT_EQ(order.pictures[2].wrong_inside, 0U);
-  const auto& frames = results().of<WillisTimes>().frames;
-  EXPECT_EQ(frames.size(), 8U);
-  for (const WillisFrame& frame : frames) {
-    EXPECT_EQ(frame.left_over, 0U) << frame.scene;
-    EXPECT_LE(frame.distances, frame.pieces) << frame.scene;
+  EXPECT_GT(number(models, 0, "lines_wrong_percent"), 0.02);
+  EXPECT_LT(number(models, 0, "lines_wrong_percent"), 2);
+  const RowSet& pictures = set("willis-order", "pictures");
+  ASSERT_EQ(pictures.size(), 3U);
+  EXPECT_GT(number(pictures, 0, "wrong_inside"), 0);
+  EXPECT_EQ(pictures.at(2, "wrong_inside"), Value(0));
+  const RowSet& frames = set("willis-times", "frames");
+  for (std::size_t row = 0; row < frames.size(); ++row) {
+    EXPECT_EQ(frames.at(row, "left_over"), Value(0)) << row;
+    EXPECT_LE(number(frames, row, "distances"), number(frames, row, "pieces")) << row;
   }
 }
 
 TEST(Experiments, MontaniAndResTablesComeOut) {
-  const auto& tables = results().of<MontaniReTables>();
-  const Papers& papers = Papers::of_program();
-  const PrintedTable& table_1 = papers.table("montani_re_table_1");
-  ASSERT_EQ(tables.stripes.size(), table_1.rows.size());
-  for (std::size_t row = 0; row < table_1.rows.size(); ++row) {
-    const PrintedStripe& stripe = the(tables.stripes, is(&PrintedStripe::y, table_1.number(row, "y")));
-    EXPECT_EQ(static_cast<double>(stripe.substripes), table_1.number(row, "substripes")) << row;
-    EXPECT_EQ(stripe.sides, table_1.text(row, "sides")) << row;
-  }
-  const PrintedTable& table_3 = papers.table("montani_re_table_3");
-  ASSERT_EQ(tables.relations.size(), table_3.rows.size());
-  for (std::size_t row = 0; row < table_3.rows.size(); ++row) {
-    EXPECT_EQ(tables.relations[row].face, table_3.text(row, "face"));
-    EXPECT_EQ(tables.relations[row].hides, table_3.number(row, "nmin")) << row;
-    EXPECT_EQ(tables.relations[row].hidden_by, table_3.number(row, "nmax")) << row;
-    EXPECT_EQ(tables.relations[row].relations, table_3.text(row, "relations")) << row;
-  }
-  const PrintedTable& table_4 = papers.table("montani_re_table_4");
-  ASSERT_EQ(tables.steps.size(), table_4.rows.size());
-  for (std::size_t row = 0; row < table_4.rows.size(); ++row) {
-    EXPECT_EQ(tables.steps[row].front, table_4.text(row, "front")) << row;
-    EXPECT_EQ(tables.steps[row].back, table_4.text(row, "back")) << row;
-  }
-  EXPECT_EQ(tables.list, papers.table("montani_re_list").text(0, "list"));
-  ASSERT_EQ(tables.cycles.size(), 2U);
-  for (const FaceCycle& cycle : tables.cycles) EXPECT_TRUE(cycle.right) << cycle.what;
-  EXPECT_EQ(results().of<MontaniReGrowth>().views.size(), 6U);
+  const Layout layout = read_layout(layout_files());
+  const auto same = [&](const char* of, const char* key, const char* table, const char* printed_key) {
+    const RowSet& here = set("montani-re-tables", of);
+    const RowSet& printed = layout.paper_tables.at(table);
+    ASSERT_EQ(here.size(), printed.size()) << table;
+    // Table 1 begins at the top.
+    const bool upwards = here.place_of("y") && here.at(0, "y") != printed.at(0, "y");
+    for (std::size_t row = 0; row < here.size(); ++row)
+      EXPECT_EQ(here.at(upwards ? here.size() - 1 - row : row, key), printed.at(row, printed_key)) << table << row;
+  };
+  same("stripes", "substripes", "montani_re_table_1", "substripes");
+  same("stripes", "sides", "montani_re_table_1", "sides");
+  same("relations", "hides", "montani_re_table_3", "nmin");
+  same("relations", "hidden_by", "montani_re_table_3", "nmax");
+  same("relations", "relations", "montani_re_table_3", "relations");
+  same("steps", "front", "montani_re_table_4", "front");
+  same("steps", "back", "montani_re_table_4", "back");
+  same("list", "list", "montani_re_list", "list");
+  const RowSet& cycles = set("montani-re-tables", "cycles");
+  for (std::size_t row = 0; row < cycles.size(); ++row) EXPECT_EQ(cycles.at(row, "right"), Value("yes")) << row;
+  EXPECT_EQ(set("montani-re-growth", "views").size(), 6U);
 }
 
 // The words under which the papers' numbers stand in them.
 TEST(ReportPapers, HaveEveryNumber) {
+  const Layout layout = read_layout(layout_files());
   std::string said;
-  for (const Paper& paper : Papers::of_program().all()) {
+  for (const Paper& paper : layout.papers) {
     EXPECT_FALSE(paper.authors.empty()) << paper.id;
     EXPECT_FALSE(paper.title.empty()) << paper.id;
     for (const auto& [name, claim] : paper.claims) {
