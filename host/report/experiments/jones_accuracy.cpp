@@ -229,10 +229,10 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
   const auto truncated = where(machine.builds, is(&Build::rounded, false));
   const auto gain = range_of(machine.builds, &Build::eae_gain);
   const std::string of_bits = fmt::format(
-      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. From 0 to 3 of them the wrong "
-      "length falls {} times for house and {} times for street4, whose view with the EAE takes {} % longer. The EAE, which "
-      "multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No display on the machine; pieces as "
-      "they leave the clip; six views of each scene.",
+      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. From 0 to 3 of them the "
+      "wrong length falls {} times for house and {} times for street4, whose view with the EAE takes {} % longer. The EAE, which "
+      "multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No display on the machine; pieces "
+      "as they leave the clip; six views of each scene.",
       shown(times_wrong(machine.build("house", 0), machine.build("house", 3)), 1), shown(times_wrong(street0, street3), 1),
       shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1), shown(gain.greatest, 1));
   for (std::size_t i = 0; i < 2; ++i) {
@@ -305,11 +305,11 @@ void machine_table(Page& page, const JonesAccuracy& machine) {
   const double far = std::max(greatest(machine.builds, [](const Build& build) { return build.computed.extra_far; }),
                               greatest(machine.builds, [](const Build& build) { return build.displayed.extra_far; }));
   page.table("jones-speed-error-machine", "Jones on the PDP-7: accuracy and time of every build", machine.builds, columns,
-             {{"Lengths over six views of each scene, in pixels of the 1024 raster; the greatest distance is that of all six. First "
-               "after the clip, with the fraction of a point; then the same pieces between the whole points of the display, which is "
-               "what one saw.",
-               page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: extra "
-                                                "length farther than a pixel is at most {} pixels.",
+             {{"Lengths over six views of each scene, in pixels of the 1024 raster; the greatest distance is that of all six. "
+               "First after the clip, with the fraction of a point; then the same pieces between the whole points of the "
+               "display, which is what one saw.",
+               page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: "
+                                                "extra length farther than a pixel is at most {} pixels.",
                                                 shown(far, 2)))},
               true});
 }
@@ -353,9 +353,9 @@ void native_plot(Page& page, const JonesNumbers& native, const Measure& measure,
 void native_plots(Page& page, const JonesNumbers& native) {
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "fractions", "0 to 8 fraction bits in 36",
-                "The same search in fixed point with 0 to 8 fraction bits in words of 36, in floating point, and in the native program, "
-                "which is exact: its error is 0, at the mark on the axis. What double leaves is below the numerical noise floor of the "
-                "measure and stands there too.",
+                "The same search in fixed point with 0 to 8 fraction bits in words of 36, in floating point, and in the native "
+                "program, which is exact: its error is 0, at the mark on the axis. What double leaves is below the numerical "
+                "noise floor of the measure and stands there too.",
                 [](const Number& number) {
                   return number.study == "fractions" ? fmt::format("f={}", *number.fraction_bits) : number.arithmetic;
                 });
@@ -364,8 +364,8 @@ void native_plots(Page& page, const JonesNumbers& native) {
   });
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "words", "words of 12 to 36 bits",
-                fmt::format("Each word with the most fraction bits, up to 8, with which it holds every view. {} of 6 views of street4 do "
-                            "not fit 12 bits and end early.",
+                fmt::format("Each word with the most fraction bits, up to 8, with which it holds every view. {} of 6 views of "
+                            "street4 do not fit 12 bits and end early.",
                             shortest.error.incomplete),
                 [](const Number& number) {
                   if (number.word_bits && *number.word_bits > 20) return std::string();
@@ -385,9 +385,9 @@ void native_table(Page& page, const JonesNumbers& native) {
   add_error_columns(columns, [](const Number& number) -> const PictureError& { return number.error; });
   columns.emplace_back("view_us", "View", "us, mean", &Number::view_us, 1, host_time);
   page.table("jones-speed-error-numbers", "Jones in C++: accuracy and time of every kind of number", native.numbers, columns,
-             {{"A view that meets a number its word cannot hold ends there, and counts with what it drew until then. The report ends "
-               "with an error where an exact program does not draw what the oracle finds, piece for piece: an error of 0, not a small "
-               "one."},
+             {{"A view that meets a number its word cannot hold ends there, and counts with what it drew until then. The report "
+               "ends with an error where an exact program does not draw what the oracle finds, piece for piece: an error of 0, "
+               "not a small one."},
               true});
 }
 
@@ -418,12 +418,13 @@ void jones_numbers(const Context& context, JonesNumbers& made) {
 
 void jones_accuracy_chapter(Page& page, const JonesAccuracy& machine, const JonesNumbers& native) {
   page.paragraph(
-      "Six views of each scene are compared with exact visibility. The measures are: missing length, which is visible and not drawn; "
-      "extra length, which is drawn and not visible; wrong length, their sum in per cent of the visible length; extra length farther "
-      "than a pixel from every visible line, which is what a person notices; the greatest distance between what is drawn and what is "
-      "visible; and wrong visibility, the share of random points on all lines, a pixel or more from any end, that are wrongly visible or "
-      "hidden. In the plots less error is to the left and less time is below. Both axes are logarithmic; an error of exactly 0 stands at "
-      "a mark named 0. Fraction bits are the bits of a word behind the point; f=2 marks two of them.");
+      "Six views of each scene are compared with exact visibility. The measures are: missing length, which is visible and not "
+      "drawn; extra length, which is drawn and not visible; wrong length, their sum in per cent of the visible length; extra "
+      "length farther than a pixel from every visible line, which is what a person notices; the greatest distance between what "
+      "is drawn and what is visible; and wrong visibility, the share of random points on all lines, a pixel or more from any "
+      "end, that are wrongly visible or hidden. In the plots less error is to the left and less time is below. Both axes are "
+      "logarithmic; an error of exactly 0 stands at a mark named 0. Fraction bits are the bits of a word behind the point; f=2 "
+      "marks two of them.");
   machine_plots(page, machine);
   error_table(page, machine, "jones-error-table", "after the clip, with the fraction of a point", &Build::computed);
   error_table(page, machine, "jones-error-display", "between the whole points of the display", &Build::displayed);

@@ -219,8 +219,8 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
   const Building& small = the(buildings, is(&Building::rooms, 100U));
   Plot plot{"unseen-plot",
             "Jones today: time of a view against the size of the building",
-            fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times as "
-                        "long, a visit {} times. Times of the computer this report was made on.",
+            fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times "
+                        "as long, a visit {} times. Times of the computer this report was made on.",
                         shown(small.all_rooms), shown(greatest(buildings, &Building::all_rooms)),
                         shown(greatest(buildings, &Building::load_s) / *small.load_s, 0),
                         shown(*buildings.back().visit_ns / *small.visit_ns, 1)),

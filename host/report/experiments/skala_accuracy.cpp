@@ -307,10 +307,10 @@ void grid_plots(Page& page, const SkalaAccuracy& skala) {
     return shown(pixels_off(point(function, native, 8)) / pixels_off(point(function, native, 64)), 0);
   };
   const Said caption = fmt::format(
-      "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of the "
-      "native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} times. "
-      "From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times as long "
-      "as with 64.",
+      "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of "
+      "the native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} "
+      "times. From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times "
+      "as long as with 64.",
       gain("sinc", true), gain("peaks", true), gain("sinc", false), gain("peaks", false),
       shown(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
   for (const Measure& measure : measures())
@@ -381,8 +381,8 @@ void boards(Page& page, const SkalaAccuracy& skala) {
               {"total_t_states", "With the receipt of commands", "T-states", &Board::total_t_states},
               {"total_s", "With the receipt", "s at 3 MHz", &Board::total_s, 3},
               {"dots_not_shown", "Dots in rows not shown", &Board::dots_not_shown}},
-             {{"33 slices of 65 points. Both boards hold the same dots; the ALT-256 shows fewer rows than it holds. The link takes "
-               "part in the receipt only."},
+             {{"33 slices of 65 points. Both boards hold the same dots; the ALT-256 shows fewer rows than it holds. The link "
+               "takes part in the receipt only."},
               true});
 }
 
@@ -411,10 +411,10 @@ void skala_accuracy(const Context& context, SkalaAccuracy& made) {
 
 void skala_accuracy_chapter(Page& page, const SkalaAccuracy& skala) {
   page.paragraph(
-      "Pictures of three functions turned by 30 degrees, compared with the native program with 16384 columns of masks, 64 to a dot "
-      "of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these those "
-      "without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also without the "
-      "farthest one of a thousand samples. In the plots less error is to the left and less time is below.");
+      "Pictures of three functions turned by 30 degrees, compared with the native program with 16384 columns of masks, 64 to a "
+      "dot of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these "
+      "those without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also "
+      "without the farthest one of a thousand samples. In the plots less error is to the left and less time is below.");
   raster_plots(page, skala);
   grid_plots(page, skala);
   level_plots(page, skala);

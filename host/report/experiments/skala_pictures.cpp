@@ -195,8 +195,8 @@ void skala_needs(Page& page, const SkalaPictures& skala) {
                  return 100 * static_cast<double>(row.dots_busy_t_states) / static_cast<double>(row.drawing_t_states);
                },
                1}},
-             {{"Clearing the picture, two fields of the display or 120,000 T-states, is in the drawing time. Instructions include "
-               "the receipt of the commands. The machine: 8080 at 3 MHz, 64 KB, EF9365 board, parallel link."}});
+             {{"Clearing the picture, two fields of the display or 120,000 T-states, is in the drawing time. Instructions "
+               "include the receipt of the commands. The machine: 8080 at 3 MHz, 64 KB, EF9365 board, parallel link."}});
 }
 
 }  // namespace sightline::report
