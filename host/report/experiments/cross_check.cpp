@@ -41,12 +41,13 @@ double extent_of(const compare::CrossCheckView& view) {
   return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
-void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
+void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene,
+                  const compare::SceneCrossCheck& agreement) {
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
-    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name), std::string(scene.title),
-                        fmt::format("{}{}", who, what), png_picture(image)});
+    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name),
+                        std::string(scene.title), fmt::format("{}{}", who, what), png_picture(image)});
   };
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
@@ -65,7 +66,8 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
 }  // namespace
 
 bool CrossCheck::agrees() const {
-  return failures.empty() && std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
+  return failures.empty() &&
+         std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
 }
 
 std::size_t CrossCheck::run() const {
@@ -83,9 +85,8 @@ void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCros
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
       failures.push_back({std::string(scene.name), pair, cell.text});
   }
-  const auto perspective = static_cast<std::size_t>(
-      std::count_if(scene.views.begin(), scene.views.end(),
-                    [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
+  const auto perspective = static_cast<std::size_t>(std::count_if(
+      scene.views.begin(), scene.views.end(), [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
   const std::size_t listed = compare::listed_cells(scene);
   scenes.push_back({.scene = std::string(scene.name),
                     .what = std::string(scene.title),
@@ -109,51 +110,63 @@ CrossCheck cross_check(const Context& context) {
 }
 
 void cross_check_chapter(Page& page, const CrossCheck& checked) {
-  page.table("agreement-matrix", "Every pair on every scene", checked.cells, {{"pair", "Pair", &PairVerdict::pair}},
-             {.notes = {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, drawn of other edges "
-                        "where edges lie on each other in the image. pixels: the same face at every pixel whose middle is more than 0.75 pixels "
-                        "from all edges, hidden ones too. lines on pixels: wherever the face changes from a pixel to its neighbour a line is "
-                        "drawn, and wherever a line is drawn with no other one within two pixels the face changes, both within one pixel (and "
-                        "what rounding can do on a machine's display). points: turn-pdp7 is the program that turns solids on the PDP-7, at the "
-                        "nearest of its 2^18 angles; the others draw for it at that angle, the visible pieces are the same, and no line is "
-                        "farther from the other picture's than the lengths of the machine's words explain. n/a: does not apply, for a reason "
-                        "listed below.",
-                        "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
-                        page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
-                                   fmt::format("{} do not agree or were not run", checked.failures.size()))}},
-             Pivot<PairVerdict>{.key = [](const PairVerdict& cell) { return base::lower_case(cell.scene); },
-                                .title = &PairVerdict::scene,
-                                .unit = {},
-                                .cell = &PairVerdict::verdict});
+  page.table(
+      "agreement-matrix", "Every pair on every scene", checked.cells, {{"pair", "Pair", &PairVerdict::pair}},
+      {.notes =
+           {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, drawn of other "
+            "edges where edges lie on each other in the image. pixels: the same face at every pixel whose middle is more than "
+            "0.75 pixels from all edges, hidden ones too. lines on pixels: wherever the face changes from a pixel to its "
+            "neighbour a line is drawn, and wherever a line is drawn with no other one within two pixels the face changes, both "
+            "within one pixel (and what rounding can do on a machine's display). points: turn-pdp7 is the program that turns "
+            "solids on the PDP-7, at the nearest of its 2^18 angles; the others draw for it at that angle, the visible pieces "
+            "are the same, and no line is farther from the other picture's than the lengths of the machine's words explain. n/a: "
+            "does not apply, for a reason listed below.",
+            "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
+            page.claim(checked.agrees(),
+                       fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
+                       fmt::format("{} do not agree or were not run", checked.failures.size()))}},
+      Pivot<PairVerdict>{.key = [](const PairVerdict& cell) { return base::lower_case(cell.scene); },
+                         .title = &PairVerdict::scene,
+                         .unit = {},
+                         .cell = &PairVerdict::verdict});
   if (!checked.failures.empty())
     page.table("agreement-failures", "What does not agree, or could not be run", checked.failures,
-               {{"scene", "Scene", &PairFailure::scene}, {"pair", "Pair", &PairFailure::pair}, {"first", "First difference", &PairFailure::first}});
-  page.table("agreement-not-applicable", "What does not apply, and why", compare::not_applicable(),
-             {{"method", "Method", &NotApplicable::who},
-              {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
-              {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
-              {"reason", "Reason", &NotApplicable::reason}},
-             {.folded = true});
-  page.table("agreement-scenes", "The common scenes", checked.scenes,
-             {{"scene", "Scene", &CheckedScene::scene},
-              {"what", "What it is", &CheckedScene::what},
-              {"edges", "Edges", &CheckedScene::edges},
-              {"faces", "Faces", &CheckedScene::faces},
-              {"parallel", "Views", "parallel", &CheckedScene::parallel},
-              {"perspective", "Views", "perspective", &CheckedScene::perspective},
-              {"listed", "Cells", "listed to run", &CheckedScene::listed},
-              {"run", "Cells", "run", &CheckedScene::run},
-              {"result", "Result", [](const CheckedScene& s) { return Verdict{s.good, s.good ? "all agree" : "not all agree"}; }}},
-             {.notes = {"Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes parallel to the axes "
-                        "are tilted by 38 times a rotation, but the corridor and the town, which stay degenerate on purpose. Of the town Willis "
-                        "takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection has, too. A cell "
-                        "is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
-  page.gallery("agreement-pictures", "The first view of every scene by each method", checked.pictures,
-               [](const MethodPicture& p) {
-                 return figure(p.picture, "agreement-" + p.id, fmt::format("{}, {}.", p.scene, p.method), p.title,
-                               fmt::format("The scene {} by {}", p.scene, p.method));
-               },
-               true);
+               {{"scene", "Scene", &PairFailure::scene},
+                {"pair", "Pair", &PairFailure::pair},
+                {"first", "First difference", &PairFailure::first}});
+  page.table(
+      "agreement-not-applicable", "What does not apply, and why", compare::not_applicable(),
+      {{"method", "Method", &NotApplicable::who},
+       {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
+       {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
+       {"reason", "Reason", &NotApplicable::reason}},
+      {.folded = true});
+  page.table(
+      "agreement-scenes", "The common scenes", checked.scenes,
+      {{"scene", "Scene", &CheckedScene::scene},
+       {"what", "What it is", &CheckedScene::what},
+       {"edges", "Edges", &CheckedScene::edges},
+       {"faces", "Faces", &CheckedScene::faces},
+       {"parallel", "Views", "parallel", &CheckedScene::parallel},
+       {"perspective", "Views", "perspective", &CheckedScene::perspective},
+       {"listed", "Cells", "listed to run", &CheckedScene::listed},
+       {"run", "Cells", "run", &CheckedScene::run},
+       {"result", "Result",
+        [](const CheckedScene& s) {
+          return Verdict{s.good, s.good ? "all agree" : "not all agree"};
+        }}},
+      {.notes = {
+           "Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes parallel to "
+           "the axes are tilted by 38 times a rotation, but the corridor and the town, which stay degenerate on purpose. Of the "
+           "town Willis takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection "
+           "has, too. A cell is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
+  page.gallery(
+      "agreement-pictures", "The first view of every scene by each method", checked.pictures,
+      [](const MethodPicture& p) {
+        return figure(p.picture, "agreement-" + p.id, fmt::format("{}, {}.", p.scene, p.method), p.title,
+                      fmt::format("The scene {} by {}", p.scene, p.method));
+      },
+      true);
 }
 
 }  // namespace sightline::report
