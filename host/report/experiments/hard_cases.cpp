@@ -231,40 +231,37 @@ void hard_cases_chapter(Page& page, const HardCases& hard) {
       "be right everywhere. Guest is the program on its emulated machine, twin the same program in C++.");
   case_table(page, hard, {"jones", "Jones",
                          "Jones: cells and portals, J1 to J17",
-                         {"Program (guest) and twin are compared with the oracle of cells on the screen: farther than a point "
-                          "from what is seen is wrong. The native algorithm (jones) has the cells of the file and must give the "
-                          "oracle's picture, piece for piece; where the eye is not in free space there is none, and the lines "
-                          "named must be seen or hidden whole."}});
+                         {"Program (guest) and twin are compared with the oracle of cells on the screen: farther than a point from what is "
+                          "seen is wrong. The native algorithm (jones) has the cells of the file and must give the oracle's picture, piece "
+                          "for piece; where the eye is not in free space there is none, and the lines named must be seen or hidden whole."}});
   case_table(page, hard, {"skala", "Skala",
                          "Skala: slices on a raster, S1 to S16",
-                         {"The oracle decides each column by depth alone. Program (guest) and twin must have its dots, the "
-                          "native algorithm be within a dot of them; of a view straight on, the first and the last column are "
-                          "left out, where the program's order hides one of the two rims and vectors show both. S7: all lines "
-                          "from (x, y) to (x + u, y + v), u and v from -16 to 16, and back, 49 a screen without visibility test, "
-                          "at x, y = 18 + 36 n, n = 0 to 6, x first."}});
+                         {"The oracle decides each column by depth alone. Program (guest) and twin must have its dots, the native "
+                          "algorithm be within a dot of them; of a view straight on, the first and the last column are left out, where the "
+                          "program's order hides one of the two rims and vectors show both. S7: all lines from (x, y) to (x + u, y + v), u "
+                          "and v from -16 to 16, and back, 49 a screen without visibility test, at x, y = 18 + 36 n, n = 0 to 6, x first."}});
   case_table(page, hard, {"willis", "Willis",
                          "Willis: distance as priority, W1 to W16",
-                         {"Walls are seen from both sides, so a cluster of two walls counts twice. Pictures of 128 by 128 "
-                          "points, 90 degrees wide, from the scene's own camera and from four sides, are compared with the "
-                          "nearest face of every point; within 0.75 points of an edge rounding may choose either side. Drawn by "
-                          "`sightline draw willis FILE --plan -o picture.png`, where plan is among the options."}});
+                         {"Walls are seen from both sides, so a cluster of two walls counts twice. Pictures of 128 by 128 points, 90 "
+                          "degrees wide, from the scene's own camera and from four sides, are compared with the nearest face of every "
+                          "point; within 0.75 points of an edge rounding may choose either side. Drawn by `sightline draw willis FILE "
+                          "--plan -o picture.png`, where plan is among the options."}});
   case_table(page, hard, {"montani-re", "Montani and Re",
                          "Montani and Re: stripes and priority lists, M1 to M18",
-                         {"Scenes (.json) are sheets seen along z without perspective; bodies count from 0. The exact build "
-                          "(montani-re) must show the areas and draw the lines of the oracle. Stripes of a pixel are compared "
-                          "with the oracle's sight lines through the middles of pixels: once with a pixel a unit, so that all "
-                          "corners lie on lines between stripes and no pixel may be wrong, once with 4.25 pixels a unit, where "
-                          "pixels within 0.75 pixels of an edge may. The areas of the oracle are counts of sight lines, one "
-                          "through every unit square.",
-                          "Drawn by `sightline draw montani-re FILE -o picture.svg`. Chains (.txt) have one line per chain: the "
-                          "name of its region, its starting point, its links (0 east, 1 north-east, ... 7 south-east); a region "
-                          "is what lies inside an odd number of its chains."}});
+                         {"Scenes (.json) are sheets seen along z without perspective; bodies count from 0. The exact build (montani-re) "
+                          "must show the areas and draw the lines of the oracle. Stripes of a pixel are compared with the oracle's sight "
+                          "lines through the middles of pixels: once with a pixel a unit, so that all corners lie on lines between stripes "
+                          "and no pixel may be wrong, once with 4.25 pixels a unit, where pixels within 0.75 pixels of an edge may. The "
+                          "areas of the oracle are counts of sight lines, one through every unit square.",
+                          "Drawn by `sightline draw montani-re FILE -o picture.svg`. Chains (.txt) have one line per chain: the name of "
+                          "its region, its starting point, its links (0 east, 1 north-east, ... 7 south-east); a region is what lies "
+                          "inside an odd number of its chains."}});
   case_table(page, hard, {"plantinga", "Plantinga, Seales and Dyer",
                          "Plantinga, Seales and Dyer: events of a turn, P1 to P22",
-                         {"Scenes are viewed along 24 horizontal directions: the first picture is made from scratch, the others "
-                          "by stepping through the events of a full turn; all must be the oracle's, piece for piece (P18: those "
-                          "of exact, as the oracle is too slow). Files of edges and vertices (.txt) are inputs of tests: "
-                          "directions are X : Z, the sine to the cosine of theta; a direction and its opposite are two."}});
+                         {"Scenes are viewed along 24 horizontal directions: the first picture is made from scratch, the others by "
+                          "stepping through the events of a full turn; all must be the oracle's, piece for piece (P18: those of exact, as "
+                          "the oracle is too slow). Files of edges and vertices (.txt) are inputs of tests: directions are X : Z, the sine "
+                          "to the cosine of theta; a direction and its opposite are two."}});
   page.add(Heading{"First failures", "first-failures"});
   first_failures_table(page, hard);
   page.add(Heading{"Inputs of the hard cases", "hard-case-inputs"});
@@ -298,8 +295,8 @@ void finding_hard_cases(Page& page, const HardCases& hard, const MontaniReTables
                  page.paper_says("montani_re.figure_10")};
   const auto uncut = where(willis.models, is(&WillisModel::depth, 0));
   panel.text = {
-      "Hard cases are inputs that break programs of this kind: a door seen edge-on, a horizon that is met exactly, surfaces that "
-      "hide each other in a circle. " +
+      "Hard cases are inputs that break programs of this kind: a door seen edge-on, a horizon that is met exactly, surfaces that hide "
+      "each other in a circle. " +
           page.claim(is_wrong("J11.json", "guest"), "Jones's program misses a portal that is smaller than a point of the screen.") + " " +
           page.claim(is_wrong("S8-backwards.txt", "guest"),
                      "Skala's draws too much when slices are not sent from front to back, which the paper assumes.") +
@@ -307,8 +304,8 @@ void finding_hard_cases(Page& page, const HardCases& hard, const MontaniReTables
           page.claim(tables.cycles.back().right, "The case that Montani and Re could not solve is solved here by cutting a face.") + " " +
           page.claim(sum(uncut, &WillisModel::lines_wrong) > 0,
                      "Willis's order is wrong at some points as long as no surface is cut."),
-      fmt::format("Some cases have a parameter that makes them harder until a program fails. {} of {} builds fail within the "
-                  "range that was tried; the table of first failures names the first value at which each does.",
+      fmt::format("Some cases have a parameter that makes them harder until a program fails. {} of {} builds fail within the range that was "
+                  "tried; the table of first failures names the first value at which each does.",
                   count(hard.first_failures, [](const FirstFailure& row) { return row.first.has_value(); }), hard.first_failures.size())};
   const CaseResult& backwards = the(hard.cases, is(&CaseResult::input, "S8-backwards.txt"));
   if (backwards.correct)

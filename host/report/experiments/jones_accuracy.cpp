@@ -190,10 +190,10 @@ struct Measure {
 };
 
 const std::array<Measure, 3>& measures() {
-  static const std::array<Measure, 3> all{
-      Measure{"lsym", "wrong length", "% of the visible length", &wrong_per_cent},
-      Measure{"h", "greatest distance", "pixels", &farthest},
-      Measure{"wvr", "wrong visibility", "share of random points", [](const PictureError& e) { return e.wrong_visibility.rate; }}};
+  static const std::array<Measure, 3> all{Measure{"lsym", "wrong length", "% of the visible length", &wrong_per_cent},
+                                          Measure{"h", "greatest distance", "pixels", &farthest},
+                                          Measure{"wvr", "wrong visibility", "share of random points",
+                                                  [](const PictureError& e) { return e.wrong_visibility.rate; }}};
   return all;
 }
 
@@ -218,8 +218,7 @@ Plot machine_plot(const std::string& id, const std::string& title, const std::st
           caption,
           "Log-log plot of the time of a view against its error, one curve for each scene, " + curves + ".",
           {measure.title, measure.unit},
-          {"a view, time on the emulated machine", "s"},
-          {}};
+          {"a view, time on the emulated machine", "s"}};
 }
 
 void machine_plots(Page& page, const JonesAccuracy& machine) {
@@ -234,14 +233,16 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
       "multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No display on the machine; pieces "
       "as they leave the clip; six views of each scene.",
       shown(times_wrong(machine.build("house", 0), machine.build("house", 3)), 1), shown(times_wrong(street0, street3), 1),
-      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1), shown(gain.greatest, 1));
+      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1),
+      shown(gain.greatest, 1));
   for (std::size_t i = 0; i < 2; ++i) {
     const Measure& measure = measures()[i];
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
     Plot plot = machine_plot("jones-machine-" + measure.key, "Jones on the PDP-7: 0 to 3 fraction bits, rounded", of_bits,
                              "with the EAE and without", measure);
     add_curves(plot, rounded, [](const Build& build) { return build.scene + ", EAE"; }, error, &Build::eae_view_s);
-    add_curves(plot, rounded, [](const Build& build) { return build.scene + ", no EAE"; }, error, &Build::view_s, fraction_labels());
+    add_curves(
+        plot, rounded, [](const Build& build) { return build.scene + ", no EAE"; }, error, &Build::view_s, fraction_labels());
     page.plot(std::move(plot));
   }
   const Build& street_cut = machine.build("street4", 0, false);
@@ -249,12 +250,13 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
       "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the wrong "
       "length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % less "
       "time. A point at the mark 0 has no error of this kind.",
-      shown(times_wrong(street_cut, street0), 1), shown(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
+      shown(times_wrong(street_cut, street0), 1),
+      shown(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
       shown(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
   for (const Measure& measure : measures()) {
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
-    Plot plot = machine_plot("jones-rounding-" + measure.key, "Jones on the PDP-7 with the EAE: rounded or truncated", of_rounding,
-                             "rounded and truncated", measure);
+    Plot plot = machine_plot("jones-rounding-" + measure.key, "Jones on the PDP-7 with the EAE: rounded or truncated",
+                             of_rounding, "rounded and truncated", measure);
     add_curves(plot, rounded, &Build::scene, error, &Build::eae_view_s);
     add_curves(plot, truncated, [](const Build& build) { return build.scene + ", truncated"; }, error, &Build::eae_view_s,
                fraction_labels());
@@ -267,19 +269,21 @@ void error_table(Page& page, const JonesAccuracy& machine, std::string id, std::
   const auto times = [&](std::string_view scene) {
     return shown(times_wrong(machine.build(scene, 0), machine.build(scene, 3), which), 1);
   };
-  page.table(std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
-             {{"scene", "Scene", &Build::scene}},
-             {{fmt::format("Rounded, the wrong length with 0 fraction bits is {} times that with 3 for house, {} times for street4.",
-                           times("house"), times("street4"))}},
-             Pivot<Build>{
-                 [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
-                 [](const Build& build) { return fmt::format("{}, {} fraction bits", points_of(build.rounded), build.fraction_bits); },
-                 "% of the visible", [which](const Build& build) { return as_cell(wrong_per_cent(build.*which), 3); }});
+  page.table(
+      std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
+      {{"scene", "Scene", &Build::scene}},
+      {{fmt::format("Rounded, the wrong length with 0 fraction bits is {} times that with 3 for house, {} times for street4.",
+                    times("house"), times("street4"))}},
+      Pivot<Build>{
+          [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
+          [](const Build& build) { return fmt::format("{}, {} fraction bits", points_of(build.rounded), build.fraction_bits); },
+          "% of the visible", [which](const Build& build) { return as_cell(wrong_per_cent(build.*which), 3); }});
 }
 
 // The measures of an error, for rows of any kind.
 template <class Row, class Of>
-void add_error_columns(std::vector<RowColumn<Row>>& columns, Of error_of, const std::string& key = "", const std::string& title = "") {
+void add_error_columns(std::vector<RowColumn<Row>>& columns, Of error_of, const std::string& key = "",
+                       const std::string& title = "") {
   const auto add = [&](const char* name, const char* what, const char* unit, auto value) {
     columns.emplace_back(key + name, what + title, unit, [=](const Row& row) { return value(error_of(row)); });
   };
@@ -317,8 +321,8 @@ void machine_table(Page& page, const JonesAccuracy& machine) {
 void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
   using Piece = JonesWrongPiece;
   const auto& pieces = machine.wrong_pieces;
-  page.table("jones-named-pieces", fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones::named_from_points, 0)),
-             pieces,
+  page.table("jones-named-pieces",
+             fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones::named_from_points, 0)), pieces,
              {{"scene", "Scene", &Piece::scene},
               {"arithmetic", "Arithmetic", &Piece::arithmetic},
               {"eye", "Eye", &Piece::eye},
@@ -340,13 +344,13 @@ void native_plot(Page& page, const JonesNumbers& native, const Measure& measure,
             caption + " Times are medians of interleaved repetitions, of this computer.",
             "Log-log plot of the time of a view against its error, one curve for each scene.",
             {measure.title, measure.unit},
-            {"a view, time on this computer", "us"},
-            {}};
+            {"a view, time on this computer", "us"}};
   const auto drawn = where(native.numbers, [study](const Number& number) {
     return (number.study == study && number.rounded == true) || number.study == "floating" || number.arithmetic == "Jones, exact";
   });
-  add_curves(plot, drawn, &Number::scene, [of = measure.of](const Number& number) { return of(number.error); }, &Number::view_us,
-             {[label = std::move(label)](const Number& number) { return number.scene == "street4" ? label(number) : std::string(); }});
+  add_curves(
+      plot, drawn, &Number::scene, [of = measure.of](const Number& number) { return of(number.error); }, &Number::view_us,
+      {[label = std::move(label)](const Number& number) { return number.scene == "street4" ? label(number) : std::string(); }});
   page.plot(std::move(plot));
 }
 

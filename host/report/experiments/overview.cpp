@@ -57,7 +57,8 @@ void method_jones(Page& page, const JonesViews& jones) {
 }
 
 void method_willis(Page& page, const WillisOrder& willis) {
-  const WillisPicture& deepest = the(willis.pictures, is(&WillisPicture::depth, greatest(willis.pictures, &WillisPicture::depth)));
+  const WillisPicture& deepest =
+      the(willis.pictures, is(&WillisPicture::depth, greatest(willis.pictures, &WillisPicture::depth)));
   method(page, "method-willis", "willis", "Distance as priority",
          "Surfaces are ordered by the distance of one of their corners from the eye, and a display shows, at each point, the "
          "nearest in this order. That order is wrong where two surfaces are close together and long. So the model is prepared "
@@ -102,23 +103,22 @@ void method_plantinga(Page& page, const CrossCheck& methods) {
 void finding_view_time(Page& page, const JonesViews& jones, const JonesAccuracy& accuracy) {
   using View = JonesView;
   const auto all = range_of(jones.views, &View::second_view_s);
-  Panel panel{"finding-view-time", "A view takes the PDP-7 " + span(all, 2) + " seconds", {}, {}, {}, {}};
+  Panel panel{"finding-view-time", "A view takes the PDP-7 " + span(all, 2) + " seconds"};
   panel.facts = {{"Here, with the EAE", span(range_of(jones.of(true), &View::second_view_s), 2) + " s"},
                  {"Here, without it", span(range_of(jones.of(false), &View::second_view_s), 2) + " s"},
                  page.paper_says("jones.order_of_seconds")};
-  panel.text = {
-      fmt::format("{} scenes on a machine whose memory cycle is {} us. ", distinct(jones.views, &View::scene), shown(jones_cycle_us(), 2)) +
-      page.claim(all.greatest <= 9, "The largest scenes take seconds, as the paper says; the small ones are quicker.") +
-      " The EAE (Extended Arithmetic Element) is an option that multiplies and divides. " +
-      page.claim(least(accuracy.builds, &JonesBuild::eae_gain) >= 2, "It saves more than half of the time.") +
-      " The paper does not say whether its machine had one."};
+  panel.text = {fmt::format("{} scenes on a machine whose memory cycle is {} us. ", distinct(jones.views, &View::scene),
+                            shown(jones_cycle_us(), 2)) +
+                page.claim(all.greatest <= 9, "The largest scenes take seconds, as the paper says; the small ones are quicker.") +
+                " The EAE (Extended Arithmetic Element) is an option that multiplies and divides. " +
+                page.claim(least(accuracy.builds, &JonesBuild::eae_gain) >= 2, "It saves more than half of the time.") +
+                " The paper does not say whether its machine had one."};
   Plot plot{"finding-view-time-plot",
             "Time of a view",
             "Each point is a scene.",
             "Time of a view against the lines that are cut to the outline of portals; both rise together",
             {"lines cut to portals in a view", "", false},
-            {"emulated time", "s", false},
-            {}};
+            {"emulated time", "s", false}};
   const auto lines = [](const View& view) { return static_cast<double>(view.lines_clipped); };
   const auto not_long = [](const View& view) { return view.scene != "corridor32"; };
   add_curves(plot, where(jones.of(false), not_long), "without EAE", lines, &View::second_view_s, {.line = false});
@@ -136,10 +136,10 @@ void finding_pdp7_turn(Page& page, const std::vector<Pdp7Turn>& turns, const Jon
     return fmt::format("{} and {} a second", shown(turn(model, true).worst_frames_a_second, 0),
                        shown(turn(model, false).worst_frames_a_second, 0));
   };
-  Panel panel{"finding-pdp7-turn",
-              fmt::format("What 1965 could have done: on the PDP-7 a notched block turns without hidden lines at {} frames a second",
-                          shown(turn("block", true).frames_a_second, 0)),
-              {}, {}, {}, {}};
+  Panel panel{
+      "finding-pdp7-turn",
+      fmt::format("What 1965 could have done: on the PDP-7 a notched block turns without hidden lines at {} frames a second",
+                  shown(turn("block", true).frames_a_second, 0))};
   panel.facts = {{"Block, worst frame, with the EAE and without", worst("block")},
                  {fmt::format("Star of {} edges, worst frame", turn("star", true).edges), worst("star")},
                  {"Time of a frame to that of a wire frame", span(range_of(turns, &Pdp7Turn::cost), 2)},
@@ -163,9 +163,9 @@ void finding_8080_stripes(Page& page, const MontaniRe8080& stripes) {
   const StripesScene& boxes = the(scenes, is(&StripesScene::scene, "boxes-20"));
   Panel panel{"finding-8080-stripes",
               fmt::format("An 8080 with {} bytes of program fills {} faces without hidden parts in {} seconds",
-                          shown(stripes.program_bytes), shown(boxes.faces), shown(boxes.whole_s, 1)),
-              {}, {}, {}, {}};
-  panel.facts = {{fmt::format("Finding what is in front, {} scenes", scenes.size()), span(range_of(scenes, &StripesScene::priority_s), 2) + " s"},
+                          shown(stripes.program_bytes), shown(boxes.faces), shown(boxes.whole_s, 1))};
+  panel.facts = {{fmt::format("Finding what is in front, {} scenes", scenes.size()),
+                  span(range_of(scenes, &StripesScene::priority_s), 2) + " s"},
                  {"Stripes, differences, dots", span(range_of(scenes, &StripesScene::drawing_s), 2) + " s"},
                  {"The same stripes as lines on a plotter", span(range_of(scenes, &StripesScene::plotter_s), 0) + " s"},
                  page.paper_says("montani_re.firmware")};
@@ -192,8 +192,8 @@ void finding_flight(Page& page, const std::vector<WillisFlight>& flights) {
     return shown(100 * ratio(sum(rows, &Flight::wrong_orders), sum(rows, &Flight::pairs)), places);
   };
   Panel panel{"finding-flight",
-              fmt::format("An 8080 keeps the priorities of {} surfaces in order 25 times a second", shown(greatest(kept, &Flight::pieces))),
-              {}, {}, {}, {}};
+              fmt::format("An 8080 keeps the priorities of {} surfaces in order 25 times a second",
+                          shown(greatest(kept, &Flight::pieces)))};
   panel.facts = {{"100 pieces, 8 bits, mean and worst", rates(8)},
                  {"100 pieces, 16 bits, mean and worst", rates(16)},
                  {"Pairs in a wrong order, 8 and 16 bits", fmt::format("{} and {} %", wrong_percent(8, 2), wrong_percent(16, 4))},
@@ -204,7 +204,8 @@ void finding_flight(Page& page, const std::vector<WillisFlight>& flights) {
                   "loads a priority for each; where they are on the screen comes from outside. ") +
       (greatest(flights, &Flight::wrong_points) == 0 ? "No wrong order is seen in a picture." : "")};
   const auto most = greatest(flights, &Flight::pieces);
-  const Flight& longest = the(flights, [most](const Flight& flight) { return flight.pieces == most && flight.bits == 8 && flight.axes == 3; });
+  const Flight& longest =
+      the(flights, [most](const Flight& flight) { return flight.pieces == most && flight.bits == 8 && flight.axes == 3; });
   panel.figures.push_back(figure(*longest.screen, "finding-flight-town", "A town, on the priority display.",
                                  fmt::format("One frame of a flight past {} pieces.", longest.pieces),
                                  "Buildings in greys, seen from between them"));
@@ -219,12 +220,13 @@ void finding_word_length(Page& page, const JonesAccuracy& accuracy) {
     return error(accuracy.build(scene, 0)) / error(accuracy.build(scene, 3));
   };
   const auto both = [&](auto error) {
-    return fmt::format("{} and {} %", shown(error(accuracy.build("street4", 0)), 2), shown(error(accuracy.build("street4", 3)), 2));
+    return fmt::format("{} and {} %", shown(error(accuracy.build("street4", 0)), 2),
+                       shown(error(accuracy.build("street4", 3)), 2));
   };
-  Panel panel{"finding-word-length",
-              fmt::format("In street4 three fraction bits divide the error of computed lines by {}, that of lines on the screen by {}",
-                          shown(gain("street4", computed), 0), shown(gain("street4", displayed), 1)),
-              {}, {}, {}, {}};
+  Panel panel{
+      "finding-word-length",
+      fmt::format("In street4 three fraction bits divide the error of computed lines by {}, that of lines on the screen by {}",
+                  shown(gain("street4", computed), 0), shown(gain("street4", displayed), 1))};
   panel.facts = {{"Wrong length, computed, 0 and 3 bits", both(computed)},
                  {"On the screen, 0 and 3 bits", both(displayed)},
                  page.paper_says("jones.core")};
@@ -236,18 +238,19 @@ void finding_word_length(Page& page, const JonesAccuracy& accuracy) {
       " " +
       page.claim(gain("street4", displayed) < 1.1 && gain("house", displayed) < 1.1,
                  "The display draws between whole points: in these six views the gain is lost there.") +
-      " The program `sightline_fraction_bits` in tests/bench measures 1,000 views of each scene; the default of 3 bits follows from them. " +
-      fmt::format("Of all lines that should be hidden at most {} points are seen away from a visible line. The paper gives no error.",
-                  shown(greatest(accuracy.builds, [](const Build& build) { return build.displayed.extra_far; }), 2))};
+      " The program `sightline_fraction_bits` in tests/bench measures 1,000 views of each scene; the default of 3 bits follows "
+      "from them. " +
+      fmt::format(
+          "Of all lines that should be hidden at most {} points are seen away from a visible line. The paper gives no error.",
+          shown(greatest(accuracy.builds, [](const Build& build) { return build.displayed.extra_far; }), 2))};
   Plot plot{"finding-word-length-plot",
             "Wrong length against fraction bits",
             "Two scenes, coordinates rounded.",
             "Wrong length against fraction bits: computed end points fall steeply, the screen stays level",
             {"fraction bits", "", false},
-            {"wrong length", "% of the visible"},
-            {}};
-  const auto drawn =
-      where(accuracy.builds, [](const Build& build) { return build.rounded && (build.scene == "house" || build.scene == "street4"); });
+            {"wrong length", "% of the visible"}};
+  const auto drawn = where(
+      accuracy.builds, [](const Build& build) { return build.rounded && (build.scene == "house" || build.scene == "street4"); });
   const auto bits = [](const Build& build) { return static_cast<double>(build.fraction_bits); };
   add_curves(plot, drawn, [](const Build& build) { return build.scene + ", computed"; }, bits, computed);
   add_curves(plot, drawn, [](const Build& build) { return build.scene + ", on the screen"; }, bits, displayed);
@@ -266,8 +269,7 @@ void finding_visibility_cost(Page& page, const SkalaPictures& skala) {
   };
   Panel panel{"finding-visibility-cost",
               fmt::format("Visibility costs the 8080 {} % in long slices, {} % in short ones", span(cost(long_slices), 0),
-                          span(cost(short_slices), 0)),
-              {}, {}, {}, {}};
+                          span(cost(short_slices), 0))};
   panel.facts = {{"Here, 30 slices of 256 points", here(long_slices)},
                  {"Here, 60 slices of 33 points, rotated", here(short_slices)},
                  page.paper_says("skala.cost")};
@@ -301,8 +303,7 @@ void finding_visibility_cost(Page& page, const SkalaPictures& skala) {
             "Each point is a function; the line is the paper's figure.",
             "Cost of visibility against the share of points that are hidden: the more are hidden, the less it costs",
             {"points that are hidden", "%", false},
-            {"cost of visibility", "%", false},
-            {}};
+            {"cost of visibility", "%", false}};
   const CurveParts<Row> points{
       [](const Row& row) { return row.function == "cosr" || row.function == "saddle" ? row.function : std::string(); }, false};
   add_curves(plot, long_slices, "long slices", &Row::hidden_percent, &Row::cost_percent, points);
@@ -317,15 +318,16 @@ void finding_growth(Page& page, const MontaniReGrowth& growth) {
   const auto pairs = range_of(growth.exponents, &GrowthExponents::pairs);
   const auto faces = range_of(growth.views, &View::faces);
   Panel panel{"finding-growth",
-              "Pairs of faces to be compared grow as the number of faces to the power " + span(pairs, 1),
-              {}, {}, {}, {}};
-  panel.facts = {{"Exponent of pairs to be compared", span(pairs, 2)},
-                 {"Exponent of pairs, one of which hides the other", span(range_of(growth.exponents, &GrowthExponents::relations), 2)},
-                 page.paper_says("montani_re.linear")};
+              "Pairs of faces to be compared grow as the number of faces to the power " + span(pairs, 1)};
+  panel.facts = {
+      {"Exponent of pairs to be compared", span(pairs, 2)},
+      {"Exponent of pairs, one of which hides the other", span(range_of(growth.exponents, &GrowthExponents::relations), 2)},
+      page.paper_says("montani_re.linear")};
   panel.text = {
       "Montani and Re compare each face with those that overlap it in one direction. An exponent of 1 is linear growth, 2 means "
       "that twice the faces take four times the work. " +
-      page.claim(pairs.least > 1.1, "In these scenes each face overlaps more others as the scene grows, so that the work is not linear.")};
+      page.claim(pairs.least > 1.1,
+                 "In these scenes each face overlaps more others as the scene grows, so that the work is not linear.")};
   if (page.host_times()) {
     const auto time = range_of(growth.exponents, &GrowthExponents::exact_build_over_pairs);
     panel.text.push_back("The time of the exact program grows as the number of pairs to the power " + span(time, 2) + ". " +
@@ -336,9 +338,8 @@ void finding_growth(Page& page, const MontaniReGrowth& growth) {
             "Work against the size of the scene",
             fmt::format("Scenes of {} to {} faces.", shown(faces.least), shown(faces.greatest)),
             "Pairs of faces against the number of faces, both logarithmic: straight lines steeper than linear",
-            {"faces", ""},
-            {"pairs of faces", ""},
-            {}};
+            {"faces"},
+            {"pairs of faces"}};
   const auto of_faces = [](const View& view) { return static_cast<double>(view.faces); };
   add_curves(plot, growth.views, [](const View& view) { return view.family + ": to be compared"; }, of_faces,
              [](const View& view) { return static_cast<double>(view.pairs); });
@@ -358,16 +359,17 @@ void finding_unseen(Page& page, const JonesViews& jones, const JonesUnseen& unse
   };
   Panel panel{"finding-unseen",
               page.claim(jones.unseen_rooms_cost_nothing(), "What is not seen costs nothing:") +
-                  fmt::format(" a view in {} rooms enters {} cells", shown(rooms.greatest), shown(buildings.back().visits, 0)),
-              {}, {}, {}, {}};
+                  fmt::format(" a view in {} rooms enters {} cells", shown(rooms.greatest), shown(buildings.back().visits, 0))};
   panel.facts = {corridor("corridor8"), corridor("corridor32"), page.paper_says("jones.never_considered")};
   const auto used = range_of(jones.views, &JonesView::used_words);
   panel.text = {
-      page.claim(jones.unseen_rooms_cost_nothing(),
-                 "On the PDP-7 cells that no line of sight reaches cost no instruction: only the core memory that holds them grows.") +
-          fmt::format(" The native program does the same: from {} to {} rooms the cells entered in a view stay between {} and {}.",
-                      shown(rooms.least), shown(rooms.greatest), shown(least(buildings, &Building::visits), 0),
-                      shown(greatest(buildings, &Building::visits), 0)),
+      page.claim(
+          jones.unseen_rooms_cost_nothing(),
+          "On the PDP-7 cells that no line of sight reaches cost no instruction: only the core memory that holds them grows.") +
+          fmt::format(
+              " The native program does the same: from {} to {} rooms the cells entered in a view stay between {} and {}.",
+              shown(rooms.least), shown(rooms.greatest), shown(least(buildings, &Building::visits), 0),
+              shown(greatest(buildings, &Building::visits), 0)),
       fmt::format("The same holds for equipment. The programs use {} to {} of the {} words of core memory, and a device that a "
                   "program does not use is not there and takes no time.",
                   shown(used.least), shown(used.greatest), shown(page.paper_figure("jones.core").greatest, 0))};
@@ -375,11 +377,11 @@ void finding_unseen(Page& page, const JonesViews& jones, const JonesUnseen& unse
             "Cells of a building, and cells entered in a view",
             "Mean of up to 256 views from inside.",
             "Cells of a building rise with the rooms, cells entered stay the same",
-            {"rooms", ""},
-            {"cells", ""},
-            {}};
+            {"rooms"},
+            {"cells"}};
   const auto all_rooms = [](const Building& building) { return static_cast<double>(building.all_rooms); };
-  add_curves(plot, buildings, "in the building", all_rooms, [](const Building& building) { return static_cast<double>(building.cells); });
+  add_curves(plot, buildings, "in the building", all_rooms,
+             [](const Building& building) { return static_cast<double>(building.cells); });
   add_curves(plot, buildings, "entered in a view", all_rooms, &Building::visits);
   page.add_plot(panel, std::move(plot));
   page.add(std::move(panel));
@@ -390,8 +392,8 @@ void finding_normals(Page& page, const WillisOrder& willis) {
   const auto over = sum(willis.normals, &WillisNormals::pairs_over_90);
   Panel panel{"finding-normals",
               page.claim(over > 0, "One of Willis's rules is wrong:") +
-                  fmt::format(" {} of {} pairs of surfaces contradict it", shown(over), shown(sum(willis.normals, &WillisNormals::pairs))),
-              {}, {}, {}, {}};
+                  fmt::format(" {} of {} pairs of surfaces contradict it", shown(over),
+                              shown(sum(willis.normals, &WillisNormals::pairs)))};
   panel.facts = {{"Greatest angle here, one surface hiding the other",
                   shown(greatest(willis.normals, &WillisNormals::greatest_degrees), 0) + " degrees"},
                  page.paper_says("willis.normals")};
@@ -413,14 +415,14 @@ void finding_normals(Page& page, const WillisOrder& willis) {
             first + ": houses with turned walls.",
             "Sight lines in the wrong order against cuts: without the rule they fall to none, with it some stay",
             {"surfaces are cut up to so many times", "", false},
-            {"sight lines in the wrong order", "%"},
-            {}};
+            {"sight lines in the wrong order", "%"}};
   for (const bool rule : {false, true})
-    add_curves(plot,
-               where(willis.models,
-                     [&](const Model& model) { return model.scene == first && model.boundary == "ball" && model.rule90 == rule; }),
-               rule ? "with the rule" : "without the rule", [](const Model& model) { return static_cast<double>(model.depth); },
-               &Model::lines_wrong_percent);
+    add_curves(
+        plot,
+        where(willis.models,
+              [&](const Model& model) { return model.scene == first && model.boundary == "ball" && model.rule90 == rule; }),
+        rule ? "with the rule" : "without the rule", [](const Model& model) { return static_cast<double>(model.depth); },
+        &Model::lines_wrong_percent);
   page.add_plot(panel, std::move(plot));
   page.add(std::move(panel));
 }
@@ -430,7 +432,7 @@ void finding_events(Page& page, const PlantingaTurns& turns) {
   const auto& models = turns.models;
   const std::string per_edge = span(range_of(models, &Model::per_edge), 1);
   const double paper = page.paper_figure("plantinga.events_per_edge").least;
-  Panel panel{"finding-events", "A rotation needs " + per_edge + " events for each edge", {}, {}, {}, {}};
+  Panel panel{"finding-events", "A rotation needs " + per_edge + " events for each edge"};
   panel.facts = {{fmt::format("Here, {} models", models.size()), per_edge + " events for each edge"},
                  page.paper_says("plantinga.events_per_edge")};
   panel.text = {fmt::format("An event is an angle at which the visible part of an edge changes its ends. {} of {} models need "
@@ -446,9 +448,8 @@ void finding_events(Page& page, const PlantingaTurns& turns) {
             "Events of a full turn",
             "The paper's Table 1 and the models here.",
             "Events against edges, as printed and as found here, of the same order",
-            {"edges", ""},
-            {"events", ""},
-            {}};
+            {"edges"},
+            {"events"}};
   const PrintedTable& printed = page.papers().table("plantinga_table_1");
   Curve& of_paper = plot.curves.emplace_back(Curve{"printed", {}, false, true});
   for (std::size_t row = 0; row < printed.rows.size(); ++row)
@@ -463,8 +464,7 @@ void finding_agreement(Page& page, const CrossCheck& methods) {
   const std::string run = shown(methods.run());
   Panel panel{"finding-agreement",
               methods.agrees() ? fmt::format("All {} comparisons of two methods on a scene agree", run)
-                               : fmt::format("{} comparisons of methods do not agree", methods.failures.size()),
-              {}, {}, {}, {}};
+                               : fmt::format("{} comparisons of methods do not agree", methods.failures.size())};
   panel.facts = {{"Scenes", shown(methods.scenes.size())}, {"Comparisons", run}, {"Differences", shown(methods.failures.size())}};
   panel.text = {
       "The methods have nothing in common but the question. Exact methods must give the same pieces of the same edges; methods "

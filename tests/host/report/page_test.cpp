@@ -24,7 +24,8 @@ struct View {
 const std::vector<View> views{{"house", true, 7000, 0.5, {}}, {"house", false, 7001, 2, {}}, {"street", true, 8000, 1.5, 30.0}};
 
 const Papers& papers() {
-  static const Papers sample(R"({"papers": [{"id": "p", "authors": ["A. Author", "B. Other"], "year": 1971, "title": "T", "in": "J",
+  static const Papers sample(
+      R"({"papers": [{"id": "p", "authors": ["A. Author", "B. Other"], "year": 1971, "title": "T", "in": "J",
     "claims": {"time": {"place": "abstract", "figure": 1, "unit": "s", "quote": "a second"},
       "rows": {"place": "2", "figure": [2, 4], "says": "some rows"}, "none": {"place": "3", "says": "no figure"}},
     "tables": {"t": {"place": "Table 1", "keys": ["scene", "words"], "rows": [["house", 3], ["street", 4.5]]}}}]})");
@@ -86,7 +87,10 @@ void table_of_views(Page& page) {
              {{"scene", "Scene", &View::scene},
               {"view_ms", "View", "ms", [](const View& view) { return 1000 * view.view_s; }, 1},
               {"host_ns", "Host", "ns", &View::host_ns, Real::as_needed, host_time},
-              {"small", "Small", [](const View& view) { return Verdict{view.words < 8000, view.words < 8000 ? "yes" : "too large"}; }}},
+              {"small", "Small",
+               [](const View& view) {
+                 return Verdict{view.words < 8000, view.words < 8000 ? "yes" : "too large"};
+               }}},
              {notes, true});
 }
 
@@ -143,7 +147,8 @@ TEST(ReportClaims, ThatDoNotHoldAreSaid) {
   EXPECT_EQ(failed.failed, (std::vector<std::string>{"\"It holds.\"; here 3 of 4", "\"So does this.\""}));
   // In the page it stands out.
   const Report report{"R", "1", {}, {{"s", "S", {Paragraph{failed}}}}};
-  EXPECT_NE(html_page(report).find("<p class=\"bad\">Not in this run: &quot;It holds.&quot;; here 3 of 4</p>"), std::string::npos);
+  EXPECT_NE(html_page(report).find("<p class=\"bad\">Not in this run: &quot;It holds.&quot;; here 3 of 4</p>"),
+            std::string::npos);
 }
 
 TEST(ReportPlots, HaveACurveForEachName) {
@@ -211,10 +216,12 @@ TEST(ReportPapers, DamagedOnesAreRefusedWithTheirPlace) {
   const auto read = [](std::string_view text) { return refused([text] { const Papers damaged(text); }); };
   EXPECT_NE(read("{").find("papers.json"), std::string::npos);
   EXPECT_NE(read("[]").find("papers"), std::string::npos);
-  EXPECT_NE(read(R"({"papers": [{"id": 3, "authors": [], "year": 1971, "title": "", "in": ""}]})").find("papers[0].id"), std::string::npos);
-  EXPECT_NE(read(R"({"papers": [{"id": "p", "authors": [], "year": 1971, "title": "", "in": "", "claims": {"a": {"place": "1"}}}]})")
-                .find("papers[0].claims.a"),
+  EXPECT_NE(read(R"({"papers": [{"id": 3, "authors": [], "year": 1971, "title": "", "in": ""}]})").find("papers[0].id"),
             std::string::npos);
+  EXPECT_NE(
+      read(R"({"papers": [{"id": "p", "authors": [], "year": 1971, "title": "", "in": "", "claims": {"a": {"place": "1"}}}]})")
+          .find("papers[0].claims.a"),
+      std::string::npos);
   EXPECT_NE(read(R"({"papers": [{"id": "p", "authors": [], "year": 1971, "title": "", "in": "",
                      "tables": {"t": {"keys": ["a", "b"], "rows": [[1]]}}}]})")
                 .find("papers[0].tables.t.rows[0]"),
