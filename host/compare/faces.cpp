@@ -3,12 +3,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/base/result.hpp"
+#include "emulators/core/tstates.hpp"
+#include "host/compare/host_time.hpp"
 #include "host/compare/lines.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_picture.hpp"
@@ -137,7 +140,7 @@ base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& 
   return FaceTruth(scene, camera, window);
 }
 
-base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& algorithm) const {
+base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& algorithm, bool host_times) const {
   registry::FaceOptions options;
   options.vertical = scene::frame_of(camera_).vertical;
   auto prepared = algorithm.prepare(*scene_, options);
@@ -145,12 +148,20 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
   const auto& faces = *prepared;
   auto view = faces.view(camera_, window_);
   if (!view) return std::move(view.error());
-  return compared(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
+  ComparedFaces result = compared(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
+  result.counts = faces.counts;
+  result.counts.insert(result.counts.end(), view->counts.begin(), view->counts.end());
+  const auto machine = std::find_if(result.counts.begin(), result.counts.end(), [](const auto& count) { return count.name == t_states_name; });
+  if (machine != result.counts.end())
+    result.emulated_seconds = static_cast<double>(machine->value) / static_cast<double>(core::ClockRate{}.hertz);
+  else if (host_times)
+    result.host_seconds = median_seconds([&] { static_cast<void>(faces.view(camera_, window_)); });
+  return result;
 }
 
 ComparedFaces FaceTruth::compared(std::string name, PixelGrid drawn, std::size_t not_solved) const {
   const auto metrics = picture::pixel_metrics(faces_, drawn, edges_);
-  return ComparedFaces{std::move(name), metrics, faces_, std::move(drawn), not_solved};
+  return ComparedFaces{std::move(name), metrics, faces_, std::move(drawn), not_solved, {}, {}, {}};
 }
 
 }  // namespace sightline::compare

@@ -19,12 +19,18 @@
 
 namespace sightline::compare {
 
+// The count of a program on the 8080 that is its time.
+inline constexpr std::string_view t_states_name = "t_states";
+
 struct ComparedFaces {
   std::string name;
   picture::PixelMetrics metrics;
   picture::PixelGrid truth;  // numbers of faces over all bodies + 1, 0 where there is none
   picture::PixelGrid grid;
   std::size_t not_solved = 0;  // pairs of faces the algorithm itself says it may draw wrongly
+  std::vector<registry::FaceCount> counts{};
+  std::optional<double> emulated_seconds{};  // of a program on its machine: what the picture took there
+  std::optional<double> host_seconds{};      // else, if asked for: the median of repeated views here
 
   // Nothing is wrong away from edges, or the algorithm said so itself.
   [[nodiscard]] bool agrees() const { return not_solved > 0 || metrics.different_inside == 0; }
@@ -38,7 +44,7 @@ class FaceTruth {
                                                   const scene::PolyCamera& camera);
 
   // An error says why the algorithm does not apply.
-  [[nodiscard]] base::Result<ComparedFaces> compared(const registry::FaceAlgorithm& algorithm) const;
+  [[nodiscard]] base::Result<ComparedFaces> compared(const registry::FaceAlgorithm& algorithm, bool host_times = false) const;
 
   // The same of a picture that something else has made in the window.
   [[nodiscard]] ComparedFaces compared(std::string name, picture::PixelGrid drawn, std::size_t not_solved) const;

@@ -94,7 +94,7 @@ HeightLines::HeightLines(const scene::HeightGrid& grid, const guests::skala::Vie
     const auto [first, last] = columns_of(hiding_[i].a.point.x, hiding_[i].b.point.x);
     for (std::size_t column = first; column <= last; ++column) hiding_in_[column].push_back(i);
   }
-  for (const auto& [edge, level] : inked) add_line(edge, level);
+  for (const LevelEdge& line : inked) add_line(line);
 }
 
 HeightLines::Ends HeightLines::ends_of(const guests::skala::Vertex& vertex) {
@@ -109,17 +109,16 @@ std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const guests::skala::
   const std::size_t last_point = projection.points() - 1;
   const std::size_t last_slice = projection.slices() - 1;
   std::vector<LevelEdge> inked;
-  const auto add = [&](const Edge& edge, bool slice, bool rim) {
+  const auto add = [&](const Side& side, bool slice, bool rim) {
+    const Edge edge{ends_of(projection.at(side[0].point, side[0].slice)), ends_of(projection.at(side[1].point, side[1].slice))};
     if (slice || rim) hiding_.push_back(edge);
-    if (rim || (slice && !contours)) inked.push_back({edge, 0});
+    if (rim || (slice && !contours)) inked.push_back({edge, 0, side});
   };
   for (std::size_t slice = 0; slice <= last_slice; ++slice) {
     for (std::size_t point = 0; point <= last_point; ++point) {
-      const Ends here = ends_of(projection.at(point, slice));
-      if (point < last_point)
-        add({here, ends_of(projection.at(point + 1, slice))}, both || along_x, slice % last_slice == 0);
-      if (slice < last_slice)
-        add({here, ends_of(projection.at(point, slice + 1))}, both || !along_x, point % last_point == 0);
+      const guests::skala::GridIndex here{point, slice};
+      if (point < last_point) add({here, {point + 1, slice}}, both || along_x, slice % last_slice == 0);
+      if (slice < last_slice) add({here, {point, slice + 1}}, both || !along_x, point % last_point == 0);
     }
   }
   return inked;
@@ -150,11 +149,13 @@ std::vector<HeightLines::LevelEdge> HeightLines::add_halves(const scene::HeightG
   return inked;
 }
 
-void HeightLines::add_line(const Edge& edge, std::uint32_t level) {
+void HeightLines::add_line(const LevelEdge& inked) {
+  const auto& [edge, level, side] = inked;
   if (std::hypot(edge.b.point.x - edge.a.point.x, edge.b.point.y - edge.a.point.y) < same_place / 2) return;
   const auto number = static_cast<std::uint32_t>(lines_.size());
   lines_.push_back({number, {edge.a.point, edge.b.point}, {{0, 1}}, seen_of(edge)});
   levels_.push_back(level);
+  sides_.push_back(side);
   const auto [first, last] = columns_of(edge.a.point.x, edge.b.point.x);
   for (std::size_t column = first; column <= last; ++column) lines_in_[column].push_back(number);
 }

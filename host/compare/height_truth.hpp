@@ -10,7 +10,9 @@
 // In floating point, without rounding to dots or columns: for measuring. Left out: holes, silhouettes, nets.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/guests/skala/projection.hpp"
@@ -34,6 +36,9 @@ class HeightLines {
   HeightLines(const scene::HeightGrid& grid, const guests::skala::View& view, double grazing = 0);
 
   [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
+  // The samples that lines() join, by their numbers; none of a contour.
+  using Side = std::array<guests::skala::GridIndex, 2>;
+  [[nodiscard]] const std::vector<std::optional<Side>>& sides() const { return sides_; }
   // Pieces of a native drawing of the same view, each with the line it is on; pieces that are on none get a
   // number no line has.
   [[nodiscard]] std::vector<picture::DrawnPiece> pieces_of(const picture::VectorDrawing& drawing) const;
@@ -51,6 +56,7 @@ class HeightLines {
   struct LevelEdge {
     Edge edge;
     std::uint32_t level = 0;  // 0: no contour, else 1 + its level
+    std::optional<Side> side{};
   };
   class Hidden;
 
@@ -62,7 +68,7 @@ class HeightLines {
   std::vector<LevelEdge> add_halves(const scene::HeightGrid& grid,
                                     const guests::skala::Projection& projection,
                                     const std::vector<double>& levels);
-  void add_line(const Edge& edge, std::uint32_t level);
+  void add_line(const LevelEdge& inked);
   [[nodiscard]] std::vector<picture::LinePart> seen_of(const Edge& line) const;
   [[nodiscard]] picture::LineId line_at(const picture::PixelSegment& piece, std::uint32_t level) const;
 
@@ -71,6 +77,7 @@ class HeightLines {
   std::vector<std::vector<std::uint32_t>> hiding_in_;  // by column of the screen
   std::vector<picture::ReferenceLine> lines_;
   std::vector<std::uint32_t> levels_;                 // of lines_
+  std::vector<std::optional<Side>> sides_;            // of lines_
   std::vector<std::vector<std::uint32_t>> lines_in_;  // by column of the screen
 };
 

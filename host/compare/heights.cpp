@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/algorithms/registry/heights.hpp"
+#include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
 #include "host/guests/skala/projection.hpp"
 
@@ -19,6 +20,13 @@ constexpr std::string_view oracle = "oracle";
 PixelGrid lit_where_painted(PixelGrid cells) {
   for (std::uint32_t& value : cells.values) value = value != 0 ? 1 : 0;
   return cells;
+}
+
+// Dots that are only the outline's, by the oracle with it and without, are taken away.
+PixelGrid without_outline(PixelGrid dots, const PixelGrid& with, const PixelGrid& without) {
+  for (std::size_t i = 0; i < dots.values.size(); ++i)
+    if (with.values[i] != 0 && without.values[i] == 0) dots.values[i] = 0;
+  return dots;
 }
 
 // All sides of all cells, hidden or not.
@@ -46,7 +54,7 @@ std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
 }
 
 HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::skala::View& asked,
-                                 const std::function<void(std::string_view)>& progress) {
+                                 const std::function<void(std::string_view)>& progress, const HeightSampler& sampler) {
   HeightComparison comparison;
   comparison.view = asked;
   comparison.view.device = guests::skala::Device::ef9365;
@@ -64,10 +72,14 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::sk
     const auto metrics = picture::pixel_metrics(truth, raster, edges);
     comparison.rasters.push_back({name, metrics, std::move(raster), std::move(truth), against});
   };
+  const bool surface = view.subject == algorithms::skala::Subject::surface;
+  std::optional<HeightLines> lines;
+  if (!surface) lines.emplace(grid, comparison.view);
   const auto add_drawing = [&](const std::string& name, registry::HeightPicture drawn) {
-    if (view.subject == algorithms::skala::Subject::surface) {
+    if (surface) {
       PixelGrid cells = painted_cells(grid, comparison.view, *drawn.drawing);
-      add(name, lit_where_painted(cells));
+      comparison.native_dots = lit_where_painted(cells);
+      add(name, comparison.native_dots);
       add_against(name + " cells", std::move(cells), nearest_cells(grid, comparison.view),
                   "the nearest cells");
       return;
@@ -77,10 +89,10 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::sk
                   "the column oracle, without the outline");
     else
       add(name, std::move(drawn.dots));
-    const HeightLines lines(grid, comparison.view);
-    const auto pieces = lines.pieces_of(*drawn.drawing);
-    comparison.vectors.push_back({name + " lines", picture::line_metrics(lines.lines(), pieces),
-                                  picture::line_difference(lines.lines(), pieces, 1)});
+    const auto pieces = lines->pieces_of(*drawn.drawing);
+    comparison.native_dots = skala_points(lines_as_drawn(lines->lines(), pieces));
+    comparison.vectors.push_back({name + " lines", picture::line_metrics(lines->lines(), pieces),
+                                  picture::line_difference(lines->lines(), pieces, 1)});
   };
   for (const registry::HeightMethod& method : registry::height_methods()) {
     if (method.name == oracle || method.why_not(grid, view)) continue;
@@ -96,6 +108,18 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::sk
     }
     add(method.name, std::move(drawn.dots));
   }
+  progress("unrounded lines");
+  const std::vector<PixelSegment> seen = surface ? std::vector<PixelSegment>{} : visible_segments(lines->lines());
+  const PixelGrid without = contours ? registry::oracle_dots(grid, view, false) : comparison.truth;
+  for (ComparedRaster& row : comparison.rasters) {
+    const bool program = row.name == "guest" || row.name == "twin";
+    row.rounding = program ? "ends of lines to the nearest dot, then a dot a step" : "to the nearest dots, to be compared";
+    if (row.truth && !contours) continue;  // numbers of cells
+    const PixelGrid dots = program && contours ? without_outline(row.grid, comparison.truth, without) : row.grid;
+    if (!surface) row.unrounded = picture::dots_and_lines(dots, seen);
+    if (program) row.from_native = picture::raster_difference(comparison.native_dots, dots);
+  }
+  if (view.subject == algorithms::skala::Subject::lines) comparison.chord = chord_error(*lines, grid, comparison.view, sampler);
   return comparison;
 }
 

@@ -22,6 +22,8 @@ namespace sightline::compare {
 struct JonesWords {
   int word_bits = guests::jones::machine_word_bits;
   int fraction_bits = guests::jones::machine_fraction_bits;
+
+  friend bool operator==(const JonesWords&, const JonesWords&) = default;
 };
 
 // Of the pieces before they are put on points, in points of the display, at a scale of 512. The scene is a checked one, and the eye in one

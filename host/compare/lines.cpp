@@ -166,14 +166,6 @@ std::vector<DrawnPiece> ImageLines::pieces(const LinePicture& drawn) const {
   return pieces;
 }
 
-std::vector<PixelSegment> seen_segments(const std::vector<ReferenceLine>& lines) {
-  std::vector<PixelSegment> segments;
-  for (const ReferenceLine& line : lines)
-    for (const LinePart& part : line.visible)
-      segments.push_back({picture::point_at(line.image, part.low), picture::point_at(line.image, part.high)});
-  return segments;
-}
-
 // Pieces of Jones's program as pieces of the scene's lines: which line a vector word of core is on, and where
 // on the screen a piece lies. See lines.hpp.
 

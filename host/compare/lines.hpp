@@ -72,9 +72,6 @@ class ImageLines {
                                                               const std::map<std::uint32_t, picture::LineId>& lines,
                                                               int fraction_bits = guests::jones::machine_fraction_bits);
 
-// The stretches of lines that are seen.
-[[nodiscard]] std::vector<picture::PixelSegment> seen_segments(const std::vector<picture::ReferenceLine>& lines);
-
 // Edges on the screen in floating point, cut to a frame: for measuring and drawing only, never for deciding
 // what is visible.
 

@@ -4,13 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 #include <vector>
 
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
+#include "host/compare/device_raster.hpp"
+#include "host/compare/host_time.hpp"
 #include "host/compare/lines.hpp"
 #include "host/compare/matter_scene.hpp"
 #include "host/compare/stripes.hpp"
@@ -48,24 +49,6 @@ ComparedPicture compared(std::string_view name, std::string rounding, const std:
           picture::line_difference(truth, drawn, least_stretch)};
 }
 
-// The median time of a view, of as many as take a tenth of a second together, but at least one and at most twenty.
-template <class View>
-double median_seconds(View&& view) {
-  constexpr std::size_t most = 20;
-  constexpr std::chrono::duration<double> enough{0.1};
-  std::vector<double> times;
-  std::chrono::duration<double> all{0};
-  while (times.size() < most && (times.empty() || all < enough)) {
-    const auto start = std::chrono::steady_clock::now();
-    view();
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    times.push_back(time.count());
-    all += time;
-  }
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-  return times[times.size() / 2];
-}
-
 // Adds the algorithms that say which face is seen at each point.
 void compare_faces(const scene::PolyScene& scene, const CompareOptions& options, const CompareProgress& progress,
                    SceneComparison& comparison) {
@@ -89,7 +72,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
       continue;
     }
     progress(name);
-    auto compared = truth->compared(*algorithm);
+    auto compared = truth->compared(*algorithm, options.host_times);
     if (!compared)
       comparison.not_applicable.emplace_back(name, compared.error().message());
     else
@@ -109,6 +92,8 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
   }
   comparison.stripes_difference = drawn->difference;
   comparison.faces.push_back(truth->compared(name, std::move(drawn->faces), drawn->not_solved));
+  comparison.faces.back().counts = {{"faces", drawn->faces_listed}};
+  comparison.faces.back().emulated_seconds = drawn->seconds;
 }
 
 // Every point that is lit in one pass.
@@ -257,7 +242,8 @@ class SceneMethods::Parts {
                                     picture::image_set(all, truth.scene, comparison.camera)
                               : registry::agrees(algorithm, drawn->picture, all, truth.scene, comparison.camera);
       row.counts = entry.prepared.counts;
-      row.counts.insert(row.counts.end(), drawn->counts.begin(), drawn->counts.end());
+      for (const registry::AlgorithmCount& count : drawn->counts)  // of all cells, and of those a view enters
+        row.counts.push_back({count.name == "cells" ? "cells_read" : count.name, count.value});
       if (options_.host_times)
         row.host_seconds = median_seconds([&] { static_cast<void>(view_of(entry, truth, comparison.camera)); });
       comparison.pictures.push_back(std::move(row));
@@ -301,16 +287,23 @@ class SceneMethods::Parts {
                                    SceneComparison& comparison) const {
     if (run.guest.timed_out || run.guest.views.empty()) return Error{"", "", "the program on the PDP-7 did not complete a view"};
     const guests::jones::GuestView& guest = run.guest.views.back();
-    comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference, run.guest.pass};
+    comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference};
 
     const auto lines = lines_of_vectors(session.program().scene, *matter_, truth.lines);
     if (chosen(options_, jones_on_pdp7)) {
       if (comparison.guest->difference.empty()) {
-        auto row = compared(jones_on_pdp7, "points of the Type 340", truth.lines.lines(), display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)));
-        row.metrics.hausdorff = picture::hausdorff_distance(seen_segments(truth.lines.lines()), lit_points(run.guest.pass));
+        const auto drawn = display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits));
+        auto row = compared(jones_on_pdp7, "points of the Type 340", truth.lines.lines(), drawn);
+        const auto seen = visible_segments(truth.lines.lines());
+        row.metrics.hausdorff = picture::hausdorff_distance(seen, lit_points(run.guest.pass));
         row.emulated = guest.time;
-        row.counts = {{"cells", guest.distinct_cells}, {"visits", guest.visits}, {"openings_tested", guest.openings_tested},
-                      {"lines_clipped", guest.lines_clipped}};
+        row.counts = {{"cells_read", guest.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", guest.visits},
+                      {"openings_tested", guest.openings_tested}, {"lines_clipped", guest.lines_clipped}};
+        std::vector<PixelSegment> vectors;
+        for (const DrawnPiece& piece : drawn) vectors.push_back(piece.image);
+        row.lit = points_of(run.guest.pass);
+        row.lit_in_truth = type340_points(divided_as(seen, vectors));
+        row.raster = picture::raster_difference(row.lit_in_truth, row.lit);
         comparison.pictures.push_back(std::move(row));
       } else {
         comparison.not_applicable.emplace_back(
@@ -322,7 +315,7 @@ class SceneMethods::Parts {
       auto row = compared(jones_twin, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
                           twin_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)));
       const guests::jones::Counts& c = run.twin.counts;
-      row.counts = {{"cells", c.distinct_cells}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
+      row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
       if (options_.host_times) {
         guests::jones::GuestOptions of_twin;
         of_twin.scale = options_.scale;

@@ -24,6 +24,7 @@
 #include "host/compare/turning.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
+#include "host/picture/raster_difference.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -41,6 +42,10 @@ struct ComparedPicture {
   std::optional<core::Duration> emulated{};  // what the view took on the machine
   std::optional<double> host_seconds{};      // what it took here: median of repeated views; not of a machine's program
   std::vector<registry::AlgorithmCount> counts{};  // what was read of the scene, and done
+  // Of a machine's program: the points it lit, and those that the exact lines light by the rule of its display, and their difference.
+  picture::PixelGrid lit{};
+  picture::PixelGrid lit_in_truth{};
+  std::optional<picture::RasterDifference> raster{};
 };
 
 // How the machine's run ended, beside its twin's.
@@ -49,7 +54,6 @@ struct GuestCheck {
   core::Duration time{};
   std::size_t words = 0;   // of the display file
   std::string difference;  // the first word that differs, or the status; empty: identical
-  std::vector<core::Stroke> pass{};  // the points lit, once through the display file
 };
 
 struct SceneComparison {

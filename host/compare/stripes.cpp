@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "emulators/core/tstates.hpp"
+
 #include "host/guests/stripes/session.hpp"
 
 namespace sightline::compare {
@@ -25,6 +27,10 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
       const auto drawn = session.draw(scene, moved, {stripes::Output::raster, stripes::Computer::i8080, stripes::Computer::i8080});
       if (!drawn) return drawn.error();
       if (result.difference.empty()) result.difference = drawn->picture.difference;
+      if (result.seconds == 0) {
+        result.seconds = static_cast<double>(drawn->picture.guest.working().count()) / static_cast<double>(core::ClockRate{}.hertz);
+        result.faces_listed = drawn->scene.faces.size();
+      }
       const picture::PixelGrid faces = drawn->faces();
       for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) result.faces.set(x + right, y + up, faces.at(x, y));

@@ -22,6 +22,8 @@ struct StripesFaces {
   // Parts of faces that hide each other in different places: the paper, and the program, have no order for them.
   std::size_t not_solved = 0;
   std::string difference;  // where the program is not its twin; empty: nowhere
+  std::size_t faces_listed = 0;  // turned to the eye, which the machine is given
+  double seconds = 0;            // on the machine, of the first of the four pictures: its list and its dots
 };
 
 // Stripes and priority list are made by the 8080. The window has 256 columns and lines (precondition). Error: why the machine does not

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "host/algorithms/plantinga/rotation_model.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/compare/device_raster.hpp"
+#include "host/picture/line_metrics_parts.hpp"
 #include "host/guests/turn/guest.hpp"
 #include "host/guests/turn/precision.hpp"
 #include "host/guests/turn/screen_view.hpp"
@@ -238,6 +241,33 @@ std::string structure_difference(const TurnPicture& turn, const picture::LinePic
   return fmt::format("edge {}-{}: the machine shows more pieces", turn.pieces[i].edge.from, turn.pieces[i].edge.to);
 }
 
+namespace {
+
+// The pieces of the machine's structure and the exact ones, both on their edges.
+picture::LineMetrics metrics_on_edges(const Turning& turning, const TurnPicture& shown, const picture::LinePicture& exact) {
+  std::map<picture::LineEdge, picture::ReferenceLine> lines;
+  const auto line_of = [&](const picture::LineEdge& edge) -> picture::ReferenceLine& {
+    const auto [line, is_new] = lines.try_emplace(edge);
+    if (is_new) {
+      line->second.id = static_cast<picture::LineId>(lines.size() - 1);
+      line->second.image = turning.on_screen({{{edge, geometry::Rational(0), geometry::Rational(1)}}}, shown.angle).front();
+    }
+    return line->second;
+  };
+  for (const picture::LinePiece& piece : exact.pieces)
+    line_of(piece.edge).visible.push_back({piece.low.to_double(), piece.high.to_double()});
+  std::vector<picture::DrawnPiece> drawn;
+  for (const TurnPicture::Piece& piece : shown.pieces) {
+    const picture::ReferenceLine& line = line_of(piece.edge);
+    drawn.push_back({line.id, {picture::point_at(line.image, piece.part.low), picture::point_at(line.image, piece.part.high)}});
+  }
+  std::vector<picture::ReferenceLine> truth;
+  for (auto& [edge, line] : lines) truth.push_back(std::move(line));
+  return picture::line_metrics(truth, drawn);
+}
+
+}  // namespace
+
 base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t angle) {
   const auto turning = Turning::of(scene);
   if (!turning) return turning.error();
@@ -249,9 +279,15 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
   if (!prepared) return prepared.error();
   const auto view = prepared->view(shown->camera);
   if (!view) return view.error();
-  TurnCheck check{angle, shown->words, shown->time, shown->flashes.size(), {}, shown->flash_bound, shown->difference};
+  TurnCheck check{angle, shown->words, shown->time, shown->flashes.size(), {}, shown->flash_bound, {}, shown->difference};
   if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);
-  check.distance = picture::hausdorff_distance(turning->on_screen(view->picture, angle), shown->flashes);
+  picture::PixelGrid flashed(picture::screen_points, picture::screen_points);
+  for (const picture::PixelSegment& flash : shown->flashes)
+    flashed.set(static_cast<int>(flash.a.x), static_cast<int>(flash.a.y), 1);
+  const auto exact_lines = turning->on_screen(view->picture, angle);
+  check.distance = picture::hausdorff_distance(exact_lines, shown->flashes);
+  check.raster = picture::raster_difference(type340_points(exact_lines, LongLines::turn), flashed);
+  check.metrics = metrics_on_edges(*turning, *shown, view->picture);
   return check;
 }
 

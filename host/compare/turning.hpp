@@ -18,6 +18,7 @@
 #include "host/base/result.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_picture.hpp"
+#include "host/picture/raster_difference.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::compare {
@@ -85,7 +86,9 @@ struct TurnCheck {
   std::size_t flashes = 0;  // of its first pass
   picture::HausdorffDistance distance;  // of the flashes and the exact lines, in points of the display
   double bound = 0;                     // of the greatest
+  picture::RasterDifference raster;     // of the flashes from the exact lines by the program's rule
   std::string difference;  // from the twin, or of the structure from the exact pieces; empty: identical
+  picture::LineMetrics metrics{};  // of its pieces on the exact edges, in points of the display; without the distance
 
   // The machine does what its words can.
   [[nodiscard]] bool agrees() const { return difference.empty() && distance.greatest <= bound; }

@@ -19,13 +19,14 @@ constexpr std::uint32_t agreed = 1;
 constexpr std::uint32_t missing = 2;
 constexpr std::uint32_t extra = 3;
 
-// The colours of Okabe and Ito (2008), but for the grey.
 VectorDrawing empty_overlay(double picture_height) {
   VectorDrawing drawing;
   drawing.width = picture_side;
   drawing.height = picture_height + legend_height;
-  drawing.layers = {
-      {"legend", {0, 0, 0}}, {"agreed", {165, 165, 165}}, {"missing", {213, 94, 0}}, {"extra", {0, 90, 200}}};
+  drawing.layers = {{"legend", {0, 0, 0}},
+                    {"agreed", difference_colours::agreed},
+                    {"missing", difference_colours::missing},
+                    {"extra", difference_colours::extra}};
   return drawing;
 }
 

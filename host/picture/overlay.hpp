@@ -7,11 +7,19 @@
 
 #include <string>
 
+#include "host/picture/image.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/vector_drawing.hpp"
 
 namespace sightline::picture {
+
+// Of every picture of a difference. The colours of Okabe and Ito (2008), but for the grey.
+namespace difference_colours {
+inline constexpr Colour agreed{165, 165, 165};
+inline constexpr Colour missing{213, 94, 0};
+inline constexpr Colour extra{0, 90, 200};
+}  // namespace difference_colours
 
 // Printable ASCII; small letters are shown as capitals.
 struct OverlayCaption {

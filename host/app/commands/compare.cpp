@@ -113,7 +113,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
     throw Failure(ExitCode::bad_input, fmt::format("{}: {}", name, *reason));
-  const auto comparison = compare::compare_heights(function.grid, view, progress);
+  const auto comparison = compare::compare_heights(function.grid, view, progress, function.sampled);
   return {comparison.agrees(), compare_table(function.name, comparison),
           compare_json(function.name, comparison),
           write_overlays(arguments.directory, overlays.unused(function.stem), comparison)};

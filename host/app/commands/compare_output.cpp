@@ -84,6 +84,38 @@ void add_points(TextTable& table, const std::string& name, const PixelMetrics& m
              std::to_string(m.extra_far)});
 }
 
+// Dots against truths that do not share the rounding of the programs, or share it knowingly.
+std::string dots_text(const HeightComparison& comparison) {
+  std::string text;
+  TextTable unrounded({-15, 9, 9, 9, 14, 14, 9, 9, 0});
+  unrounded.row({"", "dots", ">1", ">2", "px missing >1", "px missing >2", "H px", "99.9 %", "  rounded"});
+  double length = 0;
+  for (const ComparedRaster& row : comparison.rasters) {
+    if (!row.unrounded) continue;
+    const picture::DotsAndLines& d = *row.unrounded;
+    length = d.length;
+    unrounded.row({"  " + row.name, std::to_string(d.dots), std::to_string(d.dots_beyond_1), std::to_string(d.dots_beyond_2),
+                   fmt::format("{:.2f}", d.length_beyond_1), fmt::format("{:.2f}", d.length_beyond_2),
+                   distance_text(d.hausdorff.greatest), distance_text(d.hausdorff.usual), "  " + row.rounding});
+  }
+  if (length > 0) text += fmt::format("dots against the unrounded lines between samples, {:.1f} px\n", length) + unrounded.text();
+  if (comparison.view.picture == guests::skala::PictureKind::lines)
+    text += comparison.chord ? fmt::format("  chord error: the function itself is up to {:.2f} px from these lines\n", comparison.chord->greatest)
+                             : std::string("  chord error: none, there is nothing between the samples\n");
+  TextTable native({-15, 9, 9, 9, 9, 9, 9, 9, 9});
+  native.row({"", "missing", ">1", ">2", "extra", ">1", ">2", "H px", "99.9 %"});
+  bool any = false;
+  for (const ComparedRaster& row : comparison.rasters) {
+    if (!row.from_native) continue;
+    any = true;
+    const picture::RasterDifference& d = *row.from_native;
+    native.row({"  " + row.name, std::to_string(d.missing.all), std::to_string(d.missing.beyond_1), std::to_string(d.missing.beyond_2),
+                std::to_string(d.extra.all), std::to_string(d.extra.beyond_1), std::to_string(d.extra.beyond_2),
+                distance_text(d.hausdorff.greatest), distance_text(d.hausdorff.usual)});
+  }
+  return any ? text + "dots against the native drawing by the program's own rule\n" + native.text() : text;
+}
+
 std::string faces_text(const SceneComparison& comparison) {
   if (comparison.faces.empty()) return "";
   const PixelMetrics& any = comparison.faces.front().metrics;
@@ -113,10 +145,11 @@ std::string guest_text(const compare::GuestCheck& guest) {
 std::string turn_text(const compare::TurnCheck& turn) {
   if (!turn.difference.empty()) return "turn on the PDP-7 differs: " + turn.difference + "\n";
   return fmt::format(
-      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact{}\n",
+      "turn on the PDP-7: its twin's, {} display words, {:.1f} ms; {} flashes at {:.4f} degrees, H {:.2f} points, 99.9 % {:.2f}, from exact{}; by points, missing {} and extra {}, beyond 1 point {} and {}\n",
       turn.words, seconds(turn.time) * 1e3, turn.flashes, turn.angle * 360.0 / (1 << 18), turn.distance.greatest, turn.distance.usual,
       turn.agrees() ? fmt::format("; its words explain up to {:.2f}", turn.bound)
-                    : fmt::format(": MORE THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound));
+                    : fmt::format(": MORE THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound),
+      turn.raster.missing.all, turn.raster.extra.all, turn.raster.missing.beyond_1, turn.raster.extra.beyond_1);
 }
 
 std::string reasons_text(const std::vector<std::pair<std::string, std::string>>& reasons) {
@@ -204,6 +237,30 @@ Json points_json(const std::string& name, const PixelMetrics& m) {
           {"extra_far", m.extra_far}};
 }
 
+Json apart_json(const picture::PointsApart& points) {
+  return {{"points", points.all}, {"beyond_1", points.beyond_1}, {"beyond_2", points.beyond_2}};
+}
+
+Json raster_json(const picture::RasterDifference& d) {
+  return {{"lit_in_truth", d.lit_in_truth},
+          {"lit", d.lit_in_drawn},
+          {"missing", apart_json(d.missing)},
+          {"extra", apart_json(d.extra)},
+          {"hausdorff", d.hausdorff.greatest},
+          {"hausdorff_99_9", d.hausdorff.usual}};
+}
+
+Json unrounded_json(const picture::DotsAndLines& d) {
+  return {{"dots", d.dots},
+          {"dots_beyond_1", d.dots_beyond_1},
+          {"dots_beyond_2", d.dots_beyond_2},
+          {"length", d.length},
+          {"missing_beyond_1", d.length_beyond_1},
+          {"missing_beyond_2", d.length_beyond_2},
+          {"hausdorff", d.hausdorff.greatest},
+          {"hausdorff_99_9", d.hausdorff.usual}};
+}
+
 }  // namespace
 
 std::string compare_table(const SceneComparison& comparison) {
@@ -234,7 +291,7 @@ std::string compare_table(const std::string& name, const HeightComparison& compa
   TextTable table = points_table();
   for (const ComparedRaster& compared : comparison.rasters)
     add_points(table, compared.name, compared.metrics);
-  text += "\n" + table.text();
+  text += "\n" + table.text() + dots_text(comparison);
   for (const ComparedVectors& vectors : comparison.vectors) {
     TextTable lines = lines_table();
     add_lines(lines, vectors.name, vectors.metrics, "");
@@ -283,6 +340,7 @@ Json compare_json(const SceneComparison& comparison) {
                         {"flashes", turn.flashes},
                         {"hausdorff", turn.distance.greatest},
                         {"hausdorff_bound", turn.bound},
+                        {"raster", raster_json(turn.raster)},
                         {"hausdorff_99_9", turn.distance.usual}};
   }
   document["not_compared"] = reasons_json(comparison.not_applicable);
@@ -296,8 +354,14 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
                 {"elevation", comparison.view.elevation},
                 {"agrees", comparison.agrees()},
                 {"pictures", Json::array()}};
-  for (const ComparedRaster& compared : comparison.rasters)
-    document["pictures"].push_back(points_json(compared.name, compared.metrics));
+  for (const ComparedRaster& compared : comparison.rasters) {
+    Json row = points_json(compared.name, compared.metrics);
+    row["rounding"] = compared.rounding;
+    if (compared.unrounded) row["unrounded"] = unrounded_json(*compared.unrounded);
+    if (compared.from_native) row["from_native"] = raster_json(*compared.from_native);
+    document["pictures"].push_back(std::move(row));
+  }
+  document["chord_error"] = comparison.chord ? Json(comparison.chord->greatest) : Json(nullptr);
   // An object; of several methods a list of them.
   for (const ComparedVectors& vectors : comparison.vectors) {
     Json object{{"name", vectors.name}};

@@ -42,16 +42,22 @@ scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usu
 
 SkalaFunction from_expression(const SkalaSource& source, scene::GridSize size) {
   const scene::HeightDomain domain = domain_of(source, {scene::expression_domain, scene::expression_domain});
-  return {source.expression, "function",
-          checked(scene::sample_expression(source.expression, domain, size), ExitCode::usage)};
+  const auto sampled = [expression = source.expression, domain](scene::GridSize at) {
+    return checked(scene::sample_expression(expression, domain, at), ExitCode::usage);
+  };
+  return {source.expression, "function", sampled(size), sampled};
 }
 
 SkalaFunction from_name(const SkalaSource& source, const scene::HeightFunction& function, scene::GridSize size) {
   const std::string& name = source.name_or_file;
-  if (source.x_range.empty() && source.y_range.empty()) return {name, file_stem(name), scene::sample(function, size)};
+  const bool own_domain = source.x_range.empty() && source.y_range.empty();
+  if (function.value == nullptr && own_domain) return {name, file_stem(name), scene::sample(function, size)};
   if (function.value == nullptr)
     throw Failure(ExitCode::usage, fmt::format("--x-range: found with {}, which has no values between its points", name));
-  return {name, file_stem(name), scene::sample(function, domain_of(source, {function.domain, function.domain}), size)};
+  const auto sampled = [function, domain = domain_of(source, {function.domain, function.domain})](scene::GridSize at) {
+    return scene::sample(function, domain, at);
+  };
+  return {name, file_stem(name), sampled(size), sampled};
 }
 
 scene::GridLayout layout_named(const std::string& name) {

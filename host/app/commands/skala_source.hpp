@@ -1,6 +1,7 @@
 // The function that `sightline skala` draws: by name, from a grid file, or as an expression.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct SkalaFunction {
   std::string name;
   std::string stem;  // for names of files
   scene::HeightGrid grid;
+  // The same function at another size; empty of what has no values between its points.
+  std::function<scene::HeightGrid(scene::GridSize)> sampled{};
 };
 
 // One line on standard error if the layout of a file was guessed. A file "-" is standard input. Sampled at the size asked for, else

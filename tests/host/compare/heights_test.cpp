@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/algorithms/skala/draw.hpp"
+#include "host/compare/chord_error.hpp"
 #include "host/compare/height_truth.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/scene/heights/function.hpp"
@@ -133,6 +134,76 @@ TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
     EXPECT_LT(*std::max_element(cells.grid.values.begin(), cells.grid.values.end()), 257U);
     EXPECT_EQ(nearest_cells(grid, view_of(guests::skala::PictureKind::surface, rotation)), cells.truth);
   }
+}
+
+TEST(CompareHeights, AProgramsRoundingIsSeen) {
+  const HeightComparison comparison = compare_heights(sampled("sinc", {33, 30}), view_of(guests::skala::PictureKind::lines, 30));
+  ASSERT_EQ(comparison.rasters.size(), 3U);
+  for (const std::size_t program : {0U, 1U}) {
+    const ComparedRaster& row = comparison.rasters[program];
+    EXPECT_EQ(row.metrics.different(), 0U) << "the oracle rounds as it does";
+    ASSERT_TRUE(row.unrounded);
+    // A step of the line aside is half a dot, rounding of an end another half.
+    EXPECT_GT(row.unrounded->hausdorff.usual, 0.5);
+    EXPECT_LT(row.unrounded->hausdorff.greatest, 2);
+    EXPECT_EQ(row.unrounded->dots_beyond_2, 0U);
+    EXPECT_EQ(row.unrounded->dots, row.metrics.lit);
+    ASSERT_TRUE(row.from_native);
+    EXPECT_LT(row.from_native->share(row.from_native->missing.all), 0.02) << "the rule is the program's";
+    EXPECT_EQ(row.from_native->missing.beyond_2, 0U);
+    EXPECT_NE(row.rounding, "");
+  }
+  // Vectors are put on the nearest dots: less than 0.5 across, and not further than half way to the next dot.
+  ASSERT_TRUE(comparison.rasters[2].unrounded);
+  EXPECT_LT(comparison.rasters[2].unrounded->hausdorff.greatest, 1);
+  EXPECT_FALSE(comparison.rasters[2].from_native);
+  EXPECT_FALSE(comparison.chord) << "nothing to sample";
+}
+
+TEST(ChordError, OfAParabola) {
+  // From the horizon, at x = -1, -0.5 .. 1: a chord is (0.5)^2 / 4 above the middle of its arc, of a height of 1 that 255
+  // points show, and steep: the two inner chords least, by 1 in 1.
+  const HeightSampler parabola = [](scene::GridSize size) {
+    return scene::sample_values([](double x, double) { return x * x; }, {{-1, 1}, {-1, 1}}, size);
+  };
+  const scene::HeightGrid grid = parabola({5, 4});
+  guests::skala::View view = view_of(guests::skala::PictureKind::lines, 0, 0);
+  view.family = guests::skala::Family::along_x;
+  const auto error = chord_error(HeightLines(grid, view), grid, view, parabola);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->between, 15U);
+  EXPECT_NEAR(error->greatest, 255.0 / 16 / std::sqrt(2.0), 1e-9);
+  // Four times as many samples: a sixteenth.
+  const scene::HeightGrid fine = parabola({17, 4});
+  const auto less = chord_error(HeightLines(fine, view), fine, view, parabola);
+  ASSERT_TRUE(less);
+  EXPECT_NEAR(less->greatest, 255.0 / 256 / std::hypot(1, 0.25), 1e-9) << "the innermost chord rises 1 in 4";
+  EXPECT_FALSE(chord_error(HeightLines(grid, view), grid, view, {}));
+}
+
+TEST(ChordError, IsThatOfWhatIsSeen) {
+  // A wall in front of a needle between two samples.
+  const auto function = [](double needle) {
+    return [needle](scene::GridSize size) {
+      return scene::sample_values(
+          [needle](double x, double z) { return z < -0.5 ? 1.0 : std::abs(x - 0.25) < 0.1 && z > 0.5 ? needle : 0.0; },
+          {{-1, 1}, {-1, 1}}, size);
+    };
+  };
+  guests::skala::View view = view_of(guests::skala::PictureKind::lines, 0, 10);
+  view.family = guests::skala::Family::along_x;
+  const HeightSampler sampler = function(0.5);
+  const scene::HeightGrid grid = sampler({5, 5});
+  const HeightLines lines(grid, view);
+  double behind = 0;
+  for (std::size_t i = 0; i < lines.lines().size(); ++i)
+    if ((*lines.sides()[i])[0].slice == 4 && (*lines.sides()[i])[1].slice == 4) behind += picture::total(lines.lines()[i].visible);
+  ASSERT_EQ(behind, 0) << "the last slice is behind the wall";
+  const auto error = chord_error(lines, grid, view, sampler);
+  ASSERT_TRUE(error);
+  EXPECT_LT(error->greatest, chord_error(HeightLines(grid, view_of(guests::skala::PictureKind::lines, 0, 60)), grid,
+                                         view_of(guests::skala::PictureKind::lines, 0, 60), sampler)
+                                 ->greatest);
 }
 
 TEST(CompareHeights, ContoursHaveRasterAndVectors) {

@@ -1,0 +1,292 @@
+// See answer.hpp.
+#include "host/compare/answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "emulators/core/tstates.hpp"
+#include "host/compare/stripes.hpp"
+
+namespace sightline::compare {
+namespace {
+
+using base::Json;
+
+// What a method has read of the scene, from its counts: the first of these that it has.
+struct ReadCount {
+  std::string_view count;
+  std::string_view what;
+  std::string_view of_all = {};  // the count of all there are
+};
+constexpr ReadCount read_counts[] = {
+    {"cells_read", "cells", "cells"}, {"relations", "pairs"}, {"facing", "faces", "pieces"}, {"faces", "faces"}};
+
+template <class Counts>
+void tell_read(const Counts& counts, MethodView& view) {
+  const auto value = [&](std::string_view name) -> std::optional<std::uint64_t> {
+    for (const auto& count : counts)
+      if (count.name == name) return count.value;
+    return std::nullopt;
+  };
+  for (const ReadCount& known : read_counts) {
+    const auto read = value(known.count);
+    if (!read) continue;
+    view.read = read;
+    if (!known.of_all.empty()) view.of_all = value(known.of_all);
+    view.what = known.what;
+    return;
+  }
+}
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+MethodView method_view(const ComparedPicture& row) {
+  MethodView view;
+  view.method = row.name;
+  view.picture = "lines";
+  view.rounding = row.rounding;
+  view.unit = "px";
+  view.all = row.metrics.true_length;
+  view.wrong = row.metrics.symmetric();
+  view.far = row.metrics.missing_far + row.metrics.extra_far;
+  view.greatest = finite(row.metrics.hausdorff.greatest);
+  view.exact = row.identical;
+  if (row.emulated) view.emulated_seconds = core::in_seconds(*row.emulated);
+  view.host_seconds = row.host_seconds;
+  view.raster = row.raster;
+  tell_read(row.counts, view);
+  return view;
+}
+
+MethodView method_view(const ComparedFaces& row) {
+  MethodView view;
+  view.method = row.name;
+  view.picture = "faces";
+  view.rounding = "middles of pixels";
+  view.unit = "points";
+  view.all = static_cast<double>(row.metrics.pixels);
+  view.wrong = static_cast<double>(row.metrics.different());
+  view.far = static_cast<double>(row.metrics.different_inside);
+  view.emulated_seconds = row.emulated_seconds;
+  view.host_seconds = row.host_seconds;
+  // Pairs of faces that the method itself says it cannot order.
+  if (row.metrics.different_inside > 0 && row.not_solved == 0) view.defect = "faces are wrong away from edges";
+  tell_read(row.counts, view);
+  return view;
+}
+
+MethodView method_view(const TurnCheck& turn) {
+  MethodView view;
+  view.method = turn_name;
+  view.picture = "lines";
+  view.rounding = "points of the Type 340";
+  view.unit = "px";
+  view.all = turn.metrics.true_length;
+  view.wrong = turn.metrics.symmetric();
+  view.far = turn.metrics.missing_far + turn.metrics.extra_far;
+  view.greatest = finite(turn.distance.greatest);
+  view.emulated_seconds = core::in_seconds(turn.time);
+  view.raster = turn.raster;
+  if (!turn.difference.empty())
+    view.defect = turn.difference;
+  else if (!turn.agrees())
+    view.defect = "farther from the exact lines than its words explain";
+  return view;
+}
+
+// Methods of height grids have short names among themselves.
+std::string_view height_method(std::string_view name) {
+  if (name == "guest") return "skala-8080";
+  if (name == "twin") return "skala-twin";
+  return "skala";
+}
+
+MethodView method_view(const ComparedRaster& row) {
+  MethodView view;
+  view.method = height_method(row.name);
+  view.picture = "dots";
+  view.rounding = row.rounding;
+  view.raster = row.from_native;
+  if (row.unrounded) {
+    view.unit = "px";
+    view.all = row.unrounded->length;
+    view.far = static_cast<double>(row.unrounded->dots_beyond_1) + row.unrounded->length_beyond_1;
+    view.wrong = view.far;
+    view.greatest = finite(row.unrounded->hausdorff.greatest);
+    return view;
+  }
+  view.unit = "dots";
+  view.all = static_cast<double>(row.metrics.lit);
+  view.wrong = static_cast<double>(row.metrics.missing + row.metrics.extra);
+  view.far = static_cast<double>(row.metrics.missing_far + row.metrics.extra_far);
+  return view;
+}
+
+Spread spread_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {values[(values.size() - 1) / 2], values.back()};
+}
+
+double wrong_percent(const MethodView& view) {
+  if (view.all > 0) return 100 * view.wrong / view.all;
+  return view.wrong > 0 ? 100 : 0;
+}
+
+template <class Value>
+std::optional<Value> at(const Json& object, std::string_view key, std::optional<Value> (Json::*as)() const) {
+  const Json* const member = object.find(key);
+  return member != nullptr ? (member->*as)() : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<MethodView> method_views(const SceneComparison& comparison) {
+  std::vector<MethodView> views;
+  for (const ComparedPicture& row : comparison.pictures) {
+    views.push_back(method_view(row));
+    if (row.emulated && comparison.guest) views.back().defect = comparison.guest->difference;
+  }
+  for (const ComparedFaces& row : comparison.faces) {
+    views.push_back(method_view(row));
+    if (row.name == stripes_name && !comparison.stripes_difference.empty()) views.back().defect = comparison.stripes_difference;
+  }
+  if (comparison.turn) views.push_back(method_view(*comparison.turn));
+  return views;
+}
+
+std::vector<MethodView> method_views(const HeightComparison& comparison) {
+  std::vector<MethodView> views;
+  for (const ComparedRaster& row : comparison.rasters) {
+    // Of a native drawing of lines the lines are measured, not dots made of them.
+    const bool native = height_method(row.name) == "skala";
+    if (native && !comparison.vectors.empty()) continue;
+    MethodView& view = views.emplace_back(method_view(row));
+    if (row.name == "guest") {
+      view.defect = comparison.guest_difference;
+      view.emulated_seconds = static_cast<double>(comparison.guest_time.count()) / static_cast<double>(core::ClockRate{}.hertz);
+    }
+  }
+  for (const ComparedVectors& row : comparison.vectors) {
+    ComparedPicture lines;
+    lines.name = "skala";
+    lines.rounding = not_rounded;
+    lines.metrics = row.metrics;
+    views.push_back(method_view(lines));
+  }
+  for (MethodView& view : views) {
+    if (comparison.chord) view.chord = comparison.chord->greatest;
+  }
+  return views;
+}
+
+base::Json json_of(const MethodView& view) {
+  Json object{{"method", view.method}, {"picture", view.picture}, {"rounding", view.rounding}, {"unit", view.unit},
+              {"all", view.all},       {"wrong", view.wrong},     {"far", view.far}};
+  if (view.greatest) object["greatest"] = *view.greatest;
+  if (view.exact) object["exact"] = *view.exact;
+  if (!view.defect.empty()) object["defect"] = view.defect;
+  if (view.emulated_seconds) object["emulated_s"] = *view.emulated_seconds;
+  if (view.host_seconds) object["host_s"] = *view.host_seconds;
+  if (view.read) object["read"] = *view.read;
+  if (view.of_all) object["of_all"] = *view.of_all;
+  if (view.read) object["what"] = view.what;
+  if (view.chord) object["chord"] = *view.chord;
+  if (view.raster) {
+    const auto apart = [](const picture::PointsApart& points) {
+      return Json{{"all", points.all}, {"beyond_1", points.beyond_1}, {"beyond_2", points.beyond_2}};
+    };
+    object["raster"] = {{"lit_in_truth", view.raster->lit_in_truth},
+                        {"lit_in_drawn", view.raster->lit_in_drawn},
+                        {"missing", apart(view.raster->missing)},
+                        {"extra", apart(view.raster->extra)},
+                        {"hausdorff", view.raster->hausdorff.greatest},
+                        {"hausdorff_99_9", view.raster->hausdorff.usual}};
+  }
+  return object;
+}
+
+std::optional<MethodView> method_view_of(const base::Json& object) {
+  MethodView view;
+  for (const auto& [key, member] : {std::pair{"method", &MethodView::method}, std::pair{"picture", &MethodView::picture},
+                                    std::pair{"rounding", &MethodView::rounding}, std::pair{"unit", &MethodView::unit}}) {
+    const Json* const text = object.find(key);
+    if (text == nullptr || text->text() == nullptr) return std::nullopt;
+    view.*member = *text->text();
+  }
+  for (const auto& [key, member] :
+       {std::pair{"all", &MethodView::all}, std::pair{"wrong", &MethodView::wrong}, std::pair{"far", &MethodView::far}}) {
+    const auto number = at(object, key, &Json::number);
+    if (!number) return std::nullopt;
+    view.*member = *number;
+  }
+  view.greatest = at(object, "greatest", &Json::number);
+  view.chord = at(object, "chord", &Json::number);
+  view.exact = at(object, "exact", &Json::boolean);
+  view.emulated_seconds = at(object, "emulated_s", &Json::number);
+  view.host_seconds = at(object, "host_s", &Json::number);
+  for (const auto& [key, member] : {std::pair{"read", &MethodView::read}, std::pair{"of_all", &MethodView::of_all}})
+    if (const auto count = at(object, key, &Json::integer); count && *count >= 0) view.*member = static_cast<std::uint64_t>(*count);
+  for (const auto& [key, member] : {std::pair{"defect", &MethodView::defect}, std::pair{"what", &MethodView::what}})
+    if (const Json* const text = object.find(key); text != nullptr && text->text() != nullptr) view.*member = *text->text();
+  return view;
+}
+
+void Answer::add(const std::string& scene, std::uint64_t number, const std::vector<MethodView>& views) {
+  for (const MethodView& view : views) {
+    const auto known = std::find_if(gathered_.begin(), gathered_.end(), [&](const Gathered& row) {
+      const MethodView& first = row.views.front().second;
+      return row.scene == scene && first.method == view.method && first.picture == view.picture;
+    });
+    if (known != gathered_.end())
+      known->views.emplace_back(number, view);
+    else
+      gathered_.push_back({scene, {{number, view}}});
+  }
+}
+
+std::vector<AnswerRow> Answer::rows() const {
+  std::vector<AnswerRow> rows;
+  for (const auto& [scene, views] : gathered_) {
+    const MethodView& first = views.front().second;
+    AnswerRow row;
+    row.scene = scene;
+    row.method = first.method;
+    row.picture = first.picture;
+    row.rounding = first.rounding;
+    row.unit = first.unit;
+    row.views = views.size();
+    row.of_all = first.of_all;
+    row.what = first.what;
+    row.exact = first.exact.has_value();
+    // Of the views that have it.
+    const auto spread = [&](auto&& value) -> std::optional<Spread> {
+      std::vector<double> values;
+      for (const auto& [number, view] : views)
+        if (const std::optional<double> there = value(view)) values.push_back(*there);
+      return values.empty() ? std::nullopt : std::optional(spread_of(std::move(values)));
+    };
+    row.wrong = *spread([](const MethodView& view) { return std::optional(view.wrong); });
+    row.wrong_percent = *spread([](const MethodView& view) { return std::optional(wrong_percent(view)); });
+    row.greatest = spread([](const MethodView& view) { return view.greatest; });
+    row.emulated_seconds = spread([](const MethodView& view) { return view.emulated_seconds; });
+    row.host_seconds = spread([](const MethodView& view) { return view.host_seconds; });
+    row.read = spread([](const MethodView& view) { return view.read ? std::optional(static_cast<double>(*view.read)) : std::nullopt; });
+    if (const auto chord = spread([](const MethodView& view) { return view.chord; })) row.chord = chord->greatest;
+    double worst = -1;
+    for (const auto& [number, view] : views) {
+      row.right += view.right() ? 1 : 0;
+      if (row.defect.empty()) row.defect = view.defect;
+      if (wrong_percent(view) > worst) {
+        worst = wrong_percent(view);
+        row.worst_view = number;
+      }
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace sightline::compare

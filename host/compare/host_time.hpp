@@ -1,0 +1,30 @@
+// How long something takes on this computer.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+namespace sightline::compare {
+
+// The median, in seconds, of as many runs as take a tenth of a second together, at least one and at most twenty.
+template <class Run>
+[[nodiscard]] double median_seconds(Run&& run) {
+  constexpr std::size_t most = 20;
+  constexpr std::chrono::duration<double> enough{0.1};
+  std::vector<double> times;
+  std::chrono::duration<double> all{0};
+  while (times.size() < most && (times.empty() || all < enough)) {
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    times.push_back(time.count());
+    all += time;
+  }
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
+}  // namespace sightline::compare

@@ -1,0 +1,160 @@
+// See raster_difference.hpp.
+#include "host/picture/raster_difference.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "host/picture/overlay.hpp"
+
+namespace sightline::picture {
+namespace {
+
+constexpr std::int32_t no_point = std::numeric_limits<std::int32_t>::max() / 2;
+
+// How far the lit points of a grid are from any point of it: by column first, the rest when it is asked for.
+class NearestLit {
+ public:
+  explicit NearestLit(const PixelGrid& grid) : grid_(grid), in_column_(grid.values.size(), no_point) {
+    const auto width = static_cast<std::size_t>(grid.width);
+    for (std::size_t i = 0; i < in_column_.size(); ++i)
+      in_column_[i] = grid.values[i] != 0 ? 0 : i >= width ? one_more(in_column_[i - width]) : no_point;
+    for (std::size_t i = in_column_.size(); i-- > width;)
+      in_column_[i - width] = std::min(in_column_[i - width], one_more(in_column_[i]));
+  }
+
+  // Squared. Some point is lit (precondition).
+  [[nodiscard]] std::int64_t squared(int column, int row) const {
+    std::int64_t nearest = std::numeric_limits<std::int64_t>::max();
+    const auto look = [&](int there) {
+      if (there < 0 || there >= grid_.width) return;
+      const std::int64_t up = in_column_[grid_.index(there, row)];
+      const std::int64_t right = there - column;
+      nearest = std::min(nearest, right * right + up * up);
+    };
+    for (int away = 0; std::int64_t{away} * away < nearest && away < grid_.width; ++away) {
+      look(column - away);
+      look(column + away);
+    }
+    return nearest;
+  }
+
+ private:
+  static std::int32_t one_more(std::int32_t distance) { return std::min(distance, no_point - 1) + 1; }
+
+  const PixelGrid& grid_;
+  std::vector<std::int32_t> in_column_;  // points to the nearest lit one above, below or here
+};
+
+// Most points that are apart have a lit one this near, which is found without looking at the whole grid.
+constexpr int beside = 4;
+
+// Squared; empty if there is none within `beside` points in both directions.
+std::optional<std::int64_t> squared_beside(const PixelGrid& grid, int column, int row) {
+  std::optional<std::int64_t> nearest;
+  for (int y = std::max(row - beside, 0); y <= std::min(row + beside, grid.height - 1); ++y) {
+    for (int x = std::max(column - beside, 0); x <= std::min(column + beside, grid.width - 1); ++x) {
+      if (grid.at(x, y) == 0) continue;
+      const std::int64_t right = x - column;
+      const std::int64_t up = y - row;
+      nearest = std::min(nearest.value_or(std::numeric_limits<std::int64_t>::max()), right * right + up * up);
+    }
+  }
+  // One outside may be nearer than a corner.
+  return nearest && *nearest <= beside * beside ? nearest : std::nullopt;
+}
+
+// One direction: from the lit points of one set to the other.
+struct Direction {
+  std::uint64_t lit = 0;
+  PointsApart apart;
+  HausdorffDistance distance;
+};
+
+Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
+  Direction direction;
+  bool empty = true;
+  for (std::size_t i = 0; i < from.values.size(); ++i) {
+    direction.lit += from.values[i] != 0 ? 1U : 0U;
+    direction.apart.all += from.values[i] != 0 && to.values[i] == 0 ? 1U : 0U;
+    empty = empty && to.values[i] == 0;
+  }
+  if (direction.apart.all == 0) return direction;
+  if (empty) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    direction.apart.beyond_1 = direction.apart.beyond_2 = direction.apart.all;
+    direction.distance = {infinite, infinite};
+    return direction;
+  }
+  std::optional<NearestLit> nearest;  // once it is needed
+  std::vector<std::int64_t> squares;  // of the points that are apart
+  squares.reserve(direction.apart.all);
+  for (int row = 0; row < from.height; ++row) {
+    for (int column = 0; column < from.width; ++column) {
+      const std::size_t i = from.index(column, row);
+      if (from.values[i] == 0 || to.values[i] != 0) continue;
+      auto square = squared_beside(to, column, row);
+      if (!square) {
+        if (!nearest) nearest.emplace(to);
+        square = nearest->squared(column, row);
+      }
+      squares.push_back(*square);
+      direction.apart.beyond_1 += squares.back() > 1 ? 1U : 0U;
+      direction.apart.beyond_2 += squares.back() > 4 ? 1U : 0U;
+    }
+  }
+  std::sort(squares.begin(), squares.end());
+  // The distances of all lit points in order: those that agree first.
+  const std::uint64_t agreeing = direction.lit - direction.apart.all;
+  const std::uint64_t usual = direction.lit - 1 - direction.lit / 1000;
+  direction.distance.greatest = std::sqrt(static_cast<double>(squares.back()));
+  if (usual >= agreeing) direction.distance.usual = std::sqrt(static_cast<double>(squares[usual - agreeing]));
+  return direction;
+}
+
+}  // namespace
+
+double RasterDifference::share(std::uint64_t points) const {
+  if (points == 0) return 0;
+  return lit_in_truth == 0 ? std::numeric_limits<double>::infinity()
+                           : static_cast<double>(points) / static_cast<double>(lit_in_truth);
+}
+
+RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& drawn) {
+  assert(truth.width == drawn.width && truth.height == drawn.height);
+  const Direction there = direction_of(truth, drawn);
+  const Direction back = direction_of(drawn, truth);
+  return {there.lit,
+          back.lit,
+          there.apart,
+          back.apart,
+          {std::max(there.distance.greatest, back.distance.greatest),
+           std::max(there.distance.usual, back.distance.usual)}};
+}
+
+Image difference_image(const PixelGrid& truth, const PixelGrid& drawn, int pixels) {
+  assert(truth.width == drawn.width && truth.height == drawn.height && pixels >= 1);
+  Image image(truth.width * pixels, truth.height * pixels, 3);
+  for (int y = 0; y < image.height; ++y) {
+    const int row = truth.height - 1 - y / pixels;
+    for (int x = 0; x < image.width; ++x) {
+      const bool in_truth = truth.at(x / pixels, row) != 0;
+      const bool in_drawn = drawn.at(x / pixels, row) != 0;
+      const Colour colour = in_truth && in_drawn ? difference_colours::agreed
+                            : in_truth           ? difference_colours::missing
+                            : in_drawn           ? difference_colours::extra
+                                                 : Colour{255, 255, 255};
+      const std::size_t at = image.index(x, y);
+      image.pixels[at] = colour.red;
+      image.pixels[at + 1] = colour.green;
+      image.pixels[at + 2] = colour.blue;
+    }
+  }
+  return image;
+}
+
+}  // namespace sightline::picture
