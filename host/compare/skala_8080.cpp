@@ -24,9 +24,9 @@ namespace skala = guests::skala;
 using picture::PixelPoint;
 using picture::PixelSegment;
 
-constexpr std::array devices{skala::Device::ef9365, skala::Device::alt256, skala::Device::calcomp, skala::Device::minigraf};
-constexpr std::array<std::string_view, 4> device_names{"EF9365", "ALT-256", "CalComp 565", "Minigraf"};
-constexpr std::array<std::string_view, 3> kind_names{"lines", "surface", "contours"};
+constexpr std::array ink_devices{skala::Device::ef9365, skala::Device::alt256, skala::Device::calcomp, skala::Device::minigraf};
+constexpr std::array<std::string_view, 4> ink_device_names{"EF9365", "ALT-256", "CalComp 565", "Minigraf"};
+constexpr std::array<std::string_view, 3> ink_kind_names{"lines", "surface", "contours"};
 
 std::vector<PixelSegment> ink_of(const picture::PixelGrid& dots) {
   std::vector<PixelSegment> ink;
@@ -94,7 +94,7 @@ std::vector<PixelSegment> outline_of(const skala::Projection& projection) {
 }  // namespace
 
 std::string name_of(const SkalaInk& ink) {
-  return fmt::format("{}, {}", kind_names.at(static_cast<std::size_t>(ink.kind)), device_names.at(static_cast<std::size_t>(ink.device)));
+  return fmt::format("{}, {}", ink_kind_names.at(static_cast<std::size_t>(ink.kind)), ink_device_names.at(static_cast<std::size_t>(ink.device)));
 }
 
 bool shows_lines(const SkalaInk& ink) { return ink.kind != skala::PictureKind::surface || !skala::is_raster(ink.device); }
@@ -103,7 +103,7 @@ std::vector<SkalaInk> skala_pictures(const scene::HeightGrid& grid, const skala:
   static const skala::Session session;
   std::vector<SkalaInk> pictures;
   for (const skala::PictureKind kind : {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
-    for (const skala::Device device : devices) {
+    for (const skala::Device device : ink_devices) {
       skala::View view = asked;
       view.picture = kind;
       view.device = device;
