@@ -41,8 +41,37 @@ double extent_of(const compare::CrossCheckView& view) {
   return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
-void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene,
-                  const compare::SceneCrossCheck& agreement) {
+// What Jones's and Skala's programs are measured against; other pairs of theirs say the same.
+bool is_measured(const CrossCheckCell& cell) {
+  return cell.first == "exact" || cell.second == compare::skala_8080_name;
+}
+
+void add_machines(std::vector<MachineFarthest>& machines, const compare::CommonScene& scene, const CrossCheckCell& cell) {
+  if (!is_measured(cell)) return;
+  for (const compare::CheckedDistance& distance : cell.distances) {
+    const auto known = std::find_if(machines.begin(), machines.end(), [&](const MachineFarthest& m) {
+      return m.scene == scene.name && m.machine == cell.second && m.other == cell.first && m.what == distance.what;
+    });
+    const MachineFarthest found{std::string(scene.name), std::string(scene.title), std::string(cell.second), std::string(cell.first), distance.what,
+                                distance.found, distance.bound};
+    if (known == machines.end())
+      machines.push_back(found);
+    else if (found.part() > known->part())
+      *known = found;
+  }
+}
+
+void machine_table(Page& page, const std::string& id, const std::string& title, std::vector<MachineFarthest> rows, const std::string& note) {
+  page.table(id, title, rows,
+             {{"machine", "Machine", &MachineFarthest::machine}, {"other", "Measured from", &MachineFarthest::other}, {"what", "What", &MachineFarthest::what}},
+             {.notes = {note}},
+             Pivot<MachineFarthest>{.key = [](const MachineFarthest& m) { return base::lower_case(m.scene); },
+                                    .title = [](const MachineFarthest& m) { return m.scene + ", " + m.title; },
+                                    .unit = "points",
+                                    .cell = [](const MachineFarthest& m) { return Verdict{m.found <= m.bound, fmt::format("{:.2f} of {:.2f}", m.found, m.bound)}; }});
+}
+
+void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
@@ -58,6 +87,15 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
       for (const picture::PixelSegment& line : picture.screen->turn.lines) lines.push_back({0, line});
       add(name, "", compare::screen_image(lines));
     }
+    if (picture.builds) {
+      std::vector<picture::DrawnPiece> lines;
+      for (const picture::PixelSegment& line : picture.builds->back().lines) lines.push_back({0, line});
+      add(name, fmt::format(", f={}", picture.builds->back().words.fraction_bits), compare::screen_image(lines));
+    }
+    if (picture.ink)
+      for (const compare::SkalaInk& ink : *picture.ink)
+        if (ink.device == guests::skala::Device::ef9365 || (ink.device == guests::skala::Device::calcomp && compare::shows_lines(ink)))
+          add(name, ", " + compare::name_of(ink), compare::faces_image(ink.dots, compare::case_image_side));
     if (picture.faces) add(name, picture.lines ? " (faces)" : "", compare::faces_image(*picture.faces, compare::case_image_side));
   }
   if (number == 0) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
@@ -81,6 +119,7 @@ void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCros
   for (const CrossCheckCell& cell : agreement.cells) {
     const std::string pair = fmt::format("{} and {}", cell.first, cell.second);
     cells.push_back({std::string(scene.name), pair, verdict_of(cell)});
+    add_machines(machines, scene, cell);
     run += cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::differs ? 1U : 0U;
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
       failures.push_back({std::string(scene.name), pair, cell.text});
@@ -110,63 +149,68 @@ CrossCheck cross_check(const Context& context) {
 }
 
 void cross_check_chapter(Page& page, const CrossCheck& checked) {
-  page.table(
-      "agreement-matrix", "Every pair on every scene", checked.cells, {{"pair", "Pair", &PairVerdict::pair}},
-      {.notes =
-           {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, drawn of other "
-            "edges where edges lie on each other in the image. pixels: the same face at every pixel whose middle is more than "
-            "0.75 pixels from all edges, hidden ones too. lines on pixels: wherever the face changes from a pixel to its "
-            "neighbour a line is drawn, and wherever a line is drawn with no other one within two pixels the face changes, both "
-            "within one pixel (and what rounding can do on a machine's display). points: turn-pdp7 is the program that turns "
-            "solids on the PDP-7, at the nearest of its 2^18 angles; the others draw for it at that angle, the visible pieces "
-            "are the same, and no line is farther from the other picture's than the lengths of the machine's words explain. n/a: "
-            "does not apply, for a reason listed below.",
-            "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
-            page.claim(checked.agrees(),
-                       fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
-                       fmt::format("{} do not agree or were not run", checked.failures.size()))}},
-      Pivot<PairVerdict>{.key = [](const PairVerdict& cell) { return base::lower_case(cell.scene); },
-                         .title = &PairVerdict::scene,
-                         .unit = {},
-                         .cell = &PairVerdict::verdict});
+  page.table("agreement-matrix", "Every pair on every scene", checked.cells, {{"pair", "Pair", &PairVerdict::pair}},
+             {.notes = {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, drawn of other edges "
+                        "where edges lie on each other in the image. pixels: the same face at every pixel whose middle is more than 0.75 pixels "
+                        "from all edges, hidden ones too. lines on pixels: wherever the face changes from a pixel to its neighbour a line is "
+                        "drawn, and wherever a line is drawn with no other one within two pixels the face changes, both within one pixel (and "
+                        "what rounding can do on a machine's display). points: turn-pdp7 is the program that turns solids on the PDP-7, at the "
+                        "nearest of its 2^18 angles; the others draw for it at that angle, the visible pieces are the same, and no line is "
+                        "farther from the other picture's than the lengths of the machine's words explain; of jones-pdp7 and skala-8080 the next "
+                        "tables say how far. words: the same display words, with every number of fraction bits. n/a: does not apply, for a "
+                        "reason listed below.",
+                        "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
+                        page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
+                                   fmt::format("{} do not agree or were not run", checked.failures.size()))}},
+             Pivot<PairVerdict>{.key = [](const PairVerdict& cell) { return base::lower_case(cell.scene); },
+                                .title = &PairVerdict::scene,
+                                .unit = {},
+                                .cell = &PairVerdict::verdict});
   if (!checked.failures.empty())
     page.table("agreement-failures", "What does not agree, or could not be run", checked.failures,
-               {{"scene", "Scene", &PairFailure::scene},
-                {"pair", "Pair", &PairFailure::pair},
-                {"first", "First difference", &PairFailure::first}});
-  page.table(
-      "agreement-not-applicable", "What does not apply, and why", compare::not_applicable(),
-      {{"method", "Method", &NotApplicable::who},
-       {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
-       {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
-       {"reason", "Reason", &NotApplicable::reason}},
-      {.folded = true});
-  page.table(
-      "agreement-scenes", "The common scenes", checked.scenes,
-      {{"scene", "Scene", &CheckedScene::scene},
-       {"what", "What it is", &CheckedScene::what},
-       {"edges", "Edges", &CheckedScene::edges},
-       {"faces", "Faces", &CheckedScene::faces},
-       {"parallel", "Views", "parallel", &CheckedScene::parallel},
-       {"perspective", "Views", "perspective", &CheckedScene::perspective},
-       {"listed", "Cells", "listed to run", &CheckedScene::listed},
-       {"run", "Cells", "run", &CheckedScene::run},
-       {"result", "Result",
-        [](const CheckedScene& s) {
-          return Verdict{s.good, s.good ? "all agree" : "not all agree"};
-        }}},
-      {.notes = {
-           "Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes parallel to "
-           "the axes are tilted by 38 times a rotation, but the corridor and the town, which stay degenerate on purpose. Of the "
-           "town Willis takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection "
-           "has, too. A cell is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
-  page.gallery(
-      "agreement-pictures", "The first view of every scene by each method", checked.pictures,
-      [](const MethodPicture& p) {
-        return figure(p.picture, "agreement-" + p.id, fmt::format("{}, {}.", p.scene, p.method), p.title,
-                      fmt::format("The scene {} by {}", p.scene, p.method));
-      },
-      true);
+               {{"scene", "Scene", &PairFailure::scene}, {"pair", "Pair", &PairFailure::pair}, {"first", "First difference", &PairFailure::first}});
+  const std::vector<MachineFarthest> of_jones = where(checked.machines, [](const MachineFarthest& m) { return m.machine != compare::skala_8080_name; });
+  const std::vector<MachineFarthest> of_skala = where(checked.machines, [](const MachineFarthest& m) { return m.machine == compare::skala_8080_name; });
+  machine_table(page, "agreement-jones", "Jones's program: its lines and the exact ones", of_jones,
+                "Of the views of a scene the one that comes nearest to its bound: how far, in points of the Type 340, a line of the program is from the exact "
+                "ones or an exact one from the program's, of how far its words let it be. f is the number of fraction bits; lit: the points of one pass of "
+                "the display, whose vector generator wanders. jones-pdp7 is the program on its machine, with the EAE and without; jones-twin the same "
+                "program in C++, from f=4 on with words of 24 bits and before its pieces are put on points. The bounds are worked out for each view "
+                "from the roundings on the way to each end; they hold for these views: from other places the program may lose a line that it sees "
+                "between two openings, which no length of words bounds.");
+  machine_table(page, "agreement-skala", "Skala's program: its ink and the unrounded lines", of_skala,
+                "How far, in dots, ink is from the lines between the samples (oracle: what is truly seen of them, not rounded; skala: what the native "
+                "algorithm draws), and these from ink, of how far integer coordinates, the dots of a line and the test by columns let it be. Contours "
+                "hide nothing and are tested with a dot of slack, so only their places are measured; which of their dots are lit is, as for all pictures "
+                "on the boards, what the column oracle says, dot by dot. A plotter draws a surface as lines.");
+  page.table("agreement-not-applicable", "What does not apply, and why", compare::not_applicable(),
+             {{"method", "Method", &NotApplicable::who},
+              {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
+              {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
+              {"reason", "Reason", &NotApplicable::reason}},
+             {.notes = {fmt::format("skala-8080 with others than oracle and skala: {}.", *compare::nothing_in_common(compare::skala_8080_name, "exact"))},
+              .folded = true});
+  page.table("agreement-scenes", "The common scenes", checked.scenes,
+             {{"scene", "Scene", &CheckedScene::scene},
+              {"what", "What it is", &CheckedScene::what},
+              {"edges", "Edges", &CheckedScene::edges},
+              {"faces", "Faces", &CheckedScene::faces},
+              {"parallel", "Views", "parallel", &CheckedScene::parallel},
+              {"perspective", "Views", "perspective", &CheckedScene::perspective},
+              {"listed", "Cells", "listed to run", &CheckedScene::listed},
+              {"run", "Cells", "run", &CheckedScene::run},
+              {"result", "Result", [](const CheckedScene& s) { return Verdict{s.good, s.good ? "all agree" : "not all agree"}; }}},
+             {.notes = {"Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes parallel to the axes "
+                        "are tilted by 38 times a rotation, but the corridor and the town, which stay degenerate on purpose. Of the town Willis "
+                        "takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection has, too. J1 to J4 are "
+                        "scenes of cells as they are: solids and walls hide, the real lines are drawn, the outer box's too; Jones takes their own cells. The "
+                        "second view of each is from where the program's lines are far from the exact ones with any number of fraction bits. A cell is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
+  page.gallery("agreement-pictures", "The first view of every scene by each method", checked.pictures,
+               [](const MethodPicture& p) {
+                 return figure(p.picture, "agreement-" + p.id, fmt::format("{}, {}.", p.scene, p.method), p.title,
+                               fmt::format("The scene {} by {}", p.scene, p.method));
+               },
+               true);
 }
 
 }  // namespace sightline::report
