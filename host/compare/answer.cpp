@@ -1,6 +1,8 @@
 // See answer.hpp.
 #include "host/compare/answer.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,7 +19,7 @@ using base::Json;
 struct ReadCount {
   std::string_view count;
   std::string_view what;
-  std::string_view of_all = {};  // the count of all there are
+  std::string_view of_all = {};  // the count of those in the scene
 };
 constexpr ReadCount read_counts[] = {
     {"cells_read", "cells", "cells"}, {"relations", "pairs"}, {"facing", "faces", "pieces"}, {"faces", "faces"}};
@@ -97,31 +99,53 @@ MethodView method_view(const TurnCheck& turn) {
   return view;
 }
 
-// Methods of height grids have short names among themselves.
-std::string_view height_method(std::string_view name) {
-  if (name == "guest") return "skala-8080";
-  if (name == "twin") return "skala-twin";
-  return "skala";
+// Dots cannot be on unrounded lines, but within a point of them: what is farther is wrong.
+void tell_unrounded(const picture::DotsAndLines& unrounded, MethodView& view) {
+  view.unit = "px";
+  view.all = unrounded.length;
+  view.far = static_cast<double>(unrounded.dots_beyond_1) + unrounded.length_beyond_1;
+  view.wrong = view.far;
+  view.greatest = finite(unrounded.hausdorff.greatest);
+}
+
+double seconds_at_3_mhz(core::TStates time) {
+  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
 }
 
 MethodView method_view(const ComparedRaster& row) {
   MethodView view;
-  view.method = height_method(row.name);
+  view.method = height_method_name(row.name);
   view.picture = "dots";
   view.rounding = row.rounding;
   view.raster = row.from_native;
   if (row.unrounded) {
-    view.unit = "px";
-    view.all = row.unrounded->length;
-    view.far = static_cast<double>(row.unrounded->dots_beyond_1) + row.unrounded->length_beyond_1;
-    view.wrong = view.far;
-    view.greatest = finite(row.unrounded->hausdorff.greatest);
+    tell_unrounded(*row.unrounded, view);
     return view;
   }
   view.unit = "dots";
   view.all = static_cast<double>(row.metrics.lit);
   view.wrong = static_cast<double>(row.metrics.missing + row.metrics.extra);
   view.far = static_cast<double>(row.metrics.missing_far + row.metrics.extra_far);
+  return view;
+}
+
+MethodView method_view(const ComparedDevice& row) {
+  MethodView view;
+  view.method = fmt::format("skala-8080 {}", row.name);
+  view.picture = "dots";
+  view.rounding = "ends of lines to the nearest dot, then a dot a step";
+  view.raster = row.raster;
+  view.defect = row.difference;
+  view.emulated_seconds = seconds_at_3_mhz(row.time);
+  if (row.unrounded) {
+    tell_unrounded(*row.unrounded, view);
+  } else {
+    view.unit = "dots";
+    view.all = static_cast<double>(row.raster.lit_in_truth);
+    view.wrong = static_cast<double>(row.raster.missing.all + row.raster.extra.all);
+    view.far = static_cast<double>(row.raster.missing.beyond_1 + row.raster.extra.beyond_1);
+    view.greatest = finite(row.raster.hausdorff.greatest);
+  }
   return view;
 }
 
@@ -157,16 +181,22 @@ std::vector<MethodView> method_views(const SceneComparison& comparison) {
   return views;
 }
 
+std::string height_method_name(std::string_view name) {
+  if (name.starts_with("guest")) return "skala-8080" + std::string(name.substr(5));
+  if (name.starts_with("twin")) return "skala-twin" + std::string(name.substr(4));
+  return name.starts_with("native") ? "skala" + std::string(name.substr(6)) : std::string(name);
+}
+
 std::vector<MethodView> method_views(const HeightComparison& comparison) {
   std::vector<MethodView> views;
   for (const ComparedRaster& row : comparison.rasters) {
     // Of a native drawing of lines the lines are measured, not dots made of them.
-    const bool native = height_method(row.name) == "skala";
+    const bool native = row.name.starts_with("native");
     if (native && !comparison.vectors.empty()) continue;
     MethodView& view = views.emplace_back(method_view(row));
     if (row.name == "guest") {
       view.defect = comparison.guest_difference;
-      view.emulated_seconds = static_cast<double>(comparison.guest_time.count()) / static_cast<double>(core::ClockRate{}.hertz);
+      view.emulated_seconds = seconds_at_3_mhz(comparison.guest_time);
     }
   }
   for (const ComparedVectors& row : comparison.vectors) {
@@ -174,7 +204,12 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
     lines.name = "skala";
     lines.rounding = not_rounded;
     lines.metrics = row.metrics;
+    lines.host_seconds = comparison.native_seconds;
     views.push_back(method_view(lines));
+  }
+  for (const ComparedDevice& row : comparison.devices) {
+    if (row.device == guests::skala::Device::ef9365) continue;  // the guest's
+    views.push_back(method_view(row));
   }
   for (MethodView& view : views) {
     if (comparison.chord) view.chord = comparison.chord->greatest;
@@ -269,6 +304,7 @@ std::vector<AnswerRow> Answer::rows() const {
       return values.empty() ? std::nullopt : std::optional(spread_of(std::move(values)));
     };
     row.wrong = *spread([](const MethodView& view) { return std::optional(view.wrong); });
+    row.far = *spread([](const MethodView& view) { return std::optional(view.far); });
     row.wrong_percent = *spread([](const MethodView& view) { return std::optional(wrong_percent(view)); });
     row.greatest = spread([](const MethodView& view) { return view.greatest; });
     row.emulated_seconds = spread([](const MethodView& view) { return view.emulated_seconds; });
@@ -287,6 +323,11 @@ std::vector<AnswerRow> Answer::rows() const {
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::string paper_figure(std::string_view method) {
+  static_cast<void>(method);
+  return "";
 }
 
 }  // namespace sightline::compare

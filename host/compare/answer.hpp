@@ -46,6 +46,9 @@ struct MethodView {
 [[nodiscard]] std::vector<MethodView> method_views(const SceneComparison& comparison);
 [[nodiscard]] std::vector<MethodView> method_views(const HeightComparison& comparison);
 
+// "skala-8080" for what methods of height grids call guest, "skala-twin" for twin, "skala" for native.
+[[nodiscard]] std::string height_method_name(std::string_view name);
+
 // As one object; without host times unless there are any. The raster difference is left out of what is read back.
 [[nodiscard]] base::Json json_of(const MethodView& view);
 // Empty if it is no such object.
@@ -67,6 +70,7 @@ struct AnswerRow {
   std::size_t right = 0;             // views
   Spread wrong;                      // in the unit
   Spread wrong_percent;              // of what is truly seen; of a view in which nothing is, 0, or 100 if something is drawn
+  Spread far;                        // of wrong, farther than a point
   std::optional<Spread> greatest;    // points
   std::optional<Spread> emulated_seconds;
   std::optional<Spread> host_seconds;

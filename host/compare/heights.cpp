@@ -7,6 +7,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
+#include "host/compare/host_time.hpp"
 #include "host/guests/skala/projection.hpp"
 
 namespace sightline::compare {
@@ -54,7 +55,7 @@ std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
 }
 
 HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::skala::View& asked,
-                                 const std::function<void(std::string_view)>& progress, const HeightSampler& sampler) {
+                                 const std::function<void(std::string_view)>& progress, const HeightSampler& sampler, bool host_times) {
   HeightComparison comparison;
   comparison.view = asked;
   comparison.view.device = guests::skala::Device::ef9365;
@@ -99,6 +100,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::sk
     progress(method.name);
     registry::HeightPicture drawn = method.draw(grid, view);
     if (drawn.drawing) {
+      if (host_times) comparison.native_seconds = median_seconds([&] { static_cast<void>(method.draw(grid, view)); });
       add_drawing(std::string(method.name), std::move(drawn));
       continue;
     }

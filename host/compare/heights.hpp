@@ -15,6 +15,7 @@
 // heights and zoomed views, for which the oracle has no answer.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@
 
 #include "emulators/core/tstates.hpp"
 #include "host/compare/chord_error.hpp"
+#include "host/compare/height_devices.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_metrics.hpp"
@@ -61,8 +63,13 @@ struct HeightComparison {
   std::optional<ChordError> chord;  // of lines; nothing: there is nothing between the samples
   std::string guest_difference;  // from its twin; empty: identical in every dot, mask and status
   core::TStates guest_time{};
+  std::optional<double> native_seconds{};  // of the native drawing here, if asked for: the median of repeated ones
+  std::vector<ComparedDevice> devices{};  // of compare_devices(); compare_heights() leaves them out
 
-  [[nodiscard]] bool agrees() const { return guest_difference.empty(); }
+  [[nodiscard]] bool agrees() const {
+    return guest_difference.empty() && std::all_of(devices.begin(), devices.end(),
+                                                   [](const ComparedDevice& d) { return d.difference.empty(); });
+  }
 };
 
 // Empty if it can be compared.
@@ -74,6 +81,6 @@ struct HeightComparison {
 [[nodiscard]] HeightComparison compare_heights(
     const scene::HeightGrid& grid, const guests::skala::View& view,
     const std::function<void(std::string_view)>& progress = [](std::string_view) {},
-    const HeightSampler& sampler = {});
+    const HeightSampler& sampler = {}, bool host_times = false);
 
 }  // namespace sightline::compare

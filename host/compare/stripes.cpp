@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "emulators/core/tstates.hpp"
-
+#include "host/compare/device_raster.hpp"
 #include "host/guests/stripes/session.hpp"
 
 namespace sightline::compare {
@@ -37,6 +37,26 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
     }
   }
   return result;
+}
+
+base::Result<StripesPen> stripes_pen(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                     const registry::FaceWindow& window, const picture::PixelGrid& nearest) {
+  namespace stripes = guests::stripes;
+  static const stripes::Session session;
+  constexpr int size = stripes::picture_size;
+  const stripes::View view{camera, window.scale, window.left, window.height - window.top};
+  const auto drawn = session.draw(scene, view, {stripes::Output::vector, stripes::Computer::i8080, stripes::Computer::i8080});
+  if (!drawn) return drawn.error();
+  picture::PixelGrid faces(size, size);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) faces.set(x, y, nearest.at(x, y));
+  StripesPen pen{stripes_pen_points(faces),
+                 points_of(stripes::pen_paths(drawn->picture.guest.commands), size + 1),
+                 {},
+                 drawn->picture.guest.working(),
+                 drawn->picture.difference};
+  pen.raster = picture::raster_difference(pen.truth, pen.shown);
+  return pen;
 }
 
 }  // namespace sightline::compare

@@ -8,9 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include "emulators/core/tstates.hpp"
 #include "host/algorithms/registry/faces.hpp"
 #include "host/base/result.hpp"
 #include "host/picture/pixel_metrics.hpp"
+#include "host/picture/raster_difference.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::compare {
@@ -30,5 +32,18 @@ struct StripesFaces {
 // draw the scene.
 [[nodiscard]] base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                                        const registry::FaceWindow& window);
+
+// The boundaries of the faces as the program draws them on the CalComp 565, in the picture's 255 columns and lines.
+struct StripesPen {
+  picture::PixelGrid truth;  // 256 by 256 corners of dots: stripes_pen_points() of the nearest faces
+  picture::PixelGrid shown;  // where the pen was down
+  picture::RasterDifference raster;
+  core::TStates time{};    // of priority list and drawing
+  std::string difference;  // where the program is not its twin; empty: nowhere
+};
+
+// `nearest` has the window's columns and lines (FaceTruth::faces). Preconditions and errors as of stripes_faces.
+[[nodiscard]] base::Result<StripesPen> stripes_pen(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                                                   const registry::FaceWindow& window, const picture::PixelGrid& nearest);
 
 }  // namespace sightline::compare

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "host/compare/heights.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -117,6 +118,17 @@ scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellS
   if (cells == nullptr) return poly_camera(scene, random);
   const scene::PolyCamera camera = cell_camera(*cells, random);
   return turned ? turned_camera(scene, *cells, camera.eye, random) : camera;
+}
+
+guests::skala::View random_height_view(const scene::HeightGrid& grid, guests::skala::View view, std::uint64_t seed, std::uint64_t number) {
+  ViewRandom random(seed, number);
+  const guests::skala::View asked = view;
+  for (int i = 0; i < most_tries; ++i) {
+    view.rotation = random.between(0, 359);
+    view.elevation = random.between(10, 80);
+    if (!why_not_comparable(grid, view)) return view;
+  }
+  return asked;
 }
 
 bool looks_along_z(const scene::PolyCamera& camera) {

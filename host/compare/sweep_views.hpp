@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "host/guests/skala/view.hpp"
+#include "host/scene/heights/grid.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -21,5 +23,10 @@ namespace sightline::compare {
 
 // In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
 [[nodiscard]] bool looks_along_z(const scene::PolyCamera& camera);
+
+// The picture asked for, rotated by any whole angle and seen from 10 to 80 degrees: the first such that can be compared. View number k
+// depends on the seed and k alone.
+[[nodiscard]] guests::skala::View random_height_view(const scene::HeightGrid& grid, guests::skala::View view, std::uint64_t seed,
+                                                     std::uint64_t number);
 
 }  // namespace sightline::compare

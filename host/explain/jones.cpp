@@ -32,6 +32,11 @@ bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const 
   return true;
 }
 
+// What is no portal between cells, but a way out of the scene.
+bool leads_outside(const scene::ComplexOpening& opening) {
+  return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
+}
+
 class JonesTeller final : public algorithms::jones::Trace {
  public:
   JonesTeller(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
@@ -40,6 +45,7 @@ class JonesTeller final : public algorithms::jones::Trace {
   }
 
   void start(std::span<const scene::CellNumber> cells, bool outside) override {
+    outside_ = outside;
     if (perspective_) steps_.add(outside ? "The eye is outside all cells: the search begins with the portals in the outer walls."
                                          : fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front()),
                                  "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}}});
@@ -54,9 +60,13 @@ class JonesTeller final : public algorithms::jones::Trace {
     count();
     std::vector<Mark> here;
     if (auto outline = stage_.region(mask); outline.size() > 2) here.push_back(area(Look::mask, std::move(outline)));
-    const std::size_t portals = complex_.openings_of(complex_.cells[cell]).size();
-    steps_.add(fmt::format("Cell {} is entered, {} portal{} from the eye. It is seen through the mask only. It has {} lines and {} portals.", cell,
-                           depth - 1, depth == 2 ? "" : "s", complex_.lines_of(complex_.cells[cell]).size(), portals),
+    const auto openings = complex_.openings_of(complex_.cells[cell]);
+    const auto portals = std::count_if(openings.begin(), openings.end(), [&](std::uint32_t n) { return !leads_outside(complex_.openings[n]); });
+    const std::uint32_t passed = outside_ ? depth : depth - 1;
+    const std::string seen = passed == 0 ? "It is seen as a whole"
+                                         : fmt::format("It is {} portal{} from the eye and is seen through the mask only", passed, passed == 1 ? "" : "s");
+    steps_.add(fmt::format("Cell {} is entered. {}. It has {} lines and {} portals to other cells.", cell, seen,
+                           complex_.lines_of(complex_.cells[cell]).size(), portals),
                "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)}, {image, "portal", {}}, {image, "line", {}}, {plan, "portal", {}}, {plan, "cells", cells()}});
   }
 
@@ -173,6 +183,7 @@ class JonesTeller final : public algorithms::jones::Trace {
   Steps& steps_;
   Space eye_;
   bool perspective_;
+  bool outside_ = false;  // the search began with the portals in the outer walls
   scene::CellNumber cell_ = 0;
   std::set<scene::CellNumber> visited_;
   std::vector<scene::CellNumber> waiting_;
@@ -197,9 +208,11 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above, the eye looks up the page")};
   Steps steps(lesson);
   JonesTeller teller(*given, stage, ground, camera, steps);
+  const auto& openings = given->openings;
+  const auto portals = openings.size() - static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), leads_outside));
   steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
                         "its lines of sight, from cell to cell.",
-                        given->cells.size(), given->openings.size()),
+                        given->cells.size(), portals),
             "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()}, {plan, "wire", ground.wire_frame()}});
   auto view = algorithms::jones::visible_edges(*given, camera, teller);
   if (!view) return std::move(view.error());

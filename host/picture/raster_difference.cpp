@@ -92,7 +92,7 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
   }
   std::optional<NearestLit> nearest;  // once it is needed
   std::vector<std::int64_t> squares;  // of the points that are apart
-  squares.reserve(direction.apart.all);
+  squares.reserve(static_cast<std::size_t>(direction.apart.all));
   for (int row = 0; row < from.height; ++row) {
     for (int column = 0; column < from.width; ++column) {
       const std::size_t i = from.index(column, row);
@@ -112,7 +112,8 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
   const std::uint64_t agreeing = direction.lit - direction.apart.all;
   const std::uint64_t usual = direction.lit - 1 - direction.lit / 1000;
   direction.distance.greatest = std::sqrt(static_cast<double>(squares.back()));
-  if (usual >= agreeing) direction.distance.usual = std::sqrt(static_cast<double>(squares[usual - agreeing]));
+  if (usual >= agreeing)
+    direction.distance.usual = std::sqrt(static_cast<double>(squares[static_cast<std::size_t>(usual - agreeing)]));
   return direction;
 }
 

@@ -37,7 +37,7 @@ set(RULES
   "host/live/monitor=host/base,host/guests/run,host/live/debugger.hpp"
   "host/compare=host/base,host/geometry,host/scene,host/picture,host/algorithms,host/guests,emulators"
   "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/compare,host/guests,host/geometry,host/scene,host/picture,host/algorithms,emulators"
-  "host/live/web=host/base,host/live,host/guests,host/algorithms/registry,host/explain,host/picture,host/scene,emulators"
+  "host/live/web=host/base,host/live,host/guests,host/algorithms/registry,host/algorithms/oracle,host/geometry,host/explain,host/picture,host/scene,emulators"
   "host/explain=host/base,host/geometry,host/scene,host/picture,host/algorithms"
   "host/app=host/base,host/compare,host/explain,host/guests,host/live,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 

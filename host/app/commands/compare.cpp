@@ -12,14 +12,19 @@
 #include <system_error>
 #include <vector>
 
+#include "host/app/commands/answer_output.hpp"
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/compare_output.hpp"
 #include "host/app/commands/draw.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
+#include "host/base/nearest_name.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
+#include "host/base/text.hpp"
+#include "host/compare/answer.hpp"
+#include "host/compare/sweep_views.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/read/builtin.hpp"
 
@@ -41,6 +46,11 @@ struct CompareArguments {
   std::string picture;  // as --picture names it
   SkalaSlices slices;
   std::optional<int> levels;
+  unsigned fraction = 3;
+  std::vector<std::string> methods;
+  std::uint64_t views = 0;  // 0: the one that the camera options say
+  std::uint64_t seed = 1;
+  bool no_host_times = false;
   std::string directory = "out";
   bool json = false;
 };
@@ -93,16 +103,43 @@ class OverlayNames {
   std::set<std::string> used_;
 };
 
+// Everything of one scene or function.
 struct ComparedScene {
   bool agrees = true;
-  std::string table;
+  std::string heading;
+  std::string notes;
   Json json;
   std::vector<std::string> overlays;
 };
 
+compare::CompareOptions options_of(const CompareArguments& arguments) {
+  compare::CompareOptions options;
+  if (arguments.scale) options.scale = *arguments.scale;
+  options.eae = !arguments.no_eae;
+  options.fraction_bits = arguments.fraction;
+  options.methods = arguments.methods;
+  options.host_times = !arguments.no_host_times;
+  return options;
+}
+
+bool chosen(const CompareArguments& arguments, const std::string& method) {
+  return arguments.methods.empty() || std::find(arguments.methods.begin(), arguments.methods.end(), method) != arguments.methods.end();
+}
+
+// `many` views, numbered from 0: of each what `view` makes of it goes into the table.
+template <class View>
+void compare_views(std::uint64_t many, const compare::CompareProgress& progress, View&& view) {
+  for (std::uint64_t number = 0; number < many; ++number)
+    view(number, [&](std::string_view step) { progress(fmt::format("view {} of {}, {}", number + 1, many, step)); });
+}
+
+std::string views_heading(const std::string& name, const CompareArguments& arguments) {
+  return fmt::format("{}, {} random views of seed {}: the median, and the greatest in brackets\n", name, arguments.views, arguments.seed);
+}
+
 // `source` is by name, from a file or an expression.
-ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source,
-                               OverlayNames& overlays, const compare::CompareProgress& progress) {
+ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source, OverlayNames& overlays,
+                               const compare::CompareProgress& progress, compare::Answer& answer) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
   refuse_camera(arguments.camera, true, name, "--rotate and --elevate for a function");
   refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
@@ -113,10 +150,27 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
     throw Failure(ExitCode::bad_input, fmt::format("{}: {}", name, *reason));
-  const auto comparison = compare::compare_heights(function.grid, view, progress, function.sampled);
-  return {comparison.agrees(), compare_table(function.name, comparison),
-          compare_json(function.name, comparison),
-          write_overlays(arguments.directory, overlays.unused(function.stem), comparison)};
+  const auto compare_view = [&](const guests::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
+    auto comparison = compare::compare_heights(function.grid, of, step, function.sampled, !arguments.no_host_times);
+    comparison.devices = compare::compare_devices(function.grid, of, step);
+    auto views = method_views(comparison);
+    std::erase_if(views, [&](const compare::MethodView& row) { return !chosen(arguments, row.method); });
+    answer.add(function.name, number, views);
+    return comparison;
+  };
+  if (arguments.views == 0) {
+    const auto comparison = compare_view(view, 0, progress);
+    return {comparison.agrees(), compare_heading(function.name, comparison), compare_notes(comparison),
+            compare_json(function.name, comparison), write_overlays(arguments.directory, overlays.unused(function.stem), comparison)};
+  }
+  ComparedScene compared;
+  compared.heading = views_heading(function.name, arguments);
+  compared.json = {{"function", function.name}, {"views", arguments.views}, {"seed", arguments.seed}};
+  compare_views(arguments.views, progress, [&](std::uint64_t number, const compare::CompareProgress& step) {
+    const auto of = compare::random_height_view(function.grid, view, arguments.seed, number);
+    compared.agrees = compare_view(of, number, step).agrees() && compared.agrees;
+  });
+  return compared;
 }
 
 // Of the functions among the scenes: only what is sampled has a size to choose.
@@ -128,40 +182,70 @@ SkalaSource source_of(const CompareArguments& arguments, const std::string& name
   return source;
 }
 
-ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name,
-                            OverlayNames& overlays, const compare::CompareProgress& progress) {
+ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name, OverlayNames& overlays,
+                            const compare::CompareProgress& progress, compare::Answer& answer) {
   refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
   MeshArguments mesh = arguments.mesh;
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(name, mesh);
-  const auto compare_it = [&] {
-    if (source.cells) {
-      refuse_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
-      compare::CompareOptions options;
-      const std::string& eye = arguments.camera.eye.empty() ? arguments.camera.view : arguments.camera.eye;
-      if (!eye.empty()) options.eye = point_argument(arguments.camera.eye.empty() ? "--view" : "--eye", eye);
-      if (arguments.scale) options.scale = *arguments.scale;
-      options.eae = !arguments.no_eae;
-      return compare::compare_cell_scene(*source.cells, options, progress);
-    }
+  if (source.cells) {
+    refuse_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
+  } else {
     refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
     refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
-    return compare::compare_poly_scene(source.scene, camera_of(arguments.camera, source.scene, name), {}, progress);
+  }
+  const compare::CompareOptions options = options_of(arguments);
+  progress("prepared");
+  const compare::SceneMethods methods = value_of(
+      source.cells ? compare::SceneMethods::of(*source.cells, options) : compare::SceneMethods::of(source.scene, options), name);
+  const std::string shown = source.cells ? source.cells->name : std::filesystem::path(name).stem().string();
+  const auto compare_view = [&](const scene::PolyCamera& camera, std::uint64_t number, const compare::CompareProgress& step) {
+    auto comparison = value_of(methods.view(camera, step), name);
+    comparison.scene = shown;
+    answer.add(shown, number, method_views(comparison));
+    return comparison;
   };
-  compare::SceneComparison comparison = value_of(compare_it(), name);
-  if (!source.cells) comparison.scene = std::filesystem::path(name).stem().string();
-  return {comparison.agrees(), compare_table(comparison), compare_json(comparison),
-          write_overlays(arguments.directory, overlays.unused(comparison.scene), comparison)};
+  if (arguments.views == 0) {
+    scene::PolyCamera camera;
+    if (source.cells) {
+      const std::string& eye = arguments.camera.eye.empty() ? arguments.camera.view : arguments.camera.eye;
+      camera.eye = eye.empty() ? source.cells->default_view : point_argument(arguments.camera.eye.empty() ? "--view" : "--eye", eye);
+    } else {
+      camera = camera_of(arguments.camera, source.scene, name);
+    }
+    const auto comparison = compare_view(camera, 0, progress);
+    return {comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
+            write_overlays(arguments.directory, overlays.unused(shown), comparison)};
+  }
+  ComparedScene compared;
+  compared.heading = views_heading(shown, arguments);
+  compared.json = {{"scene", shown}, {"views", arguments.views}, {"seed", arguments.seed}};
+  compare_views(arguments.views, progress, [&](std::uint64_t number, const compare::CompareProgress& step) {
+    const auto camera =
+        compare::sweep_camera(source.scene, source.cells ? &*source.cells : nullptr, false, arguments.seed, number);
+    compared.agrees = compare_view(camera, number, step).agrees() && compared.agrees;
+  });
+  return compared;
 }
 
 // One scene or function; the last is --function's if there is no name left.
-ComparedScene compare_next(const CompareArguments& arguments, const std::vector<std::string>& names,
-                           std::size_t n, OverlayNames& overlays, const compare::CompareProgress& progress) {
-  if (n == names.size()) return compare_function(arguments, arguments.function, overlays, progress);
+ComparedScene compare_next(const CompareArguments& arguments, const std::vector<std::string>& names, std::size_t n,
+                           OverlayNames& overlays, const compare::CompareProgress& progress, compare::Answer& answer) {
+  if (n == names.size()) return compare_function(arguments, arguments.function, overlays, progress, answer);
   if (is_height_function(names[n]))
-    return compare_function(arguments, source_of(arguments, names[n]), overlays, progress);
-  return compare_scene(arguments, names[n], overlays, progress);
+    return compare_function(arguments, source_of(arguments, names[n]), overlays, progress, answer);
+  return compare_scene(arguments, names[n], overlays, progress, answer);
+}
+
+void check_methods(const std::vector<std::string>& methods) {
+  const std::vector<std::string> known = compare::method_names();
+  for (const std::string& method : methods) {
+    if (std::find(known.begin(), known.end(), method) != known.end()) continue;
+    const std::string meant = base::did_you_mean(method, known);
+    throw Failure(ExitCode::usage, fmt::format("--methods: found \"{}\", expected some of {}{}", method, base::joined(known, ", "),
+                                               meant.empty() ? "" : "; " + meant));
+  }
 }
 
 ExitCode run_compare(CompareArguments arguments) {
@@ -173,28 +257,32 @@ ExitCode run_compare(CompareArguments arguments) {
   const bool expression = !arguments.function.expression.empty();
   if (!expression && !arguments.function.domain.empty())
     throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
+  check_methods(arguments.methods);
+  if (arguments.views != 0) refuse_camera(arguments.camera, true, "--views", "random views, which have cameras of their own");
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
-  Json document{{"schema", "sightline/compare/1"}, {"agrees", true}, {"scenes", Json::array()}};
+  Json document{{"schema", "sightline/compare/2"}, {"agrees", true}, {"table", Json::array()}, {"scenes", Json::array()}};
   bool agrees = true;
   const std::size_t count = names.size() + (expression ? 1 : 0);
   OverlayNames overlays;
   for (std::size_t n = 0; n < count; ++n) {
     const std::string& name = n < names.size() ? names[n] : arguments.function.expression;
+    compare::Answer answer;
     ComparedScene compared = [&] {
       base::ProgressLine line;
-      return compare_next(arguments, names, n, overlays, [&](std::string_view step) {
-        line.show(fmt::format("{} of {}: {}, {}", n + 1, count, name, step));
-      });
+      const auto show = [&](std::string_view step) { line.show(fmt::format("{} of {}: {}, {}", n + 1, count, name, step)); };
+      return compare_next(arguments, names, n, overlays, show, answer);
     }();
     agrees = agrees && compared.agrees;
     if (arguments.json) {
       compared.json["overlays"] = compared.overlays;
       document["scenes"].push_back(std::move(compared.json));
+      const Json rows = answer_json(answer.rows());
+      for (const Json& row : rows.elements()) document["table"].push_back(row);
       continue;
     }
-    write_stdout((n > 0 ? "\n" : "") + compared.table);
+    write_stdout((n > 0 ? "\n" : "") + compared.heading + answer_text(answer.rows()) + compared.notes);
     for (const std::string& path : compared.overlays)
-      if (path.ends_with(".png")) write_stdout(fmt::format("overlay {}, .svg\n", path));
+      if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
   }
   document["agrees"] = agrees;
   if (arguments.json) print_json(document);
@@ -221,6 +309,16 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   add_picture_option(command, arguments.picture, "What is drawn of a function");
   add_slices_options(command, arguments.slices);
   add_levels_option(command, arguments.levels);
+  command.option("--fraction", arguments.fraction, "Fraction bits of the screen coordinates of Jones's program").default_value().range(0U, 3U).value("BITS");
+  command.option("--methods", arguments.methods, "Only these: " + base::joined(compare::method_names(), ", "))
+      .default_value("all that apply")
+      .separated_by(',')
+      .value("NAME,...");
+  command.option("--views", arguments.views, "So many random views instead of one: median and greatest")
+      .range(std::uint64_t{1}, std::uint64_t{100'000})
+      .value("N");
+  command.option("--seed", arguments.seed, "Seed of the random views").check(why_no_whole_number).default_value().value("N");
+  command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
   command.option("-o,--output", arguments.directory, "Folder for the overlays").default_value().value("DIR");
   command.flag("--json", arguments.json, "One JSON document instead of the tables");
 }

@@ -1,22 +1,28 @@
-// What `sightline compare` says of a comparison: a table for people, a JSON value for programs, and overlays.
+// What `sightline compare` says of one view beside the table (answer_output.hpp): for people, as a JSON value, and as overlays.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "host/base/json.hpp"
+#include "host/compare/answer.hpp"
 #include "host/compare/heights.hpp"
 #include "host/compare/scenes.hpp"
 
 namespace sightline::app {
 
-[[nodiscard]] std::string compare_table(const compare::SceneComparison& comparison);
-[[nodiscard]] std::string compare_table(const std::string& name, const compare::HeightComparison& comparison);
+// What was compared, before the table.
+[[nodiscard]] std::string compare_heading(const compare::SceneComparison& comparison);
+[[nodiscard]] std::string compare_heading(const std::string& name, const compare::HeightComparison& comparison);
+// What the table has no column for, after it.
+[[nodiscard]] std::string compare_notes(const compare::SceneComparison& comparison);
+[[nodiscard]] std::string compare_notes(const compare::HeightComparison& comparison);
 
 [[nodiscard]] base::Json compare_json(const compare::SceneComparison& comparison);
 [[nodiscard]] base::Json compare_json(const std::string& name, const compare::HeightComparison& comparison);
 
-// DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture; the directory is made. Returns the paths.
+// DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture, and NAME-compare-MACHINE_points.png, the points that a device lit
+// beside those that exact lines light; the directory is made. Returns the paths.
 // Failure io.
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
                                         const compare::SceneComparison& comparison);

@@ -27,6 +27,7 @@
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
 #include "host/base/terminal.hpp"
+#include "host/compare/matter_scene.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/face_shades.hpp"
 #include "host/picture/line_drawing.hpp"
@@ -306,6 +307,25 @@ std::string numbered(const std::string& file, int number, int count) {
       .string();
 }
 
+// What is drawn of a scene of cells from inside: the real lines of its matter, those of the outer box among them, as Jones's program
+// draws them. Empty for a method that draws nothing but edges of faces; empty, with a warning, where the outer box is left out.
+std::optional<compare::MatterScene> matter_seen(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source,
+                                                std::span<const scene::PolyCamera> cameras, const EdgeArguments& edges) {
+  if (!source.cells || !algorithm.draws_crossings) return std::nullopt;
+  const auto leave_out_box = [&](std::string_view reason) {
+    warn(fmt::format("{}: the outer box is left out: {}", source.name, reason));
+    return std::nullopt;
+  };
+  if (edges.are_given()) return leave_out_box("--edges, --crease and --all-edges choose among the edges of solids and walls");
+  for (const scene::PolyCamera& camera : cameras) {
+    if (!camera.perspective) return leave_out_box("parallel projection looks at the scene from outside");
+    if (!scene::locate(*source.cells, camera.eye)) return leave_out_box("the eye is outside all cells");
+  }
+  auto matter = compare::MatterScene::of(*source.cells);
+  if (!matter) return leave_out_box("the scene " + matter.error().message());
+  return std::move(*matter);
+}
+
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
   const DrawingFormat format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
@@ -347,11 +367,13 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
       throw Failure(ExitCode::bad_input, error->message());
     }
   }
+  const std::optional<compare::MatterScene> matter = matter_seen(algorithm, source, cameras, arguments.view.edges);
+  const compare::MatterScene* const real_lines = matter ? &*matter : nullptr;
   std::optional<LineViews> views;
   std::optional<base::ProgressLine> line(std::in_place);
   // Before any of several drawings is written, all of them fit.
   if (field.scale && cameras.size() > 1) {
-    views.emplace(algorithm, source, arguments.view);
+    views.emplace(algorithm, source, arguments.view, real_lines);
     for (const scene::PolyCamera& camera : cameras) require_room(views->at(camera, field).drawing, arguments.output);
   }
   Json documents = Json::array();
@@ -370,7 +392,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     static_cast<void>(open_outputs(outputs, arguments.json, "-: named by --output and --strokes"));
     std::optional<base::ProgressClock> clock;
     if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
-    if (!views) views.emplace(algorithm, source, arguments.view);
+    if (!views) views.emplace(algorithm, source, arguments.view, real_lines);
     const DrawnView drawn = views->at(camera.camera, field);
     clock.reset();
     if (field.scale) require_room(drawn.drawing, output);

@@ -110,19 +110,10 @@ std::array<double, 3> usual_light(const scene::PolyCamera& camera) {
 
 class LineViews::Work {
  public:
-  Work(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options)
-      : algorithm_(algorithm), source_(source), options_(options) {
-    const bool mesh = !source.scene.surfaces.empty();
-    const bool crossing = find_crossings();
-    if (crossing) own_scene_ = scene::with_crossings(source.scene);
-    seams_ = !mesh && !options.edges.are_given();
-    if (seams_ && has_lines_apart()) {
-      chooser_.emplace(scene(), *picture::edge_choice_named("all"));
-    } else if (!seams_) {
-      if (const auto choice = edge_choice_of(options.edges, scene())) chooser_.emplace(scene(), *choice);
-    }
-    chosen_by_user_ = chooser_.has_value();
-    if (options.strokes_margin && !chooser_) chooser_.emplace(scene(), *picture::edge_choice_named("all"));
+  Work(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
+       const compare::MatterScene* matter)
+      : algorithm_(algorithm), source_(source), options_(options), matter_(matter) {
+    if (matter_ == nullptr) choose_edges();
     if (const auto reason = algorithm.why_not(scene()))
       throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
     prepared_ = source.decomposition && algorithm.prepare_cells != nullptr
@@ -137,9 +128,10 @@ class LineViews::Work {
     }
     DrawnView result;
     std::optional<picture::ChosenEdges> chosen;
-    if (chooser_) chosen = chooser_->at(camera);
+    if (matter_ != nullptr) chosen = matter_->lines_at(camera.eye);
+    else if (chooser_) chosen = chooser_->at(camera);
     result.view = value_of(chosen ? view_of(prepared_, camera, *chosen) : prepared_.view(camera), source_.name);
-    if (chosen && chosen_by_user_) {
+    if (chosen && (chosen_by_user_ || matter_ != nullptr)) {
       result.edges = chosen->edges.size();
       result.by_kind = chosen->counts();
     }
@@ -163,7 +155,23 @@ class LineViews::Work {
   }
 
  private:
-  [[nodiscard]] const scene::PolyScene& scene() const { return own_scene_ ? *own_scene_ : source_.scene; }
+  [[nodiscard]] const scene::PolyScene& scene() const {
+    return matter_ != nullptr ? matter_->scene() : own_scene_ ? *own_scene_ : source_.scene;
+  }
+
+  void choose_edges() {
+    const bool mesh = !source_.scene.surfaces.empty();
+    if (find_crossings()) own_scene_ = scene::with_crossings(source_.scene);
+    seams_ = !mesh && !options_.edges.are_given();
+    if (seams_ && has_lines_apart()) {
+      chooser_.emplace(scene(), *picture::edge_choice_named("all"));
+    } else if (!seams_) {
+      if (const auto choice = edge_choice_of(options_.edges, scene())) chooser_.emplace(scene(), *choice);
+    }
+    chosen_by_user_ = chooser_.has_value();
+    if (options_.strokes_margin && !chooser_) chooser_.emplace(scene(), *picture::edge_choice_named("all"));
+  }
+
   [[nodiscard]] registry::PreparedScene prepared(const scene::PolyScene& of) const {
     return value_of(options_.jobs > 1 ? algorithm_.prepare_threads(of, options_.jobs) : algorithm_.prepare(of), source_.name);
   }
@@ -313,6 +321,7 @@ class LineViews::Work {
   const registry::LineAlgorithm& algorithm_;
   const scene::LoadedScene& source_;
   LineViewOptions options_;
+  const compare::MatterScene* matter_;  // null: the edges of faces are drawn
   std::optional<scene::PolyScene> own_scene_;  // with crossings
   bool chosen_by_user_ = false;                // or by the scene; else kinds are known for the list of strokes alone
   bool seams_ = false;                         // are left out: of a scene that is no mesh, and of which nothing is asked
@@ -320,8 +329,9 @@ class LineViews::Work {
   registry::PreparedScene prepared_;
 };
 
-LineViews::LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options)
-    : work_(std::make_unique<Work>(algorithm, source, options)) {}
+LineViews::LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
+                     const compare::MatterScene* matter)
+    : work_(std::make_unique<Work>(algorithm, source, options, matter)) {}
 
 LineViews::~LineViews() = default;
 

@@ -11,6 +11,7 @@
 
 #include "host/algorithms/registry/lines.hpp"
 #include "host/app/edge_options.hpp"
+#include "host/compare/matter_scene.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/vector_drawing.hpp"
@@ -53,9 +54,11 @@ struct DrawnView {
 
 class LineViews {
  public:
-  // The scene outlives this. A warning for bodies that pass through each other, if the algorithm cannot draw that.
+  // The scene outlives this, and so does `matter`, which is null or the scene's: then its real lines are drawn, not the edges of faces.
+  // A warning for bodies that pass through each other, if the algorithm cannot draw that.
   // Failure usage: the algorithm does not apply.
-  LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options);
+  LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
+            const compare::MatterScene* matter = nullptr);
   ~LineViews();
   LineViews(const LineViews&) = delete;
   LineViews& operator=(const LineViews&) = delete;

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -44,8 +45,8 @@ ExitCode explain_scene(const explain::Explainer& explainer, const ExplainArgumen
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   Output output(arguments.file);
-  explain::Lesson lesson =
-      value_of(explainer.scene(source.scene, camera, source.decomposition ? &source.decomposition->complex : nullptr), source.name);
+  const std::optional<scene::CellComplex> cells = scene::own_cells(source);
+  explain::Lesson lesson = value_of(explainer.scene(source.scene, camera, cells ? &*cells : nullptr), source.name);
   lesson.scene = source.name;
   write_lesson(lesson, arguments.file, output);
   return ExitCode::ok;

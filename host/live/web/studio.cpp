@@ -8,11 +8,14 @@
 #include <optional>
 #include <utility>
 
+#include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/algorithms/registry/heights.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/explain/explain.hpp"
 #include "host/guests/flight/program.hpp"
+#include "host/guests/jones/encode.hpp"
 #include "host/guests/jones/program.hpp"
+#include "host/guests/jones/twin/arithmetic.hpp"
 #include "host/guests/skala/guest.hpp"
 #include "host/guests/skala/program.hpp"
 #include "host/guests/skala/stream.hpp"
@@ -23,13 +26,13 @@
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
 #include "host/scene/model/eye_place.hpp"
-#include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/load.hpp"
 
 namespace sightline::live::web {
 namespace {
 
+namespace oracle = algorithms::oracle;
 namespace skala = guests::skala;
 
 Json vector_json(const scene::PolyPoint& p) { return Json::array({p[0], p[1], p[2]}); }
@@ -167,16 +170,11 @@ Json cost(Workbench& workbench, const Json& request) {
 
 // --- Jones
 
-struct JonesScene {
-  scene::CellScene cells;
-  scene::PolyScene scene;
-};
-
-base::Result<JonesScene> jones_scene(const Workbench& workbench, const std::string& name) {
+base::Result<scene::CellScene> jones_scene(const Workbench& workbench, const std::string& name) {
   auto loaded = scene_named(workbench, name);
   if (!loaded) return std::move(loaded.error());
   if (!loaded->cells) return base::fail(fmt::format("{}: not a scene of cells, which Jones's program needs", name));
-  return JonesScene{std::move(*loaded->cells), std::move(loaded->scene)};
+  return std::move(*loaded->cells);
 }
 
 Json make_jones(Workbench& workbench, const Json& request) {
@@ -185,7 +183,7 @@ Json make_jones(Workbench& workbench, const Json& request) {
   guests::jones::ProgramOptions options;
   options.eae = flag_of(request, "eae", true);
   if (const auto eye = point_of(request.find("eye"))) options.tape.view = *eye;
-  const auto program = guests::jones::assemble_program(scene->cells, options);
+  const auto program = guests::jones::assemble_program(*scene, options);
   if (!program) return refusal(program.error().message());
   guests::run::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
@@ -204,65 +202,45 @@ Json make_jones(Workbench& workbench, const Json& request) {
   labels["search"] = program->labels.search;
   labels["start"] = program->labels.start;
   made["labels"] = std::move(labels);
-  made["cells"] = scene->cells.cells.size();
+  made["cells"] = scene->cells.size();
   made["words"] = program->words_used;
   return made;
 }
 
-// What an eye at "eye" sees of a scene of cells at scale "scale", exactly: lines in points of the Type 340, [x0, y0, x1, y1]; with
-// "stereo" the pair.
+// What an eye at "eye" sees of a scene of cells at scale "scale", exactly, as `compare` has it: the visible lines of the
+// scene's matter in the program's own windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" the pair.
 Json sight(Workbench& workbench, const Json& request) {
+  namespace jones = guests::jones;
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return refusal(scene.error().message());
-  const auto eye = point_of(request.find("eye"));
-  if (!eye) return refusal("eye: expected three whole numbers");
-  const double scale = number_of(request, "scale", 512);
-  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
-  auto prepared = exact.prepare(scene->scene);
-  if (!prepared) return refusal(prepared.error().message());
+  const auto given = point_of(request.find("eye"));
+  if (!given) return refusal("eye: expected three whole numbers");
+  const auto place = jones::viewpoint(*scene, *given);
+  if (!place) return refusal(place.error().message());
+  const auto matter = oracle::Matter::of(*scene);
+  if (!matter) return refusal("the scene is too large for exact lines");
+  const auto scale = static_cast<std::int32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0));
+  const auto real_lines = matter->real_lines();
   Json lines = Json::array();
-  const auto add = [&](std::int32_t ex, double centre, double width, double half) -> std::optional<std::string> {
-    scene::PolyCamera camera;
-    camera.eye = {ex, (*eye)[1], (*eye)[2]};
-    if (const auto error = scene::eye_error(scene->scene, camera)) return error->message();
-    const auto view = prepared->view(camera);
-    if (!view) return view.error().message();
-    for (const auto& piece : picture::without_seams(view->picture, scene->scene, camera).pieces) {
-      std::array<std::array<double, 3>, 2> ends{};
-      for (std::size_t end = 0; end < 2; ++end) {
-        const double t = (end == 0 ? piece.low : piece.high).to_double();
-        const auto& from = scene->scene.vertices[piece.edge.from];
-        const auto& to = scene->scene.vertices[piece.edge.to];
-        for (std::size_t a = 0; a < 3; ++a) ends[end][a] = from[a] + (to[a] - from[a]) * t - camera.eye[a];
-      }
-      // Before the eye and within the window, as the program cuts it: Liang and Barsky's way.
-      double low = 0, high = 1;
-      const auto cut = [&](double a, double b) {  // keeps where a + t (b - a) >= 0
-        if (a < 0 && b < 0) high = -1;
-        else if (a < 0) low = std::max(low, a / (a - b));
-        else if (b < 0) high = std::min(high, a / (a - b));
-      };
-      const double wx = half / width, wy = 512 / width;
-      const auto& p = ends[0];
-      const auto& q = ends[1];
-      cut(p[2] - 1, q[2] - 1);
-      cut(p[0] + wx * p[2], q[0] + wx * q[2]);
-      cut(wx * p[2] - p[0], wx * q[2] - q[0]);
-      cut(p[1] + wy * p[2], q[1] + wy * q[2]);
-      cut(wy * p[2] - p[1], wy * q[2] - q[1]);
-      if (low >= high) continue;
-      const auto at = [&](double t, std::size_t a) { return p[a] + (q[a] - p[a]) * t; };
-      lines.push_back(Json::array({centre + width * at(low, 0) / at(low, 2), 512 + width * at(low, 1) / at(low, 2),
-                                   centre + width * at(high, 0) / at(high, 2), 512 + width * at(high, 1) / at(high, 2)}));
-    }
-    return std::nullopt;
+  const auto add = [&](jones::Pass pass, std::int32_t shift) {
+    geometry::Point eye = *given;
+    // The eyes of a pair stay in the box in which the program moves.
+    if (shift != 0) eye[0] = std::clamp(eye[0] + shift, place->limits.low[0], place->limits.high[0]);
+    const jones::Window shown = jones::window_of(pass, scale, 0);
+    oracle::Window window;
+    window.scale = shown.width_scale;
+    window.centre = {shown.centre_x, shown.centre_y};
+    window.points = {geometry::Span{shown.centre_x + shown.xlo, shown.centre_x + shown.xhi},
+                     geometry::Span{shown.centre_y + shown.ylo, shown.centre_y + shown.yhi}};
+    window.near = jones::near_z;
+    for (const auto& line : oracle::on_screen(oracle::visible_lines(*matter, real_lines, eye, window), eye, window))
+      lines.push_back(Json::array({line.x0, line.y0, line.x1, line.y1}));
   };
   if (flag_of(request, "stereo")) {
-    const double width = std::floor(scale / 2);
-    if (auto error = add((*eye)[0] - 5, 256, width, 256)) return refusal(*error);
-    if (auto error = add((*eye)[0] + 5, 768, width, 256)) return refusal(*error);
-  } else if (auto error = add((*eye)[0], 512, scale, 512)) {
-    return refusal(*error);
+    add(jones::Pass::left, -jones::separation);
+    add(jones::Pass::right, jones::separation);
+  } else {
+    add(jones::Pass::mono, 0);
   }
   return Json{{"lines", std::move(lines)}};
 }
@@ -282,7 +260,8 @@ Json explain(Workbench& workbench, const Json& request) {
     if (!loaded) return refusal(loaded.error().message());
     const auto camera = camera_of(loaded->scene, request);
     if (!camera) return refusal(camera.error().message());
-    lesson = explainer->scene(loaded->scene, *camera, loaded->decomposition ? &loaded->decomposition->complex : nullptr);
+    const std::optional<scene::CellComplex> cells = scene::own_cells(*loaded);
+    lesson = explainer->scene(loaded->scene, *camera, cells ? &*cells : nullptr);
   }
   if (!lesson) return refusal(lesson.error().message());
   lesson->scene = name;

@@ -6,6 +6,7 @@
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
 #include "host/base/text.hpp"
+#include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/generate/scene.hpp"
@@ -104,6 +105,12 @@ std::optional<base::Result<SceneFile>> named_scene(const std::string& name) {
   }
   if (const auto text = builtin_scene_text(name))
     return SceneFile{.name = name, .text = std::string(*text), .builtin = true};
+  return std::nullopt;
+}
+
+std::optional<CellComplex> own_cells(const LoadedScene& loaded) {
+  if (loaded.decomposition) return loaded.decomposition->complex;
+  if (loaded.cells) return complex_of(*loaded.cells, loaded.scene);
   return std::nullopt;
 }
 

@@ -48,6 +48,9 @@ struct LoadedScene {
   PolyImportReport report = {};                     // of kind polyhedra: what was changed while reading
 };
 
+// The cells that the scene came with, of the kinds cells and cell_complex; empty for polyhedra.
+[[nodiscard]] std::optional<CellComplex> own_cells(const LoadedScene& loaded);
+
 struct SceneReading {
   LoadedScene loaded;  // complete if there are no errors; the name and the kind are known always
   std::vector<base::Error>

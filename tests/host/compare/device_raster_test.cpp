@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/compare/faces.hpp"
 #include "host/compare/height_truth.hpp"
+#include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
 #include "host/guests/jones/session.hpp"
 #include "host/guests/jones/twin/number.hpp"
@@ -237,6 +239,24 @@ TEST(StripesPenPoints, AreThoseOfTheProgram) {
   // The pen cuts corners: it may leave out the corner of two links, but goes nowhere else.
   EXPECT_EQ(united(expected, shown), expected);
   EXPECT_EQ(picture::raster_difference(expected, shown).missing.beyond_1, 0U);
+}
+
+TEST(StripesPen, IsNearTheBoundariesOfTheNearestFaces) {
+  const scene::PolyScene scene = scene::poly_scene_of(scene::builtin_scene("roberts"));
+  const auto truth = FaceTruth::of(scene, scene.camera);
+  ASSERT_TRUE(truth);
+  auto pen = stripes_pen(scene, scene.camera, truth->window(), truth->faces());
+  ASSERT_TRUE(pen) << pen.error().message();
+  EXPECT_EQ(pen->difference, "");
+  EXPECT_GT(pen->raster.lit_in_drawn, 300U);
+  EXPECT_EQ(pen->raster.missing.beyond_2, 0U);
+  EXPECT_EQ(pen->raster.extra.beyond_2, 0U);
+  // A boundary a hundred dots long that nobody sees.
+  picture::PixelGrid other = truth->faces();
+  for (int x = 100; x < 200; ++x) other.set(x, 128, 77);
+  const auto wrong = stripes_pen(scene, scene.camera, truth->window(), other);
+  ASSERT_TRUE(wrong);
+  EXPECT_GT(wrong->raster.missing.beyond_2, 50U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "host/algorithms/skala/draw.hpp"
 #include "host/compare/chord_error.hpp"
+#include "host/compare/height_devices.hpp"
 #include "host/compare/height_truth.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/scene/heights/function.hpp"
@@ -160,6 +161,34 @@ TEST(CompareHeights, AProgramsRoundingIsSeen) {
   EXPECT_FALSE(comparison.chord) << "nothing to sample";
 }
 
+TEST(CompareDevices, DrawExactLinesButForRounding) {
+  const auto devices = compare_devices(sampled("peaks", {21, 25}), view_of(guests::skala::PictureKind::lines, 30));
+  ASSERT_EQ(devices.size(), 4U);
+  for (const ComparedDevice& device : devices) {
+    SCOPED_TRACE(std::string(device.name));
+    EXPECT_EQ(device.difference, "");
+    EXPECT_GT(device.raster.lit_in_drawn, 3000U);
+    EXPECT_EQ(device.raster.missing.beyond_2, 0U);
+    EXPECT_EQ(device.raster.extra.beyond_2, 0U);
+    EXPECT_LT(device.raster.share(device.raster.missing.all + device.raster.extra.all), 0.03);
+    ASSERT_TRUE(device.unrounded);
+    EXPECT_GT(device.unrounded->hausdorff.greatest, 0.5) << "the rounding";
+  }
+  EXPECT_EQ(devices[0].dots, devices[1].dots) << "boards show the same";
+  EXPECT_EQ(devices[2].dots, devices[3].dots) << "plotters too";
+}
+
+TEST(CompareDevices, ABoardFillsASurfaceAndAPlotterDrawsItsSlices) {
+  const auto grid = sampled("peaks", {21, 25});
+  const auto surface = compare_devices(grid, view_of(guests::skala::PictureKind::surface, 30));
+  const auto lines = compare_devices(grid, view_of(guests::skala::PictureKind::lines, 30));
+  EXPECT_FALSE(surface[0].unrounded);
+  EXPECT_GT(surface[0].raster.lit_in_truth, 20'000U);
+  EXPECT_LT(surface[0].raster.share(surface[0].raster.extra.all), 0.03);
+  EXPECT_EQ(surface[2].dots, lines[2].dots);
+  EXPECT_EQ(surface[2].truth, lines[2].truth);
+}
+
 TEST(ChordError, OfAParabola) {
   // From the horizon, at x = -1, -0.5 .. 1: a chord is (0.5)^2 / 4 above the middle of its arc, of a height of 1 that 255
   // points show, and steep: the two inner chords least, by 1 in 1.
@@ -196,8 +225,10 @@ TEST(ChordError, IsThatOfWhatIsSeen) {
   const scene::HeightGrid grid = sampler({5, 5});
   const HeightLines lines(grid, view);
   double behind = 0;
-  for (std::size_t i = 0; i < lines.lines().size(); ++i)
-    if ((*lines.sides()[i])[0].slice == 4 && (*lines.sides()[i])[1].slice == 4) behind += picture::total(lines.lines()[i].visible);
+  for (std::size_t i = 0; i < lines.lines().size(); ++i) {
+    const auto& [from, to] = *lines.sides()[i];
+    if (from.slice == 4 && to.slice == 4) behind += picture::total(lines.lines()[i].visible);
+  }
   ASSERT_EQ(behind, 0) << "the last slice is behind the wall";
   const auto error = chord_error(lines, grid, view, sampler);
   ASSERT_TRUE(error);

@@ -203,6 +203,7 @@ wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"),
 # The exact lines lie on the picture; the pen sees a point of the row.
 js("sightline.room.exact.box.click()")
 check(js("return sightline.room.lines && sightline.room.lines.length > 5"), "exact lines over the picture")
+wait(lambda: js("return sightline.room.missing === 0 && sightline.room.extra === 0"), "the house's picture is on its exact lines, and nothing beside them", 30)
 go("jones/pen.s")
 time.sleep(0.5)
 glass = driver.find_element(By.CSS_SELECTOR, ".screen")

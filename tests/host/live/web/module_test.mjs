@@ -71,6 +71,42 @@ for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) 
   for (let view = 0; view < views; ++view) compareJones(scene, view % 2 === 0, view === 0 ? 0 : dice(256) << 10 | dice(4));
 }
 
+// --- The exact lines over the picture of Jones's program: by blocks of 4 by 4 points, as the page counts them, every line is lit and nothing
+// beside the lines is. The guest's pieces end within a point or two of the true ones, less than a block.
+const spread = (x, y, visit) => {
+  for (let dy = -1; dy <= 1; ++dy) for (let dx = -1; dx <= 1; ++dx) visit(256 * ((y >> 2) + dy) + (x >> 2) + dx);
+};
+for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) {
+  for (const stereo of [false, true]) {
+    const made = ask({do: 'jones', scene, stereo});
+    const until = 3.5e9;
+    const lit = new Set();
+    for (let at = 0; at <= until; at += 5e7) {
+      module.run(made.id, at);
+      const flashes = module.flashes(made.id);
+      for (let i = 0; i < flashes.count; ++i) if (flashes.time(i) > until - 3e8) lit.add(256 * (flashes.y(i) >> 2) + (flashes.x(i) >> 2));
+    }
+    const eye = ['ex', 'ey', 'ez'].map(name => { const word = module.word(made.id, made.labels[name]); return word & 0o400000 ? word - 0o1000000 : word; });
+    const {lines} = ask({do: 'sight', scene, eye, scale: module.word(made.id, made.labels.scale), stereo});
+    const covered = new Set();
+    let places = 0, missing = 0;
+    for (const [x0, y0, x1, y1] of lines) {
+      const parts = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 4));
+      for (let i = 0; i < parts; ++i) {
+        const t = (i + 0.5) / parts;
+        let right = false;
+        spread(x0 + (x1 - x0) * t, y0 + (y1 - y0) * t, block => { covered.add(block); right ||= lit.has(block); });
+        ++places;
+        if (!right) ++missing;
+      }
+    }
+    const extra = [...lit].filter(block => !covered.has(block)).length;
+    check(places > 500 && missing === 0 && extra === 0, `${scene}${stereo ? ', a pair' : ''}: ${missing} of ${places} places of exact lines are dark, ${extra} beside them are lit`);
+    ask({do: 'drop', id: made.id});
+  }
+}
+check(module.ask({do: 'sight', scene: 'house', eye: [480, 160, -20]}).error?.length > 20, 'no exact lines from outside all cells');
+
 // --- Solids that turn: at speeds in both directions, as wire frames, and from event to event.
 const solids = fileURLToPath(new URL('../../../../host/examples/turn/', import.meta.url));
 const onPage = ['cube.off', 'block.off', 'lshape.json', 'crossed.off', 'star.off'];

@@ -1,0 +1,107 @@
+// See answer_output.hpp.
+#include "host/app/commands/answer_output.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "host/base/text_table.hpp"
+
+namespace sightline::app {
+namespace {
+
+using base::Json;
+using compare::AnswerRow;
+using compare::Spread;
+
+std::string time_text(double seconds) {
+  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
+  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} us", seconds * 1e6);
+}
+
+// Of one view the value, of many the median and the greatest.
+template <class Text>
+std::string spread_text(const std::optional<Spread>& spread, std::size_t views, Text&& text) {
+  if (!spread) return "";
+  return views == 1 ? text(spread->greatest) : fmt::format("{} ({})", text(spread->median), text(spread->greatest));
+}
+
+std::string wrong_text(const AnswerRow& row) {
+  if (row.exact && row.right == row.views) return "0, exact";
+  if (row.views > 1)
+    return spread_text(row.wrong_percent, row.views, [](double percent) { return fmt::format("{:.3g} %", percent); });
+  return fmt::format("{:.4g} {}, {:.3g} %", row.wrong.greatest, row.unit, row.wrong_percent.greatest);
+}
+
+std::string read_text(const AnswerRow& row) {
+  const std::string read = spread_text(row.read, row.views, [](double count) { return fmt::format("{:.0f}", count); });
+  if (read.empty()) return "";
+  return row.of_all ? fmt::format("{} of {} {}", read, *row.of_all, row.what) : fmt::format("{} {}", read, row.what);
+}
+
+Json spread_json(const Spread& spread) {
+  return {{"median", spread.median}, {"greatest", spread.greatest}};
+}
+
+}  // namespace
+
+std::string answer_text(const std::vector<AnswerRow>& rows) {
+  bool several = false;
+  bool host = false;
+  for (const AnswerRow& row : rows) {
+    several = several || row.scene != rows.front().scene;
+    host = host || row.host_seconds.has_value();
+  }
+  const bool many = !rows.empty() && rows.front().views > 1;
+  // Columns begin with two blanks, so that a long cell does not touch the one before.
+  std::vector<int> widths{-20, -6, many ? 21 : 12};
+  if (host) widths.push_back(many ? 21 : 12);
+  for (const int width : {many ? 21 : 20, many ? 16 : 10, many ? 14 : 10, -24, 0}) widths.push_back(width);
+  base::TextTable table(widths);
+  std::string said;
+  const auto line = [&](std::string_view method, std::string_view picture, std::string_view machine, std::string_view here, std::string_view wrong,
+                        std::string_view greatest, std::string_view far, std::string_view read, std::string_view paper) {
+    const auto apart = [](std::string_view cell) { return cell.empty() ? std::string() : "  " + std::string(cell); };
+    if (host)
+      table.row({method, apart(picture), apart(machine), apart(here), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
+    else
+      table.row({method, apart(picture), apart(machine), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
+  };
+  line("", "", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says");
+  for (const AnswerRow& row : rows) {
+    if (several && row.scene != said) table.line(said = row.scene);
+    const std::string far = many ? fmt::format("{} of {}", row.right, row.views) : fmt::format("{:.4g}", row.far.greatest);
+    line(row.method, row.picture, spread_text(row.emulated_seconds, row.views, time_text), spread_text(row.host_seconds, row.views, time_text),
+         wrong_text(row), spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }), far,
+         read_text(row), compare::paper_figure(row.method));
+    if (!row.defect.empty()) table.line(fmt::format("    {}: {}", row.method, row.defect));
+  }
+  return table.text();
+}
+
+base::Json answer_json(const std::vector<AnswerRow>& rows) {
+  Json list = Json::array();
+  for (const AnswerRow& row : rows) {
+    Json object{{"scene", row.scene},   {"method", row.method}, {"picture", row.picture}, {"rounding", row.rounding},
+                {"views", row.views},   {"right", row.right},   {"unit", row.unit},       {"wrong", spread_json(row.wrong)},
+                {"wrong_percent", spread_json(row.wrong_percent)}, {"far", spread_json(row.far)}};
+    if (row.greatest) object["greatest"] = spread_json(*row.greatest);
+    if (row.emulated_seconds) object["emulated_s"] = spread_json(*row.emulated_seconds);
+    if (row.host_seconds) object["host_s"] = spread_json(*row.host_seconds);
+    if (row.read) object["read"] = spread_json(*row.read);
+    if (row.of_all) object["of_all"] = *row.of_all;
+    if (row.read) object["what"] = row.what;
+    if (row.chord) object["chord"] = *row.chord;
+    object["exact"] = row.exact;
+    if (!row.defect.empty()) object["defect"] = row.defect;
+    if (row.views > 1) object["worst_view"] = row.worst_view;
+    if (const std::string paper = compare::paper_figure(row.method); !paper.empty()) object["paper"] = paper;
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
+}  // namespace sightline::app
