@@ -22,6 +22,7 @@ using picture::xml_text;
 constexpr double panel_width = 420;
 constexpr double letter_height = 15;
 constexpr double letter_width = 7.3;  // of usual letters on average, rather too much
+constexpr double bold_width = 8.2;
 constexpr double left_end = 62;
 constexpr double right_end = 412;
 constexpr double top_end = 56;
@@ -92,7 +93,7 @@ struct Box {
   }
 };
 
-double width_of(std::string_view text) { return letter_width * static_cast<double>(text.size()) + 2; }
+double width_of(std::string_view text, bool bold = false) { return (bold ? bold_width : letter_width) * static_cast<double>(text.size()) + 2; }
 
 // The mark of a series about (0, 0).
 std::string mark_path(std::size_t series) {
@@ -108,7 +109,11 @@ std::string mark_path(std::size_t series) {
   return std::string(paths[series % paths.size()]);
 }
 
-std::string number_text(double value) { return fmt::format("{:.3g}", value); }
+std::string number_text(double value) {
+  std::string text = fmt::format("{:.3g}", value);
+  if (const std::size_t at = text.find("e-0"); at != std::string::npos) text.erase(at + 2, 1);
+  return text;
+}
 
 // ASCII but for the sign of micro.
 std::string time_text(double seconds) {
@@ -196,7 +201,7 @@ class Panel {
     }
     if (seconds_.empty()) {
       height_ = 90;
-      text_ = heading() + "<text class=\"q\" x=\"8\" y=\"56\">No method of this panel has a time here.</text>\n";
+      text_ = heading() + fmt::format("<text class=\"q\" x=\"8\" y=\"56\">{}</text>\n", panel == PlotPanel::emulated ? "No old machine draws this." : "No times of this computer were measured.");
       return;
     }
     for (Series& series : series_) {
@@ -339,25 +344,32 @@ class Panel {
                            series.places[i].y + mark_size + 1});
     }
     const Box inside{left_end + 2, top_end, right_end + 4, bottom - 1};
-    const auto place = [&](const std::string& text, const Place& mark, double distance, std::string_view classes) {
-      const double width = width_of(text);
+    const auto place = [&](const std::string& text, const Place& mark, double distance, bool bold, std::size_t series) {
+      const double width = width_of(text, bold);
       const double d = distance + mark_size + 3;
       const double e = distance > 0 ? d * 0.7 : mark_size;
-      const std::array<Place, 8> corners{{{mark.x + d, mark.y - letter_height / 2},
-                                          {mark.x - d - width, mark.y - letter_height / 2},
-                                          {mark.x + e, mark.y - e - letter_height},
-                                          {mark.x + e, mark.y + e},
-                                          {mark.x - e - width, mark.y - e - letter_height},
-                                          {mark.x - e - width, mark.y + e},
-                                          {mark.x - width / 2, mark.y - d - letter_height},
-                                          {mark.x - width / 2, mark.y + d}}};
-      for (const Place& corner : corners) {
-        const Box box{corner.x, corner.y, corner.x + width, corner.y + letter_height};
+      struct Corner {
+        double x;
+        double y;
+        double part;  // of the width that is left of where the text is anchored
+      };
+      const std::array<Corner, 8> corners{{{mark.x + d, mark.y - letter_height / 2, 0},
+                                           {mark.x - d, mark.y - letter_height / 2, 1},
+                                           {mark.x + e, mark.y - e - letter_height, 0},
+                                           {mark.x + e, mark.y + e, 0},
+                                           {mark.x - e, mark.y - e - letter_height, 1},
+                                           {mark.x - e, mark.y + e, 1},
+                                           {mark.x, mark.y - d - letter_height, 0.5},
+                                           {mark.x, mark.y + d, 0.5}}};
+      for (const Corner& corner : corners) {
+        const double left = corner.x - corner.part * width;
+        const Box box{left, corner.y, left + width, corner.y + letter_height};
         if (box.left < inside.left || box.right > inside.right || box.top < inside.top || box.bottom > inside.bottom) continue;
         if (std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); })) continue;
         taken.push_back(box);
-        const std::string at = fmt::format("x=\"{:.1f}\" y=\"{:.1f}\"", corner.x + 1, corner.y + 11.5);
+        const std::string at = fmt::format("x=\"{:.1f}\" y=\"{:.1f}\"", corner.x, corner.y + 11.5);
         const std::string shown = xml_text(text);
+        const std::string classes = fmt::format("{}{}c{}", corner.part == 1 ? "e " : corner.part > 0 ? "m " : "", bold ? "b " : "", series % colours.size());
         base::append(labels_, "<text class=\"{0} o\" {1}>{2}</text><text class=\"{0}\" {1}>{2}</text>\n", classes, at, shown);
         if (distance > 0) {
           const Place end{std::clamp(mark.x, box.left, box.right), std::clamp(mark.y, box.top, box.bottom)};
@@ -376,7 +388,7 @@ class Panel {
         for (std::size_t i = 0; i < series.points.size() && !placed; ++i) {
           if (series.points[i].wrong_percent == 0) continue;
           any = true;
-          placed = place(one ? series.whole_name(0) : series.name, series.places[i], distance, fmt::format("b c{}", s % colours.size()));
+          placed = place(one ? series.whole_name(0) : series.name, series.places[i], distance, true, s);
         }
         if (placed || !any) break;
       }
@@ -386,7 +398,7 @@ class Panel {
         const Series& series = series_[s];
         for (std::size_t i = 0; i < series.points.size(); ++i) {
           if (series.points.size() == 1 || series.points[i].wrong_percent == 0 || series.points[i].label.empty() || series.in_front(i) != front) continue;
-          static_cast<void>(place(series.points[i].label, series.places[i], 0, fmt::format("c{}", s % colours.size())));
+          static_cast<void>(place(series.points[i].label, series.places[i], 0, false, s));
         }
       }
     }

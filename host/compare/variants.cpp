@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -12,14 +11,11 @@
 #include <string_view>
 #include <utility>
 
-#include "emulators/core/tstates.hpp"
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/registry/faces.hpp"
-#include "host/algorithms/registry/heights.hpp"
 #include "host/compare/answer.hpp"
-#include "host/compare/height_devices.hpp"
 #include "host/compare/host_time.hpp"
 #include "host/scene/check/crossings.hpp"
 #include "host/scene/model/aim_camera.hpp"
@@ -58,11 +54,12 @@ void add_plain(const SceneComparison& comparison, std::vector<PlotPoint>& points
   }
 }
 
-base::Result<base::Done> add_jones(const scene::CellScene& scene, CompareOptions options, const CompareProgress& progress,
-                                   std::vector<PlotPoint>& points) {
+base::Result<base::Done> add_jones(const scene::CellScene& scene, CompareOptions options, const geometry::Point& eye,
+                                   const CompareProgress& progress, std::vector<PlotPoint>& points) {
   const bool guest = chosen(options, jones_on_pdp7);
   const bool twin = chosen(options, jones_twin) && options.host_times;
   options.faces = false;
+  options.eye = eye;
   for (const bool eae : {true, false}) {
     options.eae = eae;
     options.methods.clear();
@@ -212,52 +209,34 @@ void add_events(const scene::PolyScene& scene, const scene::PolyCamera& camera, 
 
 }  // namespace
 
-base::Result<std::vector<PlotPoint>> variants_of(const scene::CellScene& scene, const CompareOptions& options, const CompareProgress& progress) {
-  std::vector<PlotPoint> points;
-  if (const auto done = add_jones(scene, options, progress, points); !done) return done.error();
-  CompareOptions others = options;
-  if (others.methods.empty()) others.methods = method_names();
-  others.methods.erase(std::remove_if(others.methods.begin(), others.methods.end(),
-                                      [](const std::string& name) { return name == jones_on_pdp7 || name == jones_twin; }),
-                       others.methods.end());
-  if (others.methods.empty()) return points;
-  const auto comparison = compare_cell_scene(scene, others, progress);
-  if (!comparison) return comparison.error();
-  add_plain(*comparison, points);
-  add_stripes(scene::poly_scene_of(scene), comparison->camera, options, progress, points);
-  return points;
-}
-
-base::Result<std::vector<PlotPoint>> variants_of(const scene::PolyScene& scene, const scene::PolyCamera& camera, const CompareOptions& options,
+base::Result<std::vector<PlotPoint>> variants_of(const scene::CellScene& scene, const CompareOptions& options, const SceneComparison& comparison,
                                                  const CompareProgress& progress) {
-  const auto comparison = compare_poly_scene(scene, camera, options, progress);
-  if (!comparison) return comparison.error();
   std::vector<PlotPoint> points;
-  add_plain(*comparison, points);
-  add_stripes(scene, camera, options, progress, points);
-  add_events(scene, camera, options, progress, points);
+  if (const auto done = add_jones(scene, options, comparison.camera.eye, progress, points); !done) return done.error();
+  add_plain(comparison, points);
+  add_stripes(scene::poly_scene_of(scene), comparison.camera, options, progress, points);
   return points;
 }
 
-std::vector<PlotPoint> variants_of(const scene::HeightGrid& grid, const guests::skala::View& view, bool host_times, const CompareProgress& progress) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> names{
-      {{"ef9365", "EF9365"}, {"alt256", "ALT-256"}, {"calcomp", "CalComp 565"}, {"minigraf", "Minigraf"}}};
+std::vector<PlotPoint> variants_of(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& comparison,
+                                   const CompareProgress& progress) {
   std::vector<PlotPoint> points;
-  double on_board = 0;
-  for (const ComparedDevice& device : compare_devices(grid, view, progress)) {
-    const double percent = 100 * device.raster.share(device.raster.missing.all + device.raster.extra.all);
-    if (device.device == guests::skala::Device::ef9365) on_board = percent;
-    const auto name = std::find_if(names.begin(), names.end(), [&](const auto& known) { return known.first == device.name; });
-    points.push_back({PlotPanel::emulated, "skala-8080", std::string(name != names.end() ? name->second : device.name),
-                      static_cast<double>(device.time.count()) / static_cast<double>(core::ClockRate{}.hertz), percent});
-  }
-  if (!host_times) return points;
-  const registry::HeightView asked = registry::height_view(view);
-  for (const MethodView& row : method_views(compare_heights(grid, view, progress))) {
-    if (row.method != "skala" && row.method != "skala-twin") continue;
-    const registry::HeightMethod* const method = registry::find_height_method(row.method == "skala" ? "native" : "twin");
-    points.push_back({PlotPanel::host, row.method, "", median_seconds([&] { static_cast<void>(method->draw(grid, asked)); }),
-                      row.method == "skala" ? percent_of(row) : on_board});
+  add_plain(comparison, points);
+  add_stripes(scene, comparison.camera, options, progress, points);
+  add_events(scene, comparison.camera, options, progress, points);
+  return points;
+}
+
+std::vector<PlotPoint> variants_of(const HeightComparison& comparison) {
+  constexpr std::string_view program = "skala-8080";
+  std::vector<PlotPoint> points;
+  for (const MethodView& view : method_views(comparison)) {
+    if (!view.method.starts_with(program)) {
+      add_point(view, view.method, "", points);
+      continue;
+    }
+    const std::string_view device = std::string_view(view.method).substr(program.size());
+    add_point(view, std::string(program), device.empty() ? "ef9365" : std::string(device.substr(1)), points);
   }
   return points;
 }

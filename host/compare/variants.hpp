@@ -4,9 +4,8 @@
 // Re's stripes have thicknesses; Plantinga's events an angle within which they are joined, in parallel projection; Skala's program has
 // devices. Beside them stand the methods without a setting, of which the exact ones are at error 0.
 //
-// Errors are shares of what is truly seen: of the length of lines; of the points of the picture that show another face; of the dots of
-// Skala's devices those that exact lines do not light by the program's own rule, and the other way round. Of Plantinga's events they
-// are means over a turn, with the time of a frame.
+// Errors are the wrong shares of the table (answer.hpp). Of Plantinga's events they are means over a turn, of the length that is truly
+// seen, and the time is that of a frame of the turn.
 #pragma once
 
 #include <vector>
@@ -18,17 +17,15 @@
 
 namespace sightline::compare {
 
-// Of the options the eye, the scale, the methods and whether times of this computer are measured: without them there are no points of
-// this computer. Errors: those of compare_cell_scene.
+// Beside a comparison of the scene, of its view: of the options the scale, the methods and whether times of this computer are measured,
+// without which there are no points of this computer. Errors: those of compare_cell_scene.
 [[nodiscard]] base::Result<std::vector<PlotPoint>> variants_of(
-    const scene::CellScene& scene, const CompareOptions& options, const CompareProgress& progress = [](std::string_view) {});
-// Errors: those of compare_poly_scene.
-[[nodiscard]] base::Result<std::vector<PlotPoint>> variants_of(
-    const scene::PolyScene& scene, const scene::PolyCamera& camera, const CompareOptions& options,
+    const scene::CellScene& scene, const CompareOptions& options, const SceneComparison& comparison,
     const CompareProgress& progress = [](std::string_view) {});
-// The grid and the view can be compared (why_not_comparable: precondition).
 [[nodiscard]] std::vector<PlotPoint> variants_of(
-    const scene::HeightGrid& grid, const guests::skala::View& view, bool host_times,
+    const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& comparison,
     const CompareProgress& progress = [](std::string_view) {});
+// Of a function all is in its comparison, if it has the devices.
+[[nodiscard]] std::vector<PlotPoint> variants_of(const HeightComparison& comparison);
 
 }  // namespace sightline::compare
