@@ -14,7 +14,7 @@ struct Entry {
   void (*add)(const Command& program);
 };
 
-constexpr std::array<Entry, 19> commands{{
+constexpr std::array<Entry, 20> commands{{
     {"demo", add_demo_command},
     {"report", add_report_command},
     {"jones", add_jones_command},
@@ -22,6 +22,7 @@ constexpr std::array<Entry, 19> commands{{
     {"stripes", add_stripes_command},
     {"draw", add_draw_command},
     {"compare", add_compare_command},
+    {"hard", add_hard_command},
     {"explain", add_explain_command},
     {"spin", add_spin_command},
     {"turn", add_turn_command},

@@ -45,6 +45,10 @@ std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+double seconds_at_3_mhz(core::TStates time) {
+  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
+}
+
 MethodView method_view(const ComparedPicture& row) {
   MethodView view;
   view.method = row.name;
@@ -80,6 +84,22 @@ MethodView method_view(const ComparedFaces& row) {
   return view;
 }
 
+MethodView method_view(const StripesPen& pen) {
+  MethodView view;
+  view.method = std::string(stripes_name) + " pen";
+  view.picture = "lines";
+  view.rounding = "corners of pixels";
+  view.unit = "steps";
+  view.all = static_cast<double>(pen.raster.lit_in_truth);
+  view.wrong = static_cast<double>(pen.raster.missing.all + pen.raster.extra.all);
+  view.far = static_cast<double>(pen.raster.missing.beyond_1 + pen.raster.extra.beyond_1);
+  view.greatest = finite(pen.raster.hausdorff.greatest);
+  view.emulated_seconds = seconds_at_3_mhz(pen.time);
+  view.defect = pen.difference;
+  view.raster = pen.raster;
+  return view;
+}
+
 MethodView method_view(const TurnCheck& turn) {
   MethodView view;
   view.method = turn_name;
@@ -106,10 +126,6 @@ void tell_unrounded(const picture::DotsAndLines& unrounded, MethodView& view) {
   view.far = static_cast<double>(unrounded.dots_beyond_1) + unrounded.length_beyond_1;
   view.wrong = view.far;
   view.greatest = finite(unrounded.hausdorff.greatest);
-}
-
-double seconds_at_3_mhz(core::TStates time) {
-  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
 }
 
 MethodView method_view(const ComparedRaster& row) {
@@ -177,6 +193,7 @@ std::vector<MethodView> method_views(const SceneComparison& comparison) {
     views.push_back(method_view(row));
     if (row.name == stripes_name && !comparison.stripes_difference.empty()) views.back().defect = comparison.stripes_difference;
   }
+  if (comparison.stripes_pen) views.push_back(method_view(*comparison.stripes_pen));
   if (comparison.turn) views.push_back(method_view(*comparison.turn));
   return views;
 }

@@ -1,6 +1,7 @@
 // See height_devices.hpp.
 #include "host/compare/height_devices.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -62,8 +63,17 @@ std::vector<ComparedDevice> compare_devices(const scene::HeightGrid& grid, const
     const bool filled = board && view.picture == skala::PictureKind::surface;
     row.truth = filled ? nearest_cells(grid, view)
                        : skala_points(lines.lines(), board ? SkalaDevice::raster : SkalaDevice::plotter);
-    row.raster = picture::raster_difference(row.truth, row.dots);
-    if (!filled) row.unrounded = picture::dots_and_lines(row.dots, seen);
+    // Boards show the same dots, plotters too.
+    const auto same = std::find_if(compared.begin(), compared.end(), [&](const ComparedDevice& other) {
+      return other.dots == row.dots && other.truth == row.truth;
+    });
+    if (same != compared.end()) {
+      row.raster = same->raster;
+      row.unrounded = same->unrounded;
+    } else {
+      row.raster = picture::raster_difference(row.truth, row.dots);
+      if (!filled) row.unrounded = picture::dots_and_lines(row.dots, seen);
+    }
     compared.push_back(std::move(row));
   }
   return compared;

@@ -117,6 +117,11 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::sk
     const bool program = row.name == "guest" || row.name == "twin";
     row.rounding = program ? "ends of lines to the nearest dot, then a dot a step" : "to the nearest dots, to be compared";
     if (row.truth && !contours) continue;  // numbers of cells
+    if (row.name == "twin" && row.grid == comparison.rasters.front().grid) {
+      row.unrounded = comparison.rasters.front().unrounded;
+      row.from_native = comparison.rasters.front().from_native;
+      continue;
+    }
     const PixelGrid dots = program && contours ? without_outline(row.grid, comparison.truth, without) : row.grid;
     if (!surface) row.unrounded = picture::dots_and_lines(dots, seen);
     if (program) row.from_native = picture::raster_difference(comparison.native_dots, dots);

@@ -94,6 +94,8 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
   comparison.faces.push_back(truth->compared(name, std::move(drawn->faces), drawn->not_solved));
   comparison.faces.back().counts = {{"faces", drawn->faces_listed}};
   comparison.faces.back().emulated_seconds = drawn->seconds;
+  auto pen = stripes_pen(scene, comparison.camera, truth->window(), truth->faces());
+  if (pen) comparison.stripes_pen = std::move(*pen);
 }
 
 // Every point that is lit in one pass.
@@ -301,9 +303,10 @@ class SceneMethods::Parts {
                       {"openings_tested", guest.openings_tested}, {"lines_clipped", guest.lines_clipped}};
         std::vector<PixelSegment> vectors;
         for (const DrawnPiece& piece : drawn) vectors.push_back(piece.image);
-        row.lit = points_of(run.guest.pass);
-        row.lit_in_truth = type340_points(divided_as(seen, vectors));
-        row.raster = picture::raster_difference(row.lit_in_truth, row.lit);
+        ComparedFlashes flashes = compare_flashes(seen, vectors, run.guest.pass);
+        row.lit = std::move(flashes.shown);
+        row.lit_in_truth = std::move(flashes.truth);
+        row.raster = flashes.difference;
         comparison.pictures.push_back(std::move(row));
       } else {
         comparison.not_applicable.emplace_back(
@@ -388,7 +391,7 @@ bool SceneComparison::agrees() const {
   return std::none_of(pictures.begin(), pictures.end(),
                       [](const ComparedPicture& p) { return p.identical && !*p.identical; }) &&
          std::all_of(faces.begin(), faces.end(), [](const ComparedFaces& f) { return f.agrees(); }) &&
-         (!guest || guest->difference.empty()) && stripes_difference.empty() && (!turn || turn->agrees());
+         (!guest || guest->difference.empty()) && stripes_difference.empty() && (!stripes_pen || stripes_pen->difference.empty()) && (!turn || turn->agrees());
 }
 
 base::Result<SceneComparison> compare_cell_scene(const scene::CellScene& scene, const CompareOptions& options,

@@ -21,6 +21,7 @@
 #include "host/base/result.hpp"
 #include "host/compare/faces.hpp"
 #include "host/compare/lines.hpp"
+#include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
 #include "host/guests/jones/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
@@ -65,6 +66,7 @@ struct SceneComparison {
   std::vector<ComparedFaces> faces;  // of the algorithms that say which face is seen at each point
   std::vector<std::pair<std::string, std::string>> not_applicable;  // name, reason
   std::optional<GuestCheck> guest;                                  // of cell scenes
+  std::optional<StripesPen> stripes_pen;  // the same view by the 8080 on a plotter
   std::string stripes_difference;  // where the 8080's stripes are not their twin's; empty: nowhere
   std::optional<TurnCheck> turn;  // of polyhedra in parallel projection, along the plane of a turn, that the machine can hold
 

@@ -53,14 +53,16 @@ struct Context {
   // Work that takes times of this computer, to be done when all experiments are finished and nothing else runs; the
   // records are those that the experiment returned.
   std::function<void(std::function<void(Records& records)>)> alone = {};
+  // The same for experiments of sections.cpp: void run(const Context&, Data&), whose data stay where they are.
+  std::function<void(std::function<void()>)> when_alone = {};
 };
 
-struct Experiment {
+struct OldExperiment {
   std::string_view name;  // a-z, 0-9, -; data files take "NAME.SET"
   Records (*run)(const Context& context) = nullptr;
   bool host_times = false;  // all of it takes times of this computer: nothing else runs meanwhile
 };
 
-[[nodiscard]] std::span<const Experiment> all_experiments();
+[[nodiscard]] std::span<const OldExperiment> all_experiments();
 
 }  // namespace sightline::report

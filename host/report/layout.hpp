@@ -75,7 +75,7 @@ struct TableLayout {
 };
 
 // A claim of a paper, and the measured figures shown with it.
-struct ClaimRow {
+struct OldClaimRow {
   std::string claim;  // "PAPER.CLAIM" of papers.json
   std::string place;  // in the data file, for errors
   std::optional<Expression> least;
@@ -90,7 +90,7 @@ struct ClaimRow {
 struct ClaimsLayout {
   std::string id;
   Text title;
-  std::vector<ClaimRow> rows;
+  std::vector<OldClaimRow> rows;
   std::vector<NoteLayout> notes;
   bool folded = false;
 };
@@ -149,12 +149,12 @@ struct HeadingLayout {
   std::string id;
 };
 
-// Texts may speak of the claim's figure, as those of a ClaimRow.
+// Texts may speak of the claim's figure, as those of a OldClaimRow.
 struct PanelLayout {
   std::string id;
   Text title;
   std::string paper;  // whose title stands with it; empty: none
-  std::string claim;  // as a ClaimRow's; empty: none
+  std::string claim;  // as a OldClaimRow's; empty: none
   std::vector<std::string> also;  // claims of other papers, whose words stand before that one's
   std::vector<std::pair<Text, Text>> facts;
   std::vector<NoteLayout> text;
@@ -169,7 +169,7 @@ struct BlockLayout {
   bool host_time = false;  // left out without host times
 };
 
-struct Chapter {
+struct OldChapter {
   std::string name;
   std::map<std::string, std::string, std::less<>> sets;  // name here -> "EXPERIMENT.SET"
   std::vector<BlockLayout> blocks;
@@ -177,20 +177,20 @@ struct Chapter {
   [[nodiscard]] std::vector<std::string> experiments() const;
 };
 
-struct Claim {
+struct OldClaim {
   std::string place;  // section, table, figure
   std::string says;
   std::optional<std::pair<double, double>> figure;  // least and greatest
   std::string unit;
 };
 
-struct Paper {
+struct OldPaper {
   std::string id;
   std::vector<std::string> authors;
   int year = 0;
   std::string title;
   std::string published_in;
-  std::map<std::string, Claim, std::less<>> claims;
+  std::map<std::string, OldClaim, std::less<>> claims;
 
   // C. B. Jones, "A new approach ...", The Computer Journal 14(3), 1971.
   [[nodiscard]] std::string citation() const;
@@ -216,13 +216,13 @@ struct Layout {
   std::string without_host_times;  // said of a report without them
   std::vector<PartLayout> parts;
   std::vector<SectionLayout> sections;
-  std::vector<Paper> papers;
+  std::vector<OldPaper> papers;
   Records paper_tables;  // tables that papers print: the sets "papers.NAME"
-  std::map<std::string, Chapter, std::less<>> chapters;
+  std::map<std::string, OldChapter, std::less<>> chapters;
 
   // nullptr: there is none.
-  [[nodiscard]] const Claim* claim(std::string_view paper_and_claim) const;
-  [[nodiscard]] const Paper* paper(std::string_view id) const;
+  [[nodiscard]] const OldClaim* claim(std::string_view paper_and_claim) const;
+  [[nodiscard]] const OldPaper* paper(std::string_view id) const;
   [[nodiscard]] const PartLayout* part(int number) const;
 };
 

@@ -201,7 +201,7 @@ ClaimsLayout claims_of(const Node& node) {
   claims.title = node.text("title");
   for (const Node& row : node.elements("rows")) {
     row.object({"claim", "here", "least", "greatest", "places", "unit", "host", "condition", "comparison"});
-    ClaimRow claim;
+    OldClaimRow claim;
     claim.claim = row.string("claim");
     claim.place = row.place();
     claim.least = row.expression_or_none(row.has("here") ? "here" : "least");
@@ -315,9 +315,9 @@ void add_varied(const Node& node, std::vector<BlockLayout>& blocks) {
   }
 }
 
-Chapter chapter_of(std::string name, const Node& node) {
+OldChapter chapter_of(std::string name, const Node& node) {
   node.object({"sets", "blocks"});
-  Chapter chapter;
+  OldChapter chapter;
   chapter.name = std::move(name);
   for (const auto& [set, of] : node.at("sets").members()) {
     chapter.sets[set] = of.string();
@@ -344,7 +344,7 @@ std::pair<double, double> figure_of(const Node& node) {
 
 void read_paper(const Node& node, Layout& layout) {
   node.object({"id", "authors", "year", "title", "in", "claims", "tables"});
-  Paper paper{node.string("id"), node.strings("authors"), node.at("year").whole(), node.string("title"), node.string("in"), {}};
+  OldPaper paper{node.string("id"), node.strings("authors"), node.at("year").whole(), node.string("title"), node.string("in"), {}};
   if (node.has("claims")) {
     for (const auto& [name, claim] : node.at("claims").members()) {
       claim.object({"place", "quote", "says", "figure", "unit"});
@@ -406,30 +406,30 @@ void check_sections(const Layout& layout) {
 
 }  // namespace
 
-std::vector<std::string> Chapter::experiments() const {
+std::vector<std::string> OldChapter::experiments() const {
   std::set<std::string> names;
   for (const auto& [here, of] : sets) names.insert(of.substr(0, of.find('.')));
   names.erase("papers");
   return {names.begin(), names.end()};
 }
 
-std::string Paper::citation() const {
+std::string OldPaper::citation() const {
   std::string text;
   for (std::size_t i = 0; i < authors.size(); ++i)
     text += (i == 0 ? "" : i + 1 < authors.size() ? ", " : " and ") + authors[i];
   return fmt::format("{}: \u201C{}\u201D, {}{}{}", text, title, published_in, published_in.empty() ? "" : ", ", year);
 }
 
-const Claim* Layout::claim(std::string_view paper_and_claim) const {
+const OldClaim* Layout::claim(std::string_view paper_and_claim) const {
   const std::size_t dot = paper_and_claim.find('.');
-  const Paper* const of = dot == std::string_view::npos ? nullptr : paper(paper_and_claim.substr(0, dot));
+  const OldPaper* const of = dot == std::string_view::npos ? nullptr : paper(paper_and_claim.substr(0, dot));
   if (of == nullptr) return nullptr;
   const auto found = of->claims.find(paper_and_claim.substr(dot + 1));
   return found == of->claims.end() ? nullptr : &found->second;
 }
 
-const Paper* Layout::paper(std::string_view id) const {
-  const auto found = std::find_if(papers.begin(), papers.end(), [id](const Paper& paper) { return paper.id == id; });
+const OldPaper* Layout::paper(std::string_view id) const {
+  const auto found = std::find_if(papers.begin(), papers.end(), [id](const OldPaper& paper) { return paper.id == id; });
   return found == papers.end() ? nullptr : &*found;
 }
 

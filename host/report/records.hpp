@@ -16,25 +16,9 @@
 #include <variant>
 #include <vector>
 
-#include "host/base/file.hpp"
+#include "host/report/document.hpp"
 
 namespace sightline::report {
-
-// Something that is right or wrong; the words alone must say it.
-struct Verdict {
-  bool good = true;
-  std::string text = {};
-
-  friend bool operator==(const Verdict&, const Verdict&) = default;
-};
-
-struct Picture {
-  std::string media_type = {};  // "image/png", "image/svg+xml"
-  base::Bytes bytes = {};
-  bool pixelated = false;  // enlarged without smoothing
-
-  friend bool operator==(const Picture&, const Picture&) = default;
-};
 
 // Nothing (not measured, does not apply), words, a count, a number, a judgement, a picture.
 class Value {

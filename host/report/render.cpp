@@ -15,7 +15,7 @@ namespace sightline::report {
 
 namespace {
 
-const RowSet* find_set(const Layout& layout, const Results& results, std::string_view of) {
+const RowSet* find_set(const Layout& layout, const OldResults& results, std::string_view of) {
   const std::size_t dot = of.find('.');
   const std::string_view experiment = of.substr(0, dot);
   const Records* records = nullptr;
@@ -31,7 +31,7 @@ const RowSet* find_set(const Layout& layout, const Results& results, std::string
 
 class Renderer {
  public:
-  Renderer(const Chapter& chapter, const Layout& layout, const Results& results, const Rendering& rendering)
+  Renderer(const OldChapter& chapter, const Layout& layout, const OldResults& results, const Rendering& rendering)
       : chapter_(chapter), layout_(layout), results_(results), rendering_(rendering) {
     page_.set_named = [this](std::string_view name) { return set_named(name); };
   }
@@ -77,15 +77,15 @@ class Renderer {
     return scopes;
   }
 
-  [[nodiscard]] const Claim& claim_named(const std::string& name, const std::string& place) const {
-    const Claim* const claim = layout_.claim(name);
+  [[nodiscard]] const OldClaim& claim_named(const std::string& name, const std::string& place) const {
+    const OldClaim* const claim = layout_.claim(name);
     if (claim == nullptr) throw Wrong(fmt::format("{}: found no claim \"{}\" in papers.json", place, name));
     return *claim;
   }
 
   // "Jones, 1971 (performance)"
   [[nodiscard]] std::string dated(const std::string& name) const {
-    const Paper& paper = *layout_.paper(name.substr(0, name.find('.')));
+    const OldPaper& paper = *layout_.paper(name.substr(0, name.find('.')));
     const std::string& author = paper.authors.front();
     const std::size_t last = author.rfind(' ') + 1;
     return fmt::format("{}{}, {} ({})", author.substr(last), paper.authors.size() > 1 ? " and others" : "", paper.year,
@@ -97,11 +97,11 @@ class Renderer {
     const Scope page = page_;
     Panel panel{layout.id, {}, {}, {}, {}, {}};
     if (!layout.paper.empty()) {
-      const Paper* const paper = layout_.paper(layout.paper);
+      const OldPaper* const paper = layout_.paper(layout.paper);
       if (paper == nullptr) throw Wrong(fmt::format("{}: found no paper \"{}\" in papers.json", place_, layout.paper));
       panel.source = paper->citation();
     }
-    const Claim* const claim = layout.claim.empty() ? nullptr : &claim_named(layout.claim, place_);
+    const OldClaim* const claim = layout.claim.empty() ? nullptr : &claim_named(layout.claim, place_);
     if (claim != nullptr) speak_of(*claim, page_);
     panel.title = layout.title.said(page_);
     for (const auto& [label, value] : layout.facts) panel.facts.emplace_back(label.words(page_), value.words(page_));
@@ -123,7 +123,7 @@ class Renderer {
     blocks_.emplace_back(std::move(panel));
   }
 
-  static void speak_of(const Claim& claim, Scope& scope) {
+  static void speak_of(const OldClaim& claim, Scope& scope) {
     if (!claim.figure) return;
     scope.values["claim.least"] = claim.figure->first;
     scope.values["claim.greatest"] = claim.figure->second;
@@ -208,7 +208,7 @@ class Renderer {
                      {"unit", "Unit", ""},                 {"ratio_least", "Here to paper", "ratio, least"},
                      {"ratio_greatest", "Here to paper", "ratio, greatest"},
                      {"condition", "Condition here", ""},  {"comparison", "Comparison", ""}};
-    for (const ClaimRow& row : layout.rows) {
+    for (const OldClaimRow& row : layout.rows) {
       if (row.host_time && !rendering_.host_times) continue;
       table.rows.push_back(claim_cells(row, claim_named(row.claim, row.place)));
     }
@@ -216,7 +216,7 @@ class Renderer {
     blocks_.emplace_back(std::move(table));
   }
 
-  [[nodiscard]] std::vector<Cell> claim_cells(const ClaimRow& row, const Claim& claim) const {
+  [[nodiscard]] std::vector<Cell> claim_cells(const OldClaimRow& row, const OldClaim& claim) const {
     Scope scope = page_;
     const Value least = row.least ? row.least->value(scope) : Value();
     const Value greatest = row.greatest ? row.greatest->value(scope) : Value();
@@ -327,9 +327,9 @@ class Renderer {
     }
   }
 
-  const Chapter& chapter_;
+  const OldChapter& chapter_;
   const Layout& layout_;
-  const Results& results_;
+  const OldResults& results_;
   const Rendering& rendering_;
   Scope page_;
   std::string place_;
@@ -339,7 +339,7 @@ class Renderer {
 // The keys that a chapter reads.
 class References {
  public:
-  explicit References(const Chapter& chapter) {
+  explicit References(const OldChapter& chapter) {
     for (const BlockLayout& block : chapter.blocks)
       std::visit([this](const auto& content) { add(content); }, block.content);
   }
@@ -389,7 +389,7 @@ class References {
     add(table.notes);
   }
   void add(const ClaimsLayout& claims) {
-    for (const ClaimRow& row : claims.rows) {
+    for (const OldClaimRow& row : claims.rows) {
       add(row.least);
       add(row.greatest);
       add(row.condition);
@@ -431,7 +431,7 @@ bool is_no_key(const Reference& reference) {
 
 }  // namespace
 
-std::vector<Block> render(const Chapter& chapter, const Layout& layout, const Results& results,
+std::vector<Block> render(const OldChapter& chapter, const Layout& layout, const OldResults& results,
                           const Rendering& rendering) {
   Renderer renderer(chapter, layout, results, rendering);
   try {
@@ -443,7 +443,7 @@ std::vector<Block> render(const Chapter& chapter, const Layout& layout, const Re
   }
 }
 
-std::vector<std::string> mismatches(const Layout& layout, const Results& results) {
+std::vector<std::string> mismatches(const Layout& layout, const OldResults& results) {
   std::vector<std::string> lines;
   std::set<std::pair<std::string, std::string>> read;  // "EXPERIMENT.SET", key
   std::set<std::string, std::less<>> of_outer_rows;

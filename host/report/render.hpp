@@ -13,7 +13,7 @@
 namespace sightline::report {
 
 // Of experiments, by name.
-using Results = std::map<std::string, Records, std::less<>>;
+using OldResults = std::map<std::string, Records, std::less<>>;
 
 struct Rendering {
   bool host_times = true;  // false: blocks, columns, rows and notes of host times are left out
@@ -22,11 +22,11 @@ struct Rendering {
 
 // A plot whose points are fewer than three different ones is left out. Throws Failure (bad_input), with file and
 // place, for a set, key or claim that is not there, and for an expression that has no value of the kind needed.
-[[nodiscard]] std::vector<Block> render(const Chapter& chapter, const Layout& layout, const Results& results,
+[[nodiscard]] std::vector<Block> render(const OldChapter& chapter, const Layout& layout, const OldResults& results,
                                         const Rendering& rendering);
 
 // What data files and records say of each other: keys that a chapter reads and no experiment gives, and keys that
 // are given and nothing reads. One line each; none is what must be.
-[[nodiscard]] std::vector<std::string> mismatches(const Layout& layout, const Results& results);
+[[nodiscard]] std::vector<std::string> mismatches(const Layout& layout, const OldResults& results);
 
 }  // namespace sightline::report

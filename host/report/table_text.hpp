@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host/report/document.hpp"
+#include "host/report/records.hpp"
 
 namespace sightline::report {
 

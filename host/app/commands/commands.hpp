@@ -11,6 +11,7 @@ void add_demo_command(const Command& program);
 void add_disasm_command(const Command& program);
 void add_draw_command(const Command& program);
 void add_flight_command(const Command& program);
+void add_hard_command(const Command& program);
 void add_jones_command(const Command& program);
 void add_page_command(const Command& program);
 void add_run_command(const Command& program);

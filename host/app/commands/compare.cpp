@@ -26,6 +26,8 @@
 #include "host/base/text.hpp"
 #include "host/compare/answer.hpp"
 #include "host/compare/answer_plot.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/run_case.hpp"
 #include "host/compare/sweep_views.hpp"
 #include "host/compare/variants.hpp"
 #include "host/scene/heights/function.hpp"
@@ -142,6 +144,19 @@ std::string views_heading(const std::string& name, const CompareArguments& argum
   return fmt::format("{}, {} random views of seed {}: the median, and the greatest in brackets\n", name, arguments.views, arguments.seed);
 }
 
+// Texts that are inputs of hard cases, but neither scenes nor grids.
+void refuse_commands(const std::string& name) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(name, unknown)) return;
+  const std::string_view kind = compare::kind_of_commands(read_input_text(name));
+  if (kind.empty()) return;
+  const std::string file = std::filesystem::path(name).filename().string();
+  const bool known = !compare::hard_case_text(file).empty();
+  throw Failure(ExitCode::bad_input, fmt::format("{}: found {}, expected a scene or a grid; {}", name, kind,
+                                                 known ? fmt::format("`sightline hard {}` takes this file", std::filesystem::path(file).stem().string())
+                                                       : "`sightline hard --list` shows the cases of such files"));
+}
+
 // `source` is by name, from a file or an expression.
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source, OverlayNames& overlays,
                                const compare::CompareProgress& progress, compare::Answer& answer) {
@@ -152,9 +167,10 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   guests::skala::View view = arguments.function_view;
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
+  if (source.expression.empty()) refuse_commands(name);
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
-    throw Failure(ExitCode::bad_input, fmt::format("{}: {}", name, *reason));
+    throw Failure(ExitCode::bad_input, fmt::format("{}: {}; `sightline skala` draws it and compares it with its twin", name, *reason));
   const auto compare_view = [&](const guests::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
     auto comparison = compare::compare_heights(function.grid, of, step, function.sampled, !arguments.no_host_times);
     comparison.devices = compare::compare_devices(function.grid, of, step);

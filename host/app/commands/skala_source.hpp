@@ -27,7 +27,7 @@ struct SkalaFunction {
   std::string name;
   std::string stem;  // for names of files
   scene::HeightGrid grid;
-  // The same function at another size; empty of what has no values between its points.
+  // The same function at another size; empty where nothing is between the points.
   std::function<scene::HeightGrid(scene::GridSize)> sampled{};
 };
 

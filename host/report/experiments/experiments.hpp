@@ -5,23 +5,6 @@
 
 namespace sightline::report {
 
-[[nodiscard]] Records cross_check(const Context& context);
 [[nodiscard]] Records hard_cases(const Context& context);
-[[nodiscard]] Records jones_accuracy(const Context& context);
-[[nodiscard]] Records jones_numbers(const Context& context);
-[[nodiscard]] Records jones_unseen(const Context& context);
-[[nodiscard]] Records jones_views(const Context& context);
-[[nodiscard]] Records montani_re_8080(const Context& context);
-[[nodiscard]] Records montani_re_growth(const Context& context);
-[[nodiscard]] Records montani_re_stripes(const Context& context);
-[[nodiscard]] Records montani_re_tables(const Context& context);
-[[nodiscard]] Records plantinga_accuracy(const Context& context);
-[[nodiscard]] Records plantinga_pdp7(const Context& context);
-[[nodiscard]] Records plantinga_turns(const Context& context);
-[[nodiscard]] Records skala_accuracy(const Context& context);
-[[nodiscard]] Records skala_pictures(const Context& context);
-[[nodiscard]] Records willis_flight(const Context& context);
-[[nodiscard]] Records willis_order(const Context& context);
-[[nodiscard]] Records willis_times(const Context& context);
 
 }  // namespace sightline::report

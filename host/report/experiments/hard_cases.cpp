@@ -17,75 +17,38 @@
 #include "host/base/text.hpp"
 #include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
-#include "host/report/hard_cases/first_failures.hpp"
-#include "host/report/hard_cases/manifest.hpp"
-#include "host/report/hard_cases/runner.hpp"
+#include "host/compare/hard_cases/first_failures.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/case_images.hpp"
+#include "host/compare/hard_cases/run_case.hpp"
 
 namespace sightline::report {
 
 namespace {
 
+using compare::Family;
+using compare::FamilyResult;
+using compare::HardCase;
+using compare::HardCaseGroup;
+using compare::Manifest;
+using compare::SearchResult;
+using compare::hard_case_text;
+
 constexpr std::string_view manifest_file = "manifest.json";
 
 Manifest manifest() {
-  auto read = read_manifest(hard_case_text(manifest_file), manifest_file);
+  auto read = compare::read_manifest(hard_case_text(manifest_file), manifest_file);
   if (!read) throw Failure(ErrorKind::bad_input, read.error().message());
   return std::move(*read);
 }
 
-// Of a grid and of Willis's, in the words of the commands' options.
-std::string options_of(const HardCase& hard) {
-  const registry::HeightView& view = hard.options.view;
-  std::vector<std::string> options;
-  if (hard.input.ends_with(".csv") || hard.input.ends_with(".dat")) {
-    constexpr std::array families{"x", "z", "both", "auto"};
-    if (view.subject == algorithms::skala::Subject::contours)
-      options.push_back(fmt::format("{} contours", view.levels));
-    else
-      options.push_back(fmt::format("family {}", families[static_cast<std::size_t>(view.family)]));
-    options.push_back(fmt::format("rotation {}, elevation {}", view.rotation, view.elevation));
-    if (view.zoom != 1) options.push_back(fmt::format("zoom {}", view.zoom));
-  }
-  if (hard.options.faces.plan) options.emplace_back("plan");
-  if (hard.options.faces.oval) options.emplace_back("ovals");
-  if (hard.options.faces.rule90) options.emplace_back("90-degree rule");
-  if (hard.options.faces.one_silhouette) options.emplace_back("one silhouette");
-  if (!hard.options.faces.order_cells) options.emplace_back("distance alone");
-  if (hard.options.scale != 512) options.push_back(fmt::format("S = {}", hard.options.scale));
-  return base::joined(options, ", ");
-}
-
-// Pictures of a case: the right one, and that of the first method that is wrong.
-struct CasePictures {
-  Value correct;
-  Value wrong;
-  std::string wrong_by;
-
-  void take(const std::string& method, const Finding& finding) {
-    const bool right = finding.good.value_or(false);
-    if (finding.truth && correct.missing()) correct = png_picture(*finding.truth);
-    // An oracle's picture is taken in place of an earlier one.
-    if (finding.image && right && (correct.missing() || method == "oracle")) correct = png_picture(*finding.image);
-    if (finding.image && finding.good && !right && wrong.missing()) {
-      wrong = png_picture(*finding.image);
-      wrong_by = method;
-    }
-  }
-};
-
 void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
-  CasePictures pictures;
+  const compare::CaseOutcome outcome = compare::run_case(hard, compare::case_image_side);
+  const Value correct = outcome.correct ? png_picture(*outcome.correct) : Value();
+  const Value wrong = outcome.found && outcome.found_is_wrong ? png_picture(*outcome.found) : Value();
   std::vector<std::pair<std::string, Value>> found;
-  std::optional<CaseRun> run;
-  if (!hard.run.empty()) {
-    run.emplace(hard, load_input(hard));
-    run->with_images();
-  }
-  for (const std::string& method : hard.run) {
-    const Finding finding = run->run(method);
-    pictures.take(method, finding);
-    found.emplace_back(method, finding.good ? Value(Verdict{*finding.good, finding.text}) : Value(finding.text));
-  }
+  for (const compare::MethodOutcome& method : outcome.methods)
+    found.emplace_back(method.method, method.right ? Value(Verdict{*method.right, method.text}) : Value(method.text));
   if (!hard.tests.empty()) found.emplace_back("tests", base::joined(hard.tests, ", "));
   for (const auto& [method, value] : found) {
     std::string column = method;
@@ -96,16 +59,16 @@ void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
               {"input", hard.input},
               {"section", hard.section},
               {"what", hard.what},
-              {"options", options_of(hard)},
+              {"options", compare::options_of(hard)},
               {"expected", hard.expected},
-              {"checked", checked(hard)},
+              {"checked", compare::checked(hard)},
               {"method", method},
               {"column", std::move(column)},
               {"outcome", verdict == nullptr ? "none" : verdict->good ? "right" : "wrong"},
               {"found", value},
-              {"correct", pictures.correct},
-              {"wrong", pictures.wrong},
-              {"wrong_by", pictures.wrong_by}});
+              {"correct", correct},
+              {"wrong", wrong},
+              {"wrong_by", wrong.missing() ? "" : outcome.found_by}});
   }
 }
 
@@ -119,7 +82,7 @@ std::string tried_text(const SearchResult& search) {
 }
 
 void add_family(RowSet& families, const Family& family) {
-  const auto results = run_family(family);
+  const auto results = compare::run_family(family);
   if (!results) throw Failure(ErrorKind::bad_input, results.error().message());
   for (const FamilyResult& result : *results) {
     const SearchResult& search = result.search;

@@ -61,6 +61,11 @@ TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   EXPECT_EQ(document["scenes"][0]["function"], "sinc");
   EXPECT_EQ(document["scenes"][0]["pictures"][1]["different_inside"], 0);
   EXPECT_EQ(document["scenes"][0]["guest"]["identical_to_twin"], true);
+  // The guest's row is not 0 where its own rounding counts.
+  EXPECT_GT(document["scenes"][0]["pictures"][0]["unrounded"]["hausdorff_99_9"], 0.5);
+  EXPECT_GT(document["scenes"][0]["chord_error"], 0.1);
+  EXPECT_EQ(document["scenes"][0]["devices"].size(), 4U);
+  EXPECT_TRUE(exists("out/sinc-compare-ef9365_dots.png"));
   EXPECT_EQ(document["scenes"][1]["pictures"][0]["name"], "exact");
   EXPECT_EQ(document["scenes"][1]["pictures"][0]["equal_to_oracle"], true);
   EXPECT_EQ(document["scenes"][1]["pictures"][0]["pieces_different"], 0);

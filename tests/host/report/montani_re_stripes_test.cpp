@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "host/report/experiments/montani_re_growth.hpp"
-#include "host/report/hard_cases/montani_re_pixels.hpp"
+#include "host/compare/hard_cases/montani_re_pixels.hpp"
 
 namespace sightline::report {
 namespace {
@@ -24,7 +24,7 @@ TEST(MontaniReStripes, TheBoundaryOfARectangleIsItsSides) {
   constexpr std::int64_t pixel = 65536;
   const StripeBand band{0, 16, {{2 * pixel, 2 * pixel}, {5 * pixel, 5 * pixel}}};
   StripePcs pcs{3, {{band}, {band}}};
-  EXPECT_DOUBLE_EQ(report::square_pixels(pcs, 16), 6);
+  EXPECT_DOUBLE_EQ(compare::square_pixels(pcs, 16), 6);
   double length = 0;
   double lowest = 1e9;
   const auto boundary = boundary_of(pcs, 16);
