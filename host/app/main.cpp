@@ -14,7 +14,7 @@ struct Entry {
   void (*add)(const Command& program);
 };
 
-constexpr std::array<Entry, 20> commands{{
+constexpr std::array<Entry, 21> commands{{
     {"demo", add_demo_command},
     {"report", add_report_command},
     {"jones", add_jones_command},

@@ -126,7 +126,7 @@ ErrorAtlas::ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& op
     : eyes_(std::move(eyes)),
       options_(options),
       session_(std::move(session)),
-      lines_of_words_(lines_of_vectors(session_.program().scene)),
+      lines_of_words_(axis_lines_of_vectors(session_.program().scene)),
       matter_(std::move(matter)),
       lines_(matter_.real_lines()) {}
 

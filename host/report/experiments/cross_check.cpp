@@ -75,8 +75,8 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
-    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name), std::string(scene.title),
-                        fmt::format("{}{}", who, what), png_picture(image)});
+    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name),
+                        std::string(scene.title), fmt::format("{}{}", who, what), png_picture(image)});
   };
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
@@ -104,7 +104,8 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
 }  // namespace
 
 bool CrossCheck::agrees() const {
-  return failures.empty() && std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
+  return failures.empty() &&
+         std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
 }
 
 std::size_t CrossCheck::run() const {
@@ -123,9 +124,8 @@ void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCros
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
       failures.push_back({std::string(scene.name), pair, cell.text});
   }
-  const auto perspective = static_cast<std::size_t>(
-      std::count_if(scene.views.begin(), scene.views.end(),
-                    [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
+  const auto perspective = static_cast<std::size_t>(std::count_if(
+      scene.views.begin(), scene.views.end(), [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
   const std::size_t listed = compare::listed_cells(scene);
   scenes.push_back({.scene = std::string(scene.name),
                     .what = std::string(scene.title),
