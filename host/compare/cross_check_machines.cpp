@@ -55,7 +55,7 @@ class Distances {
  public:
   void add(std::string what, double found, double bound) {
     verdict_.agrees = verdict_.agrees && found <= bound;
-    verdict_.text += fmt::format("{}{} {:.2f} of {:.2f}", verdict_.text.empty() ? "" : ", ", what, found, bound);
+    verdict_.text += fmt::format("{}{} {:.3g} of {:.3g}", verdict_.text.empty() ? "" : ", ", what, found, bound);
     verdict_.distances.push_back({std::move(what), found, bound});
   }
   void fail(const std::string& text) {
@@ -204,9 +204,7 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
     parameters.fraction_bits = bits;
     const jones::View shown = jones::run(in_core->core, 0, parameters);
     if (shown.status != jones::Status::complete) return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
-    JonesPicture& made = builds.emplace_back(picture_of(scene, eye, bits));
-    made.display_file = shown.display_file;
-    made.lines = on_points(shown, bits);
+    builds.push_back({{jones::machine_word_bits, bits}, shown.display_file, {}, 0, {}, 0});
   }
   for (const int bits : bits_of_longer_words) {
     JonesPicture& made = builds.emplace_back();
@@ -228,6 +226,7 @@ ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& vie
   const bool with_flashes = b.name == registry::line_algorithms().front().name;
   Distances distances;
   for (const JonesPicture& build : *a.builds) {
+    if (build.lines.empty()) continue;
     const std::string bits = fmt::format("f={}", build.words.fraction_bits);
     distances.add(bits, apart(build.lines, exact), build.bound);
     if (!build.flashes.empty() && with_flashes) distances.add(bits + " lit", apart(build.flashes, exact), build.flash_bound);

@@ -1,8 +1,8 @@
 // Two programs of the cross-check whose pictures are on the points of a device, each compared at bounds that follow from its words:
 // Jones's on the PDP-7 on scenes of cells, and Skala's on the 8080 on functions of two variables.
 //
-// Jones's in every build there is: with 0 to 3 fraction bits, on the machine with the EAE and without (jones_bound.hpp). Its twin also
-// with more fraction bits, of longer words, before the pieces are put on points. Skala's three pictures on its four devices
+// Jones's in every build there is: with 0 to 3 fraction bits, on the machine with the EAE and without (jones_bound.hpp). Its twin has the
+// same display words; its lines are those with more fraction bits, of longer words, before the pieces are put on points. Skala's three pictures on its four devices
 // (skala_8080.hpp). A program on its machine is its twin word for word and dot for dot, or has no picture here.
 #pragma once
 
@@ -29,7 +29,7 @@ inline constexpr std::string_view jones_twin_name = "jones-twin";
 struct JonesPicture {
   JonesWords words;
   std::vector<core::Word18> display_file;      // empty of words the machine has not
-  std::vector<picture::PixelSegment> lines;    // between points; those of longer words not rounded
+  std::vector<picture::PixelSegment> lines;    // between points; those of longer words not rounded; empty: the machine's
   double bound = 0;                            // of the lines from the exact ones, and of those from the lines
   std::vector<picture::PixelSegment> flashes;  // of one pass, each a segment of no length; of the machine
   double flash_bound = 0;

@@ -39,6 +39,28 @@ TEST(JonesBound, OfLinesBetweenPointsIsHalfAPointMoreEachWay) {
   EXPECT_DOUBLE_EQ(jones_line_bound(0.25, {18, 2}), 0.25 + std::sqrt(0.5));
 }
 
+// From the middle of every cell of a house and of a corridor, and from a place beside it.
+TEST(JonesBound, HoldsFromEveryCell) {
+  std::size_t views = 0;
+  for (const std::string_view name : {"J1", "J4"}) {
+    const CommonScene scene = common_scene(name);
+    const auto exact = registry::find_line_algorithm("exact")->prepare(scene.scene);
+    CrossCheckView view = scene.views.front();
+    for (const scene::Cell& cell : scene.cells->cells) {
+      for (const std::int32_t part : {3, 2}) {
+        for (std::size_t a = 0; a < 3; ++a) view.camera.eye[a] = cell.box.low[a] + (cell.box.high[a] - cell.box.low[a]) / part;
+        const auto builds = jones_twins(scene, view);
+        if (!builds) continue;
+        ++views;
+        const auto seen = registry::view_of(*exact, view.camera, scene.matter->lines_at(view.camera.eye));
+        const ViewVerdict verdict = compare_pictures(scene, view, NamedJones{"jones-twin", &*builds}, NamedLines{"exact", &seen->picture, true});
+        EXPECT_TRUE(verdict.agrees) << name << " from " << view.camera.eye[0] << ", " << view.camera.eye[1] << ", " << view.camera.eye[2] << ": " << verdict.text;
+      }
+    }
+  }
+  EXPECT_GE(views, 20U);
+}
+
 picture::PixelSegment moved(const picture::PixelSegment& line, double by) {
   const double length = std::hypot(line.b.x - line.a.x, line.b.y - line.a.y);
   const picture::PixelPoint across{(line.a.y - line.b.y) / length * by, (line.b.x - line.a.x) / length * by};
