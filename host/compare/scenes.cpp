@@ -305,7 +305,7 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_on_pdp7)) {
       if (comparison.guest->difference.empty()) {
         const auto drawn = display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits));
-        auto row = compared(jones_on_pdp7, "points of the Type 340", truth.lines.lines(), drawn);
+        auto row = compared(jones_on_pdp7, "points", truth.lines.lines(), drawn);
         const auto seen = visible_segments(truth.lines.lines());
         row.metrics.hausdorff = picture::hausdorff_distance(seen, lit_points(run.guest.pass));
         row.emulated = guest.time;
