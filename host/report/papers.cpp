@@ -8,12 +8,10 @@
 
 #include "host/base/json_reader.hpp"
 #include "host/base/nearest_name.hpp"
+#include "host/compare/papers.hpp"
 #include "host/report/experiment.hpp"
 
 namespace sightline::report {
-
-// data/papers.json, under its name.
-[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> papers_file();
 
 namespace {
 
@@ -150,7 +148,7 @@ Papers::Papers(std::string_view json) {
 }
 
 const Papers& Papers::of_program() {
-  static const Papers papers(papers_file().front().second);
+  static const Papers papers(compare::papers_file().front().second);
   return papers;
 }
 

@@ -1,4 +1,4 @@
-// What the papers say, as data/papers.json holds it: each paper, its claims with the place where they stand, its
+// What the papers say, as host/compare/papers.json holds it: each paper, its claims with the place where they stand, its
 // printed tables.
 #pragma once
 

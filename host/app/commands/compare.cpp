@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "host/app/commands/answer_output.hpp"
@@ -24,9 +25,11 @@
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
 #include "host/compare/answer.hpp"
-#include "host/compare/sweep_views.hpp"
+#include "host/compare/answer_plot.hpp"
 #include "host/compare/hard_cases/manifest.hpp"
 #include "host/compare/hard_cases/run_case.hpp"
+#include "host/compare/sweep_views.hpp"
+#include "host/compare/variants.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/read/builtin.hpp"
 
@@ -53,6 +56,7 @@ struct CompareArguments {
   std::uint64_t views = 0;  // 0: the one that the camera options say
   std::uint64_t seed = 1;
   bool no_host_times = false;
+  std::string plot;  // empty: none
   std::string directory = "out";
   bool json = false;
 };
@@ -112,6 +116,7 @@ struct ComparedScene {
   std::string notes;
   Json json;
   std::vector<std::string> overlays;
+  std::vector<compare::PlotPoint> plotted;  // if there is to be a plot
 };
 
 compare::CompareOptions options_of(const CompareArguments& arguments) {
@@ -176,8 +181,12 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   };
   if (arguments.views == 0) {
     const auto comparison = compare_view(view, 0, progress);
-    return {comparison.agrees(), compare_heading(function.name, comparison), compare_notes(comparison),
-            compare_json(function.name, comparison), write_overlays(arguments.directory, overlays.unused(function.stem), comparison)};
+    ComparedScene compared{comparison.agrees(), compare_heading(function.name, comparison), compare_notes(comparison),
+                           compare_json(function.name, comparison),
+                           write_overlays(arguments.directory, overlays.unused(function.stem), comparison), {}};
+    if (!arguments.plot.empty()) compared.plotted = compare::variants_of(comparison);
+    std::erase_if(compared.plotted, [&](const compare::PlotPoint& point) { return !chosen(arguments, point.series); });
+    return compared;
   }
   ComparedScene compared;
   compared.heading = views_heading(function.name, arguments);
@@ -231,8 +240,12 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
       camera = camera_of(arguments.camera, source.scene, name);
     }
     const auto comparison = compare_view(camera, 0, progress);
-    return {comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
-            write_overlays(arguments.directory, overlays.unused(shown), comparison)};
+    ComparedScene compared{comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
+                           write_overlays(arguments.directory, overlays.unused(shown), comparison), {}};
+    if (arguments.plot.empty()) return compared;
+    compared.plotted = source.cells ? value_of(compare::variants_of(*source.cells, options, comparison, progress), name)
+                                    : compare::variants_of(source.scene, options, comparison, progress);
+    return compared;
   }
   ComparedScene compared;
   compared.heading = views_heading(shown, arguments);
@@ -264,6 +277,14 @@ void check_methods(const std::vector<std::string>& methods) {
   }
 }
 
+// Nothing if no plot is asked for.
+std::optional<Output> plot_output(const CompareArguments& arguments) {
+  if (arguments.plot.empty()) return std::nullopt;
+  if (arguments.plot == "-") throw Failure(ExitCode::usage, "--plot: found -, expected a file: the table goes to standard output");
+  if (arguments.views != 0) throw Failure(ExitCode::usage, "--plot: found with --views, expected one view of each scene");
+  return std::optional<Output>(std::in_place, arguments.plot);
+}
+
 ExitCode run_compare(CompareArguments arguments) {
   if (arguments.picture == "surface") arguments.function_view.picture = guests::skala::PictureKind::surface;
   if (arguments.picture == "contours") arguments.function_view.picture = guests::skala::PictureKind::contours;
@@ -276,6 +297,8 @@ ExitCode run_compare(CompareArguments arguments) {
   check_methods(arguments.methods);
   if (arguments.views != 0) refuse_camera(arguments.camera, true, "--views", "random views, which have cameras of their own");
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
+  std::optional<Output> plot = plot_output(arguments);
+  std::vector<compare::PlotPoint> plotted;
   Json document{{"schema", "sightline/compare/2"}, {"agrees", true}, {"table", Json::array()}, {"scenes", Json::array()}};
   bool agrees = true;
   const std::size_t count = names.size() + (expression ? 1 : 0);
@@ -289,6 +312,7 @@ ExitCode run_compare(CompareArguments arguments) {
       return compare_next(arguments, names, n, overlays, show, answer);
     }();
     agrees = agrees && compared.agrees;
+    plotted.insert(plotted.end(), compared.plotted.begin(), compared.plotted.end());
     if (arguments.json) {
       compared.json["overlays"] = compared.overlays;
       document["scenes"].push_back(std::move(compared.json));
@@ -301,6 +325,14 @@ ExitCode run_compare(CompareArguments arguments) {
       if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
   }
   document["agrees"] = agrees;
+  if (plot) {
+    const std::string title = count == 1 ? (expression ? arguments.function.expression : names.front()) + ": time against error"
+                                         : fmt::format("Time against error, medians of {} scenes and functions", count);
+    plot->write(value_of(compare::plot_svg(compare::medians_of(plotted), title), "--plot"));
+    plot->commit();
+    document["plot"] = arguments.plot;
+    if (!arguments.json) write_stdout(fmt::format("plot {}\n", arguments.plot));
+  }
   if (arguments.json) print_json(document);
   if (agrees) return ExitCode::ok;
   complain("an exact algorithm is not exact, or a guest is not its twin: see above");
@@ -335,6 +367,7 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
       .value("N");
   command.option("--seed", arguments.seed, "Seed of the random views").check(why_no_whole_number).default_value().value("N");
   command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
+  command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");
   command.option("-o,--output", arguments.directory, "Folder for the overlays").default_value().value("DIR");
   command.flag("--json", arguments.json, "One JSON document instead of the tables");
 }

@@ -61,7 +61,8 @@ void add_machines(std::vector<MachineFarthest>& machines, const compare::CommonS
   }
 }
 
-void machine_table(Page& page, const std::string& id, const std::string& title, std::vector<MachineFarthest> rows, const std::string& note) {
+template <class Rows>
+void machine_table(Page& page, const std::string& id, const std::string& title, const Rows& rows, const std::string& note) {
   page.table(id, title, rows,
              {{"machine", "Machine", &MachineFarthest::machine}, {"other", "Measured from", &MachineFarthest::other}, {"what", "What", &MachineFarthest::what}},
              {.notes = {note}},
@@ -169,8 +170,8 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
   if (!checked.failures.empty())
     page.table("agreement-failures", "What does not agree, or could not be run", checked.failures,
                {{"scene", "Scene", &PairFailure::scene}, {"pair", "Pair", &PairFailure::pair}, {"first", "First difference", &PairFailure::first}});
-  const std::vector<MachineFarthest> of_jones = where(checked.machines, [](const MachineFarthest& m) { return m.machine != compare::skala_8080_name; });
-  const std::vector<MachineFarthest> of_skala = where(checked.machines, [](const MachineFarthest& m) { return m.machine == compare::skala_8080_name; });
+  const auto of_jones = where(checked.machines, [](const MachineFarthest& m) { return m.machine != compare::skala_8080_name; });
+  const auto of_skala = where(checked.machines, [](const MachineFarthest& m) { return m.machine == compare::skala_8080_name; });
   machine_table(page, "agreement-jones", "Jones's program: its lines and the exact ones", of_jones,
                 "Of the views of a scene the one that comes nearest to its bound: how far, in points of the Type 340, a line of the program is from the exact "
                 "ones or an exact one from the program's, of how far its words let it be. f is the number of fraction bits; lit: the points of one pass of "
