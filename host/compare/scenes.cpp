@@ -43,11 +43,23 @@ bool chosen(const CompareOptions& options, std::string_view name) {
   return options.methods.empty() || std::find(options.methods.begin(), options.methods.end(), name) != options.methods.end();
 }
 
-ComparedPicture compared(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
-                         const std::vector<DrawnPiece>& drawn, const CompareOptions& options) {
+// Pictures known to be the same have no distance to measure, unless lengths say otherwise.
+picture::LineMetrics metrics_of(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn, const CompareOptions& options,
+                                bool identical) {
+  if (!options.for_table) return picture::line_metrics(truth, drawn);
+  constexpr double noise = 1e-6;  // pixels
   picture::MetricOptions measured;
-  if (options.for_table) measured.points = 0;
-  ComparedPicture row{std::string(name), std::move(rounding), std::nullopt, picture::line_metrics(truth, drawn, measured), {}};
+  measured.points = 0;
+  measured.distances = !identical;
+  picture::LineMetrics metrics = picture::line_metrics(truth, drawn, measured);
+  if (!identical || metrics.symmetric() < noise) return metrics;
+  measured.distances = true;
+  return picture::line_metrics(truth, drawn, measured);
+}
+
+ComparedPicture compared(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
+                         const std::vector<DrawnPiece>& drawn, const CompareOptions& options, bool identical = false) {
+  ComparedPicture row{std::string(name), std::move(rounding), std::nullopt, metrics_of(truth, drawn, options, identical), {}};
   if (!options.for_table) row.difference = picture::line_difference(truth, drawn, least_stretch);
   return row;
 }
@@ -258,15 +270,17 @@ class SceneMethods::Parts {
       }
       auto drawn = drawn_by(entry, truth, comparison.camera);
       if (!drawn) return drawn.error();
-      auto row = compared(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture), options_);
       const picture::LinePicture& all = matter_ ? whole : truth.visible;
       // Edges of other names may lie on each other: of a scene of cells always compared as images.
-      row.identical = matter_ ? picture::image_set(drawn->picture, truth.scene, comparison.camera) ==
+      const bool identical = matter_ ? picture::image_set(drawn->picture, truth.scene, comparison.camera) ==
                                     picture::image_set(all, truth.scene, comparison.camera)
                               : registry::agrees(algorithm, drawn->picture, all, truth.scene, comparison.camera);
+      auto row = compared(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture), options_,
+                          identical);
+      row.identical = identical;
       row.pieces = drawn->picture.pieces.size();
       row.visible_length = picture::image_length(drawn->picture, truth.scene, comparison.camera);
-      if (!*row.identical) row.piece_difference = piece_difference(all, drawn->picture);
+      if (!identical) row.piece_difference = piece_difference(all, drawn->picture);
       row.counts = entry.prepared.counts;
       for (const registry::AlgorithmCount& count : drawn->counts)  // of all cells, and of those a view enters
         row.counts.push_back({count.name == "cells" ? "cells_read" : count.name, count.value});
