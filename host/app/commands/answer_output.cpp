@@ -17,12 +17,6 @@ using base::Json;
 using compare::AnswerRow;
 using compare::Spread;
 
-std::string time_text(double seconds) {
-  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
-  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
-  return fmt::format("{:.3g} us", seconds * 1e6);
-}
-
 // Of one view the value, of many the median and the greatest.
 template <class Text>
 std::string spread_text(const std::optional<Spread>& spread, std::size_t views, Text&& text) {
@@ -48,6 +42,12 @@ Json spread_json(const Spread& spread) {
 }
 
 }  // namespace
+
+std::string time_text(double seconds) {
+  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
+  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} us", seconds * 1e6);
+}
 
 std::string answer_text(const std::vector<AnswerRow>& rows) {
   bool several = false;
