@@ -96,18 +96,6 @@ std::string cell(std::string_view tag, std::string_view classes, std::string_vie
   return fmt::format("<{}{}>{}</{}>", tag, classes.empty() ? std::string() : fmt::format(" class=\"{}\"", classes), html(text), tag);
 }
 
-std::string row_start(const AnswerRow& row, bool host, const AnswerCells& cells) {
-  std::string text = cell("td", "", row.picture) + cell("td", "n", cells.emulated);
-  if (host) text += cell("td", "n", cells.host);
-  return text;
-}
-
-std::string head_start(bool host) {
-  std::string text = "<thead><tr>" + cell("th", "", "method") + cell("th", "", "draws") + cell("th", "n", "emulated time");
-  if (host) text += cell("th", "n", "time here");
-  return text;
-}
-
 bool timed_here(const std::vector<AnswerRow>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const AnswerRow& row) { return row.host_seconds.has_value(); });
 }
@@ -116,19 +104,24 @@ std::string defect_row(const AnswerRow& row) {
   return row.defect.empty() ? std::string() : fmt::format("<tr><th></th><td class=\"bad\" colspan=\"8\">{}</td></tr>\n", html(row.defect));
 }
 
-// A row a method, over all scenes.
+// A row a method, over all scenes: first those of the old machines.
 std::string methods_html(const std::vector<AnswerRow>& methods) {
-  const bool host = timed_here(methods);
-  std::string text = "<div class=\"wide\" tabindex=\"0\">\n<table>\n" + head_start(host) + cell("th", "n", "wrong, %") + cell("th", "n", "farthest, points") +
-                     cell("th", "n", "none beyond 1") + cell("th", "p", "the paper says") + "</tr></thead>\n<tbody>\n";
-  for (const AnswerRow& row : methods) {
-    const AnswerCells cells = answer_cells(row);
-    const bool exact = row.exact && row.right == row.views;
-    const std::string wrong = row.views > 1 ? fmt::format("{:.3g} ({:.3g})", row.wrong_percent.median, row.wrong_percent.greatest)
-                                            : fmt::format("{:.3g}", row.wrong_percent.greatest);
-    base::append(text, "<tr><th>{} <small>{}</small></th>", html(row.method), html(method_text(row.method)));
-    text += row_start(row, host, cells) + cell("td", "n", exact ? "0, exact" : wrong) + cell("td", "n", cells.greatest) +
-            cell("td", "n", fmt::format("{} of {}", row.right, row.views)) + cell("td", "p", cells.paper) + "</tr>\n" + defect_row(row);
+  std::string text = "<div class=\"wide\" tabindex=\"0\">\n<table class=\"methods\">\n<thead><tr>" + cell("th", "", "method") + cell("th", "n", "time") +
+                     cell("th", "n", "wrong, %") + cell("th", "n", "farthest, points") + cell("th", "n", "none beyond 1") + cell("th", "p", "the paper says") +
+                     "</tr></thead>\n<tbody>\n";
+  for (const bool emulated : {true, false}) {
+    base::append(text, "<tr class=\"scene\"><th colspan=\"6\">{}</th></tr>\n", emulated ? "Old machines, emulated time" : "This computer, measured time");
+    for (const AnswerRow& row : methods) {
+      if (row.emulated_seconds.has_value() != emulated) continue;
+      const AnswerCells cells = answer_cells(row);
+      const bool exact = row.exact && row.right == row.views;
+      const std::string wrong = row.views > 1 ? fmt::format("{:.3g} ({:.3g})", row.wrong_percent.median, row.wrong_percent.greatest)
+                                              : fmt::format("{:.3g}", row.wrong_percent.greatest);
+      const std::string_view who = method_text(row.method);
+      base::append(text, "<tr><th>{} <small>{}{}{}</small></th>", html(row.method), html(who), who.empty() ? "" : ", ", html(row.picture));
+      text += cell("td", "n", emulated ? cells.emulated : cells.host) + cell("td", "n", exact ? "0, exact" : wrong) + cell("td", "n", cells.greatest) +
+              cell("td", "n", fmt::format("{} of {}", row.right, row.views)) + cell("td", "p", cells.paper) + "</tr>\n" + defect_row(row);
+    }
   }
   return text + "</tbody>\n</table>\n</div>\n";
 }
@@ -136,13 +129,17 @@ std::string methods_html(const std::vector<AnswerRow>& methods) {
 // A row a scene and method.
 std::string table_html(const std::vector<AnswerRow>& rows) {
   const bool host = timed_here(rows);
-  std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n" + head_start(host) + cell("th", "n", "wrong") + cell("th", "n", "farthest, points") +
+  std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n<thead><tr>" + cell("th", "", "method") + cell("th", "", "draws") + cell("th", "n", "emulated time");
+  if (host) text += cell("th", "n", "time here");
+  text += cell("th", "n", "wrong") + cell("th", "n", "farthest, points") +
                      cell("th", "n", "beyond 1") + cell("th", "", "read") + "</tr></thead>\n<tbody>\n";
   std::string scene;
   for (const AnswerRow& row : rows) {
     if (row.scene != scene) base::append(text, "<tr class=\"scene\"><th colspan=\"8\">{}</th></tr>\n", html(scene = row.scene));
     const AnswerCells cells = answer_cells(row);
-    text += "<tr>" + cell("th", "", row.method) + row_start(row, host, cells) + cell("td", "n", cells.wrong) + cell("td", "n", cells.greatest) +
+    text += "<tr>" + cell("th", "", row.method) + cell("td", "", row.picture) + cell("td", "n", cells.emulated);
+    if (host) text += cell("td", "n", cells.host);
+    text += cell("td", "n", cells.wrong) + cell("td", "n", cells.greatest) +
             cell("td", "n", cells.far) + cell("td", "", cells.read) + "</tr>\n" + defect_row(row);
   }
   return text + "</tbody>\n</table>\n</div>\n";
@@ -209,14 +206,14 @@ void write_difference(const std::string& directory, const std::string& file, con
 
 std::string difference_caption(const std::string& name, const picture::RasterDifference& raster) {
   if (raster.same()) return fmt::format("{}: all {} points are those of exact lines", name, raster.lit_in_truth);
-  return fmt::format("{}: {} points missing (orange), {} extra (blue), of {}; farthest {:.1f}", name, raster.missing.all, raster.extra.all,
+  return fmt::format("{}: {} points missing (orange), {} extra (blue) of {}, none farther off than {:.1f}", name, raster.missing.all, raster.extra.all,
                      raster.lit_in_truth, raster.hausdorff.greatest);
 }
 
 PageGallery jones_gallery(const std::string& directory, const DemoResults& results) {
   PageGallery gallery{"Jones 1971: the screen of the PDP-7", 3,
                       "Photographs of the Type 340 with the shutter open for 0.2 s; every point of one pass; and the points beside those that exact "
-                      "lines light by the display's own rule: grey in both. Where no point differs there is no third picture.",
+                      "lines light by the display's own rule, grey in both: the 128 by 128 of the 1024 by 1024 in which most differ.",
                       {}};
   for (const JonesRow& row : results.jones) {
     if (!row.eae) continue;
