@@ -14,7 +14,7 @@ struct Entry {
   void (*add)(const Command& program);
 };
 
-constexpr std::array<Entry, 20> commands{{
+constexpr std::array<Entry, 21> commands{{
     {"demo", add_demo_command},
     {"report", add_report_command},
     {"jones", add_jones_command},
@@ -28,6 +28,7 @@ constexpr std::array<Entry, 20> commands{{
     {"turn", add_turn_command},
     {"flight", add_flight_command},
     {"sweep", add_sweep_command},
+    {"atlas", add_atlas_command},
     {"asm", add_asm_command},
     {"disasm", add_disasm_command},
     {"run", add_run_command},

@@ -342,9 +342,4 @@ std::vector<AnswerRow> Answer::rows() const {
   return rows;
 }
 
-std::string paper_figure(std::string_view method) {
-  static_cast<void>(method);
-  return "";
-}
-
 }  // namespace sightline::compare

@@ -98,7 +98,4 @@ class Answer {
   std::vector<Gathered> gathered_;
 };
 
-// What the papers say of the time of a method, with the place; empty: nothing.
-[[nodiscard]] std::string paper_figure(std::string_view method);
-
 }  // namespace sightline::compare

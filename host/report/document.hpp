@@ -78,10 +78,10 @@ struct Figure {
 struct Table {
   std::string id;  // a-z, 0-9, -; once in a report: the file's name and the place to link to
   std::string title;
-  std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;  // each as wide as columns
-  std::vector<Said> notes;              // paragraphs under the table
-  bool folded = false;                  // to be opened in the page
+  std::vector<Column> columns = {};
+  std::vector<std::vector<Cell>> rows = {};  // each as wide as columns
+  std::vector<Said> notes = {};              // paragraphs under the table
+  bool folded = false;                       // to be opened in the page
   // Pictures of each row: the page shows the rows as cards. Readers choose cards by this name, and by whether a
   // judgement in the row is bad.
   std::vector<std::vector<Figure>> cards = {};
@@ -102,10 +102,10 @@ struct Heading {
 struct Panel {
   std::string id;
   Said title;
-  std::string source;  // the paper; empty: none
-  std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<Said> text;
-  std::vector<Figure> figures;
+  std::string source = {};  // the paper; empty: none
+  std::vector<std::pair<std::string, std::string>> facts = {};
+  std::vector<Said> text = {};
+  std::vector<Figure> figures = {};
 };
 
 // A file the report is about, such as an input: folded up in the page, to be opened there or saved.

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "host/base/parallel.hpp"
-#include "host/report/layout.hpp"
 
 namespace sightline::report {
 
@@ -73,19 +72,7 @@ Results run_all(std::vector<Experiment> experiments, const Context& told) {
   return results;
 }
 
-// Of data files.
-std::vector<Block> old_blocks(const std::string& name, const Context& context) {
-  const Layout layout = read_layout(layout_files());
-  const OldChapter& chapter = layout.chapters.at(name);
-  OldResults results;
-  for (const std::string& wanted : chapter.experiments())
-    for (const OldExperiment& experiment : all_experiments())
-      if (experiment.name == wanted) results[wanted] = experiment.run(context);
-  return render(chapter, layout, results, {context.host_times, [](const Plot& plot) { return *draw_plot(plot); }});
-}
-
 std::vector<Block> blocks_of(const Chapter& chapter, const Results& results, const Context& context) {
-  if (!chapter.write) return old_blocks(chapter.id, context);
   Page page(context.host_times);
   chapter.write(page, results);
   return std::move(page).blocks();

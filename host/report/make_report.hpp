@@ -2,12 +2,9 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
 #include "host/report/document.hpp"
 #include "host/report/experiment.hpp"
-#include "host/report/render.hpp"
 #include "host/report/sections.hpp"
 
 namespace sightline::report {

@@ -19,7 +19,7 @@
 //     if (page.host_times()) page.paragraph("...");
 //   }
 //
-// rows.hpp has where, least, sum and the like; everything of document.hpp can be added as a block. A number in a text
+// rows.hpp has where, least and sum; everything of document.hpp can be added as a block. A number in a text
 // is written by shown(value, places). claim(condition, text) is the text; where the condition does not hold the page
 // says, in red, that it does not. sections.cpp lists experiments and chapters: what a chapter takes is what is run.
 #pragma once
@@ -129,7 +129,7 @@ struct ClaimRow {
   std::string unit = {};  // empty: the claim's
 };
 
-// How curves are drawn, and what stands beside each point.
+// How curves are drawn, and the label next to each point.
 template <class Row>
 struct CurveParts {
   std::function<std::string(const Row&)> label = {};

@@ -8,12 +8,10 @@
 
 #include "host/base/json_reader.hpp"
 #include "host/base/nearest_name.hpp"
+#include "host/compare/papers.hpp"
 #include "host/report/experiment.hpp"
 
 namespace sightline::report {
-
-// data/papers.json, under its name.
-[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> papers_file();
 
 namespace {
 
@@ -115,25 +113,21 @@ std::string Paper::citation() const {
   return fmt::format("{}: \u201C{}\u201D, {}{}{}", text, title, published_in, published_in.empty() ? "" : ", ", year);
 }
 
-namespace {
-
-const Cell& cell_at(const PrintedTable& table, std::size_t row, std::string_view key) {
-  const auto found = std::find(table.keys.begin(), table.keys.end(), key);
-  if (found == table.keys.end()) not_found("column", key, table.keys);
-  return table.rows.at(row)[static_cast<std::size_t>(found - table.keys.begin())];
+const Cell& PrintedTable::cell(std::size_t row, std::string_view key) const {
+  const auto found = std::find(keys.begin(), keys.end(), key);
+  if (found == keys.end()) not_found("column", key, keys);
+  return rows.at(row)[static_cast<std::size_t>(found - keys.begin())];
 }
 
-}  // namespace
-
 double PrintedTable::number(std::size_t row, std::string_view key) const {
-  const Cell& cell = cell_at(*this, row, key);
-  if (const auto* const whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
-  if (const auto* const real = std::get_if<Real>(&cell)) return real->value;
+  const Cell& found = cell(row, key);
+  if (const auto* const whole = std::get_if<std::int64_t>(&found)) return static_cast<double>(*whole);
+  if (const auto* const real = std::get_if<Real>(&found)) return real->value;
   refuse(fmt::format("column {}, row {}: expected a number", key, row + 1));
 }
 
 const std::string& PrintedTable::text(std::size_t row, std::string_view key) const {
-  const auto* const words = std::get_if<std::string>(&cell_at(*this, row, key));
+  const auto* const words = std::get_if<std::string>(&cell(row, key));
   if (words == nullptr) refuse(fmt::format("column {}, row {}: expected a string", key, row + 1));
   return *words;
 }
@@ -154,7 +148,7 @@ Papers::Papers(std::string_view json) {
 }
 
 const Papers& Papers::of_program() {
-  static const Papers papers(papers_file().front().second);
+  static const Papers papers(compare::papers_file().front().second);
   return papers;
 }
 

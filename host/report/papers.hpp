@@ -1,4 +1,4 @@
-// What the papers say, as data/papers.json holds it: each paper, its claims with the place where they stand, its
+// What the papers say, as host/compare/papers.json holds it: each paper, its claims with the place where they stand, its
 // printed tables.
 #pragma once
 
@@ -37,6 +37,7 @@ struct PrintedTable {
   std::vector<std::vector<Cell>> rows;
 
   // Throw Failure (bad_input) for a key that is not there, and for a cell of another kind.
+  [[nodiscard]] const Cell& cell(std::size_t row, std::string_view key) const;
   [[nodiscard]] double number(std::size_t row, std::string_view key) const;
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view key) const;
 };

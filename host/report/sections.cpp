@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "host/report/experiments/cross_check.hpp"
+#include "host/report/experiments/hard_cases.hpp"
 #include "host/report/experiments/jones_accuracy.hpp"
 #include "host/report/experiments/jones_unseen.hpp"
 #include "host/report/experiments/jones_views.hpp"
@@ -22,17 +23,6 @@
 
 namespace sightline::report {
 
-namespace {
-
-// Of data/ID.json: a chapter that is not moved yet. Once its line is chapter("ID", part, &function), and its experiments
-// are lines of report_experiments (and no more of experiments.cpp), its file in data/ goes. The opening page comes back
-// when all of them are moved.
-Chapter old(std::string id, int part) {
-  return {std::move(id), part, {}, {}};
-}
-
-}  // namespace
-
 const void* Results::find(std::type_index type) const {
   const auto found = data_.find(type);
   if (found == data_.end()) throw std::logic_error(std::string("no experiment was run that gives ") + type.name());
@@ -51,6 +41,7 @@ const std::vector<Part>& report_parts() {
 const std::vector<Experiment>& report_experiments() {
   static const std::vector<Experiment> experiments{
       experiment(&jones_numbers),
+      experiment(&hard_cases),
       experiment(&skala_accuracy),
       experiment(&jones_accuracy),
       experiment(&willis_order),
@@ -86,6 +77,7 @@ const std::vector<SectionPlan>& report_sections() {
         chapter("finding-flight", 0, &finding_flight),
         chapter("finding-word-length", 0, &finding_word_length),
         chapter("finding-visibility-cost", 0, &finding_visibility_cost),
+        chapter("finding-hard-cases", 0, &finding_hard_cases),
         chapter("finding-growth", 0, &finding_growth),
         chapter("finding-unseen", 0, &finding_unseen),
         chapter("finding-normals", 0, &finding_normals),
@@ -113,7 +105,7 @@ const std::vector<SectionPlan>& report_sections() {
         chapter("plantinga-pdp7", 1, &plantinga_pdp7_chapter),
         chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",
-       {old("hard-cases", 3)}},
+       {chapter("hard-cases", 3, &hard_cases_chapter)}},
       {"agreement", "Cross-check: every method against every other", "",
        {chapter("cross-check", 5, &cross_check_chapter)}},
       {"about", "About this report", "",

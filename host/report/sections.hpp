@@ -64,7 +64,9 @@ struct Chapter {
 
 template <class... Data>
 Chapter chapter(std::string id, int part, void (*write)(Page&, const Data&...)) {
-  return {std::move(id), part, {typeid(Data)...}, [write](Page& page, const Results& results) { write(page, results.of<Data>()...); }};
+  return {std::move(id), part, {typeid(Data)...}, [write](Page& page, const Results& results) {
+            write(page, results.of<Data>()...);
+          }};
 }
 
 // A kind of chapters, which people ask for by its number.

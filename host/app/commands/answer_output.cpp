@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "host/base/text_table.hpp"
+#include "host/compare/papers.hpp"
 
 namespace sightline::app {
 namespace {

@@ -9,6 +9,7 @@
 namespace sightline::app {
 
 void add_asm_command(const Command& program);
+void add_atlas_command(const Command& program);
 void add_compare_command(const Command& program);
 void add_demo_command(const Command& program);
 void add_disasm_command(const Command& program);

@@ -55,7 +55,8 @@ summary { cursor: pointer; padding: .3rem 0; } details { border-bottom: 1px soli
 pre { overflow-x: auto; padding: .6rem .8rem; background: var(--band); font-size: .8rem; line-height: 1.35; }
 @media (max-width: 48rem) { main { padding: .6rem .75rem 2rem; } .answers, .plots { grid-template-columns: minmax(0, 1fr); }
   .answers { gap: .5rem; } .gallery { gap: .5rem; }
-  .of4 { grid-template-columns: repeat(2, minmax(0, 1fr)); } figcaption { font-size: .8rem; line-height: 1.25; } h1 { font-size: 1.2rem; } }
+  .of4 { grid-template-columns: repeat(2, minmax(0, 1fr)); } figcaption { font-size: .8rem; line-height: 1.25; }
+  th, td { padding: .24rem .4rem; } .methods th small { display: block; max-width: 8.2rem; white-space: normal; } h1 { font-size: 1.2rem; } }
 )";
 
 // Who had the idea, and on what it runs.

@@ -111,6 +111,11 @@ std::string options_of(const HardCase& hard) {
   return base::joined(options, ", ");
 }
 
+std::string hard_command(const HardCase& hard) {
+  const std::string id = hard.id.substr(0, hard.id.find('\''));  // M1' has the file M1-four
+  return "sightline hard " + (hard.input.starts_with(id) ? hard.input.substr(0, hard.input.rfind('.')) : hard.id);
+}
+
 std::string compare_command(const HardCase& hard) {
   if (hard.input.empty() || hard.input == "octants" || hard.input.ends_with(".txt")) return "";
   const std::string stem = hard.input.substr(0, hard.input.rfind('.'));

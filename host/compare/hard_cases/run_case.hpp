@@ -35,6 +35,9 @@ struct CaseOutcome {
 // Of a grid and of Willis's, in the words of the commands' options: "family x, rotation 0, elevation 30".
 [[nodiscard]] std::string options_of(const HardCase& hard);
 
+// "sightline hard J5-strip": runs the case, and others on the same file.
+[[nodiscard]] std::string hard_command(const HardCase& hard);
+
 // "sightline compare J12.json --scale 511": the case's input in the view of the case, or in the command's usual one where the oracle
 // does not know that. Empty if the command does not take the input.
 [[nodiscard]] std::string compare_command(const HardCase& hard);

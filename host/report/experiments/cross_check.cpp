@@ -41,12 +41,43 @@ double extent_of(const compare::CrossCheckView& view) {
   return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
+// What Jones's and Skala's programs are measured against; other pairs of theirs say the same.
+bool is_measured(const CrossCheckCell& cell) {
+  return cell.first == "exact" || cell.second == compare::skala_8080_name;
+}
+
+void add_machines(std::vector<MachineFarthest>& machines, const compare::CommonScene& scene, const CrossCheckCell& cell) {
+  if (!is_measured(cell)) return;
+  for (const compare::CheckedDistance& distance : cell.distances) {
+    const auto known = std::find_if(machines.begin(), machines.end(), [&](const MachineFarthest& m) {
+      return m.scene == scene.name && m.machine == cell.second && m.other == cell.first && m.what == distance.what;
+    });
+    const MachineFarthest found{std::string(scene.name), std::string(scene.title), std::string(cell.second), std::string(cell.first), distance.what,
+                                distance.found, distance.bound};
+    if (known == machines.end())
+      machines.push_back(found);
+    else if (found.part() > known->part())
+      *known = found;
+  }
+}
+
+template <class Rows>
+void machine_table(Page& page, const std::string& id, const std::string& title, const Rows& rows, const std::string& note) {
+  page.table(id, title, rows,
+             {{"machine", "Machine", &MachineFarthest::machine}, {"other", "Measured from", &MachineFarthest::other}, {"what", "What", &MachineFarthest::what}},
+             {.notes = {note}},
+             Pivot<MachineFarthest>{.key = [](const MachineFarthest& m) { return base::lower_case(m.scene); },
+                                    .title = [](const MachineFarthest& m) { return m.scene + ", " + m.title; },
+                                    .unit = "points",
+                                    .cell = [](const MachineFarthest& m) { return Verdict{m.found <= m.bound, fmt::format("{:.2f} of {:.2f}", m.found, m.bound)}; }});
+}
+
 void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
-    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name), std::string(scene.title),
-                        fmt::format("{}{}", who, what), png_picture(image)});
+    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name),
+                        std::string(scene.title), fmt::format("{}{}", who, what), png_picture(image)});
   };
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
@@ -57,6 +88,15 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
       for (const picture::PixelSegment& line : picture.screen->turn.lines) lines.push_back({0, line});
       add(name, "", compare::screen_image(lines));
     }
+    if (picture.builds) {
+      std::vector<picture::DrawnPiece> lines;
+      for (const picture::PixelSegment& line : picture.builds->back().lines) lines.push_back({0, line});
+      add(name, fmt::format(", f={}", picture.builds->back().words.fraction_bits), compare::screen_image(lines));
+    }
+    if (picture.ink)
+      for (const compare::SkalaInk& ink : *picture.ink)
+        if (ink.device == guests::skala::Device::ef9365 || (ink.device == guests::skala::Device::calcomp && compare::shows_lines(ink)))
+          add(name, ", " + compare::name_of(ink), compare::faces_image(ink.dots, compare::case_image_side));
     if (picture.faces) add(name, picture.lines ? " (faces)" : "", compare::faces_image(*picture.faces, compare::case_image_side));
   }
   if (number == 0) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
@@ -65,7 +105,8 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
 }  // namespace
 
 bool CrossCheck::agrees() const {
-  return failures.empty() && std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
+  return failures.empty() &&
+         std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
 }
 
 std::size_t CrossCheck::run() const {
@@ -79,13 +120,13 @@ void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCros
   for (const CrossCheckCell& cell : agreement.cells) {
     const std::string pair = fmt::format("{} and {}", cell.first, cell.second);
     cells.push_back({std::string(scene.name), pair, verdict_of(cell)});
+    add_machines(machines, scene, cell);
     run += cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::differs ? 1U : 0U;
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
       failures.push_back({std::string(scene.name), pair, cell.text});
   }
-  const auto perspective = static_cast<std::size_t>(
-      std::count_if(scene.views.begin(), scene.views.end(),
-                    [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
+  const auto perspective = static_cast<std::size_t>(std::count_if(
+      scene.views.begin(), scene.views.end(), [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
   const std::size_t listed = compare::listed_cells(scene);
   scenes.push_back({.scene = std::string(scene.name),
                     .what = std::string(scene.title),
@@ -116,8 +157,9 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
                         "drawn, and wherever a line is drawn with no other one within two pixels the face changes, both within one pixel (and "
                         "what rounding can do on a machine's display). points: turn-pdp7 is the program that turns solids on the PDP-7, at the "
                         "nearest of its 2^18 angles; the others draw for it at that angle, the visible pieces are the same, and no line is "
-                        "farther from the other picture's than the lengths of the machine's words explain. n/a: does not apply, for a reason "
-                        "listed below.",
+                        "farther from the other picture's than the lengths of the machine's words explain; of jones-pdp7 and skala-8080 the next "
+                        "tables say how far. words: the same display words, with every number of fraction bits. n/a: does not apply, for a "
+                        "reason listed below.",
                         "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
                         page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
                                    fmt::format("{} do not agree or were not run", checked.failures.size()))}},
@@ -128,12 +170,27 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
   if (!checked.failures.empty())
     page.table("agreement-failures", "What does not agree, or could not be run", checked.failures,
                {{"scene", "Scene", &PairFailure::scene}, {"pair", "Pair", &PairFailure::pair}, {"first", "First difference", &PairFailure::first}});
+  const auto of_jones = where(checked.machines, [](const MachineFarthest& m) { return m.machine != compare::skala_8080_name; });
+  const auto of_skala = where(checked.machines, [](const MachineFarthest& m) { return m.machine == compare::skala_8080_name; });
+  machine_table(page, "agreement-jones", "Jones's program: its lines and the exact ones", of_jones,
+                "Of the views of a scene the one that comes nearest to its bound: how far, in points of the Type 340, a line of the program is from the exact "
+                "ones or an exact one from the program's, of how far its words let it be. f is the number of fraction bits; lit: the points of one pass of "
+                "the display, whose vector generator wanders. jones-pdp7 is the program on its machine, with the EAE and without; jones-twin the same "
+                "program in C++, from f=4 on with words of 24 bits and before its pieces are put on points. The bounds are worked out for each view "
+                "from the roundings on the way to each end; they hold for these views: from other places the program may lose a line that it sees "
+                "between two openings, which no length of words bounds.");
+  machine_table(page, "agreement-skala", "Skala's program: its ink and the unrounded lines", of_skala,
+                "How far, in dots, ink is from the lines between the samples (oracle: what is truly seen of them, not rounded; skala: what the native "
+                "algorithm draws), and these from ink, of how far integer coordinates, the dots of a line and the test by columns let it be. Contours "
+                "hide nothing and are tested with a dot of slack, so only their places are measured; which of their dots are lit is, as for all pictures "
+                "on the boards, what the column oracle says, dot by dot. A plotter draws a surface as lines.");
   page.table("agreement-not-applicable", "What does not apply, and why", compare::not_applicable(),
              {{"method", "Method", &NotApplicable::who},
               {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
               {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
               {"reason", "Reason", &NotApplicable::reason}},
-             {.folded = true});
+             {.notes = {fmt::format("skala-8080 with others than oracle and skala: {}.", *compare::nothing_in_common(compare::skala_8080_name, "exact"))},
+              .folded = true});
   page.table("agreement-scenes", "The common scenes", checked.scenes,
              {{"scene", "Scene", &CheckedScene::scene},
               {"what", "What it is", &CheckedScene::what},
@@ -146,8 +203,9 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
               {"result", "Result", [](const CheckedScene& s) { return Verdict{s.good, s.good ? "all agree" : "not all agree"}; }}},
              {.notes = {"Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes parallel to the axes "
                         "are tilted by 38 times a rotation, but the corridor and the town, which stay degenerate on purpose. Of the town Willis "
-                        "takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection has, too. A cell "
-                        "is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
+                        "takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection has, too. J1 to J4 are "
+                        "scenes of cells as they are: solids and walls hide, the real lines are drawn, the outer box's too; Jones takes their own cells. The "
+                        "second view of each is from where the program's lines are far from the exact ones with any number of fraction bits. A cell is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
   page.gallery("agreement-pictures", "The first view of every scene by each method", checked.pictures,
                [](const MethodPicture& p) {
                  return figure(p.picture, "agreement-" + p.id, fmt::format("{}, {}.", p.scene, p.method), p.title,

@@ -44,11 +44,25 @@ struct MethodPicture {
   Picture picture;
 };
 
+// Of all views of a scene the one in which a machine's picture is the farthest from another, in terms of its bound. Points of its device.
+struct MachineFarthest {
+  std::string scene;
+  std::string title;
+  std::string machine;
+  std::string other;
+  std::string what;
+  double found = 0;
+  double bound = 0;
+
+  [[nodiscard]] double part() const { return found / bound; }
+};
+
 struct CrossCheck {
   std::vector<PairVerdict> cells;
   std::vector<PairFailure> failures;
   std::vector<CheckedScene> scenes;
   std::vector<MethodPicture> pictures;
+  std::vector<MachineFarthest> machines;
 
   // All that are listed to run were run and agree.
   [[nodiscard]] bool agrees() const;

@@ -190,10 +190,10 @@ struct Measure {
 };
 
 const std::array<Measure, 3>& measures() {
-  static const std::array<Measure, 3> all{
-      Measure{"lsym", "wrong length", "% of the visible length", &wrong_per_cent},
-      Measure{"h", "greatest distance", "pixels", &farthest},
-      Measure{"wvr", "wrong visibility", "share of random points", [](const PictureError& e) { return e.wrong_visibility.rate; }}};
+  static const std::array<Measure, 3> all{Measure{"lsym", "wrong length", "% of the visible length", &wrong_per_cent},
+                                          Measure{"h", "greatest distance", "pixels", &farthest},
+                                          Measure{"wvr", "wrong visibility", "share of random points",
+                                                  [](const PictureError& e) { return e.wrong_visibility.rate; }}};
   return all;
 }
 
@@ -218,8 +218,7 @@ Plot machine_plot(const std::string& id, const std::string& title, const std::st
           caption,
           "Log-log plot of the time of a view against its error, one curve for each scene, " + curves + ".",
           {measure.title, measure.unit},
-          {"a view, time on the emulated machine", "s"},
-          {}};
+          {"a view, time on the emulated machine", "s"}};
 }
 
 void machine_plots(Page& page, const JonesAccuracy& machine) {
@@ -229,19 +228,21 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
   const auto truncated = where(machine.builds, is(&Build::rounded, false));
   const auto gain = range_of(machine.builds, &Build::eae_gain);
   const std::string of_bits = fmt::format(
-      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. From 0 to 3 of them the wrong "
-      "length falls {} times for house and {} times for street4, whose view with the EAE takes {} % longer. The EAE, which "
-      "multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No display on the machine; pieces as "
-      "they leave the clip; six views of each scene.",
+      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. From 0 to 3 of them the "
+      "wrong length falls {} times for house and {} times for street4, whose view with the EAE takes {} % longer. The EAE, which "
+      "multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No display on the machine; pieces "
+      "as they leave the clip; six views of each scene.",
       shown(times_wrong(machine.build("house", 0), machine.build("house", 3)), 1), shown(times_wrong(street0, street3), 1),
-      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1), shown(gain.greatest, 1));
+      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1),
+      shown(gain.greatest, 1));
   for (std::size_t i = 0; i < 2; ++i) {
     const Measure& measure = measures()[i];
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
     Plot plot = machine_plot("jones-machine-" + measure.key, "Jones on the PDP-7: 0 to 3 fraction bits, rounded", of_bits,
                              "with the EAE and without", measure);
     add_curves(plot, rounded, [](const Build& build) { return build.scene + ", EAE"; }, error, &Build::eae_view_s);
-    add_curves(plot, rounded, [](const Build& build) { return build.scene + ", no EAE"; }, error, &Build::view_s, fraction_labels());
+    add_curves(
+        plot, rounded, [](const Build& build) { return build.scene + ", no EAE"; }, error, &Build::view_s, fraction_labels());
     page.plot(std::move(plot));
   }
   const Build& street_cut = machine.build("street4", 0, false);
@@ -249,12 +250,13 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
       "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the wrong "
       "length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % less "
       "time. A point at the mark 0 has no error of this kind.",
-      shown(times_wrong(street_cut, street0), 1), shown(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
+      shown(times_wrong(street_cut, street0), 1),
+      shown(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
       shown(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
   for (const Measure& measure : measures()) {
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
-    Plot plot = machine_plot("jones-rounding-" + measure.key, "Jones on the PDP-7 with the EAE: rounded or truncated", of_rounding,
-                             "rounded and truncated", measure);
+    Plot plot = machine_plot("jones-rounding-" + measure.key, "Jones on the PDP-7 with the EAE: rounded or truncated",
+                             of_rounding, "rounded and truncated", measure);
     add_curves(plot, rounded, &Build::scene, error, &Build::eae_view_s);
     add_curves(plot, truncated, [](const Build& build) { return build.scene + ", truncated"; }, error, &Build::eae_view_s,
                fraction_labels());
@@ -267,19 +269,21 @@ void error_table(Page& page, const JonesAccuracy& machine, std::string id, std::
   const auto times = [&](std::string_view scene) {
     return shown(times_wrong(machine.build(scene, 0), machine.build(scene, 3), which), 1);
   };
-  page.table(std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
-             {{"scene", "Scene", &Build::scene}},
-             {{fmt::format("Rounded, the wrong length with 0 fraction bits is {} times that with 3 for house, {} times for street4.",
-                           times("house"), times("street4"))}},
-             Pivot<Build>{
-                 [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
-                 [](const Build& build) { return fmt::format("{}, {} fraction bits", points_of(build.rounded), build.fraction_bits); },
-                 "% of the visible", [which](const Build& build) { return as_cell(wrong_per_cent(build.*which), 3); }});
+  page.table(
+      std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
+      {{"scene", "Scene", &Build::scene}},
+      {{fmt::format("Rounded, the wrong length with 0 fraction bits is {} times that with 3 for house, {} times for street4.",
+                    times("house"), times("street4"))}},
+      Pivot<Build>{
+          [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
+          [](const Build& build) { return fmt::format("{}, {} fraction bits", points_of(build.rounded), build.fraction_bits); },
+          "% of the visible", [which](const Build& build) { return as_cell(wrong_per_cent(build.*which), 3); }});
 }
 
 // The measures of an error, for rows of any kind.
 template <class Row, class Of>
-void add_error_columns(std::vector<RowColumn<Row>>& columns, Of error_of, const std::string& key = "", const std::string& title = "") {
+void add_error_columns(std::vector<RowColumn<Row>>& columns, Of error_of, const std::string& key = "",
+                       const std::string& title = "") {
   const auto add = [&](const char* name, const char* what, const char* unit, auto value) {
     columns.emplace_back(key + name, what + title, unit, [=](const Row& row) { return value(error_of(row)); });
   };
@@ -305,11 +309,11 @@ void machine_table(Page& page, const JonesAccuracy& machine) {
   const double far = std::max(greatest(machine.builds, [](const Build& build) { return build.computed.extra_far; }),
                               greatest(machine.builds, [](const Build& build) { return build.displayed.extra_far; }));
   page.table("jones-speed-error-machine", "Jones on the PDP-7: accuracy and time of every build", machine.builds, columns,
-             {{"Lengths over six views of each scene, in pixels of the 1024 raster; the greatest distance is that of all six. First "
-               "after the clip, with the fraction of a point; then the same pieces between the whole points of the display, which is "
-               "what one saw.",
-               page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: extra "
-                                                "length farther than a pixel is at most {} pixels.",
+             {{"Lengths over six views of each scene, in pixels of the 1024 raster; the greatest distance is that of all six. "
+               "First after the clip, with the fraction of a point; then the same pieces between the whole points of the "
+               "display, which is what one saw.",
+               page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: "
+                                                "extra length farther than a pixel is at most {} pixels.",
                                                 shown(far, 2)))},
               true});
 }
@@ -317,8 +321,8 @@ void machine_table(Page& page, const JonesAccuracy& machine) {
 void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
   using Piece = JonesWrongPiece;
   const auto& pieces = machine.wrong_pieces;
-  page.table("jones-named-pieces", fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones::named_from_points, 0)),
-             pieces,
+  page.table("jones-named-pieces",
+             fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones::named_from_points, 0)), pieces,
              {{"scene", "Scene", &Piece::scene},
               {"arithmetic", "Arithmetic", &Piece::arithmetic},
               {"eye", "Eye", &Piece::eye},
@@ -340,22 +344,22 @@ void native_plot(Page& page, const JonesNumbers& native, const Measure& measure,
             caption + " Times are medians of interleaved repetitions, of this computer.",
             "Log-log plot of the time of a view against its error, one curve for each scene.",
             {measure.title, measure.unit},
-            {"a view, time on this computer", "us"},
-            {}};
+            {"a view, time on this computer", "us"}};
   const auto drawn = where(native.numbers, [study](const Number& number) {
     return (number.study == study && number.rounded == true) || number.study == "floating" || number.arithmetic == "Jones, exact";
   });
-  add_curves(plot, drawn, &Number::scene, [of = measure.of](const Number& number) { return of(number.error); }, &Number::view_us,
-             {[label = std::move(label)](const Number& number) { return number.scene == "street4" ? label(number) : std::string(); }});
+  add_curves(
+      plot, drawn, &Number::scene, [of = measure.of](const Number& number) { return of(number.error); }, &Number::view_us,
+      {[label = std::move(label)](const Number& number) { return number.scene == "street4" ? label(number) : std::string(); }});
   page.plot(std::move(plot));
 }
 
 void native_plots(Page& page, const JonesNumbers& native) {
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "fractions", "0 to 8 fraction bits in 36",
-                "The same search in fixed point with 0 to 8 fraction bits in words of 36, in floating point, and in the native program, "
-                "which is exact: its error is 0, at the mark on the axis. What double leaves is below the numerical noise floor of the "
-                "measure and stands there too.",
+                "The same search in fixed point with 0 to 8 fraction bits in words of 36, in floating point, and in the native "
+                "program, which is exact: its error is 0, at the mark on the axis. What double leaves is below the numerical "
+                "noise floor of the measure and stands there too.",
                 [](const Number& number) {
                   return number.study == "fractions" ? fmt::format("f={}", *number.fraction_bits) : number.arithmetic;
                 });
@@ -364,8 +368,8 @@ void native_plots(Page& page, const JonesNumbers& native) {
   });
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "words", "words of 12 to 36 bits",
-                fmt::format("Each word with the most fraction bits, up to 8, with which it holds every view. {} of 6 views of street4 do "
-                            "not fit 12 bits and end early.",
+                fmt::format("Each word with the most fraction bits, up to 8, with which it holds every view. {} of 6 views of "
+                            "street4 do not fit 12 bits and end early.",
                             shortest.error.incomplete),
                 [](const Number& number) {
                   if (number.word_bits && *number.word_bits > 20) return std::string();
@@ -385,9 +389,9 @@ void native_table(Page& page, const JonesNumbers& native) {
   add_error_columns(columns, [](const Number& number) -> const PictureError& { return number.error; });
   columns.emplace_back("view_us", "View", "us, mean", &Number::view_us, 1, host_time);
   page.table("jones-speed-error-numbers", "Jones in C++: accuracy and time of every kind of number", native.numbers, columns,
-             {{"A view that meets a number its word cannot hold ends there, and counts with what it drew until then. The report ends "
-               "with an error where an exact program does not draw what the oracle finds, piece for piece: an error of 0, not a small "
-               "one."},
+             {{"A view that meets a number its word cannot hold ends there, and counts with what it drew until then. The report "
+               "ends with an error where an exact program does not draw what the oracle finds, piece for piece: an error of 0, "
+               "not a small one."},
               true});
 }
 
@@ -418,12 +422,13 @@ void jones_numbers(const Context& context, JonesNumbers& made) {
 
 void jones_accuracy_chapter(Page& page, const JonesAccuracy& machine, const JonesNumbers& native) {
   page.paragraph(
-      "Six views of each scene are compared with exact visibility. The measures are: missing length, which is visible and not drawn; "
-      "extra length, which is drawn and not visible; wrong length, their sum in per cent of the visible length; extra length farther "
-      "than a pixel from every visible line, which is what a person notices; the greatest distance between what is drawn and what is "
-      "visible; and wrong visibility, the share of random points on all lines, a pixel or more from any end, that are wrongly visible or "
-      "hidden. In the plots less error is to the left and less time is below. Both axes are logarithmic; an error of exactly 0 stands at "
-      "a mark named 0. Fraction bits are the bits of a word behind the point; f=2 marks two of them.");
+      "Six views of each scene are compared with exact visibility. The measures are: missing length, which is visible and not "
+      "drawn; extra length, which is drawn and not visible; wrong length, their sum in per cent of the visible length; extra "
+      "length farther than a pixel from every visible line, which is what a person notices; the greatest distance between what "
+      "is drawn and what is visible; and wrong visibility, the share of random points on all lines, a pixel or more from any "
+      "end, that are wrongly visible or hidden. In the plots less error is to the left and less time is below. Both axes are "
+      "logarithmic; an error of exactly 0 stands at a mark named 0. Fraction bits are the bits of a word behind the point; f=2 "
+      "marks two of them.");
   machine_plots(page, machine);
   error_table(page, machine, "jones-error-table", "after the clip, with the fraction of a point", &Build::computed);
   error_table(page, machine, "jones-error-display", "between the whole points of the display", &Build::displayed);

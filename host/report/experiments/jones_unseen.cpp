@@ -176,12 +176,13 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
   if (page.host_times()) {
     const auto ratio = range_of(unseen.house, &JonesHouse::ratio);
     const std::string last = shown(unseen.house.back().ratio, 2);
-    notes.push_back(fmt::format("Times are the median of {} rounds, in each of which a view beside the building and one beside "
-                                "the smallest are computed in turn, {} times each. ",
-                                rounds, views_a_round) +
-                    page.claim(ratio.greatest <= 1.25 && ratio.least >= 0.8,
-                               fmt::format("Beside the largest building the view takes {} times as long as beside the smallest.", last),
-                               fmt::format("{} to {}", shown(ratio.least), shown(ratio.greatest))));
+    notes.push_back(
+        fmt::format("Times are the median of {} rounds, in each of which a view beside the building and one beside "
+                    "the smallest are computed in turn, {} times each. ",
+                    rounds, views_a_round) +
+        page.claim(ratio.greatest <= 1.25 && ratio.least >= 0.8,
+                   fmt::format("Beside the largest building the view takes {} times as long as beside the smallest.", last),
+                   fmt::format("{} to {}", shown(ratio.least), shown(ratio.greatest))));
   }
   using House = JonesHouse;
   page.table("unseen-house", "Jones today: one view beside a building that grows", unseen.house,
@@ -219,15 +220,14 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
   const Building& small = the(buildings, is(&Building::rooms, 100U));
   Plot plot{"unseen-plot",
             "Jones today: time of a view against the size of the building",
-            fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times as "
-                        "long, a visit {} times. Times of the computer this report was made on.",
+            fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times "
+                        "as long, a visit {} times. Times of the computer this report was made on.",
                         shown(small.all_rooms), shown(greatest(buildings, &Building::all_rooms)),
                         shown(greatest(buildings, &Building::load_s) / *small.load_s, 0),
                         shown(*buildings.back().visit_ns / *small.visit_ns, 1)),
             "Log-log plot of the time of loading, of a view and of a visit to a cell against the number of rooms.",
-            {"rooms", ""},
-            {"time", "s"},
-            {}};
+            {"rooms"},
+            {"time", "s"}};
   const auto all_rooms = [](const Building& b) { return static_cast<double>(b.all_rooms); };
   add_curves(plot, buildings, "loading", all_rooms, &Building::load_s);
   add_curves(plot, buildings, "a view, mean", all_rooms, [](const Building& b) { return *b.view_us / 1000000; });

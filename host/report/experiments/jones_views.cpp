@@ -59,7 +59,8 @@ JonesElements elements_of(const JonesOrder& order, const JonesRun& run) {
 
 // Of the scene with the EAE and without.
 std::string both_times(const JonesViews& jones, const JonesView& view) {
-  return fmt::format("{} s, without EAE {} s", shown(view.second_view_s, 3), shown(jones.view(view.scene, false).second_view_s, 3));
+  return fmt::format("{} s, without EAE {} s", shown(view.second_view_s, 3),
+                     shown(jones.view(view.scene, false).second_view_s, 3));
 }
 
 std::string equal_or_not(bool equal) {
@@ -104,25 +105,34 @@ void paper_sizes(Page& page, const JonesViews& jones) {
   const auto paper = [&page](std::string_view claim) { return page.paper_figure(claim).greatest; };
   page.claims(
       "jones-paper-sizes", "Jones 1971: every number for size",
-      {{"jones.core", {as_cell(used.least), as_cell(used.greatest)}, Real::as_needed,
+      {{"jones.core",
+        {as_cell(used.least), as_cell(used.greatest)},
+        Real::as_needed,
         "program, scene, stack and two display files of all runs",
         page.claim(static_cast<double>(used.greatest) <= paper("jones.core"), "all fit", fmt::format("{} words", used.greatest))},
-       {"jones.cycle", one_figure(jones_cycle_us()), 2, "the emulated PDP-7", equal_or_not(jones_cycle_us() == paper("jones.cycle"))},
+       {"jones.cycle", one_figure(jones_cycle_us()), 2, "the emulated PDP-7",
+        equal_or_not(jones_cycle_us() == paper("jones.cycle"))},
        {"jones.display",
-        {as_cell(1000 * jones.view("house", true).refresh_s), as_cell(1000 * jones.view("street4", true).refresh_s)}, 2,
+        {as_cell(1000 * jones.view("house", true).refresh_s), as_cell(1000 * jones.view("street4", true).refresh_s)},
+        2,
         "one refresh of house and of street4",
         "cannot be compared: needs a refresh time or the length of a display file, neither of which is given"},
        {"jones.house", one_figure(house_cells), Real::as_needed, "house",
         equal_or_not(static_cast<double>(house_cells) == paper("jones.house")) +
             "; comparing times needs the measures of the rooms, which are not given"},
-       {"jones.opening_element", {as_cell(street4.opening_words_counted), as_cell(street4.opening_words)}, Real::as_needed,
+       {"jones.opening_element",
+        {as_cell(street4.opening_words_counted), as_cell(street4.opening_words)},
+        Real::as_needed,
         "street4: counted by the figure, and as assembled",
         fmt::format("{}: two words of cells, three of the origin, one of the count",
                     street4.opening_words == street4.opening_words_counted ? "the same layout" : "another layout")},
        {"jones.cell_element", one_figure(street4.cell_words), Real::as_needed, "street4, as assembled",
         "cannot be compared: needs the words of a scene; the paper gives none"},
        {"jones.switches", {}, Real::as_needed, "", "the program reads AC switches 0 to 7"},
-       {"jones.lists", {}, Real::as_needed, "",
+       {"jones.lists",
+        {},
+        Real::as_needed,
+        "",
         "cannot be compared: needs the symbolic tapes of the objects, or their diagrams (one is in Fig. 7)"}});
 }
 
@@ -190,7 +200,8 @@ void jones_timing(Page& page, const JonesViews& jones) {
     return fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines", view.scene, shown(view.pieces));
   };
   page.gallery("jones-phosphor", "Jones: the screen, photographed",
-               where(jones.views, [](const View& view) { return view.eae && view.scene != "corridor32"; }), [&](const View& view) {
+               where(jones.views, [](const View& view) { return view.eae && view.scene != "corridor32"; }),
+               [&](const View& view) {
                  return figure(*view.phosphor, "phosphor-" + view.scene, view.scene, both_times(jones, view),
                                drawing(view) + ", as the glowing screen shows it");
                });

@@ -42,7 +42,9 @@ stripes::DrawnScene drawn(const stripes::Session& session, const scene::PolyScen
   return std::move(*made);
 }
 
-double whole_time(const stripes::GuestPicture& guest) { return seconds(guest.receiving + guest.working()); }
+double whole_time(const stripes::GuestPicture& guest) {
+  return seconds(guest.receiving + guest.working());
+}
 
 }  // namespace
 
@@ -91,28 +93,33 @@ MontaniRe8080 montani_re_8080(const Context& context) {
 
 void montani_re_8080_chapter(Page& page, const MontaniRe8080& measured, const SkalaPictures& skala) {
   const std::vector<StripesScene>& scenes = measured.scenes;
-  page.table("montani-re-8080-scenes", "Scenes in stripes on an 8080 at 3 MHz", scenes,
-             {{"scene", "Scene", &StripesScene::scene},
-              {"faces", "Faces", "turned to the eye", &StripesScene::faces},
-              {"polygon_bytes", "Sent as polygons", "bytes", &StripesScene::polygon_bytes},
-              {"stripe_bytes", "Sent as stripes", "bytes", &StripesScene::stripe_bytes},
-              {"receipt_s", "Receipt", "emulated s", &StripesScene::receipt_s, 2},
-              {"priority_s", "Priority list", "emulated s", &StripesScene::priority_s, 2},
-              {"drawing_s", "Drawing", "emulated s", &StripesScene::drawing_s, 2},
-              {"whole_s", "In all", "emulated s", &StripesScene::whole_s, 2},
-              {"by_host_s", "In all, stripes and list by the host", "emulated s", &StripesScene::by_host_s, 2},
-              {"plotter_s", "On the plotter", "emulated s", &StripesScene::plotter_s, 1},
-              {"plotter_moves_s", "The plotter's movements", "emulated s", &StripesScene::plotter_moves_s, 1}},
-             {.notes = {fmt::format("The program (`firmware/i8080/stripes`) has {} of {} bytes and {} bytes of data, {} of them for the "
-                                    "scene, at most {} faces. Every picture is compared with that of a native program written from "
-                                    "the same specification. The paper names no computer and no time.",
-                                    shown(measured.program_bytes), shown(measured.program_room), shown(measured.data_room),
-                                    shown(measured.scene_room), shown(measured.most_faces)),
-                        fmt::format("{} Skala's program on the same machine takes {} to {} s for a drawing of one surface.",
-                                    greatest(scenes, &StripesScene::whole_s) <= 60 ? "No scene takes a minute on the raster board." : "",
-                                    shown(least(where(skala.pictures, is(&SkalaPicture::picture, "lines")), &SkalaPicture::drawing_s), 2),
-                                    shown(greatest(where(skala.pictures, is(&SkalaPicture::picture, "surface")), &SkalaPicture::drawing_s), 2))}});
-  const auto decided_by = [](std::size_t test) { return [test](const StripesScene& scene) { return scene.decided_by[test - 1]; }; };
+  page.table(
+      "montani-re-8080-scenes", "Scenes in stripes on an 8080 at 3 MHz", scenes,
+      {{"scene", "Scene", &StripesScene::scene},
+       {"faces", "Faces", "turned to the eye", &StripesScene::faces},
+       {"polygon_bytes", "Sent as polygons", "bytes", &StripesScene::polygon_bytes},
+       {"stripe_bytes", "Sent as stripes", "bytes", &StripesScene::stripe_bytes},
+       {"receipt_s", "Receipt", "emulated s", &StripesScene::receipt_s, 2},
+       {"priority_s", "Priority list", "emulated s", &StripesScene::priority_s, 2},
+       {"drawing_s", "Drawing", "emulated s", &StripesScene::drawing_s, 2},
+       {"whole_s", "In all", "emulated s", &StripesScene::whole_s, 2},
+       {"by_host_s", "In all, stripes and list by the host", "emulated s", &StripesScene::by_host_s, 2},
+       {"plotter_s", "On the plotter", "emulated s", &StripesScene::plotter_s, 1},
+       {"plotter_moves_s", "The plotter's movements", "emulated s", &StripesScene::plotter_moves_s, 1}},
+      {.notes = {
+           fmt::format("The program (`firmware/i8080/stripes`) has {} of {} bytes and {} bytes of data, {} of them for the "
+                       "scene, at most {} faces. Every picture is compared with that of a native program written from the same "
+                       "specification. The paper names no computer and no time.",
+                       shown(measured.program_bytes), shown(measured.program_room), shown(measured.data_room),
+                       shown(measured.scene_room), shown(measured.most_faces)),
+           fmt::format(
+               "{} Skala's program on the same machine takes {} to {} s for a drawing of one surface.",
+               greatest(scenes, &StripesScene::whole_s) <= 60 ? "No scene takes a minute on the raster board." : "",
+               shown(least(where(skala.pictures, is(&SkalaPicture::picture, "lines")), &SkalaPicture::drawing_s), 2),
+               shown(greatest(where(skala.pictures, is(&SkalaPicture::picture, "surface")), &SkalaPicture::drawing_s), 2))}});
+  const auto decided_by = [](std::size_t test) {
+    return [test](const StripesScene& scene) { return scene.decided_by[test - 1]; };
+  };
   page.table("montani-re-8080-tests", "Pairs of faces by the test that decides them, on the 8080", scenes,
              {{"scene", "Scene", &StripesScene::scene},
               {"test_1", "Test 1", "pairs", decided_by(1)},

@@ -1,5 +1,5 @@
-// Scenes in stripes on the 8080 (firmware/i8080/stripes): Montani and Re's method in 4 KB of program. On the raster board and on the
-// plotter, with stripes and priority list made by the machine, and by the host.
+// Scenes in stripes on the 8080 (firmware/i8080/stripes): Montani and Re's method in 4 KB of program. On the raster board and on
+// the plotter, with stripes and priority list made by the machine, and by the host.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ struct StripesScene {
   double by_host_s = 0;  // stripes and list by the host
   double plotter_s = 0;
   double plotter_moves_s = 0;
-  Picture raster;   // filled faces
-  Picture drawing;  // the same stripes as lines
+  Picture raster;                             // filled faces
+  Picture drawing;                            // the same stripes as lines
   std::array<std::uint64_t, 6> decided_by{};  // pairs of faces, by the test that decides them
   std::uint64_t relations = 0;
   std::uint64_t deleted = 0;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -58,15 +58,13 @@ StripesView stripes_of(const scene::PolyScene& scene) {
   const auto faces = native::faces_of(scene, scene.camera);
   const native::ListedFaces listed = native::listed_faces(*faces);
   return {faces->faces.size(), listed.counts,
-          native::raster_by_difference(faces->image, listed.list, listed.faces,
-                                       frame_of(*faces, scene.camera), 16)};
+          native::raster_by_difference(faces->image, listed.list, listed.faces, frame_of(*faces, scene.camera), 16)};
 }
 
 GrowthView view_of(std::string_view family, std::size_t size, const scene::PolyScene& scene, int rounds) {
   const StripesView view = stripes_of(scene);
   std::uint64_t pairs = 0;
-  for (std::size_t test = 2; test < view.counts.decided_by.size(); ++test)
-    pairs += view.counts.decided_by[test];
+  for (std::size_t test = 2; test < view.counts.decided_by.size(); ++test) pairs += view.counts.decided_by[test];
   GrowthView row{.family = std::string(family),
                  .size = size,
                  .faces = view.faces,
@@ -76,9 +74,9 @@ GrowthView view_of(std::string_view family, std::size_t size, const scene::PolyS
                  .sides_seen = view.picture.sides,
                  .silhouette_sides = view.picture.silhouette_sides};
   if (rounds == 0) return row;
-  const std::array<std::function<void()>, 3> jobs{
-      [&scene] { (void)native::visible_edges(scene, scene.camera); }, [&scene] { (void)stripes_of(scene); },
-      [&scene] { (void)algorithms::exact::visible_edges(scene, scene.camera); }};
+  const std::array<std::function<void()>, 3> jobs{[&scene] { (void)native::visible_edges(scene, scene.camera); },
+                                                  [&scene] { (void)stripes_of(scene); },
+                                                  [&scene] { (void)algorithms::exact::visible_edges(scene, scene.camera); }};
   const auto times = median_nanoseconds(jobs, size < long_scene ? rounds : 1);
   row.exact_build_ms = times[0] / 1e6;
   row.stripes_ms = times[1] / 1e6;
@@ -119,23 +117,25 @@ void add_claims(Page& page, const MontaniReGrowth& growth, const std::vector<Fac
   std::vector<ClaimRow> rows{
       {.claim = "montani_re.memory",
        .here = {as_cell(first.silhouette_sides), as_cell(first.sides_seen)},
-       .condition = fmt::format("{} {}, stripes of a pixel on 1024 x 1024: the last silhouette; all that is seen of all faces", first.family,
-                                first.size),
-       .comparison = fmt::format("the silhouette has {} % of all sides; no number is given to compare: that needs the number of sides "
-                                 "kept for a scene whose faces are known. Secondary storage is not modelled",
+       .condition = fmt::format("{} {}, stripes of a pixel on 1024 x 1024: the last silhouette; all that is seen of all faces",
+                                first.family, first.size),
+       .comparison = fmt::format("the silhouette has {} % of all sides; no number is given to compare: that needs the number of "
+                                 "sides kept for a scene whose faces are known. Secondary storage is not modelled",
                                  share(first.silhouette_sides, first.sides_seen))},
       {.claim = "montani_re.linear",
        .here = least_and_greatest(growth.exponents, &GrowthExponents::pairs),
        .places = 2,
        .condition = "boxes and towns, growing to all sides",
-       .comparison = greatest(growth.exponents, &GrowthExponents::pairs) <= 1.1 ? "almost linear" : "not in these scenes, where Y grows with N"}};
+       .comparison = greatest(growth.exponents, &GrowthExponents::pairs) <= 1.1 ? "almost linear"
+                                                                                : "not in these scenes, where Y grows with N"}};
   if (page.host_times())
     rows.push_back({.claim = "montani_re.product",
                     .here = least_and_greatest(growth.exponents, &GrowthExponents::exact_build_over_pairs),
                     .places = 2,
                     .condition = "exact build, boxes and towns, time on this computer",
-                    .comparison = greatest(growth.exponents, &GrowthExponents::exact_build_over_pairs) <= 1.1 ? "no faster growth than the paper's"
-                                                                                                      : "faster growth than the paper's"});
+                    .comparison = greatest(growth.exponents, &GrowthExponents::exact_build_over_pairs) <= 1.1
+                                      ? "no faster growth than the paper's"
+                                      : "faster growth than the paper's"});
   rows.insert(
       rows.end(),
       {{.claim = "montani_re.tests",
@@ -145,19 +145,21 @@ void add_claims(Page& page, const MontaniReGrowth& growth, const std::vector<Fac
        {.claim = "montani_re.cycles",
         .here = one_figure(cycle.faces),
         .condition = cycle.what,
-        .comparison = cycle.right ? fmt::format("solved by {} subtraction: the picture is the oracle's", cycle.cuts) : "not solved"},
+        .comparison =
+            cycle.right ? fmt::format("solved by {} subtraction: the picture is the oracle's", cycle.cuts) : "not solved"},
        {.claim = "montani_re.figure_10",
         .here = one_figure(figure_10.faces),
         .condition = figure_10.what,
-        .comparison = figure_10.right ? fmt::format("solved here by cutting off {} parts: the picture is the oracle's", figure_10.parts)
-                                      : "not solved"},
+        .comparison = figure_10.right
+                          ? fmt::format("solved here by cutting off {} parts: the picture is the oracle's", figure_10.parts)
+                          : "not solved"},
        {.claim = "montani_re.thickness",
         .here = {as_cell(16.0 / stripe_units.back()), as_cell(16.0 / stripe_units.front())},
         .condition = "see Accuracy against time",
         .comparison = "what it costs is measured there"},
        {.claim = "montani_re.nothing",
-        .comparison = "cannot be compared: needs a scene, a computer and a time, which a program listing or a later paper of the authors "
-                      "may give"}});
+        .comparison = "cannot be compared: needs a scene, a computer and a time, which a program listing or a later paper of the "
+                      "authors may give"}});
   page.claims("montani-re-paper", "Montani and Re 1985: what it says of work and size", rows);
 }
 
@@ -202,12 +204,12 @@ void montani_re_timing(Page& page, const MontaniReGrowth& growth, const MontaniR
   add_claims(page, growth, tables.cycles);
   montani_re_printed_tables(page, tables);
   std::vector<Said> notes{
-      "Generated scenes from their own camera, in perspective, on 1024 x 1024 pixels. Faces are those that take part: of solids, the "
-      "ones that face the eye. Pairs that overlap in X are what tests 2 to 6 are for."};
+      "Generated scenes from their own camera, in perspective, on 1024 x 1024 pixels. Faces are those that take part: of solids, "
+      "the ones that face the eye. Pairs that overlap in X are what tests 2 to 6 are for."};
   if (page.host_times())
     notes.emplace_back(
-        "A view is all of it: faces, sort, relations, list, differences, and output as pieces of edges (exact build, exact) or as "
-        "pixels. Times are the processor's, medians of interleaved repetitions (scenes of 10000: one), of this computer.");
+        "A view is all of it: faces, sort, relations, list, differences, and output as pieces of edges (exact build, exact) or "
+        "as pixels. Times are the processor's, medians of interleaved repetitions (scenes of 10000: one), of this computer.");
   page.table("montani-re-growth", "Montani and Re: a view of larger and larger scenes", growth.views,
              {{"family", "Scenes", &GrowthView::family},
               {"size", "Size", &GrowthView::size},
@@ -222,22 +224,24 @@ void montani_re_timing(Page& page, const MontaniReGrowth& growth, const MontaniR
               {"exact_ms", "exact", "ms", &GrowthView::exact_ms, Real::as_needed, host_time}},
              {.notes = std::move(notes)});
   const auto pairs = least(growth.exponents, &GrowthExponents::pairs);
-  page.table("montani-re-exponents", "Montani and Re: exponents of growth with the number of faces", growth.exponents,
-             {{"family", "Scenes", &GrowthExponents::family},
-              {"from_faces", "From", "faces", &GrowthExponents::from_faces},
-              {"to_faces", "To", "faces", &GrowthExponents::to_faces},
-              {"pairs", "N Y, the paper's claim", &GrowthExponents::pairs},
-              {"relations", "Relations", &GrowthExponents::relations},
-              {"exact_build", "Exact build, time", &GrowthExponents::exact_build, Real::as_needed, host_time},
-              {"stripes", "Stripes of a pixel, time", &GrowthExponents::stripes, Real::as_needed, host_time},
-              {"exact", "exact, time", &GrowthExponents::exact, Real::as_needed, host_time},
-              {"exact_build_over_pairs", "Exact build, time over N Y", &GrowthExponents::exact_build_over_pairs, Real::as_needed,
-               host_time}},
-             {.notes = {"The paper claims work linear with N Y, which it calls almost linear with N: that is so where Y stays the same. " +
-                        page.claim(pairs > 1.1,
-                                   "In these scenes a face overlaps more others in X the more there are, so that N Y grows faster than N.",
-                                   "the least exponent of N Y is " + shown(pairs)) +
-                        " Least squares of logarithms over the sizes of the table above."}});
+  page.table(
+      "montani-re-exponents", "Montani and Re: exponents of growth with the number of faces", growth.exponents,
+      {{"family", "Scenes", &GrowthExponents::family},
+       {"from_faces", "From", "faces", &GrowthExponents::from_faces},
+       {"to_faces", "To", "faces", &GrowthExponents::to_faces},
+       {"pairs", "N Y, the paper's claim", &GrowthExponents::pairs},
+       {"relations", "Relations", &GrowthExponents::relations},
+       {"exact_build", "Exact build, time", &GrowthExponents::exact_build, Real::as_needed, host_time},
+       {"stripes", "Stripes of a pixel, time", &GrowthExponents::stripes, Real::as_needed, host_time},
+       {"exact", "exact, time", &GrowthExponents::exact, Real::as_needed, host_time},
+       {"exact_build_over_pairs", "Exact build, time over N Y", &GrowthExponents::exact_build_over_pairs, Real::as_needed,
+        host_time}},
+      {.notes = {
+           "The paper claims work linear with N Y, which it calls almost linear with N: that is so where Y stays the same. " +
+           page.claim(pairs > 1.1,
+                      "In these scenes a face overlaps more others in X the more there are, so that N Y grows faster than N.",
+                      "the least exponent of N Y is " + shown(pairs)) +
+           " Least squares of logarithms over the sizes of the table above."}});
 }
 
 }  // namespace sightline::report

@@ -47,8 +47,8 @@ std::vector<PixelSegment> drawn_in_stripes(const native::FaceSet& set, const nat
   native::StripePcs silhouette;
   for (const native::PriorityClass& members : listed.list.classes()) {
     for (const std::uint32_t face : members) {
-      const auto seen = native::combine(native::stripe_pcs(set.image, listed.faces[face], frame, units),
-                                        silhouette, native::Operation::subtract);
+      const auto seen = native::combine(native::stripe_pcs(set.image, listed.faces[face], frame, units), silhouette,
+                                        native::Operation::subtract);
       const auto boundary = boundary_of(seen, units);
       segments.insert(segments.end(), boundary.begin(), boundary.end());
       silhouette = native::combine(silhouette, seen, native::Operation::unite);
@@ -57,23 +57,20 @@ std::vector<PixelSegment> drawn_in_stripes(const native::FaceSet& set, const nat
   return segments;
 }
 
-std::vector<PixelSegment> segments_of(const picture::LinePicture& lines, const PolyScene& scene,
-                                      const PixelPlane& plane) {
+std::vector<PixelSegment> segments_of(const picture::LinePicture& lines, const PolyScene& scene, const PixelPlane& plane) {
   std::vector<PixelSegment> segments;
   for (const picture::LinePiece& piece : lines.pieces) {
-    segments.push_back(plane.segment(scene.vertices[piece.edge.from], scene.vertices[piece.edge.to],
-                                     piece.low.to_double(), piece.high.to_double()));
+    segments.push_back(plane.segment(scene.vertices[piece.edge.from], scene.vertices[piece.edge.to], piece.low.to_double(),
+                                     piece.high.to_double()));
   }
   return segments;
 }
 
 // Exact regions at the middles of pixels.
-PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set,
-                          const std::vector<native::TrapezoidPcs>& regions,
+PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set, const std::vector<native::TrapezoidPcs>& regions,
                           const native::StripeFrame& frame) {
   native::StripeRaster raster{frame.width, frame.height, {}, 0, 0};
-  raster.faces.assign(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height),
-                      native::none);
+  raster.faces.assign(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), native::none);
   for (std::uint32_t f = 0; f < regions.size(); ++f) {
     for (const native::Band& band : regions[f].bands) {
       for (std::int32_t row = 0; row < frame.height; ++row) {
@@ -83,8 +80,7 @@ PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set,
         for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
           const auto column = [&](const native::Side& side) {
             const double x = frame.centre[0] + frame.scale[0] * set.image.abscissa(side.line, y);
-            return static_cast<std::int32_t>(
-                std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(frame.width)));
+            return static_cast<std::int32_t>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(frame.width)));
           };
           for (std::int32_t at = column(sides[k]); at < column(sides[k + 1]); ++at)
             raster.faces[static_cast<std::size_t>(row * frame.width + at)] = f;
@@ -109,8 +105,7 @@ double without_noise(double distance) {
 Truth truth_of(const PolyScene& scene, const native::FaceSet& set, std::int32_t raster) {
   Truth truth{compare::pixels_in_perspective(scene, set, raster), {}};
   const PixelPlane plane(scene.camera, truth.pixels.frame);
-  for (const PixelSegment& image :
-       segments_of(algorithms::exact::visible_edges(scene, scene.camera), scene, plane))
+  for (const PixelSegment& image : segments_of(algorithms::exact::visible_edges(scene, scene.camera), scene, plane))
     truth.lines.push_back({static_cast<picture::LineId>(truth.lines.size()), image, {{0, 1}}, {{0, 1}}});
   return truth;
 }
@@ -127,15 +122,14 @@ class Stripes {
     const Truth truth = truth_of(scene, *set, options_.raster);
     frames_.push_back(truth.pixels.frame);
     for (const std::int32_t units : stripe_units) {
-      const auto raster =
-          native::raster_by_difference(set->image, listed.list, listed.faces, frames_.back(), units);
+      const auto raster = native::raster_by_difference(set->image, listed.list, listed.faces, frames_.back(), units);
       add_picture(family, *set, truth, 16.0 / units, compare::grid_of(scene, *set, raster),
-              drawn_in_stripes(*set, listed, frames_.back(), units), raster.sides);
+                  drawn_in_stripes(*set, listed, frames_.back(), units), raster.sides);
     }
     const native::VisibleRegions seen = native::visible_regions(*set);
     const auto lines = native::visible_edges(scene, scene.camera);
     add_picture(family, *set, truth, {}, grid_of_regions(scene, *set, seen.regions, frames_.back()),
-            segments_of(lines->picture, scene, PixelPlane(scene.camera, frames_.back())), seen.counts.sides);
+                segments_of(lines->picture, scene, PixelPlane(scene.camera, frames_.back())), seen.counts.sides);
   }
 
   void take_times(int rounds) {
@@ -176,14 +170,12 @@ class Stripes {
   }
 
  private:
-  void add_picture(const std::string& family, const native::FaceSet& set, const Truth& truth,
-               std::optional<double> thickness, const PixelGrid& grid, const std::vector<PixelSegment>& drawn,
-               std::uint64_t sides) {
+  void add_picture(const std::string& family, const native::FaceSet& set, const Truth& truth, std::optional<double> thickness,
+                   const PixelGrid& grid, const std::vector<PixelSegment>& drawn, std::uint64_t sides) {
     const auto pixels = picture::pixel_metrics(truth.pixels.truth, grid, truth.pixels.edges);
     // Of no line of the truth: all is missing and extra, and what is far of both is what is asked for.
     std::vector<picture::DrawnPiece> pieces;
-    for (const PixelSegment& segment : drawn)
-      pieces.push_back({static_cast<picture::LineId>(truth.lines.size()), segment});
+    for (const PixelSegment& segment : drawn) pieces.push_back({static_cast<picture::LineId>(truth.lines.size()), segment});
     const auto lines = picture::line_metrics(truth.lines, pieces, {.points = 1, .seed = 1});
     const auto share = [&pixels](std::uint64_t count) {
       return 100 * static_cast<double>(count) / static_cast<double>(pixels.pixels);
@@ -213,17 +205,18 @@ class Stripes {
 // What a plot has along x.
 struct ErrorMeasure {
   std::string key;
-  double StripesPicture::* value;
+  double StripesPicture::*value;
   std::string title;
   std::string unit;
 };
 
-// A curve for each scene; points of the exact build. Of the first curve the thickness stands beside each point.
+// A curve for each scene; points of the exact build. Points of the first curve are labelled with their thickness.
 template <class Y>
 void add_error_curves(Plot& plot, const std::vector<StripesPicture>& pictures, const ErrorMeasure& error, Y y) {
   const std::string first = pictures.front().scene;
-  add_curves(plot, where(pictures, &StripesPicture::in_stripes), &StripesPicture::scene, error.value, y,
-             {.label = [first](const StripesPicture& p) { return p.scene == first ? "h " + shown(p.thickness_px) : std::string(); }});
+  add_curves(
+      plot, where(pictures, &StripesPicture::in_stripes), &StripesPicture::scene, error.value, y,
+      {.label = [first](const StripesPicture& p) { return p.scene == first ? "h " + shown(p.thickness_px) : std::string(); }});
   add_curves(plot, where(pictures, is(&StripesPicture::in_stripes, false)), "exact build", error.value, y,
              {.label = &StripesPicture::scene, .line = false});
 }
@@ -232,9 +225,10 @@ void add_sides_plot(Page& page, const std::vector<StripesPicture>& pictures, con
   const double exact = greatest(where(pictures, is(&StripesPicture::in_stripes, false)), error.value);
   Plot plot{.id = fmt::format("montani-re-{}-sides", error.key),
             .title = "Montani and Re, stripes and exact: sides against " + error.title,
-            .caption = "Sides of all that is seen: what the differences work on. The exact build's are those of its own trapezoids, which do "
-                       "not depend on pixels. " +
-                       Page::claim(exact == 0, "The exact build has no error.", "it has " + shown(exact)),
+            .caption =
+                "Sides of all that is seen: what the differences work on. The exact build's are those of its own trapezoids, "
+                "which do not depend on pixels. " +
+                Page::claim(exact == 0, "The exact build has no error.", "it has " + shown(exact)),
             .alternative = fmt::format("Log-log plot of sides against {}, one curve for each scene.", error.title),
             .x = {error.title, error.unit},
             .y = {"sides"}};
@@ -243,12 +237,14 @@ void add_sides_plot(Page& page, const std::vector<StripesPicture>& pictures, con
 }
 
 void add_time_plot(Page& page, const std::vector<StripesPicture>& pictures, const ErrorMeasure& error) {
-  Plot plot{.id = fmt::format("montani-re-{}-host", error.key),
-            .title = "Montani and Re, stripes and exact: time against " + error.title,
-            .caption = "A view: relations, list and raster (exact: pieces of edges). Medians of interleaved repetitions, of this computer.",
-            .alternative = fmt::format("Log-log plot of time against {}, one curve for each scene.", error.title),
-            .x = {error.title, error.unit},
-            .y = {"a view, time on this computer", "ms"}};
+  Plot plot{
+      .id = fmt::format("montani-re-{}-host", error.key),
+      .title = "Montani and Re, stripes and exact: time against " + error.title,
+      .caption =
+          "A view: relations, list and raster (exact: pieces of edges). Medians of interleaved repetitions, of this computer.",
+      .alternative = fmt::format("Log-log plot of time against {}, one curve for each scene.", error.title),
+      .x = {error.title, error.unit},
+      .y = {"a view, time on this computer", "ms"}};
   add_error_curves(plot, pictures, error, &StripesPicture::view_ms);
   page.plot(std::move(plot));
 }
@@ -258,35 +254,36 @@ void add_pictures_table(Page& page, const MontaniReStripes& measured) {
   const double of_a_pixel = the(town, is(&StripesPicture::thickness_px, 1.0)).pmr_percent;
   const double of_half_a_pixel = the(town, is(&StripesPicture::thickness_px, 0.5)).pmr_percent;
   const std::string rise = fmt::format("from {} to {} %", shown(of_a_pixel, 3), shown(of_half_a_pixel, 3));
-  page.table("montani-re-speed-error", "Montani and Re: stripes of every thickness", measured.pictures,
-             {{"scene", "Scene", &StripesPicture::scene},
-              {"faces", "Faces", &StripesPicture::faces},
-              {"true_length_px", "Visible length", "pixels", &StripesPicture::true_length_px, 0},
-              {"build", "Build", [](const StripesPicture& p) { return p.in_stripes() ? "stripes" : "exact"; }},
-              {"thickness_px", "Thickness h", "pixels", &StripesPicture::thickness_px},
-              {"missing_percent", "Missing length farther than 1 pixel", "% of the visible", &StripesPicture::missing_percent, 3},
-              {"extra_percent", "Extra length farther than 1 pixel", "% of the visible", &StripesPicture::extra_percent, 3},
-              {"pmr_edges_percent", "Differing pixels on edges", "% of the raster", &StripesPicture::pmr_edges_percent, 4},
-              {"pmr_inside_percent", "Differing pixels inside", "% of the raster", &StripesPicture::pmr_inside_percent, 4},
-              {"h_px", "Greatest distance", "pixels", &StripesPicture::h_px, 3},
-              {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels", &StripesPicture::h_usual_px, 3},
-              {"h_usual_stripes", "Distance of all but 1 sample in 1000", "stripes", &StripesPicture::h_usual_stripes, 3},
-              {"sides", "Sides seen", &StripesPicture::sides},
-              {"view_ms", "A view", "ms", &StripesPicture::view_ms, Real::as_needed, host_time}},
-             {.notes = {fmt::format("Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as sets of "
-                                    "points with those of exact: stripes are drawn as boundaries of what is seen, whose sides do not say "
-                                    "whose edge they are. Differing pixels on edges are within 0.75 pixels of any edge, seen or hidden. "
-                                    "The greatest distance is large where a face lower than half a stripe is lost, or a corner that moved "
-                                    "past another shows or hides what it should not.",
-                                    measured.raster),
-                        "Lines between stripes of a pixel are lines between pixels, so that a level edge lights the right rows; those of "
-                        "thinner stripes also run through the middles of pixels, where an edge that is moved onto them takes a row it "
-                        "should not. " +
-                            page.claim(of_half_a_pixel > of_a_pixel,
-                                       fmt::format("That is why the share of differing pixels of the town rises {} from stripes of a pixel "
-                                                   "to stripes of half a pixel.",
-                                                   rise),
-                                       "it goes " + rise)}});
+  page.table(
+      "montani-re-speed-error", "Montani and Re: stripes of every thickness", measured.pictures,
+      {{"scene", "Scene", &StripesPicture::scene},
+       {"faces", "Faces", &StripesPicture::faces},
+       {"true_length_px", "Visible length", "pixels", &StripesPicture::true_length_px, 0},
+       {"build", "Build", [](const StripesPicture& p) { return p.in_stripes() ? "stripes" : "exact"; }},
+       {"thickness_px", "Thickness h", "pixels", &StripesPicture::thickness_px},
+       {"missing_percent", "Missing length farther than 1 pixel", "% of the visible", &StripesPicture::missing_percent, 3},
+       {"extra_percent", "Extra length farther than 1 pixel", "% of the visible", &StripesPicture::extra_percent, 3},
+       {"pmr_edges_percent", "Differing pixels on edges", "% of the raster", &StripesPicture::pmr_edges_percent, 4},
+       {"pmr_inside_percent", "Differing pixels inside", "% of the raster", &StripesPicture::pmr_inside_percent, 4},
+       {"h_px", "Greatest distance", "pixels", &StripesPicture::h_px, 3},
+       {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels", &StripesPicture::h_usual_px, 3},
+       {"h_usual_stripes", "Distance of all but 1 sample in 1000", "stripes", &StripesPicture::h_usual_stripes, 3},
+       {"sides", "Sides seen", &StripesPicture::sides},
+       {"view_ms", "A view", "ms", &StripesPicture::view_ms, Real::as_needed, host_time}},
+      {.notes = {fmt::format("Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as "
+                             "sets of points with those of exact: stripes are drawn as boundaries of what is seen, whose sides "
+                             "do not say whose edge they are. Differing pixels on edges are within 0.75 pixels of any edge, seen "
+                             "or hidden. The greatest distance is large where a face lower than half a stripe is lost, or a "
+                             "corner that moved past another shows or hides what it should not.",
+                             measured.raster),
+                 "Lines between stripes of a pixel are lines between pixels, so that a level edge lights the right rows; those "
+                 "of thinner stripes also run through the middles of pixels, where an edge that is moved onto them takes a row "
+                 "it should not. " +
+                     page.claim(of_half_a_pixel > of_a_pixel,
+                                fmt::format("That is why the share of differing pixels of the town rises {} from stripes of a "
+                                            "pixel to stripes of half a pixel.",
+                                            rise),
+                                "it goes " + rise)}});
 }
 
 void add_exponents_table(Page& page, const MontaniReStripes& measured) {
@@ -294,17 +291,19 @@ void add_exponents_table(Page& page, const MontaniReStripes& measured) {
   const auto sides = range_of(measured.exponents, &StripesExponents::sides);
   const auto thickness = range_of(measured.pictures, &StripesPicture::thickness_px);
   const double wrong =
-      greatest(where(measured.pictures, [](const StripesPicture& p) { return p.in_stripes() && *p.thickness_px <= 2; }), &StripesPicture::l_sym_percent);
+      greatest(where(measured.pictures, [](const StripesPicture& p) { return p.in_stripes() && *p.thickness_px <= 2; }),
+               &StripesPicture::l_sym_percent);
   std::vector<Said> notes{
       "Expected: error as h (exponent 1), sides and time as 1/h (exponent -1). " +
       page.claim(distance.least >= 0.9 && distance.greatest <= 1.1 && sides.least >= -1.1 && sides.greatest <= -0.9,
                  "Distance and sides are within a tenth of it.",
-                 fmt::format("they are {} to {} and {} to {}", shown(distance.least), shown(distance.greatest), shown(sides.least),
-                             shown(sides.greatest))) +
-      fmt::format(" Least squares of logarithms from {} to {} pixels; errors of 0 are left out, and fewer than three others give no "
-                  "exponent. ",
+                 fmt::format("they are {} to {} and {} to {}", shown(distance.least), shown(distance.greatest),
+                             shown(sides.least), shown(sides.greatest))) +
+      fmt::format(" Least squares of logarithms from {} to {} pixels; errors of 0 are left out, and fewer than three others give "
+                  "no exponent. ",
                   shown(thickness.greatest), shown(thickness.least)) +
-      page.claim(wrong == 0, "The wrong length, which leaves out what is within a pixel, is 0 where stripes are two pixels or less.",
+      page.claim(wrong == 0,
+                 "The wrong length, which leaves out what is within a pixel, is 0 where stripes are two pixels or less.",
                  "it is " + shown(wrong) + " %")};
   if (page.host_times()) notes.emplace_back("Time has a part that does not depend on h, relations and list.");
   page.table("montani-re-thickness-exponents", "Montani and Re: exponents over the thickness h of stripes", measured.exponents,
@@ -324,8 +323,7 @@ std::vector<PixelSegment> boundary_of(const native::StripePcs& pcs, std::int32_t
   std::vector<PixelSegment> segments;
   const auto add = [&](std::int64_t x, std::int64_t y, std::int64_t to_x, std::int64_t to_y) {
     const auto point = [units](std::int64_t at, std::int64_t sixteenths) {
-      return picture::PixelPoint{static_cast<double>(at) / (16 * 65536) - 0.5,
-                                 static_cast<double>(sixteenths) / units - 0.5};
+      return picture::PixelPoint{static_cast<double>(at) / (16 * 65536) - 0.5, static_cast<double>(sixteenths) / units - 0.5};
     };
     segments.push_back({point(x, y), point(to_x, to_y)});
   };
@@ -344,8 +342,7 @@ std::vector<PixelSegment> boundary_of(const native::StripePcs& pcs, std::int32_t
       if (stripe + band.low != top) add_level({});
       top = stripe + band.low;
       add_level(ends_at(band, band.low));
-      for (const native::StripeSide& side : band.sides)
-        add(side.at(band.low), top, side.at(band.high), stripe + band.high);
+      for (const native::StripeSide& side : band.sides) add(side.at(band.low), top, side.at(band.high), stripe + band.high);
       top = stripe + band.high;
       top_ends = ends_at(band, band.high);
     }
@@ -382,14 +379,15 @@ void montani_re_accuracy(Page& page, const MontaniReStripes& measured) {
   const std::vector<StripesPicture>& pictures = measured.pictures;
   const double usual = greatest(pictures, &StripesPicture::h_usual_stripes);
   page.paragraph(
-      "Corners are moved to the nearest line between stripes, edges are straight between them; so nothing should be farther than half a "
-      "stripe from its place. " +
-      page.claim(usual <= 0.5, fmt::format("Of a thousand samples of the lines, all but one are within {} stripes.", shown(usual, 2)),
+      "Corners are moved to the nearest line between stripes, edges are straight between them; so nothing should be farther than "
+      "half a stripe from its place. " +
+      page.claim(usual <= 0.5,
+                 fmt::format("Of a thousand samples of the lines, all but one are within {} stripes.", shown(usual, 2)),
                  "one is at " + shown(usual)) +
-      " The measures are: missing and extra length, which is farther than a pixel from the other picture, in per cent of the visible "
-      "length, and wrong length, their sum; differing pixels, the share of pixels that show another face than the exact sight line "
-      "through their middle meets; and the greatest distance between the lines of the pictures, also without the farthest one of a "
-      "thousand samples. h is the thickness of a stripe.");
+      " The measures are: missing and extra length, which is farther than a pixel from the other picture, in per cent of the "
+      "visible length, and wrong length, their sum; differing pixels, the share of pixels that show another face than the exact "
+      "sight line through their middle meets; and the greatest distance between the lines of the pictures, also without the "
+      "farthest one of a thousand samples. h is the thickness of a stripe.");
   const ErrorMeasure length{"l", &StripesPicture::l_sym_percent, "wrong length farther than 1 pixel", "% of the visible"};
   const ErrorMeasure pixels{"pmr", &StripesPicture::pmr_percent, "differing pixels", "% of the raster"};
   const ErrorMeasure distance{"h", &StripesPicture::h_usual_px, "distance of all but one sample in a thousand", "pixels"};

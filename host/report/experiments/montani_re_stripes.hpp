@@ -62,7 +62,7 @@ struct StripesExponents {
 };
 
 struct MontaniReStripes {
-  std::int32_t raster = 0;                // pixels a side
+  std::int32_t raster = 0;               // pixels a side
   std::vector<StripesPicture> pictures;  // of each scene: thick to thin, then the exact build
   std::vector<StripesExponents> exponents;
 };
@@ -72,8 +72,7 @@ struct MontaniReStripes {
 
 // The boundary of stripes of so many sixteenths of a pixel, middles of pixels at whole numbers: sides, and
 // horizontal pieces where what is above is covered and what is below not, or the other way round.
-[[nodiscard]] std::vector<picture::PixelSegment> boundary_of(const algorithms::montani_re::StripePcs& pcs,
-                                                             std::int32_t units);
+[[nodiscard]] std::vector<picture::PixelSegment> boundary_of(const algorithms::montani_re::StripePcs& pcs, std::int32_t units);
 
 class Page;
 void montani_re_accuracy(Page& page, const MontaniReStripes& measured);

@@ -37,8 +37,7 @@ std::vector<PrintedStripe> printed_stripes() {
   for (const native::LatticeStripe& stripe : *stripes) {
     std::string sides;
     for (const native::LatticeSide& side : stripe.sides)
-      sides +=
-          fmt::format("{}{}({})", sides.empty() ? "" : " ", side.abscissa(), static_cast<int>(side.type()));
+      sides += fmt::format("{}{}({})", sides.empty() ? "" : " ", side.abscissa(), static_cast<int>(side.type()));
     rows.push_back({stripe.y, stripe.sides.size() / 2, sides});
   }
   return rows;
@@ -105,8 +104,7 @@ std::string names_of(std::span<const native::PriorityClass> classes) {
   std::string text;
   for (const native::PriorityClass& members : classes) {
     if (!text.empty()) text += " / ";
-    for (const std::uint32_t face : members)
-      text += fmt::format("{}{}", face == members.front() ? "" : ",", letters[face]);
+    for (const std::uint32_t face : members) text += fmt::format("{}{}", face == members.front() ? "" : ",", letters[face]);
   }
   return text;
 }
@@ -138,7 +136,7 @@ struct Beside {
 };
 
 template <class Row, class Key>
-std::vector<Beside<Row>> beside(const std::vector<Row>& paper, const std::vector<Row>& here, Key Row::* key) {
+std::vector<Beside<Row>> beside(const std::vector<Row>& paper, const std::vector<Row>& here, Key Row::*key) {
   std::vector<Beside<Row>> rows;
   for (const Row& row : paper) {
     const auto found = std::find_if(here.begin(), here.end(), is(key, row.*key));
@@ -148,11 +146,11 @@ std::vector<Beside<Row>> beside(const std::vector<Row>& paper, const std::vector
 }
 
 template <class Row, class T>
-auto of_paper(T Row::* member) {
+auto of_paper(T Row::*member) {
   return [member](const Beside<Row>& row) { return row.paper.*member; };
 }
 template <class Row, class T>
-auto of_here(T Row::* member) {
+auto of_here(T Row::*member) {
   return [member](const Beside<Row>& row) { return row.here ? std::optional((*row.here).*member) : std::nullopt; };
 }
 
@@ -173,20 +171,14 @@ MontaniReTables montani_re_tables(const Context& context) {
   tables.list = names_of(listed.list.classes());
   // Planes z = x, z = x and z = 40 - x - y.
   tables.cycles.push_back(cycle_of("three faces, each before the next: planes z = x, z = x, z = 40 - x - y",
-            {{{0, 0, 0}, {30, 0, 30}, {30, 10, 30}, {0, 10, 0}},
-             {{20, 0, 0}, {30, 0, 0}, {30, 30, 30}, {20, 30, 30}},
-             {{0, 0, 40}, {10, 0, 30}, {10, 20, 10}, {30, 20, -10}, {30, 30, -20}, {0, 30, 10}}}));
+                                   {{{0, 0, 0}, {30, 0, 30}, {30, 10, 30}, {0, 10, 0}},
+                                    {{20, 0, 0}, {30, 0, 0}, {30, 30, 30}, {20, 30, 30}},
+                                    {{0, 0, 40}, {10, 0, 30}, {10, 20, 10}, {30, 20, -10}, {30, 30, -20}, {0, 30, 10}}}));
   // A strip z = x - 5 through a U at z = 10.
-  tables.cycles.push_back(cycle_of("Figure 10: a strip through a U, each before the other in one place",
-            {{{0, 0, 10},
-              {30, 0, 10},
-              {30, 30, 10},
-              {20, 30, 10},
-              {20, 10, 10},
-              {10, 10, 10},
-              {10, 30, 10},
-              {0, 30, 10}},
-             {{-5, 15, -10}, {35, 15, 30}, {35, 25, 30}, {-5, 25, -10}}}));
+  tables.cycles.push_back(
+      cycle_of("Figure 10: a strip through a U, each before the other in one place",
+               {{{0, 0, 10}, {30, 0, 10}, {30, 30, 10}, {20, 30, 10}, {20, 10, 10}, {10, 10, 10}, {10, 30, 10}, {0, 30, 10}},
+                {{-5, 15, -10}, {35, 15, 30}, {35, 25, 30}, {-5, 25, -10}}}));
   return tables;
 }
 
@@ -194,8 +186,8 @@ void montani_re_printed_tables(Page& page, const MontaniReTables& tables) {
   const PrintedTable& table_1 = page.papers().table("montani_re_table_1");
   std::vector<PrintedStripe> stripes;
   for (std::size_t i = 0; i < table_1.rows.size(); ++i)
-    stripes.push_back({static_cast<std::int32_t>(table_1.number(i, "y")), static_cast<std::size_t>(table_1.number(i, "substripes")),
-                       table_1.text(i, "sides")});
+    stripes.push_back({static_cast<std::int32_t>(table_1.number(i, "y")),
+                       static_cast<std::size_t>(table_1.number(i, "substripes")), table_1.text(i, "sides")});
   page.table("montani-re-table-1", "Montani and Re, Table 1: stripes of two regions and a hole",
              beside(stripes, tables.stripes, &PrintedStripe::y),
              {{"y", "Y", of_paper(&PrintedStripe::y)},
@@ -207,14 +199,14 @@ void montani_re_printed_tables(Page& page, const MontaniReTables& tables) {
              {.notes = {page.claim(tables.stripes.size() == stripes.size(),
                                    fmt::format("The stripes are as many as the paper's, {}.", stripes.size()),
                                    fmt::format("there are {}", tables.stripes.size())) +
-                        " Figure 1 is not legible; the chains, those of hard case M18, begin at the paper's points. The last heading, "
-                        "SUBSTRIPES, is taken for SUBSTRIPE5."}});
+                        " Figure 1 is not legible; the chains, those of hard case M18, begin at the paper's points. The last "
+                        "heading, SUBSTRIPES, is taken for SUBSTRIPE5."}});
 
   const PrintedTable& table_3 = page.papers().table("montani_re_table_3");
   std::vector<PrintedRelations> relations;
   for (std::size_t i = 0; i < table_3.rows.size(); ++i)
-    relations.push_back({table_3.text(i, "face"), static_cast<int>(table_3.number(i, "nmin")), static_cast<int>(table_3.number(i, "nmax")),
-                         table_3.text(i, "relations")});
+    relations.push_back({table_3.text(i, "face"), static_cast<int>(table_3.number(i, "nmin")),
+                         static_cast<int>(table_3.number(i, "nmax")), table_3.text(i, "relations")});
   page.table("montani-re-table-3", "Montani and Re, Table 3: depth relations of the faces of Figure 4",
              beside(relations, tables.relations, &PrintedRelations::face),
              {{"face", "Face", of_paper(&PrintedRelations::face)},
@@ -225,8 +217,8 @@ void montani_re_printed_tables(Page& page, const MontaniReTables& tables) {
               {"relations_paper", "Paper", of_paper(&PrintedRelations::relations)},
               {"relations_here", "Here", of_here(&PrintedRelations::relations)},
               {"verdict", "Comparison", &equal_or_not<PrintedRelations>}},
-             {.notes = {"F < G: F has priority, it may hide G. Figure 4 is not legible; the scene, that of hard case M17, has rectangles in "
-                        "a row, each of which overlaps the next. Relations are found by the tests on the scene."}});
+             {.notes = {"F < G: F has priority, it may hide G. Figure 4 is not legible; the scene, that of hard case M17, has "
+                        "rectangles in a row, each of which overlaps the next. Relations are found by the tests on the scene."}});
 
   const PrintedTable& table_4 = page.papers().table("montani_re_table_4");
   std::vector<PrintedLists> steps;

@@ -13,10 +13,10 @@ namespace sightline::report {
 // At random angles, compared with hidden-line removal from scratch.
 struct TurnErrors {
   std::string model;
-  double degrees = 0;           // the tolerance, or the step from frame to frame
-  double topo_per_cent = 0;     // views with a wrong structure
-  double expected_per_cent = 0; // of them, if groups of events were spread evenly
-  double wvr_per_cent = 0;      // of the length of edges, wrongly visible or hidden
+  double degrees = 0;            // the tolerance, or the step from frame to frame
+  double topo_per_cent = 0;      // views with a wrong structure
+  double expected_per_cent = 0;  // of them, if groups of events were spread evenly
+  double wvr_per_cent = 0;       // of the length of edges, wrongly visible or hidden
 };
 
 struct ToleranceErrors : TurnErrors {

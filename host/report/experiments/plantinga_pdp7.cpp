@@ -69,7 +69,8 @@ std::vector<Pdp7Turn> plantinga_pdp7(const Context& context) {
 
 void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
   const auto with_eae = where(turns, &Pdp7Turn::eae);
-  page.table("plantinga-pdp7-turns", "What 1965 could have done: solids turning with hidden lines removed on a PDP-7 with a Type 340", turns,
+  page.table("plantinga-pdp7-turns",
+             "What 1965 could have done: solids turning with hidden lines removed on a PDP-7 with a Type 340", turns,
              {{"model", "Model", &Pdp7Turn::model},
               {"eae", "EAE", &Pdp7Turn::eae},
               {"edges", "Edges", &Pdp7Turn::edges},
@@ -83,33 +84,36 @@ void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
               {"junctions", "T-junctions", "drawn, mean of a frame", &Pdp7Turn::junctions, 1},
               {"waiting_percent", "Waiting for the display", "%", &Pdp7Turn::waiting_percent, 1},
               {"refreshes_a_second", "Refreshes a second", &Pdp7Turn::refreshes_a_second, 1}},
-             {.notes = {"The events of a turn are found by today's program and put on a paper tape with the model; the PDP-7 then rotates the "
-                        "corners, applies the events and draws. Every display word is compared with that of a native program written from the "
-                        "same specification (`firmware/pdp7/turn`). Times are emulated seconds and include the display's refreshing and "
-                        "waiting for it.",
+             {.notes = {"The events of a turn are found by today's program and put on a paper tape with the model; the PDP-7 "
+                        "then rotates the corners, applies the events and draws. Every display word is compared with that of a "
+                        "native program written from the same specification (`firmware/pdp7/turn`). Times are emulated seconds "
+                        "and include the display's refreshing and waiting for it.",
                         fmt::format("{} {}",
                                     least(with_eae, &Pdp7Turn::worst_frames_a_second) >= 20
                                         ? "With the EAE no frame of these solids takes longer than a twentieth of a second."
                                         : "",
                                     greatest(with_eae, &Pdp7Turn::cost) <= 1
-                                        ? "With it a frame without hidden lines is no slower than a wire frame: fewer lines are drawn, and "
-                                          "that saves more than the events cost."
+                                        ? "With it a frame without hidden lines is no slower than a wire frame: fewer lines are "
+                                          "drawn, and that saves more than the events cost."
                                         : "")}});
   const std::size_t dear = count(turns, [](const Pdp7Turn& t) { return t.cost > 1.5; });
-  page.claims("plantinga-pdp7-claims", "Two sentences, on the PDP-7",
-              {{.claim = "plantinga.wire",
-                .here = least_and_greatest(turns, &Pdp7Turn::cost),
-                .places = 2,
-                .condition = fmt::format("time of a frame without hidden lines to that of a wire frame, {} solids, with the EAE and without",
-                                         distinct(turns, &Pdp7Turn::model)),
-                .comparison = dear == 0 ? "the claim holds on this machine"
-                                        : fmt::format("the claim does not hold for {} of {} rows (limit 1.5 times)", dear, turns.size())},
-               {.claim = "jones.frames",
-                .here = least_and_greatest(turns, &Pdp7Turn::worst_frames_a_second),
-                .places = 1,
-                .condition = "worst frame of a turn about one axis, events found beforehand; Jones meant any movement, without preparation",
-                .comparison = fmt::format("{} of {} rows reach sixteen frames a second in every frame",
-                                          count(turns, [](const Pdp7Turn& t) { return t.worst_frames_a_second >= 16; }), turns.size())}});
+  page.claims(
+      "plantinga-pdp7-claims", "Two sentences, on the PDP-7",
+      {{.claim = "plantinga.wire",
+        .here = least_and_greatest(turns, &Pdp7Turn::cost),
+        .places = 2,
+        .condition =
+            fmt::format("time of a frame without hidden lines to that of a wire frame, {} solids, with the EAE and without",
+                        distinct(turns, &Pdp7Turn::model)),
+        .comparison = dear == 0 ? "the claim holds on this machine"
+                                : fmt::format("the claim does not hold for {} of {} rows (limit 1.5 times)", dear, turns.size())},
+       {.claim = "jones.frames",
+        .here = least_and_greatest(turns, &Pdp7Turn::worst_frames_a_second),
+        .places = 1,
+        .condition =
+            "worst frame of a turn about one axis, events found beforehand; Jones meant any movement, without preparation",
+        .comparison = fmt::format("{} of {} rows reach sixteen frames a second in every frame",
+                                  count(turns, [](const Pdp7Turn& t) { return t.worst_frames_a_second >= 16; }), turns.size())}});
   page.gallery("plantinga-pdp7-pictures", "A frame of each turn", with_eae, [](const Pdp7Turn& t) {
     return figure(*t.screen, "plantinga-pdp7-" + t.model, t.model + ", turning on the PDP-7.",
                   "An eighth of a turn after the beginning, as the Type 340 drew it.",

@@ -16,13 +16,13 @@ struct Pdp7Turn {
   std::string model;
   bool eae = false;
   std::uint32_t edges = 0;
-  std::uint32_t events = 0;  // different angles
+  std::uint32_t events = 0;      // different angles
   std::uint32_t used_words = 0;  // of core
   double turn_s = 0;
   double frames_a_second = 0;
   double worst_frames_a_second = 0;
   double wire_frames_a_second = 0;
-  double cost = 0;  // time of a frame to that of a wire frame
+  double cost = 0;       // time of a frame to that of a wire frame
   double junctions = 0;  // T-junctions drawn, mean of a frame
   double waiting_percent = 0;
   double refreshes_a_second = 0;

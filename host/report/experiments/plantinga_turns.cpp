@@ -39,8 +39,8 @@ class Canvas {
   explicit Canvas(const native::RotationModel& model) : pixels_(side * side) {
     double reach = 1;
     for (const auto& v : model.vertices()) {
-      reach = std::max({reach, std::hypot(static_cast<double>(v[0]), static_cast<double>(v[2])),
-                        std::abs(static_cast<double>(v[1]))});
+      reach = std::max(
+          {reach, std::hypot(static_cast<double>(v[0]), static_cast<double>(v[2])), std::abs(static_cast<double>(v[1]))});
     }
     scale_ = 0.49 * static_cast<double>(side) / reach;
   }
@@ -65,8 +65,7 @@ class Canvas {
 // What all jobs on one model share. A list that was just made or read fits its graph: no step fails.
 class Turntable {
  public:
-  Turntable(const native::RotationModel& model, const native::EventList& list)
-      : graph_(list), frame_(model), canvas_(model) {}
+  Turntable(const native::RotationModel& model, const native::EventList& list) : graph_(list), frame_(model), canvas_(model) {}
 
   void turn() { static_cast<void>(graph_.turn_to(angle_)); }
   void image() {
@@ -205,14 +204,14 @@ struct PrintedTable1 {
     const PrintedTable& table = papers.table("plantinga_table_1");
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       const auto count = [&](std::string_view key) { return static_cast<std::size_t>(table.number(i, key)); };
-      rows.push_back({table.text(i, "model"), count("vertices"), count("edges"), count("faces"), count("events"), table.number(i, "kb"),
-                      table.number(i, "per_edge"), count("most"), table.number(i, "construction_s")});
+      rows.push_back({table.text(i, "model"), count("vertices"), count("edges"), count("faces"), count("events"),
+                      table.number(i, "kb"), table.number(i, "per_edge"), count("most"), table.number(i, "construction_s")});
     }
   }
   [[nodiscard]] const PrintedModel& of(const std::string& model) const { return the(rows, is(&PrintedModel::model, model)); }
   // A column of the row of the same model.
   template <class T>
-  [[nodiscard]] auto column(T PrintedModel::* member) const {
+  [[nodiscard]] auto column(T PrintedModel::*member) const {
     return [this, member](const TurnModel& here) { return of(here.model).*member; };
   }
 
@@ -224,23 +223,26 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
   const std::size_t same = count(models, [&](const TurnModel& m) { return printed.of(m.model).has_numbers_of(m); });
   const PrintedModel& grid = printed.of("grid");
   std::vector<Said> notes{
-      "The paper gives the numbers of vertices, edges and faces of its models, not where the parts are nor how they are tilted; a "
-      "comparison to the digit needs the coordinates of the models. The models here have the same numbers" +
+      "The paper gives the numbers of vertices, edges and faces of its models, not where the parts are nor how they are tilted; "
+      "a comparison to the digit needs the coordinates of the models. The models here have the same numbers" +
           page.claim(same == models.size(), ", all of them", fmt::format("{} of {} have them", same, models.size())) +
-          ". They are degenerate on purpose: edges of one height, parallel edges and parts that mirror one another, so that many events "
-          "coincide. Compare magnitudes, not digits. Tori and Spring leave least to choose.",
-      fmt::format("The paper's events are changes of single edges: events an edge times edges gives the printed events in {} of {} rows. In the "
-                  "row Grid, {} events of {} edges are {} an edge, printed {} (hard case P22). A group is all that changes at one direction; "
-                  "directions are compared exactly.",
-                  count(printed.rows, &PrintedModel::agrees_with_itself), printed.rows.size(), shown(grid.events), shown(grid.edges),
-                  shown(grid.events_an_edge(), 1), shown(grid.per_edge, 1)),
-      fmt::format("KB are 1024 bytes. A change in the file here holds only the pieces that appear; the pieces that disappear are known. {}",
-                  models.size() < printed.rows.size() ? "Spring takes longer to prepare than the other models together; --full includes it."
-                                                      : "")};
+          ". They are degenerate on purpose: edges of one height, parallel edges and parts that mirror one another, so that many "
+          "events coincide. Compare magnitudes, not digits. Tori and Spring leave least to choose.",
+      fmt::format("The paper's events are changes of single edges: events an edge times edges gives the printed events in {} of "
+                  "{} rows. In the row Grid, {} events of {} edges are {} an edge, printed {} (hard case P22). A group is all "
+                  "that changes at one direction; directions are compared exactly.",
+                  count(printed.rows, &PrintedModel::agrees_with_itself), printed.rows.size(), shown(grid.events),
+                  shown(grid.edges), shown(grid.events_an_edge(), 1), shown(grid.per_edge, 1)),
+      fmt::format("KB are 1024 bytes. A change in the file here holds only the pieces that appear; the pieces that disappear are "
+                  "known. {}",
+                  models.size() < printed.rows.size()
+                      ? "Spring takes longer to prepare than the other models together; --full includes it."
+                      : "")};
   if (page.host_times())
-    notes.emplace_back(count(models, &TurnModel::from_cache) > 0 ? "Events and the times of their construction were kept from an earlier report."
-                                                                : "Times of construction are wall-clock times.");
-  const auto construction = [](double StudyTimes::* member) {
+    notes.emplace_back(count(models, &TurnModel::from_cache) > 0
+                           ? "Events and the times of their construction were kept from an earlier report."
+                           : "Times of construction are wall-clock times.");
+  const auto construction = [](double StudyTimes::*member) {
     return [member](const TurnModel& m) { return m.times ? std::optional((*m.times).*member) : std::nullopt; };
   };
   page.table("plantinga-table-1", "Plantinga, Seales and Dyer: Table 1, as printed and here", models,
@@ -253,7 +255,8 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
               {"groups", "Groups", "here: different directions", &TurnModel::groups},
               {"printed_kb", "Event data", "KB, printed", printed.column(&PrintedModel::kb), 0},
               {"kb", "Event file", "KB, here", &TurnModel::kb, 1},
-              {"bytes_an_event", "Bytes an event", "here", [](const TurnModel& m) { return 1024 * m.kb / static_cast<double>(m.events); }, 1},
+              {"bytes_an_event", "Bytes an event", "here",
+               [](const TurnModel& m) { return 1024 * m.kb / static_cast<double>(m.events); }, 1},
               {"printed_per_edge", "Events an edge", "printed", printed.column(&PrintedModel::per_edge), 1},
               {"per_edge", "Events an edge", "here", &TurnModel::per_edge, 1},
               {"printed_most", "Most of an edge", "printed", printed.column(&PrintedModel::most)},
@@ -262,71 +265,77 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
               {"one_core_s", "Construction", "s, one core here", construction(&StudyTimes::one_core_s), 3, host_time},
               {"all_cores_s", "Construction", "s, all cores here", construction(&StudyTimes::all_cores_s), 3, host_time},
               {"events_found_a_second", "Events found a second", "one core here",
-               [](const TurnModel& m) { return m.times ? std::optional(static_cast<double>(m.events) / m.times->one_core_s) : std::nullopt; }, 0,
-               host_time}},
+               [](const TurnModel& m) {
+                 return m.times ? std::optional(static_cast<double>(m.events) / m.times->one_core_s) : std::nullopt;
+               },
+               0, host_time}},
              {.notes = std::move(notes)});
 }
 
-// Frames a second of a model in the paper's Table 2.
-double printed_rate(const Papers& papers, std::string_view model, std::string_view key) {
-  const PrintedTable& table = papers.table("plantinga_table_2");
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "model") == model) return table.number(i, key);
+// The row of a model in the paper's Table 2, frames a second.
+std::size_t row_of(const PrintedTable& table_2, std::string_view model) {
+  for (std::size_t i = 0; i < table_2.rows.size(); ++i)
+    if (table_2.text(i, "model") == model) return i;
   throw std::logic_error(fmt::format("Table 2 has no row {}", model));
 }
 
 void add_table_2(Page& page, const std::vector<TurnFrames>& frames) {
-  const auto printed = [&page](std::string_view key) {
-    return [&page, key](const TurnFrames& f) { return printed_rate(page.papers(), f.model, key); };
+  const PrintedTable& table_2 = page.papers().table("plantinga_table_2");
+  const auto printed = [&table_2](std::string_view key) {
+    return [&table_2, key](const TurnFrames& f) { return table_2.cell(row_of(table_2, f.model), key); };
   };
-  const auto here = [](double TurnFrames::* ns) { return [ns](const TurnFrames& f) { return 1e9 / (f.*ns); }; };
-  page.table("plantinga-table-2", "Plantinga, Seales and Dyer: Table 2, as printed and here, frames a second", frames,
-             {{"model", "Model", &TurnFrames::model},
-              {"printed_image_2", "2-D hardware, 2°", "printed", printed("image_2")},
-              {"image_2", "2-D hardware, 2°", "here", here(&TurnFrames::image_2_ns), 0},
-              {"printed_image_6", "2-D hardware, 6°", "printed", printed("image_6")},
-              {"image_6", "2-D hardware, 6°", "here", here(&TurnFrames::image_6_ns), 0},
-              {"printed_image_30", "2-D hardware, 30°", "printed", printed("image_30")},
-              {"image_30", "2-D hardware, 30°", "here", here(&TurnFrames::image_30_ns), 0},
-              {"printed_space_2", "3-D hardware, 2°", "printed", printed("space_2")},
-              {"space_2", "3-D hardware, 2°", "here", here(&TurnFrames::space_2_ns), 0},
-              {"printed_space_30", "3-D hardware, 30°", "printed", printed("space_30")},
-              {"space_30", "3-D hardware, 30°", "here", here(&TurnFrames::space_30_ns), 0}},
-             {.notes = {"As in the paper: rotations of 360 frames, the event structure brought up to date and the image coordinates of every "
-                        "vector computed (2-D), or its coordinates in space (3-D); nothing drawn. Their computer was an IBM RS/6000 model "
-                        "320; here it is one core of this computer, medians of repeated rotations."}});
+  const auto here = [](double TurnFrames::*ns) { return [ns](const TurnFrames& f) { return 1e9 / (f.*ns); }; };
+  page.table(
+      "plantinga-table-2", "Plantinga, Seales and Dyer: Table 2, as printed and here, frames a second", frames,
+      {{"model", "Model", &TurnFrames::model},
+       {"printed_image_2", "2-D hardware, 2°", "printed", printed("image_2")},
+       {"image_2", "2-D hardware, 2°", "here", here(&TurnFrames::image_2_ns), 0},
+       {"printed_image_6", "2-D hardware, 6°", "printed", printed("image_6")},
+       {"image_6", "2-D hardware, 6°", "here", here(&TurnFrames::image_6_ns), 0},
+       {"printed_image_30", "2-D hardware, 30°", "printed", printed("image_30")},
+       {"image_30", "2-D hardware, 30°", "here", here(&TurnFrames::image_30_ns), 0},
+       {"printed_space_2", "3-D hardware, 2°", "printed", printed("space_2")},
+       {"space_2", "3-D hardware, 2°", "here", here(&TurnFrames::space_2_ns), 0},
+       {"printed_space_30", "3-D hardware, 30°", "printed", printed("space_30")},
+       {"space_30", "3-D hardware, 30°", "here", here(&TurnFrames::space_30_ns), 0}},
+      {.notes = {"As in the paper: rotations of 360 frames, the event structure brought up to date and the image coordinates of "
+                 "every vector computed (2-D), or its coordinates in space (3-D); nothing drawn. Their computer was an IBM "
+                 "RS/6000 model 320; here it is one core of this computer, medians of repeated rotations."}});
 }
 
 // Ratios of a frame to that of the wire frame: whether the claim that they are about as fast holds.
 std::string within_limit(const std::vector<TurnFrames>& frames, double (TurnFrames::*ratio)() const) {
   const std::size_t dear = count(frames, [ratio](const TurnFrames& f) { return (f.*ratio)() > 1.5; });
-  return dear == 0 ? "the claim holds" : fmt::format("the claim does not hold for {} of {} models (limit 1.5 times)", dear, frames.size());
+  return dear == 0 ? "the claim holds"
+                   : fmt::format("the claim does not hold for {} of {} models (limit 1.5 times)", dear, frames.size());
 }
 
 void add_claims(Page& page, const PlantingaTurns& turns) {
   const std::vector<TurnModel>& models = turns.models;
   const double limit = page.paper_figure("plantinga.events_per_edge").least;
   const std::size_t more = count(models, [limit](const TurnModel& m) { return m.per_edge >= limit; });
-  std::vector<ClaimRow> rows{{.claim = "plantinga.events_per_edge",
-                              .here = least_and_greatest(models, &TurnModel::per_edge),
-                              .places = 1,
-                              .condition = fmt::format("changes of edges for each edge, {} models", models.size()),
-                              .comparison = more == 0 ? "less here as well" : fmt::format("more here for {} of {} models", more, models.size())}};
+  std::vector<ClaimRow> rows{
+      {.claim = "plantinga.events_per_edge",
+       .here = least_and_greatest(models, &TurnModel::per_edge),
+       .places = 1,
+       .condition = fmt::format("changes of edges for each edge, {} models", models.size()),
+       .comparison = more == 0 ? "less here as well" : fmt::format("more here for {} of {} models", more, models.size())}};
   if (page.host_times()) {
-    const auto printed_ratio = [&page](std::string_view model) {
-      return printed_rate(page.papers(), model, "image_2") / printed_rate(page.papers(), model, "image_30");
+    const PrintedTable& table_2 = page.papers().table("plantinga_table_2");
+    const auto printed_ratio = [&table_2](std::string_view model) {
+      const std::size_t row = row_of(table_2, model);
+      return table_2.number(row, "image_2") / table_2.number(row, "image_30");
     };
-    rows.push_back(
-        {.claim = "plantinga.step",
-         .here = least_and_greatest(turns.frames, &TurnFrames::step_ratio),
-         .places = 2,
-         .condition = "a frame after 30 degrees to one after 2 degrees, image coordinates",
-         .comparison = fmt::format("by Table 2 {} times for squares, {} for tori. {}", shown(printed_ratio("squares"), 2),
-                                   shown(printed_ratio("tori"), 2),
-                                   greatest(turns.frames, &TurnFrames::step_ratio) > printed_ratio("squares")
-                                       ? "On this computer the step matters more: coordinates take a few nanoseconds a line, while what an "
-                                         "event changes is found one by one."
-                                       : "No more here.")});
+    rows.push_back({.claim = "plantinga.step",
+                    .here = least_and_greatest(turns.frames, &TurnFrames::step_ratio),
+                    .places = 2,
+                    .condition = "a frame after 30 degrees to one after 2 degrees, image coordinates",
+                    .comparison = fmt::format("by Table 2 {} times for squares, {} for tori. {}",
+                                              shown(printed_ratio("squares"), 2), shown(printed_ratio("tori"), 2),
+                                              greatest(turns.frames, &TurnFrames::step_ratio) > printed_ratio("squares")
+                                                  ? "On this computer the step matters more: coordinates take a few nanoseconds "
+                                                    "a line, while what an event changes is found one by one."
+                                                  : "No more here.")});
     rows.push_back({.claim = "plantinga.wire",
                     .here = least_and_greatest(turns.frames, &TurnFrames::ratio),
                     .places = 2,
@@ -368,8 +377,9 @@ void plantinga_timing(Page& page, const PlantingaTurns& turns) {
   if (page.host_times()) add_table_2(page, turns.frames);
   add_claims(page, turns);
   if (!page.host_times()) return;
-  const auto us = [](double TurnFrames::* ns) { return [ns](const TurnFrames& f) { return f.*ns / 1000; }; };
-  page.table("plantinga-wire-frame", "Plantinga, Seales and Dyer: a frame without hidden lines beside the wire frame", turns.frames,
+  const auto us = [](double TurnFrames::*ns) { return [ns](const TurnFrames& f) { return f.*ns / 1000; }; };
+  page.table("plantinga-wire-frame", "Plantinga, Seales and Dyer: a frame without hidden lines beside the wire frame",
+             turns.frames,
              {{"model", "Model", &TurnFrames::model},
               {"wire_us", "Wire frame", "us, positions", us(&TurnFrames::wire_ns), 2},
               {"visible_us", "Visible lines", "us, positions", us(&TurnFrames::image_2_ns), 2},
@@ -379,8 +389,8 @@ void plantinga_timing(Page& page, const PlantingaTurns& turns) {
               {"visible_drawn_us", "Visible lines drawn", "us", us(&TurnFrames::image_drawn_ns), 1},
               {"ratio_drawn", "Visible to wire, drawn", "times", &TurnFrames::ratio_drawn, 2},
               {"events_a_second", "Groups stepped over", "a second", [](const TurnFrames& f) { return 1e9 / f.event_ns; }, 0}},
-             {.notes = {"Frames 2 degrees apart. Drawn is positions and one pixel a step of every line, 1024 by 1024, without any display "
-                        "hardware."}});
+             {.notes = {"Frames 2 degrees apart. Drawn is positions and one pixel a step of every line, 1024 by 1024, without "
+                        "any display hardware."}});
 }
 
 }  // namespace sightline::report

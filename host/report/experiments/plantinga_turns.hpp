@@ -17,11 +17,11 @@ struct TurnModel {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t faces = 0;
-  std::size_t events = 0;  // changes of edges
-  std::size_t groups = 0;  // different directions
-  double kb = 0;           // of 1024 bytes, of the event file
-  double per_edge = 0;     // events
-  std::size_t most = 0;    // events of an edge
+  std::size_t events = 0;                // changes of edges
+  std::size_t groups = 0;                // different directions
+  double kb = 0;                         // of 1024 bytes, of the event file
+  double per_edge = 0;                   // events
+  std::size_t most = 0;                  // events of an edge
   std::optional<StudyTimes> times = {};  // none without Context::host_times
   bool from_cache = false;
 };
@@ -29,16 +29,16 @@ struct TurnModel {
 // Nanoseconds of a frame: medians of rotations of 360 frames as the paper's, on one core.
 struct TurnFrames {
   std::string model;
-  double image_2_ns = 0;   // image coordinates, frames 2 degrees apart
+  double image_2_ns = 0;  // image coordinates, frames 2 degrees apart
   double image_6_ns = 0;
   double image_30_ns = 0;
-  double space_2_ns = 0;   // coordinates in space
+  double space_2_ns = 0;  // coordinates in space
   double space_30_ns = 0;
-  double steps_ns = 0;     // events alone
+  double steps_ns = 0;  // events alone
   double wire_ns = 0;
   double image_drawn_ns = 0;
   double wire_drawn_ns = 0;
-  double event_ns = 0;     // a group of events
+  double event_ns = 0;  // a group of events
 
   [[nodiscard]] double step_ratio() const { return image_30_ns / image_2_ns; }
   [[nodiscard]] double ratio() const { return image_2_ns / wire_ns; }

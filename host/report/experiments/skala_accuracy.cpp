@@ -206,9 +206,9 @@ void add_boards(std::vector<SkalaBoard>& boards, const skala::Session& session, 
       boards.push_back({std::string(function),
                         fmt::format("{}, {} link", device == skala::Device::ef9365 ? "EF9365" : "ALT-256",
                                     link == skala::Link::serial ? "serial" : "parallel"),
-                        fine.error_of(dots_of(guest.raster, skala::raster_side)), static_cast<std::uint64_t>(guest.drawing.count()),
-                        seconds(guest.drawing), static_cast<std::uint64_t>(guest.total.count()), seconds(guest.total),
-                        guest.dots_not_shown});
+                        fine.error_of(dots_of(guest.raster, skala::raster_side)),
+                        static_cast<std::uint64_t>(guest.drawing.count()), seconds(guest.drawing),
+                        static_cast<std::uint64_t>(guest.total.count()), seconds(guest.total), guest.dots_not_shown});
     }
   }
 }
@@ -255,8 +255,7 @@ void plot_emulated(Page& page, const SkalaAccuracy& skala, const Measure& measur
             caption + " Drawing on the EF9365 board, 8080 at 3 MHz.",
             alternative + ", one curve for each function.",
             {measure.title, measure.unit},
-            {"a drawing, time on the emulated machine", "s"},
-            {}};
+            {"a drawing, time on the emulated machine", "s"}};
   add_curves(plot, of_study(skala, study, true), &Point::function, measure.of, &Point::drawing_s, labels_at(labelled));
   page.plot(std::move(plot));
 }
@@ -269,8 +268,7 @@ void plot_host(Page& page, const SkalaAccuracy& skala, const Measure& measure, c
             caption + " Times are medians of interleaved repetitions, of this computer.",
             alternative,
             {measure.title, measure.unit},
-            {"a drawing, time on this computer", "ms"},
-            {}};
+            {"a drawing, time on this computer", "ms"}};
   const auto milliseconds = [](const Point& point) {
     return point.host_us ? std::optional(*point.host_us / 1000) : std::optional<double>();
   };
@@ -307,10 +305,10 @@ void grid_plots(Page& page, const SkalaAccuracy& skala) {
     return shown(pixels_off(point(function, native, 8)) / pixels_off(point(function, native, 64)), 0);
   };
   const Said caption = fmt::format(
-      "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of the "
-      "native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} times. "
-      "From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times as long "
-      "as with 64.",
+      "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of "
+      "the native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} "
+      "times. From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times "
+      "as long as with 64.",
       gain("sinc", true), gain("peaks", true), gain("sinc", false), gain("peaks", false),
       shown(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
   for (const Measure& measure : measures())
@@ -326,26 +324,27 @@ void level_plots(Page& page, const SkalaAccuracy& skala) {
       "33 x 33 points, compared with 129 x 129. The error is that of the grid and depends on which level happens to touch a peak.";
   const std::string alternative = "Log-log plot of the time of a drawing against its error with 1 to 32 levels of contours";
   plot_emulated(page, skala, measures()[1], "levels", "skala-levels-pmr-emulated", what, caption, alternative, "cosr");
-  plot_host(page, skala, measures()[1], "levels", "skala-levels-pmr-host", what, caption, alternative + ", one curve for each function.",
-            "cosr");
+  plot_host(page, skala, measures()[1], "levels", "skala-levels-pmr-host", what, caption,
+            alternative + ", one curve for each function.", "cosr");
 }
 
 void study_table(Page& page, const SkalaAccuracy& skala, const std::string& study, const std::string& title,
                  const std::string& setting) {
-  page.table("skala-speed-error-" + study, "Skala: " + title, where(skala.points, is(&Point::study, study)),
-             {{"function", "Function", &Point::function},
-              {"program", "Program", &Point::program},
-              {study, setting, &Point::setting},
-              {"pmr_per_cent", "Differing pixels", "% of the raster", measures()[1].of},
-              {"pmr_far_per_cent", "Differing pixels, no lit dot beside", "%", [](const Point& point) { return point.error.far; }},
-              {"h_px", "Greatest distance", "pixels of 1024", &pixels_off},
-              {"h_dots", "Greatest distance", "dots of the raster", &Point::dots_off},
-              {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels of 1024",
-               [](const Point& point) { return point.error.usual; }},
-              {"drawing_t_states", "Drawing on the 8080", "T-states", &Point::drawing_t_states},
-              {"drawing_s", "at 3 MHz", "s", &Point::drawing_s, 3},
-              {"host_us", "Drawing in C++", "us", &Point::host_us, 1, host_time}},
-             {.folded = true});
+  page.table(
+      "skala-speed-error-" + study, "Skala: " + title, where(skala.points, is(&Point::study, study)),
+      {{"function", "Function", &Point::function},
+       {"program", "Program", &Point::program},
+       {study, setting, &Point::setting},
+       {"pmr_per_cent", "Differing pixels", "% of the raster", measures()[1].of},
+       {"pmr_far_per_cent", "Differing pixels, no lit dot beside", "%", [](const Point& point) { return point.error.far; }},
+       {"h_px", "Greatest distance", "pixels of 1024", &pixels_off},
+       {"h_dots", "Greatest distance", "dots of the raster", &Point::dots_off},
+       {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels of 1024",
+        [](const Point& point) { return point.error.usual; }},
+       {"drawing_t_states", "Drawing on the 8080", "T-states", &Point::drawing_t_states},
+       {"drawing_s", "at 3 MHz", "s", &Point::drawing_s, 3},
+       {"host_us", "Drawing in C++", "us", &Point::host_us, 1, host_time}},
+      {.folded = true});
 }
 
 void boards(Page& page, const SkalaAccuracy& skala) {
@@ -362,28 +361,29 @@ void boards(Page& page, const SkalaAccuracy& skala) {
             fmt::format("Plot of the time of a picture against its error for each board and link; for sinc it takes {} to {} s.",
                         shown(sinc.least, 1), shown(sinc.greatest, 1)),
             {"differing pixels", "% of the raster", false},
-            {"a picture, time on the emulated machine", "s"},
-            {}};
+            {"a picture, time on the emulated machine", "s"}};
   add_curves(plot, skala.boards, &Board::board, mismatch, &Board::total_s,
              {[](const Board& board) { return board.function; }, false});
   page.plot(std::move(plot));
-  page.table("skala-boards", "Skala: two boards and two links", skala.boards,
-             {{"function", "Function", &Board::function},
-              {"board", "Board and link", &Board::board},
-              {"pmr_per_cent", "Differing pixels", "% of the raster", mismatch},
-              {"pmr_far_per_cent", "Differing pixels, no lit dot beside", "%", [](const Board& board) { return board.error.far; }},
-              {"h_px", "Greatest distance", "pixels of 1024", [](const Board& board) { return board.error.hausdorff; }},
-              {"h_dots", "Greatest distance", "dots",
-               [](const Board& board) { return dots_of_pixels(board.error.hausdorff, skala::raster_side); }, 2},
-              {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels of 1024", [](const Board& board) { return board.error.usual; }},
-              {"drawing_t_states", "Drawing", "T-states", &Board::drawing_t_states},
-              {"drawing_s", "Drawing", "s at 3 MHz", &Board::drawing_s, 3},
-              {"total_t_states", "With the receipt of commands", "T-states", &Board::total_t_states},
-              {"total_s", "With the receipt", "s at 3 MHz", &Board::total_s, 3},
-              {"dots_not_shown", "Dots in rows not shown", &Board::dots_not_shown}},
-             {{"33 slices of 65 points. Both boards hold the same dots; the ALT-256 shows fewer rows than it holds. The link takes "
-               "part in the receipt only."},
-              true});
+  page.table(
+      "skala-boards", "Skala: two boards and two links", skala.boards,
+      {{"function", "Function", &Board::function},
+       {"board", "Board and link", &Board::board},
+       {"pmr_per_cent", "Differing pixels", "% of the raster", mismatch},
+       {"pmr_far_per_cent", "Differing pixels, no lit dot beside", "%", [](const Board& board) { return board.error.far; }},
+       {"h_px", "Greatest distance", "pixels of 1024", [](const Board& board) { return board.error.hausdorff; }},
+       {"h_dots", "Greatest distance", "dots",
+        [](const Board& board) { return dots_of_pixels(board.error.hausdorff, skala::raster_side); }, 2},
+       {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels of 1024",
+        [](const Board& board) { return board.error.usual; }},
+       {"drawing_t_states", "Drawing", "T-states", &Board::drawing_t_states},
+       {"drawing_s", "Drawing", "s at 3 MHz", &Board::drawing_s, 3},
+       {"total_t_states", "With the receipt of commands", "T-states", &Board::total_t_states},
+       {"total_s", "With the receipt", "s at 3 MHz", &Board::total_s, 3},
+       {"dots_not_shown", "Dots in rows not shown", &Board::dots_not_shown}},
+      {{"33 slices of 65 points. Both boards hold the same dots; the ALT-256 shows fewer rows than it holds. The link "
+        "takes part in the receipt only."},
+       true});
 }
 
 }  // namespace
@@ -411,10 +411,10 @@ void skala_accuracy(const Context& context, SkalaAccuracy& made) {
 
 void skala_accuracy_chapter(Page& page, const SkalaAccuracy& skala) {
   page.paragraph(
-      "Pictures of three functions turned by 30 degrees, compared with the native program with 16384 columns of masks, 64 to a dot "
-      "of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these those "
-      "without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also without the "
-      "farthest one of a thousand samples. In the plots less error is to the left and less time is below.");
+      "Pictures of three functions turned by 30 degrees, compared with the native program with 16384 columns of masks, 64 to a "
+      "dot of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these "
+      "those without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also "
+      "without the farthest one of a thousand samples. In the plots less error is to the left and less time is below.");
   raster_plots(page, skala);
   grid_plots(page, skala);
   level_plots(page, skala);

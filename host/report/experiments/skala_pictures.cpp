@@ -92,7 +92,9 @@ ClaimRow same_row(const Page& page, const std::string& claim, T here, int places
 }
 
 void paper_claims(Page& page, const SkalaPictures& skala) {
-  const auto memory = [&](std::string_view what) -> const SkalaMemory& { return the(skala.memory, is(&SkalaMemory::what, what)); };
+  const auto memory = [&](std::string_view what) -> const SkalaMemory& {
+    return the(skala.memory, is(&SkalaMemory::what, what));
+  };
   page.claims(
       "skala-paper", "Skala 1985: every number for time and size",
       {time_row(page, skala, "lines",
@@ -142,7 +144,8 @@ SkalaPictures skala_pictures(const Context& context) {
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     context.progress(fmt::format("{} on the 8080", function.name));
     const std::string name(function.name);
-    for (const skala::PictureKind picture : {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
+    for (const skala::PictureKind picture :
+         {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
       SkalaOrder order{name, picture};
       if (picture == skala::PictureKind::contours) order.size = {33, 33};
       order.compare_plain = picture != skala::PictureKind::contours;
@@ -165,8 +168,8 @@ void skala_timing(Page& page, const SkalaPictures& skala) {
   page.table("skala-long-slices", "Skala: the same functions in 30 slices of 256 points, not rotated", skala.curves,
              drawing_columns());
   page.gallery("skala-rasters", "Skala: what the raster board shows", skala.pictures, [](const SkalaPicture& row) {
-    return figure(row.raster, fmt::format("raster-{}-{}", row.function, row.picture), fmt::format("{}, {}", row.function, row.picture),
-                  shown(row.drawing_s, 3) + " s",
+    return figure(row.raster, fmt::format("raster-{}-{}", row.function, row.picture),
+                  fmt::format("{}, {}", row.function, row.picture), shown(row.drawing_s, 3) + " s",
                   fmt::format("The function {} drawn by the 8080 as {} on 256 by 256 points", row.function, row.picture));
   });
 }
@@ -195,8 +198,8 @@ void skala_needs(Page& page, const SkalaPictures& skala) {
                  return 100 * static_cast<double>(row.dots_busy_t_states) / static_cast<double>(row.drawing_t_states);
                },
                1}},
-             {{"Clearing the picture, two fields of the display or 120,000 T-states, is in the drawing time. Instructions include "
-               "the receipt of the commands. The machine: 8080 at 3 MHz, 64 KB, EF9365 board, parallel link."}});
+             {{"Clearing the picture, two fields of the display or 120,000 T-states, is in the drawing time. Instructions "
+               "include the receipt of the commands. The machine: 8080 at 3 MHz, 64 KB, EF9365 board, parallel link."}});
 }
 
 }  // namespace sightline::report

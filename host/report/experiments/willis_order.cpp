@@ -46,8 +46,7 @@ void add_models(std::vector<WillisModel>& models, const WillisScene& scene, cons
     const bool thorough = !left_over && kind.rules.shape == willis::BoundaryShape::ball;
     const Measured measured =
         whole ? *whole
-              : Measured{truth.errors_of(model),
-                         willis::count_lines(model, scene.scene, thorough ? more * lines : lines, 1)};
+              : Measured{truth.errors_of(model), willis::count_lines(model, scene.scene, thorough ? more * lines : lines, 1)};
     if (!left_over) whole = measured;
     models.push_back({.scene = scene.title(),
                       .boundary = kind.boundary(),
@@ -72,8 +71,7 @@ double degrees_between(const willis::SurfacePlane& a, const willis::SurfacePlane
     for (std::size_t i = 0; i < 3; ++i) sum += static_cast<double>(u[i]) * static_cast<double>(v[i]);
     return sum;
   };
-  const double cosine =
-      dot(a.normal, b.normal) / std::sqrt(dot(a.normal, a.normal) * dot(b.normal, b.normal));
+  const double cosine = dot(a.normal, b.normal) / std::sqrt(dot(a.normal, a.normal) * dot(b.normal, b.normal));
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
@@ -94,8 +92,7 @@ WillisNormals normals_of(const WillisScene& scene) {
 }
 
 // What the boundaries of walls along x cover, as a share of the square of `length`, by counting.
-double counted_area(const std::vector<std::array<std::int32_t, 2>>& walls, std::int32_t length,
-                    willis::BoundaryShape shape) {
+double counted_area(const std::vector<std::array<std::int32_t, 2>>& walls, std::int32_t length, willis::BoundaryShape shape) {
   constexpr int steps = 600;  // of a square of three lengths around the first
   std::vector<willis::Surface> surfaces;
   for (const auto& [from, to] : walls) {
@@ -167,38 +164,42 @@ void add_pictures(std::vector<WillisPicture>& pictures, const WillisScene& scene
     const auto corners = compare::random_corners(model, static_cast<std::uint32_t>(view) + 1);
     const auto drawn = compare::ordered_faces(model, truth.cameras().front(), truth.size(), corners);
     const FaceErrors errors = truth.errors_of(drawn, 0);
-    pictures.push_back({scene.title(), depth, model.pieces.size(), model.residual.size(), errors.wrong_inside, errors.wrong_on_edges,
-                        png_picture(marked(drawn, truth.truth(0)), true)});
+    pictures.push_back({scene.title(), depth, model.pieces.size(), model.residual.size(), errors.wrong_inside,
+                        errors.wrong_on_edges, png_picture(marked(drawn, truth.truth(0)), true)});
   }
 }
 
 Said without_rule(const Page& page, const std::vector<WillisModel>& models) {
   const std::uint64_t wrong =
       sum(where(models, [](const WillisModel& m) { return m.left_over == 0 && !m.rule90; }), &WillisModel::lines_wrong);
-  return page.claim(wrong == 0, "Without the rule no line is wrong in a model of which no pair is left over: its point stands at the mark 0.",
+  return page.claim(wrong == 0,
+                    "Without the rule no line is wrong in a model of which no pair is left over: its point stands at the mark 0.",
                     fmt::format("{} lines are wrong", wrong));
 }
 
 Said with_rule(const Page& page, const std::vector<WillisModel>& models) {
   const auto whole = where(models, [](const WillisModel& m) { return m.left_over == 0 && m.rule90; });
   const std::size_t wrong = count(whole, [](const WillisModel& m) { return m.lines_wrong > 0; });
-  return page.claim(wrong > 0, fmt::format("With the 90-degree rule, lines are wrong in {} of {} such models.", wrong, whole.size()));
+  return page.claim(wrong > 0,
+                    fmt::format("With the 90-degree rule, lines are wrong in {} of {} such models.", wrong, whole.size()));
 }
 
 // A curve for each scene and rule, boundaries being balls.
 template <class Y>
-void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, Said caption, Axis y, Y value) {
+void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, Said caption,
+                    Axis y, Y value) {
   Plot plot{.id = fmt::format("willis-lines-{}", id),
             .title = fmt::format("Willis: surfaces cut up to 0 to {} times: {}", deepest_cuts, what),
             .caption = std::move(caption),
-            .alternative = fmt::format("Log-log plot of {}{} against sight lines in the wrong order, one curve for each scene and rule.",
-                                       what == "pieces" ? "" : "the ", what),
+            .alternative =
+                fmt::format("Log-log plot of {}{} against sight lines in the wrong order, one curve for each scene and rule.",
+                            what == "pieces" ? "" : "the ", what),
             .x = {"sight lines in the wrong order", "%"},
             .y = std::move(y)};
   const std::string first = models.front().scene;
   add_curves(plot, where(models, is(&WillisModel::boundary, "ball")),
-             [](const WillisModel& m) { return m.scene + (m.rule90 ? ", 90-degree rule" : ""); }, &WillisModel::lines_wrong_percent, value,
-             {.label = [first](const WillisModel& m) {
+             [](const WillisModel& m) { return m.scene + (m.rule90 ? ", 90-degree rule" : ""); },
+             &WillisModel::lines_wrong_percent, value, {.label = [first](const WillisModel& m) {
                return m.scene == first && !m.rule90 && m.left_over > 0 ? shown(m.depth) : std::string();
              }});
   page.plot(std::move(plot));
@@ -227,11 +228,11 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
   const std::uint64_t cut =
       sum(where(models, [](const WillisModel& m) { return m.depth == deepest_cuts && !m.rule90; }), &WillisModel::lines_wrong);
   page.paragraph(
-      "Surfaces in the order of their distances, each cut as often as the limit allows until no two are in each other's boundary, compared "
-      "with the nearest face on every sight line. " +
+      "Surfaces in the order of their distances, each cut as often as the limit allows until no two are in each other's "
+      "boundary, compared with the nearest face on every sight line. " +
       page.claim(uncut > 0 && cut == 0,
-                 fmt::format("With nothing cut at most {} % of the sight lines are in the wrong order; cut up to {} times, and without the "
-                             "90-degree rule, none.",
+                 fmt::format("With nothing cut at most {} % of the sight lines are in the wrong order; cut up to {} times, and "
+                             "without the 90-degree rule, none.",
                              shown(uncut, 2), deepest_cuts),
                  fmt::format("{} lines are wrong", cut)));
 
@@ -250,30 +251,32 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
   const auto left_over = where(models, [](const WillisModel& m) { return m.left_over > 0; });
   const double most_wrong = greatest(left_over, &WillisModel::lines_wrong_percent);
   const auto pairs = range_of(left_over, &WillisModel::left_over);
-  page.table("willis-speed-error", "Willis: limit of cuts, boundary and rule", models,
-             {{"scene", "Scene", &WillisModel::scene},
-              {"boundary", "Boundary", &WillisModel::boundary},
-              {"rule90", "90-degree rule", &WillisModel::rule},
-              {"depth", "Cuts up to", &WillisModel::depth},
-              {"pieces", "Pieces", &WillisModel::pieces},
-              {"left_over", "Left over", "pairs", &WillisModel::left_over},
-              {"pmr_inside_percent", "Differing pixels inside faces", "%", &WillisModel::pmr_inside_percent},
-              {"lines", "Sight lines", &WillisModel::lines},
-              {"lines_wrong", "in the wrong order", &WillisModel::lines_wrong},
-              {"lines_wrong_percent", "wrong", "%", &WillisModel::lines_wrong_percent},
-              {"prepare_us", "Model made", "us", [&](const WillisModel& m) { return times.of(m, order).prepare_us; }, 1, host_time},
-              {"order_us", "Distances and sort", "us", [&](const WillisModel& m) { return times.of(m, order).order_us; }, 1, host_time}},
-             {.notes = {fmt::format("Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random "
-                                    "places in and around the scene, a random corner of each piece standing for it, five times as many "
-                                    "where boundaries are balls and no pair is left over; points are of {0} pictures of {1} by {1} from "
-                                    "places within it. ",
-                                    WillisOrder::eyes, WillisOrder::points_a_side) +
-                        page.claim(most_wrong < 2,
-                                   fmt::format("Few lines are wrong, at most {} %, where {} to {} pairs are left over: a pair is left over if "
-                                               "some eye could see it wrongly.",
-                                               shown(most_wrong, 2), shown(pairs.least), shown(pairs.greatest)),
-                                   shown(most_wrong) + " % of the lines are wrong")},
-              .folded = true});
+  page.table(
+      "willis-speed-error", "Willis: limit of cuts, boundary and rule", models,
+      {{"scene", "Scene", &WillisModel::scene},
+       {"boundary", "Boundary", &WillisModel::boundary},
+       {"rule90", "90-degree rule", &WillisModel::rule},
+       {"depth", "Cuts up to", &WillisModel::depth},
+       {"pieces", "Pieces", &WillisModel::pieces},
+       {"left_over", "Left over", "pairs", &WillisModel::left_over},
+       {"pmr_inside_percent", "Differing pixels inside faces", "%", &WillisModel::pmr_inside_percent},
+       {"lines", "Sight lines", &WillisModel::lines},
+       {"lines_wrong", "in the wrong order", &WillisModel::lines_wrong},
+       {"lines_wrong_percent", "wrong", "%", &WillisModel::lines_wrong_percent},
+       {"prepare_us", "Model made", "us", [&](const WillisModel& m) { return times.of(m, order).prepare_us; }, 1, host_time},
+       {"order_us", "Distances and sort", "us", [&](const WillisModel& m) { return times.of(m, order).order_us; }, 1, host_time}},
+      {.notes =
+           {fmt::format(
+                "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random places "
+                "in and around the scene, a random corner of each piece standing for it, five times as many where boundaries are "
+                "balls and no pair is left over; points are of {0} pictures of {1} by {1} from places within it. ",
+                WillisOrder::eyes, WillisOrder::points_a_side) +
+            page.claim(most_wrong < 2,
+                       fmt::format("Few lines are wrong, at most {} %, where {} to {} pairs are left over: a pair is left over "
+                                   "if some eye could see it wrongly.",
+                                   shown(most_wrong, 2), shown(pairs.least), shown(pairs.greatest)),
+                       shown(most_wrong) + " % of the lines are wrong")},
+       .folded = true});
 }
 
 }  // namespace sightline::report

@@ -133,11 +133,12 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
                     .here = least_and_greatest(frames, &rate),
                     .places = 0,
                     .condition = "this computer, scenes of the next table, the display emulated",
-                    .comparison = fmt::format("{}; no time of a program is given: a comparison needs one, with its computer and scene",
-                                              all ? "all are fast enough"
-                                                  : fmt::format("{} of {} are fast enough",
-                                                                count(frames, [](const WillisFrame& f) { return f.times && f.times->frame_ms <= 40; }),
-                                                                frames.size()))});
+                    .comparison = fmt::format(
+                        "{}; no time of a program is given: a comparison needs one, with its computer and scene",
+                        all ? "all are fast enough"
+                            : fmt::format("{} of {} are fast enough",
+                                          count(frames, [](const WillisFrame& f) { return f.times && f.times->frame_ms <= 40; }),
+                                          frames.size()))});
   }
   rows.insert(
       rows.end(),
@@ -148,9 +149,9 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
        {.claim = "willis.comparisons",
         .here = {as_cell(last.tests), as_cell(all_pairs)},
         .condition = last.scene + ": boundaries tested, and N^2",
-        .comparison = fmt::format("{} % of N^2, once, when the model is made; a frame has {} distances and, as the display is given an "
-                                  "order, a sort",
-                                  shown(100 * static_cast<double>(last.tests) / static_cast<double>(all_pairs), 1), shown(last.distances))},
+        .comparison = fmt::format(
+            "{} % of N^2, once, when the model is made; a frame has {} distances and, as the display is given an order, a sort",
+            shown(100 * static_cast<double>(last.tests) / static_cast<double>(all_pairs), 1), shown(last.distances))},
        {.claim = "willis.circles",
         .here = one_figure(two_circles),
         .places = 2,
@@ -172,7 +173,8 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
         .condition = "pairs of surfaces of which one can obscure the other, four scenes",
         .comparison = greatest_angle > figure_of("willis.normals")
                           ? fmt::format("wrong: {} of {} pairs are farther apart; see the table of the rule",
-                                        shown(sum(order.normals, &WillisNormals::pairs_over_90)), shown(sum(order.normals, &WillisNormals::pairs)))
+                                        shown(sum(order.normals, &WillisNormals::pairs_over_90)),
+                                        shown(sum(order.normals, &WillisNormals::pairs)))
                           : "no pair is farther apart"}});
   page.claims("willis-paper", "Willis 1977: every number for time and size", rows);
 }
@@ -181,14 +183,15 @@ void add_scenes_table(Page& page, const WillisTimes& times) {
   const WillisDisplay& shows = times.display;
   const std::size_t left_over = greatest(times.frames, &WillisFrame::left_over);
   std::vector<Said> notes{
-      fmt::format("A frame of 512 by 512 points from the scene's own camera. The display scans it in {} of the {} lines of a frame, {} of "
-                  "{} ms. ",
+      fmt::format("A frame of 512 by 512 points from the scene's own camera. The display scans it in {} of the {} lines of a "
+                  "frame, {} of {} ms. ",
                   shows.shown_lines, shows.scan_lines, shown(static_cast<double>(shows.shown_lines) * shows.line_us / 1000, 3),
                   shown(shows.frame_ms, 0)) +
       page.claim(left_over == 0, "No pair is left over in any scene.", fmt::format("{} are in one", left_over)) +
       " Sheets (rooms) have two sides, and so two surfaces."};
   if (page.host_times())
-    notes.emplace_back("A frame by this computer is everything: distances and sort, spans, and the display emulated point by point.");
+    notes.emplace_back(
+        "A frame by this computer is everything: distances and sort, spans, and the display emulated point by point.");
   page.table("willis-scenes", "Willis: models and frames", times.frames,
              {{"scene", "Scene", &WillisFrame::scene},
               {"surfaces", "Surfaces", &WillisFrame::surfaces},
@@ -217,29 +220,32 @@ void add_rule90_table(Page& page, const WillisTimes& times, const WillisOrder& o
   const auto whole = where(order.models, [](const WillisModel& m) { return m.left_over == 0 && !m.rule90; });
   const std::uint64_t wrong_lines = sum(whole, &WillisModel::lines_wrong);
   const std::uint64_t wrong_points = sum(whole, &WillisModel::points_wrong);
-  page.table("willis-rule90", "Willis: the rule that normals be within 90 degrees", cut,
-             {{"scene", "Scene", &WillisModel::scene},
-              {"rule90", "Rule", &WillisModel::rule},
-              {"tests", "Boundaries tested", "pairs", &WillisModel::tests},
-              {"clusters", "Clusters", "pairs", &WillisModel::clusters},
-              {"pieces", "Pieces", &WillisModel::pieces},
-              {"left_over", "Left over", "pairs", &WillisModel::left_over},
-              {"lines", "Sight lines with two surfaces", &WillisModel::lines},
-              {"lines_wrong", "Wrong", &WillisModel::lines_wrong},
-              {"points", "Points of pictures", &WillisModel::points},
-              {"points_wrong", "Wrong", &WillisModel::points_wrong},
-              {"prepare_ms", "Model made", "ms", [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; }, 2, host_time}},
-             {.notes = {"With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that should have been "
-                        "are not. " +
-                            page.claim(wrong_by_rule > 0 && left_over == 0,
-                                       fmt::format("{} sight lines are wrong with it though no pair is left over.", shown(wrong_by_rule)),
-                                       fmt::format("{} pairs are left over", left_over)) +
-                            " " +
-                            page.claim(wrong_lines == 0 && wrong_points == 0, "Without it nothing is wrong where no pair is left over.",
-                                       fmt::format("{} lines and {} points are", wrong_lines, wrong_points)),
-                        fmt::format("Sight lines start at random places in and around the scene, a random corner stands for each piece; {0} "
-                                    "pictures are of {1} by {1} points from places within it, points within 0.75 of an edge left out.",
-                                    WillisOrder::eyes, WillisOrder::points_a_side)}});
+  page.table(
+      "willis-rule90", "Willis: the rule that normals be within 90 degrees", cut,
+      {{"scene", "Scene", &WillisModel::scene},
+       {"rule90", "Rule", &WillisModel::rule},
+       {"tests", "Boundaries tested", "pairs", &WillisModel::tests},
+       {"clusters", "Clusters", "pairs", &WillisModel::clusters},
+       {"pieces", "Pieces", &WillisModel::pieces},
+       {"left_over", "Left over", "pairs", &WillisModel::left_over},
+       {"lines", "Sight lines with two surfaces", &WillisModel::lines},
+       {"lines_wrong", "Wrong", &WillisModel::lines_wrong},
+       {"points", "Points of pictures", &WillisModel::points},
+       {"points_wrong", "Wrong", &WillisModel::points_wrong},
+       {"prepare_ms", "Model made", "ms", [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; }, 2,
+        host_time}},
+      {.notes = {
+           "With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that should have been "
+           "are not. " +
+               page.claim(wrong_by_rule > 0 && left_over == 0,
+                          fmt::format("{} sight lines are wrong with it though no pair is left over.", shown(wrong_by_rule)),
+                          fmt::format("{} pairs are left over", left_over)) +
+               " " +
+               page.claim(wrong_lines == 0 && wrong_points == 0, "Without it nothing is wrong where no pair is left over.",
+                          fmt::format("{} lines and {} points are", wrong_lines, wrong_points)),
+           fmt::format("Sight lines start at random places in and around the scene, a random corner stands for each piece; {0} "
+                       "pictures are of {1} by {1} points from places within it, points within 0.75 of an edge left out.",
+                       WillisOrder::eyes, WillisOrder::points_a_side)}});
 }
 
 }  // namespace
@@ -273,16 +279,17 @@ WillisTimes willis_times(const Context& context) {
 
 void willis_timing(Page& page, const WillisTimes& times, const WillisOrder& order) {
   add_claims(page, times, order);
-  page.table("willis-areas", "Willis: areas of the boundaries of a wall of length L", order.areas,
-             {{"boundary", "Boundary", &WillisArea::boundary},
-              {"area", "Formula", "L^2", &WillisArea::area, 4},
-              {"counted", "Counted", "L^2", &WillisArea::counted, 4},
-              {"smaller_percent", "Less than the oval", "%", &WillisArea::smaller_percent, 2},
-              {"agree", "Comparison",
-               [](const WillisArea& a) {
-                 return std::abs(a.counted / a.area - 1) <= 0.002 ? Verdict{true, "equal within 0.2 %"} : Verdict{false, "differs"};
-               }}},
-             {.folded = true});
+  page.table(
+      "willis-areas", "Willis: areas of the boundaries of a wall of length L", order.areas,
+      {{"boundary", "Boundary", &WillisArea::boundary},
+       {"area", "Formula", "L^2", &WillisArea::area, 4},
+       {"counted", "Counted", "L^2", &WillisArea::counted, 4},
+       {"smaller_percent", "Less than the oval", "%", &WillisArea::smaller_percent, 2},
+       {"agree", "Comparison",
+        [](const WillisArea& a) {
+          return std::abs(a.counted / a.area - 1) <= 0.002 ? Verdict{true, "equal within 0.2 %"} : Verdict{false, "differs"};
+        }}},
+      {.folded = true});
   add_scenes_table(page, times);
   page.gallery("willis-pictures", fmt::format("Willis: {}, wrong points in red", order.pictures.front().scene), order.pictures,
                [](const WillisPicture& p) {
@@ -290,9 +297,10 @@ void willis_timing(Page& page, const WillisTimes& times, const WillisOrder& orde
                                p.depth == 0   ? "nothing cut"
                                : p.depth == 1 ? "cut once"
                                               : fmt::format("cut up to {} times", p.depth),
-                               fmt::format("{} pieces, {} pairs left over; points wrong: {} inside faces, {} at edges", shown(p.pieces),
-                                           shown(p.left_over), shown(p.wrong_inside), shown(p.wrong_at_edges)),
-                               fmt::format("A town of turned houses from within; {} points in red", shown(p.wrong_inside + p.wrong_at_edges)));
+                               fmt::format("{} pieces, {} pairs left over; points wrong: {} inside faces, {} at edges",
+                                           shown(p.pieces), shown(p.left_over), shown(p.wrong_inside), shown(p.wrong_at_edges)),
+                               fmt::format("A town of turned houses from within; {} points in red",
+                                           shown(p.wrong_inside + p.wrong_at_edges)));
                });
   add_rule90_table(page, times, order);
 }

@@ -32,7 +32,7 @@ class HelpCommand : public sightline::test::CommandLine {
 };
 
 TEST_F(HelpCommand, NamesEveryOption) {
-  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "spin", "stripes", "turn", "flight", "sweep", "demo", "hard", "--version"});
+  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "spin", "stripes", "turn", "flight", "sweep", "atlas", "demo", "hard", "--version"});
   expect_help({"asm", "pdp7"},
               {"SOURCE", "-D", "-o", "--format", "rim", "hri", "octal", "--listing", "--symbols"});
   expect_help({"disasm", "pdp7"}, {"FILE", "-o"});
@@ -104,6 +104,8 @@ TEST_F(HelpCommand, NamesEveryOption) {
   expect_help({"draw"}, {"exact", "jones", "skala", "oracle"});
   expect_help({"skala", "lines"}, {"--rotate", "-o"});
   expect_help({"hard"}, {"CASE", "--list", "--json", "-o"});
+  expect_help({"atlas"}, {"SCENE", "--lattice", "--height", "--views", "--seed", "--eae", "--no-eae", "--fraction", "--jobs", "-o",
+                          "--json", "mask corner"});
   expect_help({"sweep"}, {"SCENE", "--views", "--seed", "--shard", "--algorithm", "--guest", "--eae",
                           "--no-eae", "--time", "--jobs", "-o", "parallel", "sbatch"});
 }

@@ -256,6 +256,16 @@ TEST(HardCaseCommands, AreTheInputInTheViewOfTheCase) {
         if (hard.id == id && hard.input == input) return compare_command(hard);
     return "no such case";
   };
+  const auto hard = [](const char* id, const char* input) {
+    HardCase named;
+    named.id = id;
+    named.input = input;
+    return hard_command(named);
+  };
+  EXPECT_EQ(hard("J5", "J5-strip.json"), "sightline hard J5-strip");
+  EXPECT_EQ(hard("J9", "house.json"), "sightline hard J9");
+  EXPECT_EQ(hard("M1'", "M1-four.json"), "sightline hard M1-four");
+  EXPECT_EQ(hard("P22", ""), "sightline hard P22");
   EXPECT_EQ(command("J5", "J5-strip.json"), "sightline compare J5-strip.json");
   EXPECT_EQ(command("J9", "house.json"), "sightline compare house");
   EXPECT_EQ(command("J12", "J12.json"), "sightline compare J12.json --scale 511");
