@@ -40,7 +40,7 @@ void compare_cells(const compare::CompareOptions& options, DemoAnswer& answer) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = load_cells(std::string(name));
     answer.scenes.push_back(done(compare::compare_cell_scene(scene, options), name));
-    if (name == cells_in_plot) add_plotted(done(compare::variants_of(scene, options, answer.scenes.back()), name), answer);
+    if (name == cells_in_plot) add_plotted(compare::variants_of(scene, options, answer.scenes.back()), answer);
   }
 }
 
