@@ -83,9 +83,16 @@ std::string_view method_text(std::string_view method) {
   return {};
 }
 
-// Escaped, with the sign of micro.
+// Escaped, with the sign of micro. Line ends stay.
 std::string html(std::string_view text) {
-  std::string escaped = picture::xml_text(text);
+  std::string escaped;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    escaped += picture::xml_text(text.substr(0, end));
+    if (end == std::string_view::npos) break;
+    escaped += '\n';
+    text.remove_prefix(end + 1);
+  }
   for (std::size_t at = 0; (at = escaped.find(" us", at)) != std::string::npos; at += 3) {
     const bool whole = at + 3 == escaped.size() || !std::isalnum(static_cast<unsigned char>(escaped[at + 3]));
     if (whole) escaped.replace(at, 3, " &#181;s");
