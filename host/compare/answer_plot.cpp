@@ -171,6 +171,11 @@ class Axis {
   int high_ = 0;
 };
 
+// Errors below it stand in the strip, with their number: a hundred-thousandth of what is seen would stretch the axis for nothing.
+constexpr double least_percent = 1e-3;
+
+bool in_strip(const PlotPoint& point) { return point.wrong_percent < least_percent; }
+
 bool drawable(const PlotPoint& point) {
   return std::isfinite(point.seconds) && point.seconds > 0 && std::isfinite(point.wrong_percent) && point.wrong_percent >= 0;
 }
@@ -197,7 +202,7 @@ class Panel {
       Series& series = known != series_.end() ? *known : series_.emplace_back(Series{point.series, {}, {}, {}});
       series.points.push_back(point);
       seconds_.push_back(point.seconds);
-      if (point.wrong_percent > 0) wrong_.push_back(point.wrong_percent);
+      if (!in_strip(point)) wrong_.push_back(point.wrong_percent);
     }
     if (seconds_.empty()) {
       height_ = 90;
@@ -231,7 +236,7 @@ class Panel {
       const Axis up(wrong_, bottom - 10, top_end + 10);
       for (Series& series : series_)
         for (std::size_t i = 0; i < series.points.size(); ++i)
-          if (series.points[i].wrong_percent > 0) series.places[i].y = up.place(series.points[i].wrong_percent);
+          if (!in_strip(series.points[i])) series.places[i].y = up.place(series.points[i].wrong_percent);
       axes += fmt::format("<text class=\"q\" x=\"8\" y=\"{:.1f}\">wrong, % of what is truly seen</text>\n", top_end - 14);
       for (const double value : up.marks(7)) {
         const double y = up.place(value);
@@ -268,7 +273,7 @@ class Panel {
     std::vector<Item> items;
     for (std::size_t s = 0; s < series_.size(); ++s)
       for (std::size_t i = 0; i < series_[s].points.size(); ++i)
-        if (series_[s].points[i].wrong_percent == 0) items.push_back({s, i});
+        if (in_strip(series_[s].points[i])) items.push_back({s, i});
     std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
       return series_[a.series].points[a.point].seconds < series_[b.series].points[b.point].seconds;
     });
@@ -276,7 +281,8 @@ class Panel {
     std::string text;
     for (const Item& item : items) {
       Place& place = series_[item.series].places[item.point];
-      const std::string name = series_[item.series].whole_name(item.point);
+      std::string name = series_[item.series].whole_name(item.point);
+      if (const double percent = series_[item.series].points[item.point].wrong_percent; percent > 0) name += fmt::format(" ({} %)", number_text(percent));
       const double width = width_of(name);
       const auto side = [&](bool right) {
         return right ? std::pair(place.x - mark_size - 2, place.x + 9 + width) : std::pair(place.x - 9 - width, place.x + mark_size + 2);
@@ -339,7 +345,7 @@ class Panel {
     std::vector<Box> taken;
     for (const Series& series : series_) {
       for (std::size_t i = 0; i < series.points.size(); ++i)
-        if (series.points[i].wrong_percent > 0)
+        if (!in_strip(series.points[i]))
           taken.push_back({series.places[i].x - mark_size - 1, series.places[i].y - mark_size - 1, series.places[i].x + mark_size + 1,
                            series.places[i].y + mark_size + 1});
     }
@@ -386,7 +392,7 @@ class Panel {
       bool any = false;
       for (const double distance : {0.0, 14.0, 30.0, 60.0, 100.0}) {
         for (std::size_t i = 0; i < series.points.size() && !placed; ++i) {
-          if (series.points[i].wrong_percent == 0) continue;
+          if (in_strip(series.points[i])) continue;
           any = true;
           placed = place(one ? series.whole_name(0) : series.name, series.places[i], distance, true, s);
         }
@@ -397,7 +403,7 @@ class Panel {
       for (std::size_t s = 0; s < series_.size(); ++s) {
         const Series& series = series_[s];
         for (std::size_t i = 0; i < series.points.size(); ++i) {
-          if (series.points.size() == 1 || series.points[i].wrong_percent == 0 || series.points[i].label.empty() || series.in_front(i) != front) continue;
+          if (series.points.size() == 1 || in_strip(series.points[i]) || series.points[i].label.empty() || series.in_front(i) != front) continue;
           static_cast<void>(place(series.points[i].label, series.places[i], 0, false, s));
         }
       }
@@ -407,7 +413,7 @@ class Panel {
   PlotPanel panel_;
   std::vector<Series> series_;
   std::vector<double> seconds_;
-  std::vector<double> wrong_;  // greater than 0
+  std::vector<double> wrong_;  // of what is not in the strip
   int strip_rows_ = 0;
   std::string labels_;
   std::string leaders_;

@@ -8,18 +8,18 @@
 // seen, and the time is that of a frame of the turn.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
-#include "host/base/result.hpp"
 #include "host/compare/answer_plot.hpp"
 #include "host/compare/heights.hpp"
 #include "host/compare/scenes.hpp"
 
 namespace sightline::compare {
 
-// Beside a comparison of the scene, of its view: of the options the scale, the methods and whether times of this computer are measured,
-// without which there are no points of this computer. Errors: those of compare_cell_scene.
-[[nodiscard]] base::Result<std::vector<PlotPoint>> variants_of(
+// Beside a comparison of the scene, of its view and its methods: what was left out there has no points here. Of the options the scale and
+// whether times of this computer are measured, without which there are no points of this computer.
+[[nodiscard]] std::vector<PlotPoint> variants_of(
     const scene::CellScene& scene, const CompareOptions& options, const SceneComparison& comparison,
     const CompareProgress& progress = [](std::string_view) {});
 [[nodiscard]] std::vector<PlotPoint> variants_of(
