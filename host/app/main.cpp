@@ -14,7 +14,7 @@ struct Entry {
   void (*add)(const Command& program);
 };
 
-constexpr std::array<Entry, 19> commands{{
+constexpr std::array<Entry, 21> commands{{
     {"demo", add_demo_command},
     {"report", add_report_command},
     {"jones", add_jones_command},
@@ -22,11 +22,13 @@ constexpr std::array<Entry, 19> commands{{
     {"stripes", add_stripes_command},
     {"draw", add_draw_command},
     {"compare", add_compare_command},
+    {"hard", add_hard_command},
     {"explain", add_explain_command},
     {"spin", add_spin_command},
     {"turn", add_turn_command},
     {"flight", add_flight_command},
     {"sweep", add_sweep_command},
+    {"atlas", add_atlas_command},
     {"asm", add_asm_command},
     {"disasm", add_disasm_command},
     {"run", add_run_command},

@@ -16,6 +16,7 @@
 #include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
 #include "host/compare/willis_8080.hpp"
+#include "host/scene/cells/from_cell_scene.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -39,11 +40,31 @@ std::vector<Participant> find_participants() {
   at(oracle).faces = true;
   at(willis_on_8080().name).faces = true;
   at(turn_name).screen = true;
+  for (const std::string_view name : {jones_pdp7_name, jones_no_eae_name, jones_twin_name}) at(name).jones = true;
+  at(skala_8080_name).ink = true;
   return found;
 }
 
+constexpr std::string_view colours_faces = "colours faces; those of this scene's solids are compared where they are tilted (C1 to C4)";
+constexpr std::string_view wants_cells = "looks along z into cells parallel to the axes";
+constexpr std::string_view wants_heights = "draws functions of two variables only";
+
 constexpr std::array all_not_applicable{
-    NotApplicable{"skala", "C", NotApplicable::Views::all, "draws functions of two variables only"},
+    NotApplicable{"skala", "C", NotApplicable::Views::all, wants_heights},
+    NotApplicable{"skala", "J", NotApplicable::Views::all, wants_heights},
+    NotApplicable{skala_8080_name, "C", NotApplicable::Views::all, wants_heights},
+    NotApplicable{skala_8080_name, "J", NotApplicable::Views::all, wants_heights},
+    NotApplicable{jones_pdp7_name, "C", NotApplicable::Views::all, wants_cells},
+    NotApplicable{jones_pdp7_name, "H", NotApplicable::Views::all, wants_cells},
+    NotApplicable{jones_no_eae_name, "C", NotApplicable::Views::all, wants_cells},
+    NotApplicable{jones_no_eae_name, "H", NotApplicable::Views::all, wants_cells},
+    NotApplicable{jones_twin_name, "C", NotApplicable::Views::all, wants_cells},
+    NotApplicable{jones_twin_name, "H", NotApplicable::Views::all, wants_cells},
+    NotApplicable{"willis", "J", NotApplicable::Views::all, colours_faces},
+    NotApplicable{"willis-8080", "J", NotApplicable::Views::all, colours_faces},
+    NotApplicable{stripes_name, "J", NotApplicable::Views::all, colours_faces},
+    NotApplicable{"plantinga", "J", NotApplicable::Views::all, "events of a turn are those of parallel projection"},
+    NotApplicable{turn_name, "J", NotApplicable::Views::all, "turns in parallel projection"},
     NotApplicable{"willis", "H", NotApplicable::Views::all,
                   "leaves facets that touch clustered: no plane on the lattice keeps them apart"},
     NotApplicable{stripes_name, "C7", NotApplicable::Views::all,
@@ -146,8 +167,10 @@ class Drawing {
       any = any || pictures_[v].not_applicable.empty();
     }
     if (any && who.lines) draw_lines();
-    if (any && who.faces) draw_faces();
+    if (any && who.faces && !scene.matter) draw_faces();
     if (any && who.screen) draw_screen();
+    if (any && who.jones) draw_jones();
+    if (any && who.ink) draw_ink();
   }
 
   [[nodiscard]] std::vector<CrossCheckPicture> take() { return std::move(pictures_); }
@@ -166,6 +189,7 @@ class Drawing {
   void draw_lines() {
     const registry::LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
     if (algorithm == nullptr) return fail("no such algorithm in the table of lines");
+    if (scene_.matter) return draw_matter(*algorithm);
     if (auto reason = algorithm->why_not(scene_.scene)) return fail(*reason);
     auto made = algorithm->prepare(scene_.scene);
     if (!made) return fail(made.error().message());
@@ -183,6 +207,45 @@ class Drawing {
       } else {
         picture.lines = std::move(seen->picture);
       }
+    });
+  }
+
+  // The real lines of a scene of cells: of its own cells, by a method that takes cells, or of its matter; the edges of faces, by one that
+  // knows no other lines.
+  void draw_matter(const registry::LineAlgorithm& algorithm) {
+    const bool of_faces = algorithm.prepare_cells == nullptr && !algorithm.draws_crossings;
+    const scene::PolyScene& scene = of_faces ? scene_.matter->with_box() : scene_.scene;
+    if (auto reason = algorithm.why_not(scene)) return fail(*reason);
+    auto made = algorithm.prepare_cells != nullptr ? algorithm.prepare_cells(scene::complex_of(*scene_.cells, scene)) : algorithm.prepare(scene);
+    if (!made) return fail(made.error().message());
+    for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
+      const geometry::Point& eye = view.camera.eye;
+      auto seen = of_faces ? made->view(view.camera) : registry::view_of(*made, view.camera, scene_.matter->lines_at(eye));
+      if (!seen) {
+        picture.problem = seen.error().message();
+        return;
+      }
+      picture.same_by_image = true;  // edges of other names may lie on each other
+      picture.lines = of_faces ? scene_.matter->on_lines(seen->picture, eye) : std::move(seen->picture);
+    });
+  }
+
+  void draw_jones() {
+    for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
+      auto builds = who_.name == jones_twin_name ? jones_twins(scene_, view) : jones_on_pdp7(scene_, view, who_.name == jones_pdp7_name);
+      if (builds)
+        picture.builds = std::move(*builds);
+      else
+        picture.problem = builds.error().message();
+    });
+  }
+
+  void draw_ink() {
+    for_each_view([&](const CrossCheckView&, CrossCheckPicture& picture) {
+      picture.ink = skala_pictures(*scene_.heights, program_view(scene_));
+      for (const SkalaInk& ink : *picture.ink)
+        if (picture.problem.empty() && !ink.difference.empty())
+          picture.problem = fmt::format("{}: the program is not its twin: {}", name_of(ink), ink.difference);
     });
   }
 
@@ -269,6 +332,13 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView
   const auto faces = [](const Participant& who, const CrossCheckPicture& picture) {
     return NamedFaces{who.name, &*picture.faces};
   };
+  if (a.jones && b.jones) return {compare_pictures(NamedJones{a.name, &*of_a.builds}, NamedJones{b.name, &*of_b.builds})};
+  if (a.jones) return {compare_pictures(scene, view, NamedJones{a.name, &*of_a.builds}, lines(b, of_b))};
+  if (b.jones) return {compare_pictures(scene, view, NamedJones{b.name, &*of_b.builds}, lines(a, of_a))};
+  if (a.ink || b.ink) {
+    const NamedInk ink = a.ink ? NamedInk{a.name, &*of_a.ink} : NamedInk{b.name, &*of_b.ink};
+    return {(a.ink ? b : a).name == oracle ? compare_with_oracle(scene, ink) : compare_with_native(scene, ink)};
+  }
   if (a.screen || b.screen) {
     const NamedScreen screen = a.screen ? NamedScreen{a.name, &*of_a.screen} : NamedScreen{b.name, &*of_b.screen};
     const Participant& other = a.screen ? b : a;
@@ -279,30 +349,35 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView
   }
   std::vector<ViewVerdict> all;
   if (a.lines && b.lines) all.push_back(compare_pictures(scene, view, lines(a, of_a), lines(b, of_b)));
-  if (a.faces && b.faces) all.push_back(compare_pictures(scene, view, faces(a, of_a), faces(b, of_b)));
+  if (a.faces && b.faces && !scene.matter) all.push_back(compare_pictures(scene, view, faces(a, of_a), faces(b, of_b)));
   if (!all.empty()) return all;
   all.push_back(a.lines ? compare_pictures(scene, view, lines(a, of_a), faces(b, of_b))
                         : compare_pictures(scene, view, lines(b, of_b), faces(a, of_a)));
   return all;
 }
 
-bool is_complete(const Participant& who, const CrossCheckPicture& picture) {
-  return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || picture.faces) &&
-         (!who.screen || picture.screen);
+// Of scenes of cells nobody has faces.
+bool is_complete(const CommonScene& scene, const Participant& who, const CrossCheckPicture& picture) {
+  return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || scene.matter || picture.faces) &&
+         (!who.screen || picture.screen) && (!who.jones || picture.builds) && (!who.ink || picture.ink);
 }
 
 CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
                             const std::vector<CrossCheckPicture>& of_a, const Participant& b,
                             const std::vector<CrossCheckPicture>& of_b) {
-  CrossCheckCell cell{a.name, b.name, CrossCheckState::not_applicable, 0, {}, {}};
+  CrossCheckCell cell{a.name, b.name, CrossCheckState::not_applicable, 0, {}, {}, {}};
   const auto add = [&cell](std::size_t view, const std::string& text) {
     cell.text += fmt::format("{}view {}: {}", cell.text.empty() ? "" : "; ", view + 1, text);
   };
+  if (const auto reason = nothing_in_common(a.name, b.name)) {
+    cell.text = *reason;
+    return cell;
+  }
   std::vector<std::string_view> ways;
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     if (!of_a[v].not_applicable.empty() || !of_b[v].not_applicable.empty()) continue;
-    if (!is_complete(a, of_a[v]) || !is_complete(b, of_b[v])) {
-      const bool first = !is_complete(a, of_a[v]);
+    if (!is_complete(scene, a, of_a[v]) || !is_complete(scene, b, of_b[v])) {
+      const bool first = !is_complete(scene, a, of_a[v]);
       const std::string& problem = (first ? of_a : of_b)[v].problem;
       cell.state = CrossCheckState::not_run;
       cell.text = fmt::format("view {}: {}: {}", v + 1, first ? a.name : b.name, problem);
@@ -310,6 +385,7 @@ CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
     }
     for (const ViewVerdict& verdict : verdicts(scene, scene.views[v], a, of_a[v], b, of_b[v])) {
       if (std::find(ways.begin(), ways.end(), verdict.how) == ways.end()) ways.push_back(verdict.how);
+      for (const MachineDistance& distance : verdict.distances) cell.distances.push_back({distance, v});
       if (!verdict.agrees) {
         cell.state = CrossCheckState::differs;
         cell.text = fmt::format("view {}: {}", v + 1, verdict.text);
@@ -348,11 +424,18 @@ std::optional<std::string_view> listed_reason(std::string_view who, std::string_
   return std::nullopt;
 }
 
+std::optional<std::string_view> nothing_in_common(std::string_view a, std::string_view b) {
+  if (a != skala_8080_name && b != skala_8080_name) return std::nullopt;
+  const std::string_view other = a == skala_8080_name ? b : a;
+  if (other == oracle || registry::find_height_algorithm(other) != nullptr) return std::nullopt;
+  return "skala-8080 draws slices, the other one triangles between them, which reach beyond the slices";
+}
+
 std::size_t listed_cells(const CommonScene& scene) {
   std::size_t cells = 0;
   for (const Participant& a : participants()) {
     for (const Participant& b : participants()) {
-      if (&a >= &b) continue;
+      if (&a >= &b || nothing_in_common(a.name, b.name)) continue;
       cells += std::any_of(scene.views.begin(), scene.views.end(), [&](const CrossCheckView& view) {
         return !listed_reason(a.name, scene.name, view.camera.perspective) &&
                !listed_reason(b.name, scene.name, view.camera.perspective);

@@ -18,6 +18,7 @@
 #include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/compare/cross_check_compare.hpp"
+#include "host/compare/cross_check_machines.hpp"
 #include "host/compare/cross_check_scenes.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/picture/pixel_metrics.hpp"
@@ -29,9 +30,12 @@ struct Participant {
   bool lines = false;
   bool faces = false;
   bool screen = false;  // lines as a machine's display shows them, to its points
+  bool jones = false;   // builds of Jones's program
+  bool ink = false;     // pictures of Skala's program on its devices
 };
 // In the order of the registries: lines, faces, heights; then the 8080's stripes (stripes.hpp). The oracle has faces, too: nearest_faces().
-// Then Willis's priorities from an 8080 (willis_8080.hpp), and the solid turning on the PDP-7 (turning.hpp).
+// Then Willis's priorities from an 8080 (willis_8080.hpp), the solid turning on the PDP-7 (turning.hpp), and Jones's and Skala's programs
+// (cross_check_machines.hpp).
 [[nodiscard]] std::span<const Participant> participants();
 
 struct NotApplicable {
@@ -46,6 +50,9 @@ struct NotApplicable {
 // Why a participant has no picture of a view, as listed.
 [[nodiscard]] std::optional<std::string_view> listed_reason(std::string_view who, std::string_view scene,
                                                             bool perspective);
+
+// Why two participants that both have pictures of a scene have nothing in common that can be compared.
+[[nodiscard]] std::optional<std::string_view> nothing_in_common(std::string_view a, std::string_view b);
 
 // Where the algorithms are looked for.
 struct CrossCheckTables {
@@ -62,8 +69,15 @@ struct CrossCheckPicture {
   // Lines again, for the participant with a screen, at the angle of its machine: the picture, and in points of the display.
   std::optional<picture::LinePicture> lines_at_angle;
   std::vector<picture::PixelSegment> lines_on_screen;
+  std::optional<std::vector<JonesPicture>> builds;
+  std::optional<std::vector<SkalaInk>> ink;
   std::string_view not_applicable;          // the listed reason
   std::string problem;                      // why something listed is not there
+};
+
+// A distance that was compared with its bound.
+struct CheckedDistance : MachineDistance {
+  std::size_t view = 0;
 };
 
 enum class CrossCheckState { agrees, differs, not_run, not_applicable };
@@ -75,6 +89,7 @@ struct CrossCheckCell {
   std::size_t views = 0;  // compared
   std::string how;        // as ViewVerdict has it, each once; no "pieces" where it took "image"
   std::string text;       // what was found; of a failure the view and the first difference
+  std::vector<CheckedDistance> distances = {};  // of Jones's and Skala's programs
 };
 
 struct SceneCrossCheck {

@@ -17,11 +17,19 @@
 
 namespace sightline::compare {
 
+// How far a machine's picture is from another one, in points of its device, and how far its words let it be.
+struct MachineDistance {
+  std::string what;  // the build, or picture and device; and what is measured from there
+  double found = 0;
+  double bound = 0;
+};
+
 // What came out, in words: of a difference, where it is first.
 struct ViewVerdict {
   bool agrees = false;
-  std::string_view how;  // "pieces", "image", "pixels", "lines on pixels", "points"
+  std::string_view how;  // "pieces", "image", "pixels", "lines on pixels", "points", "words"
   std::string text;
+  std::vector<MachineDistance> distances = {};  // of "points" of Jones's and Skala's programs
 };
 
 struct NamedLines {

@@ -152,7 +152,7 @@ CrossCheckView own_view(const PolyScene& scene) {
 }
 
 CommonScene tilted_scene(std::string_view name, std::string_view title, PolyScene scene) {
-  CommonScene common{name, title, std::move(scene), {}, false, {}, {}};
+  CommonScene common{name, title, std::move(scene), {}, false, {}, {}, {}, {}};
   tilt(common.scene);
   common.views = {parallel_view(common.scene, 3, 4, 5), parallel_view(common.scene, -5, 12, 13),
                   own_view(common.scene)};
@@ -161,7 +161,7 @@ CommonScene tilted_scene(std::string_view name, std::string_view title, PolyScen
 
 CommonScene parallel_scene(std::string_view name, std::string_view title, PolyScene scene,
                            std::int32_t times) {
-  CommonScene common{name, title, std::move(scene), {}, false, {}, {}};
+  CommonScene common{name, title, std::move(scene), {}, false, {}, {}, {}, {}};
   enlarge(common.scene, times);
   common.views = {parallel_view(common.scene, 0, 1, 1), parallel_view(common.scene, 3, 4, 5),
                   parallel_view(common.scene, -5, 12, 13)};
@@ -185,19 +185,31 @@ CommonScene triangles() {
 }
 
 CommonScene corridor() {
-  CommonScene common{"C4", "corridor of 8 rooms", scene::generate_corridors(8), {}, false, {}, {}};
+  CommonScene common{"C4", "corridor of 8 rooms", scene::generate_corridors(8), {}, false, {}, {}, {}, {}};
   common.views = {own_view(common.scene)};
   return common;
 }
 
 CommonScene prism_town() {
-  CommonScene common{"C9", "35 turned houses, in plan", scene::generate_prisms(35), {}, true, {}, {}};
+  CommonScene common{"C9", "35 turned houses, in plan", scene::generate_prisms(35), {}, true, {}, {}, {}, {}};
   common.views = {parallel_view(common.scene, 3, 4, 5), own_view(common.scene)};
   return common;
 }
 
-constexpr std::array<std::string_view, 11> names{"C1", "C2", "C3", "C4", "C5", "C6",
-                                                 "C7", "C8", "C9", "H1", "H2"};
+// A built-in scene of cells, from its own eye, and from one where the lines of Jones's program are nearly as far from the exact ones as
+// its words let them be, with any number of fraction bits.
+CommonScene cell_scene(std::string_view name, std::string_view built_in_name, std::string_view title, const PolyPoint& far_off) {
+  CommonScene common{name, title, {}, {}, false, {}, {}, built_in(built_in_name), {}};
+  auto matter = MatterScene::of(*common.cells);
+  common.matter.emplace(std::move(*matter));
+  common.scene = common.matter->scene();
+  common.views = {own_view(common.scene), own_view(common.scene)};
+  common.views[1].camera.eye = far_off;
+  return common;
+}
+
+constexpr std::array<std::string_view, 15> names{"C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8",
+                                                 "C9", "H1", "H2", "J1", "J2", "J3", "J4"};
 
 }  // namespace
 
@@ -215,6 +227,10 @@ CommonScene common_scene(std::string_view name) {
   if (name == "C7") return parallel_scene(name, "cycles: three bars, two U", cycles(), 64);
   if (name == "C8") return parallel_scene(name, "a hole seen through a hole", holes(), 64);
   if (name == "C9") return prism_town();
+  if (name == "J1") return cell_scene(name, "house", "cells: house", {429, 182, 135});
+  if (name == "J2") return cell_scene(name, "roberts", "cells: roberts", {215, 14, 14});
+  if (name == "J3") return cell_scene(name, "street4", "cells: street4", {-115, 597, 291});
+  if (name == "J4") return cell_scene(name, "corridor8", "cells: corridor8", {273, 3, 824});
   if (name == "H1") return height_scene(name, "sin(r)/r, 32 x 32", "sinc", 3, 4);
   return height_scene(name, "terrain with cliffs, 32 x 32", "terrain", 4, 3);
 }
@@ -250,7 +266,7 @@ CommonScene height_scene(std::string_view name, std::string_view title, std::str
                          std::int32_t sine, std::int32_t cosine) {
   scene::HeightGrid grid = sample(*scene::height_function(function), {side, side});
   quantise(grid);
-  CommonScene common{name, title, {}, {}, false, {}, {}};
+  CommonScene common{name, title, {}, {}, false, {}, {}, {}, {}};
   scene::PolyScene& scene = common.scene;
   scene.name = function;
   const auto odd = [](std::size_t i) { return 2 * static_cast<std::int32_t>(i) - 31; };

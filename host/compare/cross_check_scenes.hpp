@@ -4,7 +4,8 @@
 // every pixel is known exactly: its three vectors are of one length, and a direction without perspective has
 // a whole one ((3, 4), (5, 12), ...). All directions are level, for Plantinga, Seales and Dyer turn about y.
 // Scenes parallel to the axes are tilted, vertices and cameras, by a whole matrix: the tilt is part of the
-// scene. Source: the suite's cross-check of algorithms, section 2 (C1 to C9, H1, H2).
+// scene. Scenes of cells, for Jones's program on the PDP-7, are as they are, and seen along z. Source: the suite's cross-check of
+// algorithms, section 2 (C1 to C9, H1, H2).
 #pragma once
 
 #include <array>
@@ -18,6 +19,7 @@
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/skala/view.hpp"
+#include "host/compare/matter_scene.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/scene/heights/grid.hpp"
@@ -52,8 +54,12 @@ struct CommonScene {
   // The function whose surface the scene is, two triangles for each cell, and the same view of it.
   std::optional<scene::HeightGrid> heights;
   algorithms::skala::View height_view;
+  // Of a scene of cells: the scene, and its matter, whose solids, walls and wires `scene` has. Its views look along z.
+  std::optional<scene::CellScene> cells;
+  std::optional<MatterScene> matter;
 };
 
+// Polyhedra (C1 ..), functions (H1 ..), scenes of cells (J1 ..).
 [[nodiscard]] std::span<const std::string_view> common_scene_names();
 // One of those names (precondition).
 [[nodiscard]] CommonScene common_scene(std::string_view name);

@@ -13,6 +13,7 @@
 #include "emulators/core/tstates.hpp"
 #include "host/compare/host_time.hpp"
 #include "host/compare/lines.hpp"
+#include "host/compare/work_bounds.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/aim_camera.hpp"
@@ -56,17 +57,15 @@ struct CameraAxes {
 };
 
 // A point of the image as a direction of whole numbers, to less than a thousandth of a pixel.
-PixelGrid nearest_in_perspective(const PolyScene& scene, const PolyCamera& camera,
-                                 const registry::FaceWindow& window) {
+oracle::PixelSight sight_in_perspective(const PolyCamera& camera, const registry::FaceWindow& window) {
   constexpr double length = 1 << 18;  // of its part ahead; directions are below 2^20
-  const CameraAxes axes(camera);
-  return oracle::nearest_faces(scene, window.width, window.height, [&](int column, int row) {
+  return [eye = camera.eye, axes = CameraAxes(camera), window](int column, int row) {
     const auto [x, y] = image_point(window, column, row);
-    oracle::SightLine line{camera.eye, {}};
+    oracle::SightLine line{eye, {}};
     for (std::size_t a = 0; a < 3; ++a)
       line.along[a] = std::llround(length * (axes.forward[a] + x * axes.right[a] + y * axes.up[a]));
     return line;
-  });
+  };
 }
 
 // Sight lines without perspective start at whole points. So that these are fine ones, the scene is taken as
@@ -75,32 +74,32 @@ std::int32_t enlargement(const PolyScene& scene) {
   return static_cast<std::int32_t>((scene::poly_coordinate_limit - 1) / scene::bounds_of(scene).half_size());
 }
 
-// Everything about the middle of the scene; what starts 2 half sizes before it is before all of it.
-PixelGrid nearest_in_parallel(const PolyScene& scene, const PolyCamera& camera,
-                              const registry::FaceWindow& window) {
+// The scene that sight_in_parallel is of: everything about its middle.
+PolyScene enlarged(PolyScene scene) {
   const PolyPoint middle = scene::bounds_of(scene).middle();
   const std::int32_t times = enlargement(scene);
-  PolyScene large = scene;
-  for (PolyPoint& v : large.vertices)
+  for (PolyPoint& v : scene.vertices)
     for (std::size_t a = 0; a < 3; ++a) v[a] = times * (v[a] - middle[a]);
-  const CameraAxes axes(camera);
-  double ahead = -2.0 * static_cast<double>(scene::bounds_of(scene).half_size());
-  for (std::size_t a = 0; a < 3; ++a) ahead -= axes.forward[a] * (camera.eye[a] - middle[a]);
-  return oracle::nearest_faces(large, window.width, window.height, [&](int column, int row) {
-    const auto [x, y] = image_point(window, column, row);
-    oracle::SightLine line{{}, geometry::vector_of(camera.forward)};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double from =
-          camera.eye[a] - middle[a] + x * axes.right[a] + y * axes.up[a] + ahead * axes.forward[a];
-      line.from[a] = static_cast<std::int32_t>(std::lround(times * from));
-    }
-    return line;
-  });
+  return scene;
 }
 
-PixelGrid nearest_faces(const PolyScene& scene, const PolyCamera& camera, const registry::FaceWindow& window) {
-  return camera.perspective ? nearest_in_perspective(scene, camera, window)
-                            : nearest_in_parallel(scene, camera, window);
+// What starts 2 half sizes before the middle is before all of the scene.
+oracle::PixelSight sight_in_parallel(const PolyScene& scene, const PolyCamera& camera, const registry::FaceWindow& window) {
+  const CameraAxes axes(camera);
+  std::array<double, 3> from{};  // of the middle of the image
+  double ahead = -2.0 * static_cast<double>(scene::bounds_of(scene).half_size());
+  for (std::size_t a = 0; a < 3; ++a) {
+    from[a] = camera.eye[a] - scene::bounds_of(scene).middle()[a];
+    ahead -= axes.forward[a] * from[a];
+  }
+  return [along = geometry::vector_of(camera.forward), times = enlargement(scene), from, ahead, axes, window](int column, int row) {
+    const auto [x, y] = image_point(window, column, row);
+    oracle::SightLine line{{}, along};
+    for (std::size_t a = 0; a < 3; ++a)
+      line.from[a] = static_cast<std::int32_t>(
+          std::lround(times * (from[a] + x * axes.right[a] + y * axes.up[a] + ahead * axes.forward[a])));
+    return line;
+  };
 }
 
 // In points of the grid, whose middles are whole numbers, rows from the bottom.
@@ -122,12 +121,25 @@ std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const 
 
 }  // namespace
 
+struct FaceTruth::Sights {
+  PolyScene scene;  // as the sight lines meet it
+  oracle::PixelSight at;
+  std::vector<oracle::MetFace> faces;  // by number, less 1
+};
+
 FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const registry::FaceWindow& window)
     : scene_(&scene),
       camera_(camera),
       window_(window),
-      faces_(nearest_faces(scene, camera, window)),
-      edges_(image_of_edges(scene, camera, window)) {}
+      edges_(image_of_edges(scene, camera, window)) {
+  Sights sights{camera.perspective ? scene : enlarged(scene),
+                camera.perspective ? sight_in_perspective(camera, window) : sight_in_parallel(scene, camera, window),
+                {}};
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+    for (std::size_t face = 0; face < scene.bodies[body].faces.size(); ++face) sights.faces.push_back({body, face});
+  faces_ = oracle::nearest_faces(sights.scene, window.width, window.height, sights.at);
+  sights_ = std::make_shared<const Sights>(std::move(sights));
+}
 
 base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& camera) {
   if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
@@ -143,6 +155,7 @@ base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& 
 base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& algorithm, bool host_times) const {
   registry::FaceOptions options;
   options.vertical = scene::frame_of(camera_).vertical;
+  options.most_pairs = most_willis_pairs;
   auto prepared = algorithm.prepare(*scene_, options);
   if (!prepared) return std::move(prepared.error());
   const auto& faces = *prepared;
@@ -160,8 +173,18 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
 }
 
 ComparedFaces FaceTruth::compared(std::string name, PixelGrid drawn, std::size_t not_solved) const {
-  const auto metrics = picture::pixel_metrics(faces_, drawn, edges_);
-  return ComparedFaces{std::move(name), metrics, faces_, std::move(drawn), not_solved, {}, {}, {}};
+  PixelGrid truth = faces_;
+  for (int row = 0; row < window_.height; ++row) {
+    for (int column = 0; column < window_.width; ++column) {
+      const std::uint32_t right = faces_.at(column, row);
+      const std::uint32_t shown = drawn.at(column, row);
+      if (right == shown || right == 0 || shown == 0) continue;
+      if (oracle::meet_together(sights_->scene, sights_->at(column, row), sights_->faces[right - 1], sights_->faces[shown - 1]))
+        truth.set(column, row, shown);
+    }
+  }
+  const auto metrics = picture::pixel_metrics(truth, drawn, edges_);
+  return ComparedFaces{std::move(name), metrics, std::move(truth), std::move(drawn), not_solved, {}, {}, {}};
 }
 
 }  // namespace sightline::compare

@@ -1,11 +1,13 @@
 // Compares item buffers (the visible face at each point) with the nearest face found for every point by
-// itself (host/algorithms/oracle/face_raster.hpp).
+// itself (host/algorithms/oracle/face_raster.hpp). Where faces lie in one plane and share the point, none of them is before the
+// other: each of them is right there.
 //
 // Left out: scenes of very many faces, for which that oracle has no answer in time, and parallel views along
 // scenes that are thousands of times deeper than they are wide.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,7 +27,7 @@ inline constexpr std::string_view t_states_name = "t_states";
 struct ComparedFaces {
   std::string name;
   picture::PixelMetrics metrics;
-  picture::PixelGrid truth;  // numbers of faces over all bodies + 1, 0 where there is none
+  picture::PixelGrid truth;  // numbers of faces over all bodies + 1, 0 where there is none; of several in one plane, the one drawn
   picture::PixelGrid grid;
   std::size_t not_solved = 0;  // pairs of faces the algorithm itself says it may draw wrongly
   std::vector<registry::FaceCount> counts{};
@@ -59,6 +61,8 @@ class FaceTruth {
   const scene::PolyScene* scene_;
   scene::PolyCamera camera_;
   registry::FaceWindow window_;
+  struct Sights;
+  std::shared_ptr<const Sights> sights_;
   picture::PixelGrid faces_;
   std::vector<picture::PixelSegment> edges_;
 };

@@ -224,13 +224,17 @@ std::vector<DrawnPiece> pieces_of(const guests::jones::View& view, const std::ma
 
 }  // namespace
 
-std::map<std::uint32_t, LineId> lines_of_vectors(const guests::jones::EncodedScene& scene, const MatterScene& matter,
-                                                 const ImageLines& lines) {
+std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const guests::jones::EncodedScene& scene) {
   VectorWalk walk(scene);
   for (const std::uint32_t cell : scene.cell_addresses) walk.walk(cell);
   for (const std::uint32_t opening : scene.opening_addresses) walk.walk(opening + 2);
+  return std::move(walk).take();
+}
+
+std::map<std::uint32_t, LineId> lines_of_vectors(const guests::jones::EncodedScene& scene, const MatterScene& matter,
+                                                 const ImageLines& lines) {
   std::map<std::uint32_t, LineId> result;
-  for (const auto& [address, line] : std::move(walk).take()) {
+  for (const auto& [address, line] : axis_lines_of_vectors(scene)) {
     const auto wire = matter.wire_on(line);
     result[address] = wire ? lines.line_of(*wire) : no_line;
   }

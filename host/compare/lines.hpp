@@ -58,8 +58,9 @@ class ImageLines {
   std::vector<picture::ReferenceLine> lines_;
 };
 
-// Which line of the image each vector word of an encoded scene of cells is on, by address: the layout of encode.hpp. `lines` are of the
-// wires of `matter`.
+// Which line of space each vector word of an encoded scene of cells is on, by address: the layout of encode.hpp.
+[[nodiscard]] std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const guests::jones::EncodedScene& scene);
+// And which line of the image; `lines` are of the wires of `matter`.
 [[nodiscard]] std::map<std::uint32_t, picture::LineId> lines_of_vectors(const guests::jones::EncodedScene& scene, const MatterScene& matter,
                                                                         const ImageLines& lines);
 

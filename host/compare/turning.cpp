@@ -66,9 +66,23 @@ double radians_of(const scene::PolyCamera& camera) {
   return std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
 }
 
-// Between the events around an angle of the machine: the first of some cameras ever farther from it.
-std::optional<scene::PolyCamera> camera_between_events(const plantinga::EventList& list, std::uint32_t angle) {
-  if (list.events.empty()) return turn::ScreenView::camera(angle);
+// Whether an edge is seen end-on: exact methods draw nothing of it, the machine a piece whose ends are one point.
+bool sees_end_on(const plantinga::RotationModel& model, const scene::PolyCamera& camera) {
+  const auto sight = *plantinga::sight_of(camera);
+  return std::any_of(model.edges().begin(), model.edges().end(), [&](const picture::LineEdge& edge) {
+    const auto& from = model.vertices()[edge.from];
+    const auto& to = model.vertices()[edge.to];
+    return from[1] == to[1] && (to[0] - from[0]) * std::int64_t{sight.z} == (to[2] - from[2]) * std::int64_t{sight.x};
+  });
+}
+
+// Between the events around an angle of the machine, with no edge seen end-on: the first of some cameras ever farther from it.
+std::optional<scene::PolyCamera> camera_between_events(const plantinga::RotationModel& model, const plantinga::EventList& list,
+                                                       std::uint32_t angle) {
+  if (list.events.empty()) {
+    const scene::PolyCamera there = turn::ScreenView::camera(angle);
+    return sees_end_on(model, there) ? turn::ScreenView::camera_at(turn::radians(angle) + 0.01) : there;
+  }
   const auto as_signed = [](std::uint32_t word) {
     return static_cast<std::int64_t>(word) - (word > angles_a_turn / 2 ? angles_a_turn : 0);
   };
@@ -93,7 +107,7 @@ std::optional<scene::PolyCamera> camera_between_events(const plantinga::EventLis
   const double backwards = way(before) < 0 ? way(before) : 0;
   for (const double part : {0.0, 0.02, 0.1, 0.25, 0.5, 0.75, 0.9})
     for (const double to : {forwards, backwards})
-      if (const auto camera = turn::ScreenView::camera_at(at + part * to); between(camera)) return camera;
+      if (const auto camera = turn::ScreenView::camera_at(at + part * to); between(camera) && !sees_end_on(model, camera)) return camera;
   return std::nullopt;
 }
 
@@ -162,7 +176,7 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   const turn::Tape& tape = parts_->tape;
   TurnPicture shown;
   shown.angle = angle;
-  const auto camera = camera_between_events(parts_->events, angle);
+  const auto camera = camera_between_events(parts_->model, parts_->events, angle);
   if (!camera) return base::fail(fmt::format("no camera is between the events around angle {} of the machine", angle));
   shown.camera = *camera;
 

@@ -47,6 +47,7 @@ base::Result<registry::PreparedFaces> prepare_8080(const scene::PolyScene& scene
   willis::ModelOptions model_options;
   model_options.plan = options.plan;
   model_options.vertical = options.vertical;
+  if (options.most_pairs) model_options.limits.tests = *options.most_pairs;
   registry::PreparedFaces prepared;
   prepared.view = [&scene, model_options](const scene::PolyCamera& camera, const registry::FaceWindow& window) {
     return view_on_8080(scene, model_options, camera, window);

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "host/base/file.hpp"
-#include "host/report/records.hpp"
 
 namespace sightline::report {
 
@@ -22,6 +21,22 @@ struct Real {
   int places = as_needed;
 
   friend bool operator==(const Real&, const Real&) = default;
+};
+
+// Something that is right or wrong; the words alone must say it.
+struct Verdict {
+  bool good = true;
+  std::string text = {};
+
+  friend bool operator==(const Verdict&, const Verdict&) = default;
+};
+
+struct Picture {
+  std::string media_type = {};  // "image/png", "image/svg+xml"
+  base::Bytes bytes = {};
+  bool pixelated = false;  // enlarged without smoothing
+
+  friend bool operator==(const Picture&, const Picture&) = default;
 };
 
 // Nothing, words, a count, a number, a judgement.
@@ -37,6 +52,11 @@ struct Said {
   Said(const char* said) : text(said) {}
   Said(std::string said, std::vector<std::string> not_held) : text(std::move(said)), failed(std::move(not_held)) {}
   friend bool operator==(const Said&, const Said&) = default;
+  friend Said operator+(Said left, const Said& right) {
+    left.text += right.text;
+    left.failed.insert(left.failed.end(), right.failed.begin(), right.failed.end());
+    return left;
+  }
 };
 
 struct Column {
@@ -58,10 +78,10 @@ struct Figure {
 struct Table {
   std::string id;  // a-z, 0-9, -; once in a report: the file's name and the place to link to
   std::string title;
-  std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;  // each as wide as columns
-  std::vector<Said> notes;              // paragraphs under the table
-  bool folded = false;                  // to be opened in the page
+  std::vector<Column> columns = {};
+  std::vector<std::vector<Cell>> rows = {};  // each as wide as columns
+  std::vector<Said> notes = {};              // paragraphs under the table
+  bool folded = false;                       // to be opened in the page
   // Pictures of each row: the page shows the rows as cards. Readers choose cards by this name, and by whether a
   // judgement in the row is bad.
   std::vector<std::vector<Figure>> cards = {};
@@ -82,10 +102,10 @@ struct Heading {
 struct Panel {
   std::string id;
   Said title;
-  std::string source;  // the paper; empty: none
-  std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<Said> text;
-  std::vector<Figure> figures;
+  std::string source = {};  // the paper; empty: none
+  std::vector<std::pair<std::string, std::string>> facts = {};
+  std::vector<Said> text = {};
+  std::vector<Figure> figures = {};
 };
 
 // A file the report is about, such as an input: folded up in the page, to be opened there or saved.

@@ -1,16 +1,15 @@
-// An experiment runs programs and returns records. It says nothing of titles, units, captions or HTML: data/*.json
-// say what the page shows of its records. One row in experiments.cpp registers it.
+// What an experiment is told, and how it fails. An experiment is a function that runs programs and returns plain structs;
+// its chapters (page.hpp) say what the page shows of them. sections.cpp lists both.
 #pragma once
 
 #include <exception>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "host/base/result.hpp"
-#include "host/report/records.hpp"
+#include "host/report/document.hpp"
 
 namespace sightline::report {
 
@@ -50,17 +49,8 @@ struct Context {
   unsigned jobs = 1;       // processors that may be used
   std::function<void(std::string_view)> progress = [](std::string_view) {
   };  // what is being done, in few words
-  // Work that takes times of this computer, to be done when all experiments are finished and nothing else runs; the
-  // records are those that the experiment returned.
-  std::function<void(std::function<void(Records& records)>)> alone = {};
+  // Work that takes times of this computer, to be done when all experiments are finished and nothing else runs.
+  std::function<void(std::function<void()>)> when_alone = {};
 };
-
-struct Experiment {
-  std::string_view name;  // a-z, 0-9, -; data files take "NAME.SET"
-  Records (*run)(const Context& context) = nullptr;
-  bool host_times = false;  // all of it takes times of this computer: nothing else runs meanwhile
-};
-
-[[nodiscard]] std::span<const Experiment> all_experiments();
 
 }  // namespace sightline::report

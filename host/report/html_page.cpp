@@ -51,9 +51,9 @@ bool is_number(const Cell& cell) {
   return std::holds_alternative<std::int64_t>(cell) || std::holds_alternative<Real>(cell);
 }
 
-class Page {
+class HtmlWriter {
  public:
-  explicit Page(const Report& report) : report_(report) {}
+  explicit HtmlWriter(const Report& report) : report_(report) {}
 
   std::string text() && {
     for (const Section& section : report_.sections) {
@@ -338,7 +338,7 @@ class Page {
 }  // namespace
 
 std::string html_page(const Report& report) {
-  return Page(report).text();
+  return HtmlWriter(report).text();
 }
 
 std::string html_escaped(std::string_view text) {

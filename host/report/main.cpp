@@ -47,11 +47,11 @@ Value value_or_fail(report::Outcome<Value> outcome) {
 }
 
 void check_parts(const std::vector<int>& numbers) {
-  const auto all = value_or_fail(report::all_parts());
+  const auto& all = report::report_parts();
   for (const int number : numbers) {
     if (std::any_of(all.begin(), all.end(), [&](const auto& part) { return part.number == number; })) continue;
     std::string there;
-    for (const report::PartLayout& part : all) there += fmt::format("{}{}", there.empty() ? "" : ", ", part.number);
+    for (const report::Part& part : all) there += fmt::format("{}{}", there.empty() ? "" : ", ", part.number);
     throw Failure(ExitCode::usage, fmt::format("--part: found {}, expected one of {}", number, there));
   }
 }
@@ -105,7 +105,7 @@ void add_report_command(const Command& app) {
   const auto arguments = std::make_shared<ReportArguments>();
   command.option("-o,--output", arguments->directory, "Folder for the report").default_value().value("DIR");
   std::string parts;
-  for (const report::PartLayout& part : value_or_fail(report::all_parts()))
+  for (const report::Part& part : report::report_parts())
     parts += fmt::format("{}{} {}", parts.empty() ? "" : "; ", part.number, part.title);
   command.option("--part", arguments->parts, "Only this part: " + parts).value("N").one_at_a_time();
   command

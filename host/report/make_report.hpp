@@ -1,27 +1,22 @@
-// Runs experiments and makes of their records what the data files say.
+// Runs experiments and writes the chapters that take their data.
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
 #include "host/report/document.hpp"
 #include "host/report/experiment.hpp"
-#include "host/report/render.hpp"
+#include "host/report/sections.hpp"
 
 namespace sightline::report {
 
-// What people can ask for, ascending. Error bad_input: a data file that cannot be used.
-[[nodiscard]] Outcome<std::vector<PartLayout>> all_parts();
+// The data that the parts of these numbers take, or all of them if there are none. Every experiment is run once; those
+// that take times of this computer run alone, the others on all processors. An error of any ends it.
+[[nodiscard]] Outcome<Results> run_experiments(std::span<const int> parts, const Context& context);
 
-// The parts of these numbers, or all of them if there are none; every experiment that they take records of is run once.
-// Those that take times of this computer run alone, the others on all processors. An error of any ends it.
-[[nodiscard]] Outcome<Report> make_report(std::span<const int> parts, const Context& context);
-
-// The same of records that are there: at least those that the parts take.
+// The parts of these numbers, or the whole report, of data that are there.
 [[nodiscard]] Outcome<Report> report_of(std::span<const int> parts, const Results& results, const Context& context);
 
-// The records of the experiments named, or of all.
-[[nodiscard]] Outcome<Results> run_experiments(std::vector<std::string> names, const Context& context);
+// Both.
+[[nodiscard]] Outcome<Report> make_report(std::span<const int> parts, const Context& context);
 
 }  // namespace sightline::report

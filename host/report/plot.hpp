@@ -16,7 +16,7 @@ namespace sightline::report {
 
 struct Axis {
   std::string title;
-  std::string unit;  // put behind the title in brackets; empty: none
+  std::string unit = {};  // put behind the title in brackets; empty: none
   // A value of 0 on a logarithmic axis, such as the error of an exact program, stands at the axis's low end,
   // a decade below the least other value, at a mark named 0. Negative values and what is no number are not
   // drawn.
@@ -44,7 +44,7 @@ struct Plot {
   std::string alternative;
   Axis x;
   Axis y;
-  std::vector<Curve> curves;
+  std::vector<Curve> curves = {};
   int width = 860;  // of the SVG, in its units
   int height = 540;
 };

@@ -123,16 +123,4 @@ std::string shown_text(const Cell& cell) {
                     cell);
 }
 
-Cell cell_of(const Value& value, int places) {
-  return std::visit(Choice{[](std::monostate) { return Cell(); }, [](const std::string& text) { return Cell(text); },
-                           [places](std::int64_t count) {
-                             return places == Real::as_needed ? Cell(count)
-                                                              : Cell(Real{static_cast<double>(count), places});
-                           },
-                           [places](double number) { return Cell(Real{number, places}); },
-                           [](const Verdict& verdict) { return Cell(verdict); },
-                           [](const Picture&) -> Cell { throw std::invalid_argument("a picture in a table"); }},
-                    value.kind());
-}
-
 }  // namespace sightline::report

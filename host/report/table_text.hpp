@@ -20,8 +20,4 @@ namespace sightline::report {
 // A cell as people read it, in the page: plain text.
 [[nodiscard]] std::string shown_text(const Cell& cell);
 
-// A value as a cell: numbers, and counts if places are asked for, with so many places. Throws
-// std::invalid_argument for a picture.
-[[nodiscard]] Cell cell_of(const Value& value, int places = Real::as_needed);
-
 }  // namespace sightline::report

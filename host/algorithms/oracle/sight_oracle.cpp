@@ -86,6 +86,13 @@ std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLi
   return nearest;
 }
 
+bool meet_together(const scene::PolyScene& scene, const SightLine& line, const MetFace& first, const MetFace& second) {
+  const Meetings meetings(scene, line);
+  const auto one = meetings.with(scene.bodies[first.body].faces[first.face]);
+  const auto other = meetings.with(scene.bodies[second.body].faces[second.face]);
+  return one && other && !one->less(*other) && !other->less(*one);
+}
+
 bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye, const scene::PolyPoint& point) {
   const Meetings meetings(scene, {eye, geometry::difference(point, eye)});
   for (const scene::PolyBody& body : scene.bodies) {

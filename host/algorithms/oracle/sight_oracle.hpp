@@ -34,6 +34,9 @@ struct SightLine {
 // one (precondition).
 [[nodiscard]] std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLine& line);
 
+// Whether the sight line meets both faces, at one point.
+[[nodiscard]] bool meet_together(const scene::PolyScene& scene, const SightLine& line, const MetFace& first, const MetFace& second);
+
 // No face is met strictly between the eye and the point.
 [[nodiscard]] bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye,
                         const scene::PolyPoint& point);

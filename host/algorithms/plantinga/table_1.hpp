@@ -1,5 +1,5 @@
 // The figures of Table 1 of Plantinga, Seales and Dyer (1990) for a list of ours. Theirs are in
-// host/report/data/papers.json: "Avg. events per edge" times the edges gives their events in five of six
+// host/compare/papers.json: "Avg. events per edge" times the edges gives their events in five of six
 // rows, so that events are changes of single edges; in the row Grid 16.3 x 105 = 1711, not 1383 (hard case
 // P22).
 #pragma once

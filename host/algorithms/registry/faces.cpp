@@ -62,6 +62,7 @@ base::Result<PreparedFaces> prepare_willis(const scene::PolyScene& scene, const 
   model_options.rules.rule90 = options.rule90;
   if (options.oval) model_options.rules.shape = willis::BoundaryShape::oval;
   model_options.order_cells = options.order_cells;
+  if (options.most_pairs) model_options.limits.tests = *options.most_pairs;
   auto model = willis::make_model(scene, model_options);
   if (!model) return std::move(model.error());
   const auto made = std::make_shared<WillisScene>(std::move(*model));

@@ -74,6 +74,7 @@ struct FaceOptions {
   bool rule90 = false;       // the paper's rule that normals be within 90 degrees
   bool oval = false;         // the boundary is the oval, not two circles
   bool order_cells = true;   // false: distance alone
+  std::optional<std::size_t> most_pairs;  // of pieces to be kept apart; a scene that needs more is refused
   // Montani and Re
   double stripe = 1;  // thickness, one of those above; regions have none
   bool one_silhouette =

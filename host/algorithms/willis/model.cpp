@@ -32,7 +32,7 @@ class Unclustering {
     find_pairs();
     model_.clusters = pairs_.size();
     if (trace_ != nullptr) trace_->clusters(model_.pieces, pairs_);
-    while (cut_once()) {
+    while (model_.tests <= options_.limits.tests && cut_once()) {
       take_pairs_over();
       if (trace_ != nullptr) trace_->clusters(model_.pieces, pairs_);
     }
@@ -169,7 +169,11 @@ Model make_model(std::vector<Surface> surfaces, const ModelOptions& options, Tra
 base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options, Trace* trace) {
   auto surfaces = options.plan ? walls_of(scene, options.vertical) : surfaces_of(scene);
   if (!surfaces) return std::move(surfaces.error());
-  return make_model(std::move(*surfaces), options, trace);
+  Model model = make_model(std::move(*surfaces), options, trace);
+  if (model.tests > options.limits.tests)
+    return base::Error{.found = "found " + std::to_string(model.tests) + " pairs of " + std::to_string(model.pieces.size()) + " pieces to be kept apart by cuts",
+                       .expected = "at most " + std::to_string(options.limits.tests) + " pairs"};
+  return model;
 }
 
 std::vector<std::string> residual_lines(const Model& model, const scene::PolyScene& scene) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,8 @@ struct Limits {
   int touching_depth = 4;     // of surfaces that touch their partner: no number of cuts would do
   std::int32_t smallest = 0;  // surfaces of at most this diameter, in scene units, are not cut
   std::size_t pieces = 1'000'000;
+  // Of a scene: pairs of pieces whose boundaries are looked at, counted after each round of cuts. Beyond it the scene is refused.
+  std::size_t tests = std::numeric_limits<std::size_t>::max();
 };
 
 struct ModelOptions {
@@ -65,7 +68,7 @@ struct Model {
   std::size_t vertical = 1;
 };
 
-// The scene is a checked one (precondition). Errors: as surfaces_of and walls_of.
+// The scene is a checked one (precondition). Errors: as surfaces_of and walls_of; more tests than the limit.
 class Trace;  // trace.hpp; null: nobody watches
 [[nodiscard]] base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions& options = {}, Trace* trace = nullptr);
 // The same of surfaces, whatever they are faces of.

@@ -6,11 +6,13 @@
 namespace sightline::app {
 
 void add_asm_command(const Command& program);
+void add_atlas_command(const Command& program);
 void add_compare_command(const Command& program);
 void add_demo_command(const Command& program);
 void add_disasm_command(const Command& program);
 void add_draw_command(const Command& program);
 void add_flight_command(const Command& program);
+void add_hard_command(const Command& program);
 void add_jones_command(const Command& program);
 void add_page_command(const Command& program);
 void add_run_command(const Command& program);

@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "host/app/commands/answer_output.hpp"
@@ -23,7 +25,11 @@
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
 #include "host/compare/answer.hpp"
+#include "host/compare/answer_plot.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/run_case.hpp"
 #include "host/compare/sweep_views.hpp"
+#include "host/compare/variants.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/read/builtin.hpp"
 
@@ -51,6 +57,7 @@ struct CompareArguments {
   std::optional<std::uint64_t> only_view;  // of the random views
   RandomViewOptions random;
   bool no_host_times = false;
+  std::string plot;  // empty: none
   std::string directory = "out";
   bool json = false;
 };
@@ -101,6 +108,7 @@ struct ComparedScene {
   std::string notes;
   Json json;
   std::vector<std::string> overlays;
+  std::vector<compare::PlotPoint> plotted;  // if there is to be a plot
 };
 
 compare::CompareOptions options_of(const CompareArguments& arguments) {
@@ -128,6 +136,19 @@ std::string views_heading(const std::string& name, const CompareArguments& argum
   return fmt::format("{}, {} random views of seed {}: the median, and the greatest in brackets\n", name, arguments.views, arguments.random.seed);
 }
 
+// Texts that are inputs of hard cases, but neither scenes nor grids.
+void refuse_commands(const std::string& name) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(name, unknown)) return;
+  const std::string_view kind = compare::kind_of_commands(read_input_text(name));
+  if (kind.empty()) return;
+  const std::string file = std::filesystem::path(name).filename().string();
+  const bool known = !compare::hard_case_text(file).empty();
+  throw Failure(ExitCode::bad_input, fmt::format("{}: found {}, expected a scene or a grid; {}", name, kind,
+                                                 known ? fmt::format("`sightline hard {}` takes this file", std::filesystem::path(file).stem().string())
+                                                       : "`sightline hard --list` shows the cases of such files"));
+}
+
 // `source` is by name, from a file or an expression.
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source, OverlayNames& overlays,
                                const compare::CompareProgress& progress, compare::Answer& answer) {
@@ -138,9 +159,10 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   guests::skala::View view = arguments.function_view;
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
+  if (source.expression.empty()) refuse_commands(name);
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
-    throw Failure(ExitCode::bad_input, fmt::format("{}: {}", name, *reason));
+    throw Failure(ExitCode::bad_input, fmt::format("{}: {}; `sightline skala` draws it and compares it with its twin", name, *reason));
   const auto compare_view = [&](const guests::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
     auto comparison = compare::compare_heights(function.grid, of, step, function.sampled, !arguments.no_host_times);
     comparison.devices = compare::compare_devices(function.grid, of, step);
@@ -154,8 +176,12 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   if (arguments.views == 0) {
     if (arguments.only_view) view = compare::random_height_view(function.grid, view, arguments.random.seed, *arguments.only_view);
     const auto comparison = compare_view(view, arguments.only_view.value_or(0), progress);
-    return {comparison.agrees(), compare_heading(function.name, comparison), compare_notes(comparison),
-            compare_json(function.name, comparison), write_overlays(arguments.directory, overlays.unused(function.stem), comparison)};
+    ComparedScene compared{comparison.agrees(), compare_heading(function.name, comparison), compare_notes(comparison),
+                           compare_json(function.name, comparison),
+                           write_overlays(arguments.directory, overlays.unused(function.stem), comparison), {}};
+    if (!arguments.plot.empty()) compared.plotted = compare::variants_of(comparison);
+    std::erase_if(compared.plotted, [&](const compare::PlotPoint& point) { return !chosen(arguments, point.series); });
+    return compared;
   }
   ComparedScene compared;
   compared.heading = views_heading(function.name, arguments);
@@ -217,8 +243,12 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
       camera = camera_of(arguments.camera, source.scene, name);
     }
     const auto comparison = compare_view(camera, arguments.only_view.value_or(0), progress);
-    return {comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
-            write_overlays(arguments.directory, overlays.unused(shown), comparison)};
+    ComparedScene compared{comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
+                           write_overlays(arguments.directory, overlays.unused(shown), comparison), {}};
+    if (arguments.plot.empty()) return compared;
+    compared.plotted = source.cells ? value_of(compare::variants_of(*source.cells, options, comparison, progress), name)
+                                    : compare::variants_of(source.scene, options, comparison, progress);
+    return compared;
   }
   ComparedScene compared;
   compared.heading = views_heading(shown, arguments);
@@ -248,6 +278,14 @@ void check_methods(const std::vector<std::string>& methods) {
   }
 }
 
+// Empty if no plot is asked for.
+std::optional<Output> plot_output(const CompareArguments& arguments) {
+  if (arguments.plot.empty()) return std::nullopt;
+  if (arguments.plot == "-") throw Failure(ExitCode::usage, "--plot: found -, expected a file: the table goes to standard output");
+  if (arguments.views != 0) throw Failure(ExitCode::usage, "--plot: found with --views, expected one view of each scene");
+  return std::optional<Output>(std::in_place, arguments.plot);
+}
+
 ExitCode run_compare(CompareArguments arguments) {
   if (arguments.picture == "surface") arguments.function_view.picture = guests::skala::PictureKind::surface;
   if (arguments.picture == "contours") arguments.function_view.picture = guests::skala::PictureKind::contours;
@@ -265,6 +303,8 @@ ExitCode run_compare(CompareArguments arguments) {
   if (arguments.views != 0 || arguments.only_view)
     refuse_camera(arguments.camera, true, arguments.views != 0 ? "--views" : "--only-view", "random views, which have cameras of their own");
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
+  std::optional<Output> plot = plot_output(arguments);
+  std::vector<compare::PlotPoint> plotted;
   Json document{{"schema", "sightline/compare/2"}, {"agrees", true}, {"table", Json::array()}, {"scenes", Json::array()}};
   bool agrees = true;
   const std::size_t count = names.size() + (expression ? 1 : 0);
@@ -278,6 +318,7 @@ ExitCode run_compare(CompareArguments arguments) {
       return compare_next(arguments, names, n, overlays, show, answer);
     }();
     agrees = agrees && compared.agrees;
+    plotted.insert(plotted.end(), compared.plotted.begin(), compared.plotted.end());
     if (arguments.json) {
       compared.json["overlays"] = compared.overlays;
       document["scenes"].push_back(std::move(compared.json));
@@ -290,6 +331,14 @@ ExitCode run_compare(CompareArguments arguments) {
       if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
   }
   document["agrees"] = agrees;
+  if (plot) {
+    const std::string title = count == 1 ? (expression ? arguments.function.expression : names.front()) + ": time against error"
+                                         : fmt::format("Time against error, medians of {} scenes and functions", count);
+    plot->write(value_of(compare::plot_svg(compare::medians_of(plotted), title), "--plot"));
+    plot->commit();
+    document["plot"] = arguments.plot;
+    if (!arguments.json) write_stdout(fmt::format("plot {}\n", arguments.plot));
+  }
   if (arguments.json) print_json(document);
   if (agrees) return ExitCode::ok;
   complain("an exact algorithm is not exact, or a guest is not its twin: see above");
@@ -325,6 +374,7 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   command.option("--only-view", arguments.only_view, "One of the random views by its number, from 0, as sweeps number them").value("K");
   add_random_view_options(command, arguments.random);
   command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
+  command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");
   command.option("-o,--output", arguments.directory, "Folder for the overlays").default_value().value("DIR");
   command.flag("--json", arguments.json, "One JSON document instead of the tables");
 }

@@ -1,10 +1,3 @@
-// All algorithms compared with each other on the common scenes.
-//
-//   cells     a pair of methods on a scene: how they agree, or that they do not
-//   failures  the cells that differ or could not be run, with the first difference
-//   scenes    a scene each: size, views, cells listed to run and run
-//   reasons   what does not apply, as listed
-//   pictures  the first view of each scene by every method
 #include "host/report/experiments/cross_check.hpp"
 
 #include <fmt/core.h>
@@ -18,9 +11,9 @@
 
 #include "host/base/text.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
-#include "host/report/hard_cases/case_images.hpp"
+#include "host/compare/hard_cases/case_images.hpp"
+#include "host/report/page.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::report {
@@ -29,13 +22,14 @@ namespace {
 
 using compare::CrossCheckCell;
 using compare::CrossCheckState;
+using compare::NotApplicable;
 
-Value verdict_of(const CrossCheckCell& cell) {
+Cell verdict_of(const CrossCheckCell& cell) {
   switch (cell.state) {
     case CrossCheckState::agrees: return Verdict{true, cell.how};
     case CrossCheckState::differs: return Verdict{false, "differs"};
     case CrossCheckState::not_run: return Verdict{false, "not run"};
-    case CrossCheckState::not_applicable: return "n/a";
+    case CrossCheckState::not_applicable: return std::string("n/a");
   }
   return {};
 }
@@ -47,78 +41,178 @@ double extent_of(const compare::CrossCheckView& view) {
   return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
-void add_pictures(RowSet& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
+// What Jones's and Skala's programs are measured against; other pairs of theirs say the same.
+bool is_measured(const CrossCheckCell& cell) {
+  return cell.first == "exact" || cell.second == compare::skala_8080_name;
+}
+
+void add_machines(std::vector<MachineFarthest>& machines, const compare::CommonScene& scene, const CrossCheckCell& cell) {
+  if (!is_measured(cell)) return;
+  for (const compare::CheckedDistance& distance : cell.distances) {
+    const auto known = std::find_if(machines.begin(), machines.end(), [&](const MachineFarthest& m) {
+      return m.scene == scene.name && m.machine == cell.second && m.other == cell.first && m.what == distance.what;
+    });
+    const MachineFarthest found{std::string(scene.name), std::string(scene.title), std::string(cell.second), std::string(cell.first), distance.what,
+                                distance.found, distance.bound};
+    if (known == machines.end())
+      machines.push_back(found);
+    else if (found.part() > known->part())
+      *known = found;
+  }
+}
+
+template <class Rows>
+void machine_table(Page& page, const std::string& id, const std::string& title, const Rows& rows, const std::string& note) {
+  page.table(id, title, rows,
+             {{"machine", "Machine", &MachineFarthest::machine}, {"other", "Measured from", &MachineFarthest::other}, {"what", "What", &MachineFarthest::what}},
+             {.notes = {note}},
+             Pivot<MachineFarthest>{.key = [](const MachineFarthest& m) { return base::lower_case(m.scene); },
+                                    .title = [](const MachineFarthest& m) { return m.scene + ", " + m.title; },
+                                    .unit = "points",
+                                    .cell = [](const MachineFarthest& m) { return Verdict{m.found <= m.bound, fmt::format("{:.{}f} of {:.{}f}", m.found, m.places(), m.bound, m.places())}; }});
+}
+
+void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
   int number = 0;
   const compare::CrossCheckView& view = scene.views.front();
   const auto add = [&](std::string_view who, std::string_view what, const picture::Image& image) {
-    pictures.add({{"id", fmt::format("{}-{}", base::lower_case(scene.name), ++number)},
-                  {"scene", scene.name},
-                  {"title", scene.title},
-                  {"method", fmt::format("{}{}", who, what)},
-                  {"picture", png_picture(image)}});
+    pictures.push_back({fmt::format("{}-{}", base::lower_case(scene.name), ++number), std::string(scene.name),
+                        std::string(scene.title), fmt::format("{}{}", who, what), png_picture(image)});
   };
   for (std::size_t who = 0; who < compare::participants().size(); ++who) {
     const compare::CrossCheckPicture& picture = agreement.pictures[who].front();
     const std::string_view name = compare::participants()[who].name;
-    if (picture.lines) add(name, "", lines_image(*picture.lines, scene.scene, view.camera, extent_of(view)));
+    if (picture.lines) add(name, "", compare::lines_image(*picture.lines, scene.scene, view.camera, extent_of(view)));
     if (picture.screen) {
       std::vector<picture::DrawnPiece> lines;
       for (const picture::PixelSegment& line : picture.screen->turn.lines) lines.push_back({0, line});
-      add(name, "", screen_image(lines));
+      add(name, "", compare::screen_image(lines));
     }
-    if (picture.faces) add(name, picture.lines ? " (faces)" : "", faces_image(*picture.faces, case_image_side));
+    if (picture.builds) {
+      std::vector<picture::DrawnPiece> lines;
+      for (const picture::PixelSegment& line : picture.builds->back().lines) lines.push_back({0, line});
+      add(name, fmt::format(", f={}", picture.builds->back().words.fraction_bits), compare::screen_image(lines));
+    }
+    if (picture.ink)
+      for (const compare::SkalaInk& ink : *picture.ink)
+        if (ink.device == guests::skala::Device::ef9365 || (ink.device == guests::skala::Device::calcomp && compare::shows_lines(ink)))
+          add(name, ", " + compare::name_of(ink), compare::faces_image(ink.dots, compare::case_image_side));
+    if (picture.faces) add(name, picture.lines ? " (faces)" : "", compare::faces_image(*picture.faces, compare::case_image_side));
   }
   if (number == 0) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
 }
 
 }  // namespace
 
-void add_cross_check(Records& records, const compare::CommonScene& scene,
-                     const compare::SceneCrossCheck& agreement) {
-  RowSet& failures = records["failures"];
-  if (failures.keys().empty()) failures = RowSet({"scene", "pair", "first"});
+bool CrossCheck::agrees() const {
+  return failures.empty() &&
+         std::all_of(scenes.begin(), scenes.end(), [](const CheckedScene& scene) { return scene.run == scene.listed; });
+}
+
+std::size_t CrossCheck::run() const {
+  std::size_t all = 0;
+  for (const CheckedScene& scene : scenes) all += scene.run;
+  return all;
+}
+
+void CrossCheck::add(const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
   std::size_t run = 0;
   for (const CrossCheckCell& cell : agreement.cells) {
     const std::string pair = fmt::format("{} and {}", cell.first, cell.second);
-    records["cells"].add({{"scene", scene.name},
-                          {"column", base::lower_case(scene.name)},
-                          {"pair", pair},
-                          {"verdict", verdict_of(cell)}});
+    cells.push_back({std::string(scene.name), pair, verdict_of(cell)});
+    add_machines(machines, scene, cell);
     run += cell.state == CrossCheckState::agrees || cell.state == CrossCheckState::differs ? 1U : 0U;
     if (cell.state == CrossCheckState::differs || cell.state == CrossCheckState::not_run)
-      failures.add({{"scene", scene.name}, {"pair", pair}, {"first", cell.text}});
+      failures.push_back({std::string(scene.name), pair, cell.text});
   }
-  const auto perspective =
-      std::count_if(scene.views.begin(), scene.views.end(),
-                    [](const compare::CrossCheckView& view) { return view.camera.perspective; });
+  const auto perspective = static_cast<std::size_t>(std::count_if(
+      scene.views.begin(), scene.views.end(), [](const compare::CrossCheckView& view) { return view.camera.perspective; }));
   const std::size_t listed = compare::listed_cells(scene);
-  const bool good = agreement.agrees() && run == listed;
-  records["scenes"].add({{"scene", scene.name},
-                         {"what", scene.title},
-                         {"edges", picture::edges_of(scene.scene).size()},
-                         {"faces", scene::face_count(scene.scene)},
-                         {"parallel", static_cast<std::int64_t>(scene.views.size()) - perspective},
-                         {"perspective", perspective},
-                         {"listed", listed},
-                         {"run", run},
-                         {"result", Verdict{good, good ? "all agree" : "not all agree"}}});
-  add_pictures(records["pictures"], scene, agreement);
+  scenes.push_back({.scene = std::string(scene.name),
+                    .what = std::string(scene.title),
+                    .edges = picture::edges_of(scene.scene).size(),
+                    .faces = scene::face_count(scene.scene),
+                    .parallel = scene.views.size() - perspective,
+                    .perspective = perspective,
+                    .listed = listed,
+                    .run = run,
+                    .good = agreement.agrees() && run == listed});
+  add_pictures(pictures, scene, agreement);
 }
 
-Records cross_check(const Context& context) {
-  Records records;
+CrossCheck cross_check(const Context& context) {
+  CrossCheck checked;
   for (const std::string_view name : compare::common_scene_names()) {
     const compare::CommonScene scene = compare::common_scene(name);
-    add_cross_check(records, scene, compare::cross_check(scene, {}, context.progress));
+    checked.add(scene, compare::cross_check(scene, {}, context.progress));
   }
-  for (const compare::NotApplicable& listed : compare::not_applicable()) {
-    const bool all = listed.views == compare::NotApplicable::Views::all;
-    records["reasons"].add({{"method", listed.who},
-                            {"scenes", listed.scenes},
-                            {"views", all ? "all" : "in perspective"},
-                            {"reason", listed.reason}});
-  }
-  return records;
+  return checked;
+}
+
+void cross_check_chapter(Page& page, const CrossCheck& checked) {
+  page.table("agreement-matrix", "Every pair on every scene", checked.cells, {{"pair", "Pair", &PairVerdict::pair}},
+             {.notes = {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, drawn of other edges "
+                        "where edges lie on each other in the image. pixels: the same face at every pixel whose middle is more than 0.75 pixels "
+                        "from all edges, hidden ones too. lines on pixels: wherever the face changes from a pixel to its neighbour a line is "
+                        "drawn, and wherever a line is drawn with no other one within two pixels the face changes, both within one pixel (and "
+                        "what rounding can do on a machine's display). points: turn-pdp7 is the program that turns solids on the PDP-7, at the "
+                        "nearest of its 2^18 angles; the others draw for it at that angle, the visible pieces are the same, and no line is "
+                        "farther from the other picture's than the lengths of the machine's words explain; of jones-pdp7 and skala-8080 the next "
+                        "tables say how far. words: the same display words, with every number of fraction bits. n/a: does not apply, for a "
+                        "reason listed below.",
+                        "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
+                        page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
+                                   fmt::format("{} do not agree or were not run", checked.failures.size()))}},
+             Pivot<PairVerdict>{.key = [](const PairVerdict& cell) { return base::lower_case(cell.scene); },
+                                .title = &PairVerdict::scene,
+                                .unit = {},
+                                .cell = &PairVerdict::verdict});
+  if (!checked.failures.empty())
+    page.table("agreement-failures", "What does not agree, or could not be run", checked.failures,
+               {{"scene", "Scene", &PairFailure::scene}, {"pair", "Pair", &PairFailure::pair}, {"first", "First difference", &PairFailure::first}});
+  const auto of_jones = where(checked.machines, [](const MachineFarthest& m) { return m.machine != compare::skala_8080_name; });
+  const auto of_skala = where(checked.machines, [](const MachineFarthest& m) { return m.machine == compare::skala_8080_name; });
+  machine_table(page, "agreement-jones", "Jones's program: its lines and the exact ones", of_jones,
+                "Of the views of a scene the one that comes nearest to its bound: how far, in points of the Type 340, a line of the program is from the exact "
+                "ones or an exact one from the program's, of how far its words let it be. f is the number of fraction bits; lit: the points of one pass of "
+                "the display, whose vector generator wanders. jones-pdp7 is the program on its machine, with the EAE and without; jones-twin the same "
+                "program in C++ with words of 24 bits, before its pieces are put on points. The bounds are worked out for each view "
+                "from the roundings on the way to each end. They hold for these views: where two openings meet in a side that is no line, "
+                "their masks are rounded each for itself, and a line that runs in the gap between them, at a small angle to it, is lost over a "
+                "length that no word bounds.");
+  machine_table(page, "agreement-skala", "Skala's program: its ink and the unrounded lines", of_skala,
+                "How far, in dots, ink is from the lines between the samples (oracle: what is truly seen of them, not rounded; skala: what the native "
+                "algorithm draws), and these from ink, of how far integer coordinates, the dots of a line and the test by columns let it be. Contours "
+                "hide nothing and are tested with a dot of slack, so only their places are measured; which of their dots are lit is, as for all pictures "
+                "on the boards, what the column oracle says, dot by dot. A plotter draws a surface as lines.");
+  page.table("agreement-not-applicable", "What does not apply, and why", compare::not_applicable(),
+             {{"method", "Method", &NotApplicable::who},
+              {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
+              {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
+              {"reason", "Reason", &NotApplicable::reason}},
+             {.notes = {fmt::format("skala-8080 with others than oracle and skala: {}.", *compare::nothing_in_common(compare::skala_8080_name, "exact"))},
+              .folded = true});
+  page.table("agreement-scenes", "The common scenes", checked.scenes,
+             {{"scene", "Scene", &CheckedScene::scene},
+              {"what", "What it is", &CheckedScene::what},
+              {"edges", "Edges", &CheckedScene::edges},
+              {"faces", "Faces", &CheckedScene::faces},
+              {"parallel", "Views", "parallel", &CheckedScene::parallel},
+              {"perspective", "Views", "perspective", &CheckedScene::perspective},
+              {"listed", "Cells", "listed to run", &CheckedScene::listed},
+              {"run", "Cells", "run", &CheckedScene::run},
+              {"result", "Result", [](const CheckedScene& s) { return Verdict{s.good, s.good ? "all agree" : "not all agree"}; }}},
+             {.notes = {"Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes parallel to the axes "
+                        "are tilted by 38 times a rotation, but the corridor and the town, which stay degenerate on purpose. Of the town Willis "
+                        "takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection has, too. J1 to J4 are "
+                        "scenes of cells as they are: solids and walls hide, the real lines are drawn, the outer box's too; Jones takes their own cells. The "
+                        "second view of each is from where the program's lines are far from the exact ones with any number of fraction bits. A cell is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
+  page.gallery("agreement-pictures", "The first view of every scene by each method", checked.pictures,
+               [](const MethodPicture& p) {
+                 return figure(p.picture, "agreement-" + p.id, fmt::format("{}, {}.", p.scene, p.method), p.title,
+                               fmt::format("The scene {} by {}", p.scene, p.method));
+               },
+               true);
 }
 
 }  // namespace sightline::report

@@ -1,12 +1,79 @@
-// Records of the cross-check of all algorithms (host/compare/cross_check.hpp).
+// All algorithms compared with each other on the common scenes (host/compare/cross_check.hpp).
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "host/compare/cross_check.hpp"
-#include "host/report/records.hpp"
+#include "host/report/experiment.hpp"
 
 namespace sightline::report {
 
-// Adds the records of one scene: to cells, failures, scenes and pictures.
-void add_cross_check(Records& records, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement);
+// A pair of methods on a scene: how they agree, or that they do not.
+struct PairVerdict {
+  std::string scene;
+  std::string pair;
+  Cell verdict;  // words, if it does not apply
+};
+
+struct PairFailure {
+  std::string scene;
+  std::string pair;
+  std::string first;  // difference, or why it could not be run
+};
+
+struct CheckedScene {
+  std::string scene;
+  std::string what;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  std::size_t parallel = 0;  // views
+  std::size_t perspective = 0;
+  std::size_t listed = 0;  // cells to run
+  std::size_t run = 0;
+  bool good = false;
+};
+
+// The first view of a scene by a method.
+struct MethodPicture {
+  std::string id;
+  std::string scene;
+  std::string title;
+  std::string method;
+  Picture picture;
+};
+
+// Of all views of a scene the one in which a machine's picture is the farthest from another, in terms of its bound. Points of its device.
+struct MachineFarthest {
+  std::string scene;
+  std::string title;
+  std::string machine;
+  std::string other;
+  std::string what;
+  double found = 0;
+  double bound = 0;
+
+  [[nodiscard]] double part() const { return found / bound; }
+  [[nodiscard]] int places() const { return bound < 0.5 ? 4 : 2; }  // that say something of both
+};
+
+struct CrossCheck {
+  std::vector<PairVerdict> cells;
+  std::vector<PairFailure> failures;
+  std::vector<CheckedScene> scenes;
+  std::vector<MethodPicture> pictures;
+  std::vector<MachineFarthest> machines;
+
+  // All that are listed to run were run and agree.
+  [[nodiscard]] bool agrees() const;
+  [[nodiscard]] std::size_t run() const;  // cells
+  void add(const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement);
+};
+
+[[nodiscard]] CrossCheck cross_check(const Context& context);
+
+class Page;
+void cross_check_chapter(Page& page, const CrossCheck& checked);
 
 }  // namespace sightline::report

@@ -1,112 +1,50 @@
-// Hard cases: inputs that break programs of this kind. Every method that a case names has run on it.
-//
-//   runs      a row for each case and method: what was found, or the tests that check what is inside an algorithm;
-//             the right picture and a wrong one of the case, if there are any
-//   families  cases with a parameter: the first value at which each build fails, and what was found at each
-//   inputs    the files
+#include "host/report/experiments/hard_cases.hpp"
+
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "host/base/text.hpp"
-#include "host/report/experiments/experiments.hpp"
+#include "host/compare/hard_cases/case_images.hpp"
+#include "host/compare/hard_cases/first_failures.hpp"
+#include "host/compare/hard_cases/manifest.hpp"
+#include "host/compare/hard_cases/run_case.hpp"
 #include "host/report/experiments/png_picture.hpp"
-#include "host/report/hard_cases/first_failures.hpp"
-#include "host/report/hard_cases/manifest.hpp"
-#include "host/report/hard_cases/runner.hpp"
 
 namespace sightline::report {
 
 namespace {
 
+using compare::Family;
+using compare::FamilyResult;
+using compare::HardCase;
+using compare::HardCaseGroup;
+using compare::hard_case_text;
+using compare::Manifest;
+using compare::SearchResult;
+
 constexpr std::string_view manifest_file = "manifest.json";
 
 Manifest manifest() {
-  auto read = read_manifest(hard_case_text(manifest_file), manifest_file);
+  auto read = compare::read_manifest(hard_case_text(manifest_file), manifest_file);
   if (!read) throw Failure(ErrorKind::bad_input, read.error().message());
   return std::move(*read);
 }
 
-// Of a grid and of Willis's, in the words of the commands' options.
-std::string options_of(const HardCase& hard) {
-  const registry::HeightView& view = hard.options.view;
-  std::vector<std::string> options;
-  if (hard.input.ends_with(".csv") || hard.input.ends_with(".dat")) {
-    constexpr std::array families{"x", "z", "both", "auto"};
-    if (view.subject == algorithms::skala::Subject::contours)
-      options.push_back(fmt::format("{} contours", view.levels));
-    else
-      options.push_back(fmt::format("family {}", families[static_cast<std::size_t>(view.family)]));
-    options.push_back(fmt::format("rotation {}, elevation {}", view.rotation, view.elevation));
-    if (view.zoom != 1) options.push_back(fmt::format("zoom {}", view.zoom));
+CaseResult result_of(const HardCaseGroup& group, const HardCase& hard) {
+  const compare::CaseOutcome outcome = compare::run_case(hard, compare::case_image_side);
+  CaseResult made{group.id,      hard.id,       hard.input, hard.section, hard.what, compare::options_of(hard),
+                  hard.expected, compare::checked(hard), compare::hard_command(hard), {}, {}, {}, {}};
+  if (const std::string command = compare::compare_command(hard); !command.empty()) made.commands += "; " + command;
+  for (const compare::MethodOutcome& method : outcome.methods) made.findings.push_back({method.method, method.text, method.right});
+  if (!hard.tests.empty()) made.findings.push_back({"tests", base::joined(hard.tests, ", "), {}});
+  if (outcome.correct) made.correct = png_picture(*outcome.correct);
+  if (outcome.found && outcome.found_is_wrong) {
+    made.wrong = png_picture(*outcome.found);
+    made.wrong_by = outcome.found_by;
   }
-  if (hard.options.faces.plan) options.emplace_back("plan");
-  if (hard.options.faces.oval) options.emplace_back("ovals");
-  if (hard.options.faces.rule90) options.emplace_back("90-degree rule");
-  if (hard.options.faces.one_silhouette) options.emplace_back("one silhouette");
-  if (!hard.options.faces.order_cells) options.emplace_back("distance alone");
-  if (hard.options.scale != 512) options.push_back(fmt::format("S = {}", hard.options.scale));
-  return base::joined(options, ", ");
-}
-
-// Pictures of a case: the right one, and that of the first method that is wrong.
-struct CasePictures {
-  Value correct;
-  Value wrong;
-  std::string wrong_by;
-
-  void take(const std::string& method, const Finding& finding) {
-    const bool right = finding.good.value_or(false);
-    if (finding.truth && correct.missing()) correct = png_picture(*finding.truth);
-    // An oracle's picture is taken in place of an earlier one.
-    if (finding.image && right && (correct.missing() || method == "oracle")) correct = png_picture(*finding.image);
-    if (finding.image && finding.good && !right && wrong.missing()) {
-      wrong = png_picture(*finding.image);
-      wrong_by = method;
-    }
-  }
-};
-
-void add_runs(RowSet& runs, const HardCaseGroup& group, const HardCase& hard) {
-  CasePictures pictures;
-  std::vector<std::pair<std::string, Value>> found;
-  std::optional<CaseRun> run;
-  if (!hard.run.empty()) {
-    run.emplace(hard, load_input(hard));
-    run->with_images();
-  }
-  for (const std::string& method : hard.run) {
-    const Finding finding = run->run(method);
-    pictures.take(method, finding);
-    found.emplace_back(method, finding.good ? Value(Verdict{*finding.good, finding.text}) : Value(finding.text));
-  }
-  if (!hard.tests.empty()) found.emplace_back("tests", base::joined(hard.tests, ", "));
-  for (const auto& [method, value] : found) {
-    std::string column = method;
-    std::replace(column.begin(), column.end(), '-', '_');
-    const auto* const verdict = std::get_if<Verdict>(&value.kind());
-    runs.add({{"paper", group.id},
-              {"case", hard.id},
-              {"input", hard.input},
-              {"section", hard.section},
-              {"what", hard.what},
-              {"options", options_of(hard)},
-              {"expected", hard.expected},
-              {"checked", checked(hard)},
-              {"method", method},
-              {"column", std::move(column)},
-              {"outcome", verdict == nullptr ? "none" : verdict->good ? "right" : "wrong"},
-              {"found", value},
-              {"correct", pictures.correct},
-              {"wrong", pictures.wrong},
-              {"wrong_by", pictures.wrong_by}});
-  }
+  return made;
 }
 
 // "2: 1, 4: 2"
@@ -118,27 +56,22 @@ std::string tried_text(const SearchResult& search) {
   return base::joined(parts, ", ");
 }
 
-void add_family(RowSet& families, const Family& family) {
-  const auto results = run_family(family);
+void add_first_failures(std::vector<FirstFailure>& made, const Family& family) {
+  const auto results = compare::run_family(family);
   if (!results) throw Failure(ErrorKind::bad_input, results.error().message());
   for (const FamilyResult& result : *results) {
     const SearchResult& search = result.search;
-    Value first;
-    const auto shown = [](const auto& tried) { return tried.second.shown.value_or(tried.first); };
-    const bool falls = family.values.back() < family.values.front();
-    Verdict verdict{true, fmt::format("none {} to {:g}", falls ? "down" : "up", shown(search.tried.back()))};
+    FirstFailure row{family.id, family.parameter, family.input, result.build, {}, {}, tried_text(search)};
     if (search.first) {
       const auto& [value, trial] = search.tried[*search.first];
-      first = trial.shown.value_or(value);
-      verdict = {false, *trial.fault};
+      row.first = trial.shown.value_or(value);
+      row.what = {false, *trial.fault};
+    } else {
+      const auto& [value, trial] = search.tried.back();
+      const bool falls = family.values.back() < family.values.front();
+      row.what = {true, fmt::format("none {} to {:g}", falls ? "down" : "up", trial.shown.value_or(value))};
     }
-    families.add({{"case", family.id},
-                  {"parameter", family.parameter},
-                  {"input", family.input},
-                  {"build", result.build},
-                  {"first_failure", std::move(first)},
-                  {"what", verdict},
-                  {"found", tried_text(search)}});
+    made.push_back(std::move(row));
   }
 }
 
@@ -151,37 +84,237 @@ std::string listing_id(std::string_view file) {
 }
 
 // Every file of a case once, in the order of the cases; a model is one of the program's own scenes.
-RowSet inputs_of(const Manifest& manifest) {
-  RowSet inputs({"id", "file", "text"});
-  std::vector<std::string_view> listed;
+std::vector<InputFile> inputs_of(const Manifest& manifest) {
+  std::vector<InputFile> inputs;
   for (const HardCaseGroup& group : manifest.groups) {
     for (const HardCase& hard : group.cases) {
       const std::string_view text = hard_case_text(hard.input);
-      if (text.empty() || std::find(listed.begin(), listed.end(), hard.input) != listed.end()) continue;
-      listed.push_back(hard.input);
-      inputs.add({{"id", listing_id(hard.input)}, {"file", hard.input}, {"text", text}});
+      if (!text.empty() && count(inputs, is(&InputFile::file, hard.input)) == 0) inputs.push_back({hard.input, std::string(text)});
     }
   }
   return inputs;
 }
 
+// The chapter.
+
+struct CaseTable {
+  std::string paper;
+  std::string cards_name;
+  std::string title;
+  std::vector<Said> notes;
+};
+
+// Cards: a row for each case, a column for each method.
+void case_table(Page& page, const HardCases& hard, CaseTable of) {
+  using Case = CaseResult;
+  std::vector<RowColumn<Case>> columns{{"case", "Case", &Case::id},
+                                       {"what", "What it is", &Case::what},
+                                       {"section", "In the paper", &Case::section},
+                                       {"input", "Input", &Case::input},
+                                       {"options", "Options", &Case::options},
+                                       {"expected", "Expected", &Case::expected},
+                                       {"checked", "Checked", &Case::checked},
+                                       {"commands", "Commands", &Case::commands}};
+  // Turns take no options.
+  if (of.paper == "plantinga") std::erase_if(columns, [](const auto& column) { return column.column.key == "options"; });
+  Table table{"hard-cases-" + of.paper, of.title, {}, {}, std::move(of.notes)};
+  table.notes.emplace_back(
+      "Tests check what is inside the algorithm, on the same file: their names are those of the repository's tests.");
+  table.cards_name = of.cards_name;
+  for (const auto& column : columns) table.columns.push_back(column.column);
+  std::vector<std::string> methods;
+  const auto cases = where(hard.cases, is(&Case::paper, of.paper));
+  for (const Case& row : cases)
+    for (const CaseFinding& finding : row.findings)
+      if (std::find(methods.begin(), methods.end(), finding.method) == methods.end()) methods.push_back(finding.method);
+  for (const std::string& method : methods) {
+    std::string key = method;
+    std::replace(key.begin(), key.end(), '-', '_');
+    table.columns.push_back({key, method, ""});
+  }
+  for (const Case& row : cases) {
+    std::vector<Cell>& cells = table.rows.emplace_back();
+    for (const auto& column : columns) cells.push_back(column.cell(row));
+    for (const std::string& method : methods) {
+      const CaseFinding* const finding = row.finding(method);
+      cells.push_back(finding == nullptr ? Cell() : finding->right ? Cell(Verdict{*finding->right, finding->text}) : Cell(finding->text));
+    }
+    std::vector<Figure>& card = table.cards.emplace_back();
+    if (row.correct) card.push_back(figure(*row.correct, "", "correct", "", "correct"));
+    const std::string wrong = "wrong, by " + row.wrong_by;
+    if (row.wrong) card.push_back(figure(*row.wrong, "", wrong, "", wrong));
+  }
+  page.add(std::move(table));
+}
+
+void first_failures_table(Page& page, const HardCases& hard) {
+  using Row = FirstFailure;
+  page.table("hard-cases-first-failures", "With a parameter: the first value at which each build fails", hard.first_failures,
+             {{"case", "Case", &Row::id},
+              {"parameter", "Parameter", &Row::parameter},
+              {"input", "Input", &Row::input},
+              {"build", "Build", &Row::build},
+              {"first_failure", "First failure", &Row::first},
+              {"what", "What happens", &Row::what},
+              {"found", "Found (value: measure)", &Row::found}},
+             {{"In the names of builds f=1 is one fraction bit. J: a corridor 100 wide and high (J12: 32,000) from z = -100, "
+               "the eye at the origin. A build fails when it does not visit every cell, stops, or does not take the scene; the "
+               "native algorithm also when its picture is not that of exact. Twins keep the limits of the machine's core: 8192 "
+               "words for the scene alone, without the program, a mask stack of 450 words. Coordinates of the program's scenes "
+               "end at 32767, those of native ones at 262143.",
+               "S11: slices 0 0, then 100 101, then 99 and 100 + 255/d, then 255 255, seen level: heights are rows. The second "
+               "and the third cross in column d, at slopes that differ by 1/d. On a raster of whole rows the farther line "
+               "appears where it is a row above the nearer: off by up to d columns. Measured: columns.",
+               "W10: measured: pieces. Cut into equal parts the long wall would need more pieces than it is long.",
+               "M2: corners of a regular polygon of radius 100, rounded to integers, each bar along a side, four times as "
+               "large, from a quarter before it to a quarter beyond, its near end before the next bar's far one. The exact "
+               "build must cut once and draw the lines of the oracle; stripes fail when a pixel farther than 0.75 pixels from "
+               "all edges shows another face than the sight line through its middle meets, with 0.4 pixels a unit. M9: "
+               "measured: % of the triangle's area that its stripes cover; corners are moved to the nearest line between "
+               "stripes.",
+               "P6, triple point: coordinates of scenes end at 2^18, those of events at 2^23, directions of events at 2^52; the "
+               "angles between events that scenes can have reach 2^-104."}});
+}
+
+// How many of those that are right or wrong are wrong, of a paper or of all.
+struct Tally {
+  std::size_t wrong = 0;
+  std::size_t all = 0;
+};
+template <class Holds>
+Tally tally(const HardCases& hard, Holds holds) {
+  Tally made;
+  for (const CaseResult& row : hard.cases) {
+    for (const CaseFinding& finding : row.findings) {
+      if (!finding.right || !holds(row, finding)) continue;
+      ++made.all;
+      if (!*finding.right) ++made.wrong;
+    }
+  }
+  return made;
+}
+
+std::string wrong_of(const Tally& tally) {
+  return fmt::format("{} of {} wrong", tally.wrong, tally.all);
+}
+
 }  // namespace
 
-Records hard_cases(const Context& context) {
+const CaseFinding* CaseResult::finding(std::string_view method) const {
+  for (const CaseFinding& finding : findings)
+    if (finding.method == method) return &finding;
+  return nullptr;
+}
+
+HardCases hard_cases(const Context& context) {
   const Manifest read = manifest();
-  Records records;
+  HardCases made;
   for (const HardCaseGroup& group : read.groups) {
     for (const HardCase& hard : group.cases) {
       context.progress(fmt::format("hard case {} {}", hard.id, hard.input));
-      add_runs(records["runs"], group, hard);
+      made.cases.push_back(result_of(group, hard));
     }
   }
   for (const Family& family : read.families) {
     context.progress(fmt::format("hard case {}: first failures", family.id));
-    add_family(records["families"], family);
+    add_first_failures(made.first_failures, family);
   }
-  records["inputs"] = inputs_of(read);
-  return records;
+  made.inputs = inputs_of(read);
+  return made;
+}
+
+void hard_cases_chapter(Page& page, const HardCases& hard) {
+  page.paragraph(
+      "Each card is an input that breaks programs of this kind, with what must come out and what every method gave "
+      "when this page was made. The picture is the correct one; where a method was wrong, its picture is next to it. "
+      "Hidden edges are dashed. A wrong program of a small machine shows what the machine cost; an exact method must "
+      "be right everywhere. Guest is the program on its emulated machine, twin the same program in C++.");
+  case_table(page, hard, {"jones", "Jones",
+                         "Jones: cells and portals, J1 to J17",
+                         {"Program (guest) and twin are compared with the oracle of cells on the screen: farther than a point from what is "
+                          "seen is wrong. The native algorithm (jones) has the cells of the file and must give the oracle's picture, piece "
+                          "for piece; where the eye is not in free space there is none, and the lines named must be seen or hidden whole."}});
+  case_table(page, hard, {"skala", "Skala",
+                         "Skala: slices on a raster, S1 to S16",
+                         {"The oracle decides each column by depth alone. Program (guest) and twin must have its dots, the native "
+                          "algorithm be within a dot of them; of a view straight on, the first and the last column are left out, where the "
+                          "program's order hides one of the two rims and vectors show both. S7: all lines from (x, y) to (x + u, y + v), u "
+                          "and v from -16 to 16, and back, 49 a screen without visibility test, at x, y = 18 + 36 n, n = 0 to 6, x first."}});
+  case_table(page, hard, {"willis", "Willis",
+                         "Willis: distance as priority, W1 to W16",
+                         {"Walls are seen from both sides, so a cluster of two walls counts twice. Pictures of 128 by 128 points, 90 "
+                          "degrees wide, from the scene's own camera and from four sides, are compared with the nearest face of every "
+                          "point; within 0.75 points of an edge rounding may choose either side. Drawn by `sightline draw willis FILE "
+                          "--plan -o picture.png`, where plan is among the options."}});
+  case_table(page, hard, {"montani-re", "Montani and Re",
+                         "Montani and Re: stripes and priority lists, M1 to M18",
+                         {"Scenes (.json) are sheets seen along z without perspective; bodies count from 0. The exact build (montani-re) "
+                          "must show the areas and draw the lines of the oracle. Stripes of a pixel are compared with the oracle's sight "
+                          "lines through the middles of pixels: once with a pixel a unit, so that all corners lie on lines between stripes "
+                          "and no pixel may be wrong, once with 4.25 pixels a unit, where pixels within 0.75 pixels of an edge may. The "
+                          "areas of the oracle are counts of sight lines, one through every unit square.",
+                          "Drawn by `sightline draw montani-re FILE -o picture.svg`. Chains (.txt) have one line per chain: the name of "
+                          "its region, its starting point, its links (0 east, 1 north-east, ... 7 south-east); a region is what lies "
+                          "inside an odd number of its chains."}});
+  case_table(page, hard, {"plantinga", "Plantinga, Seales and Dyer",
+                         "Plantinga, Seales and Dyer: events of a turn, P1 to P22",
+                         {"Scenes are viewed along 24 horizontal directions: the first picture is made from scratch, the others by "
+                          "stepping through the events of a full turn; all must be the oracle's, piece for piece (P18: those of exact, as "
+                          "the oracle is too slow). Files of edges and vertices (.txt) are inputs of tests: directions are X : Z, the sine "
+                          "to the cosine of theta; a direction and its opposite are two."}});
+  page.add(Heading{"First failures", "first-failures"});
+  first_failures_table(page, hard);
+  page.add(Heading{"Inputs of the hard cases", "hard-case-inputs"});
+  page.paragraph(
+      "`sightline hard CASE -o DIR` runs a case by all its methods, and writes its input and a picture of what is expected beside what was "
+      "found. A scene (.json) or a grid (.csv, .dat), saved so or from here, is compared by the command of its card; a scene is drawn by "
+      "`sightline draw METHOD FILE -o picture.svg`, a grid by `sightline draw skala FILE -o picture.svg`. Texts (.txt) are inputs of "
+      "`sightline hard` alone: commands of the program on the 8080, by name, arguments in decimal; of M, chains around regions; of P, edges "
+      "and vertices. Scenes of P turn by `sightline spin FILE -o turn.apng`.");
+  for (const InputFile& input : hard.inputs) page.add(Listing{listing_id(input.file), input.file, input.text});
+}
+
+void finding_hard_cases(Page& page, const HardCases& hard, const MontaniReTables& tables, const WillisOrder& willis) {
+  const Tally all = tally(hard, [](const CaseResult&, const CaseFinding&) { return true; });
+  const auto guests_of = [&](std::string_view paper) {
+    return wrong_of(tally(hard, [=](const CaseResult& row, const CaseFinding& finding) {
+      return row.paper == paper && finding.method == "guest";
+    }));
+  };
+  const Tally exact = tally(hard, [](const CaseResult&, const CaseFinding& finding) {
+    return finding.method == "jones" || finding.method == "montani-re" || finding.method == "plantinga" || finding.method == "exact";
+  });
+  const auto is_wrong = [&](std::string_view input, std::string_view method) {
+    const CaseFinding* const finding = the(hard.cases, is(&CaseResult::input, input)).finding(method);
+    return finding != nullptr && finding->right == false;
+  };
+  Panel panel{"finding-hard-cases", fmt::format("Of {} runs on hard cases {} are wrong", shown(all.all), shown(all.wrong)), {}, {}, {}, {}};
+  panel.facts = {{"Jones on the PDP-7", guests_of("jones")},
+                 {"Skala on the 8080", guests_of("skala")},
+                 {"Exact programs of today", wrong_of(exact)},
+                 page.paper_says("montani_re.figure_10")};
+  const auto uncut = where(willis.models, is(&WillisModel::depth, 0));
+  panel.text = {
+      "Hard cases are inputs that break programs of this kind: a door seen edge-on, a horizon that is met exactly, surfaces that hide "
+      "each other in a circle. " +
+          page.claim(is_wrong("J11.json", "guest"), "Jones's program misses a portal that is smaller than a point of the screen.") + " " +
+          page.claim(is_wrong("S8-backwards.txt", "guest"),
+                     "Skala's draws too much when slices are not sent from front to back, which the paper assumes.") +
+          " " + page.claim(is_wrong("S5.csv", "native"), "The native program loses parts of upright lines.") + " " +
+          page.claim(tables.cycles.back().right, "The case that Montani and Re could not solve is solved here by cutting a face.") + " " +
+          page.claim(sum(uncut, &WillisModel::lines_wrong) > 0,
+                     "Willis's order is wrong at some points as long as no surface is cut."),
+      fmt::format("Some cases have a parameter that makes them harder until a program fails. {} of {} builds fail within the range that was "
+                  "tried; the table of first failures names the first value at which each does.",
+                  count(hard.first_failures, [](const FirstFailure& row) { return row.first.has_value(); }), hard.first_failures.size())};
+  const CaseResult& backwards = the(hard.cases, is(&CaseResult::input, "S8-backwards.txt"));
+  if (backwards.correct)
+    panel.figures.push_back(figure(*backwards.correct, "finding-hard-cases-correct", "Correct.",
+                                   fmt::format("Case {}: {}.", backwards.id, backwards.what), "A few lines, those behind cut off"));
+  if (backwards.wrong)
+    panel.figures.push_back(figure(*backwards.wrong, "finding-hard-cases-drawn", "As drawn by the 8080.",
+                                   backwards.finding("guest")->text + ".", "The same lines, none cut off"));
+  page.add(std::move(panel));
 }
 
 }  // namespace sightline::report

@@ -1,28 +1,17 @@
-// Jones's program in every arithmetic, from six eyes a scene: how wrong and how long.
-//
-// Two experiments: jones-accuracy gives machine, limits and named, jones-numbers gives numbers.
-//
-//   machine  a build of the program on the PDP-7 each: 0 to 3 fraction bits, rounded or truncated; display_*: the same
-//            pieces between the whole points of the display. Times are means of a view.
-//   numbers  in C++: 0 to 8 fraction bits in words of 36 (study fractions), words of 12 to 36 bits, each with the most
-//            fraction bits with which every view is complete (words), float and double (floating), and the exact
-//            algorithms, whose error is 0 because their pictures are the oracle's, piece for piece (exact)
-//   named    every piece of the machine's builds that is wrong by more than 20 pixels
+#include "host/report/experiments/jones_accuracy.hpp"
+
 #include <fmt/core.h>
 
 #include <array>
 #include <functional>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/guests/jones/precision/study.hpp"
 #include "host/report/experiments/clock.hpp"
-#include "host/report/experiments/experiments.hpp"
-#include "host/report/experiments/jones_pictures.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
@@ -42,22 +31,11 @@ double told(double error) {
   return error < noise_floor ? 0 : error;
 }
 
-void add_error(NamedValues& row, const PictureError& error, bool displayed = false) {
-  const auto add = [&](std::string_view key, std::string_view display_key, double value) {
-    row.emplace_back(displayed ? display_key : key, value);
-  };
-  add("l_sym_per_cent", "display_l_sym_per_cent", told(error.symmetric_per_cent()));
-  add("l_miss_px", "display_l_miss_px", error.missing);
-  add("l_extra_px", "display_l_extra_px", error.extra);
-  add("l_extra_far_px", "display_l_extra_far_px", error.extra_far);
-  add("h_px", "display_h_px", told(error.hausdorff));
-  add("wvr", "display_wvr", error.wrong_visibility.rate);
-  add("wvr_low", "display_wvr_low", error.wrong_visibility.low);
-  add("wvr_high", "display_wvr_high", error.wrong_visibility.high);
+double wrong_per_cent(const PictureError& error) {
+  return told(error.symmetric_per_cent());
 }
-
-std::string_view rounding(const jones::Precision& precision) {
-  return precision.truncate ? "truncated" : "rounded";
+double farthest(const PictureError& error) {
+  return told(error.hausdorff);
 }
 
 std::string place_of(const geometry::Point& p) {
@@ -121,57 +99,49 @@ struct ExactScene {
   }
 };
 
-// One scene in C++: rows, and the jobs that time them.
+// One scene in C++: rows, and the jobs that time them. `numbers` outlives it.
 class Numbers {
  public:
-  Numbers(const jones::SixViews& six, RowSet& rows) : views_(six), exact_(views_) {
+  Numbers(const jones::SixViews& six, std::vector<JonesNumber>& numbers) : views_(six), exact_(views_), numbers_(numbers) {
     exact_.check(views_.name());
     for (const bool truncate : {false, true})
       for (int f = 0; f <= jones::most_fraction_bits; ++f)
-        add(rows, "fractions", {jones::NumberKind::fixed_point, jones::longest_word, f, truncate});
+        add("fractions", {jones::NumberKind::fixed_point, jones::longest_word, f, truncate});
     for (const int bits : tried_lengths)
-      add(rows, "words", {jones::NumberKind::fixed_point, bits, most_complete(views_, bits), false});
-    for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float}) add(rows, "floating", {kind});
-    add_exact(rows, "Jones, exact", [this](std::size_t i) { (void)exact_.by_jones(i); });
-    add_exact(rows, "exact visible edges", [this](std::size_t i) { (void)exact_.by_edges(i); });
-    add_exact(rows, "oracle", [this](std::size_t i) { (void)exact_.by_oracle(i); });
+      add("words", {jones::NumberKind::fixed_point, bits, most_complete(views_, bits), false});
+    for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float}) add("floating", {kind});
+    add_exact("Jones, exact", [this](std::size_t i) { (void)exact_.by_jones(i); });
+    add_exact("exact visible edges", [this](std::size_t i) { (void)exact_.by_edges(i); });
+    add_exact("oracle", [this](std::size_t i) { (void)exact_.by_oracle(i); });
   }
   Numbers(const Numbers&) = delete;
   Numbers& operator=(const Numbers&) = delete;
 
   // Interleaved over all arithmetic of the scene, six views a job.
-  void take_times(RowSet& rows, int rounds) {
+  void take_times(int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
     for (std::size_t i = 0; i < times.size(); ++i)
-      rows.set(timed_[i], "view_us", times[i] / static_cast<double>(views_.size()) / 1000);
+      numbers_[timed_[i]].view_us = times[i] / static_cast<double>(views_.size()) / 1000;
   }
 
  private:
-  void add(RowSet& rows, std::string_view study, const jones::Precision& precision) {
-    const bool fixed = precision.kind == jones::NumberKind::fixed_point;
-    const PictureError error = measure_twin(views_, precision);
-    NamedValues row{{"scene", views_.name()},
-                    {"study", study},
-                    {"arithmetic", name(precision)},
-                    {"word_bits", fixed ? Value(precision.word_bits) : Value()},
-                    {"fraction_bits", fixed ? Value(precision.fraction_bits) : Value()},
-                    {"rounding", fixed ? Value(rounding(precision)) : Value()},
-                    {"incomplete_views", error.incomplete}};
-    add_error(row, error);
-    later(rows, std::move(row), [this, precision](std::size_t i) { (void)run_twin(views_, i, precision); });
+  void add(std::string study, const jones::Precision& precision) {
+    JonesNumber number{views_.name(), std::move(study), name(precision), {}, {}, {}, measure_twin(views_, precision), {}};
+    if (precision.kind == jones::NumberKind::fixed_point) {
+      number.word_bits = precision.word_bits;
+      number.fraction_bits = precision.fraction_bits;
+      number.rounded = !precision.truncate;
+    }
+    later(std::move(number), [this, precision](std::size_t i) { (void)run_twin(views_, i, precision); });
   }
 
-  void add_exact(RowSet& rows, std::string_view name, std::function<void(std::size_t)> view) {
-    NamedValues row{{"scene", views_.name()}, {"study", "exact"}, {"arithmetic", name}, {"word_bits", {}},
-                    {"fraction_bits", {}},    {"rounding", {}},   {"incomplete_views", 0}};
-    add_error(row, {});
-    later(rows, std::move(row), std::move(view));
+  void add_exact(std::string name, std::function<void(std::size_t)> view) {
+    later({views_.name(), "exact", std::move(name), {}, {}, {}, {}, {}}, std::move(view));
   }
 
-  void later(RowSet& rows, NamedValues row, std::function<void(std::size_t)> view) {
-    row.emplace_back().first = "view_us";  // no value yet
-    rows.add(row);
-    timed_.push_back(rows.size() - 1);
+  void later(JonesNumber number, std::function<void(std::size_t)> view) {
+    numbers_.push_back(std::move(number));
+    timed_.push_back(numbers_.size() - 1);
     jobs_.emplace_back([this, view = std::move(view)] {
       for (std::size_t i = 0; i < views_.size(); ++i) view(i);
     });
@@ -179,66 +149,293 @@ class Numbers {
 
   SceneViews views_;
   ExactScene exact_;
+  std::vector<JonesNumber>& numbers_;
   std::vector<std::size_t> timed_;  // rows
   std::vector<std::function<void()>> jobs_;
 };
 
-void add_named(RowSet& named, const SceneViews& views, const jones::PrecisionStudy& study,
-               const jones::Precision& precision) {
+void add_wrong_pieces(std::vector<JonesWrongPiece>& pieces, const SceneViews& views, const jones::PrecisionStudy& study,
+                      const jones::Precision& precision) {
   // The twin's pieces are the machine's, word for word.
   for (const jones::NamedStretch& piece : study.measure(precision).clipped.named)
-    named.add({{"scene", views.name()},
-               {"arithmetic", name(precision)},
-               {"eye", place_of(views.eye(piece.view))},
-               {"wrong", piece.stretch.extra ? "drawn, not visible" : "visible, not drawn"},
-               {"length_px", piece.stretch.length},
-               {"from", place_of(piece.stretch.line.from)},
-               {"to", place_of(piece.stretch.line.to)}});
+    pieces.push_back({views.name(), name(precision), place_of(views.eye(piece.view)), piece.stretch.extra, piece.stretch.length,
+                      place_of(piece.stretch.line.from), place_of(piece.stretch.line.to)});
 }
 
-void add_machine(Records& records, const SceneViews& views, const jones::SixViews& six) {
+void add_builds(JonesAccuracy& made, const SceneViews& views, const jones::SixViews& six) {
   const auto study = jones::PrecisionStudy::of(views.scene(), six.eyes);
   if (!study) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", views.name(), study.error().message()));
   for (const bool truncate : {false, true}) {
     for (int f = 0; f <= most_machine_fraction; ++f) {
       const jones::Precision precision{jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate};
       const MachineBuild build = measure_build(views, precision);
-      NamedValues row{{"scene", views.name()},
-                      {"fraction_bits", f},
-                      {"rounding", rounding(precision)},
-                      {"eae_view_s", build.eae_s},
-                      {"view_s", build.plain_s},
-                      {"eae_gain", build.plain_s / build.eae_s}};
-      add_error(row, build.clipped);
-      add_error(row, build.displayed, true);
-      records["machine"].add(row);
-      add_named(records["named"], views, *study, precision);
+      made.builds.push_back({views.name(), f, !truncate, build.eae_s, build.plain_s, build.clipped, build.displayed});
+      add_wrong_pieces(made.wrong_pieces, views, *study, precision);
     }
   }
 }
 
-}  // namespace
+// The chapter.
 
-Records jones_accuracy(const Context& context) {
-  Records records;
-  records["named"] = RowSet({"scene", "arithmetic", "eye", "wrong", "length_px", "from", "to"});
-  records["limits"].add({{"named_from_px", jones::named_from_points}});
-  for (const jones::SixViews& six : jones::six_views) {
-    context.progress(fmt::format("{} on the PDP-7 in every arithmetic", six.scene));
-    add_machine(records, SceneViews(six), six);
-  }
-  return records;
+using Build = JonesBuild;
+using Number = JonesNumber;
+using ErrorOf = double (*)(const PictureError&);
+
+// An error that plots show.
+struct Measure {
+  std::string key;
+  std::string title;
+  std::string unit;
+  ErrorOf of;
+};
+
+const std::array<Measure, 3>& measures() {
+  static const std::array<Measure, 3> all{Measure{"lsym", "wrong length", "% of the visible length", &wrong_per_cent},
+                                          Measure{"h", "greatest distance", "pixels", &farthest},
+                                          Measure{"wvr", "wrong visibility", "share of random points",
+                                                  [](const PictureError& e) { return e.wrong_visibility.rate; }}};
+  return all;
 }
 
-Records jones_numbers(const Context& context) {
-  Records records;
+std::string_view points_of(bool rounded) {
+  return rounded ? "rounded" : "truncated";
+}
+
+// Fraction bits are named at the points of one scene.
+CurveParts<Build> fraction_labels() {
+  return {[](const Build& build) { return build.scene == "street4" ? fmt::format("f={}", build.fraction_bits) : std::string(); }};
+}
+
+// How many times the wrong length of one build is that of another.
+double times_wrong(const Build& of, const Build& to, PictureError Build::*which = &Build::computed) {
+  return wrong_per_cent(of.*which) / wrong_per_cent(to.*which);
+}
+
+Plot machine_plot(const std::string& id, const std::string& title, const std::string& caption, const std::string& curves,
+                  const Measure& measure) {
+  return {id,
+          fmt::format("{}: {}", title, measure.title),
+          caption,
+          "Log-log plot of the time of a view against its error, one curve for each scene, " + curves + ".",
+          {measure.title, measure.unit},
+          {"a view, time on the emulated machine", "s"}};
+}
+
+void machine_plots(Page& page, const JonesAccuracy& machine) {
+  const Build& street0 = machine.build("street4", 0);
+  const Build& street3 = machine.build("street4", 3);
+  const auto rounded = where(machine.builds, is(&Build::rounded, true));
+  const auto truncated = where(machine.builds, is(&Build::rounded, false));
+  const auto gain = range_of(machine.builds, &Build::eae_gain);
+  const std::string of_bits = fmt::format(
+      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. From 0 to 3 of them the "
+      "wrong length falls {} times for house and {} times for street4, whose view with the EAE takes {} % longer. The EAE, which "
+      "multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No display on the machine; pieces "
+      "as they leave the clip; six views of each scene.",
+      shown(times_wrong(machine.build("house", 0), machine.build("house", 3)), 1), shown(times_wrong(street0, street3), 1),
+      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1),
+      shown(gain.greatest, 1));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Measure& measure = measures()[i];
+    const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
+    Plot plot = machine_plot("jones-machine-" + measure.key, "Jones on the PDP-7: 0 to 3 fraction bits, rounded", of_bits,
+                             "with the EAE and without", measure);
+    add_curves(plot, rounded, [](const Build& build) { return build.scene + ", EAE"; }, error, &Build::eae_view_s);
+    add_curves(
+        plot, rounded, [](const Build& build) { return build.scene + ", no EAE"; }, error, &Build::view_s, fraction_labels());
+    page.plot(std::move(plot));
+  }
+  const Build& street_cut = machine.build("street4", 0, false);
+  const std::string of_rounding = fmt::format(
+      "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the wrong "
+      "length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % less "
+      "time. A point at the mark 0 has no error of this kind.",
+      shown(times_wrong(street_cut, street0), 1),
+      shown(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
+      shown(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
+  for (const Measure& measure : measures()) {
+    const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
+    Plot plot = machine_plot("jones-rounding-" + measure.key, "Jones on the PDP-7 with the EAE: rounded or truncated",
+                             of_rounding, "rounded and truncated", measure);
+    add_curves(plot, rounded, &Build::scene, error, &Build::eae_view_s);
+    add_curves(plot, truncated, [](const Build& build) { return build.scene + ", truncated"; }, error, &Build::eae_view_s,
+               fraction_labels());
+    page.plot(std::move(plot));
+  }
+}
+
+// A column for each build.
+void error_table(Page& page, const JonesAccuracy& machine, std::string id, std::string_view of, PictureError Build::*which) {
+  const auto times = [&](std::string_view scene) {
+    return shown(times_wrong(machine.build(scene, 0), machine.build(scene, 3), which), 1);
+  };
+  page.table(
+      std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
+      {{"scene", "Scene", &Build::scene}},
+      {{fmt::format("Rounded, the wrong length with 0 fraction bits is {} times that with 3 for house, {} times for street4.",
+                    times("house"), times("street4"))}},
+      Pivot<Build>{
+          [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
+          [](const Build& build) { return fmt::format("{}, {} fraction bits", points_of(build.rounded), build.fraction_bits); },
+          "% of the visible", [which](const Build& build) { return as_cell(wrong_per_cent(build.*which), 3); }});
+}
+
+// The measures of an error, for rows of any kind.
+template <class Row, class Of>
+void add_error_columns(std::vector<RowColumn<Row>>& columns, Of error_of, const std::string& key = "",
+                       const std::string& title = "") {
+  const auto add = [&](const char* name, const char* what, const char* unit, auto value) {
+    columns.emplace_back(key + name, what + title, unit, [=](const Row& row) { return value(error_of(row)); });
+  };
+  add("l_sym_per_cent", "Wrong length", "%", &wrong_per_cent);
+  add("l_miss_px", "Missing length", "pixels", [](const PictureError& error) { return error.missing; });
+  add("l_extra_px", "Extra length", "pixels", [](const PictureError& error) { return error.extra; });
+  add("l_extra_far_px", "Extra length farther than 1 pixel", "pixels", [](const PictureError& error) { return error.extra_far; });
+  add("h_px", "Greatest distance", "pixels", &farthest);
+  add("wvr", "Wrong visibility", "", [](const PictureError& error) { return error.wrong_visibility.rate; });
+  add("wvr_low", "Wrong visibility", "95 % from", [](const PictureError& error) { return error.wrong_visibility.low; });
+  add("wvr_high", "Wrong visibility", "95 % to", [](const PictureError& error) { return error.wrong_visibility.high; });
+}
+
+void machine_table(Page& page, const JonesAccuracy& machine) {
+  std::vector<RowColumn<Build>> columns{{"scene", "Scene", &Build::scene},
+                                        {"fraction_bits", "Fraction bits", &Build::fraction_bits},
+                                        {"rounding", "Points", [](const Build& build) { return points_of(build.rounded); }},
+                                        {"eae_view_s", "View with EAE", "s, mean", &Build::eae_view_s, 4},
+                                        {"view_s", "View without", "s, mean", &Build::view_s, 4},
+                                        {"eae_gain", "EAE gains", "times", &Build::eae_gain, 2}};
+  add_error_columns(columns, [](const Build& build) -> const PictureError& { return build.computed; });
+  add_error_columns(columns, [](const Build& build) -> const PictureError& { return build.displayed; }, "display_", ", display");
+  const double far = std::max(greatest(machine.builds, [](const Build& build) { return build.computed.extra_far; }),
+                              greatest(machine.builds, [](const Build& build) { return build.displayed.extra_far; }));
+  page.table("jones-speed-error-machine", "Jones on the PDP-7: accuracy and time of every build", machine.builds, columns,
+             {{"Lengths over six views of each scene, in pixels of the 1024 raster; the greatest distance is that of all six. "
+               "First after the clip, with the fraction of a point; then the same pieces between the whole points of the "
+               "display, which is what one saw.",
+               page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: "
+                                                "extra length farther than a pixel is at most {} pixels.",
+                                                shown(far, 2)))},
+              true});
+}
+
+void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
+  using Piece = JonesWrongPiece;
+  const auto& pieces = machine.wrong_pieces;
+  page.table("jones-named-pieces",
+             fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones::named_from_points, 0)), pieces,
+             {{"scene", "Scene", &Piece::scene},
+              {"arithmetic", "Arithmetic", &Piece::arithmetic},
+              {"eye", "Eye", &Piece::eye},
+              {"wrong", "Wrong",
+               [](const Piece& piece) { return std::string(piece.extra ? "drawn, not visible" : "visible, not drawn"); }},
+              {"length_px", "Length", "pixels", &Piece::length_px, 1},
+              {"from", "On the line from", &Piece::from},
+              {"to", "to", &Piece::to}},
+             {{pieces.empty() ? Said("There is none.")
+                              : page.claim(count(pieces, is(&Piece::extra, false)) == 0,
+                                           "All are drawn and not visible: a line of a farther wall is hidden by a fraction of a "
+                                           "pixel, and rounded it lies on the edge of the mask, which is closed.")}});
+}
+
+void native_plot(Page& page, const JonesNumbers& native, const Measure& measure, std::string_view study, const std::string& title,
+                 const std::string& caption, std::function<std::string(const Number&)> label) {
+  Plot plot{fmt::format("jones-{}-{}", study, measure.key),
+            fmt::format("Jones in C++: {}, float, double, exact: {}", title, measure.title),
+            caption + " Times are medians of interleaved repetitions, of this computer.",
+            "Log-log plot of the time of a view against its error, one curve for each scene.",
+            {measure.title, measure.unit},
+            {"a view, time on this computer", "us"}};
+  const auto drawn = where(native.numbers, [study](const Number& number) {
+    return (number.study == study && number.rounded == true) || number.study == "floating" || number.arithmetic == "Jones, exact";
+  });
+  add_curves(
+      plot, drawn, &Number::scene, [of = measure.of](const Number& number) { return of(number.error); }, &Number::view_us,
+      {[label = std::move(label)](const Number& number) { return number.scene == "street4" ? label(number) : std::string(); }});
+  page.plot(std::move(plot));
+}
+
+void native_plots(Page& page, const JonesNumbers& native) {
+  for (std::size_t i = 0; i < 2; ++i)
+    native_plot(page, native, measures()[i], "fractions", "0 to 8 fraction bits in 36",
+                "The same search in fixed point with 0 to 8 fraction bits in words of 36, in floating point, and in the native "
+                "program, which is exact: its error is 0, at the mark on the axis. What double leaves is below the numerical "
+                "noise floor of the measure and stands there too.",
+                [](const Number& number) {
+                  return number.study == "fractions" ? fmt::format("f={}", *number.fraction_bits) : number.arithmetic;
+                });
+  const Number& shortest = the(native.numbers, [](const Number& number) {
+    return number.study == "words" && number.scene == "street4" && number.word_bits == tried_lengths.front();
+  });
+  for (std::size_t i = 0; i < 2; ++i)
+    native_plot(page, native, measures()[i], "words", "words of 12 to 36 bits",
+                fmt::format("Each word with the most fraction bits, up to 8, with which it holds every view. {} of 6 views of "
+                            "street4 do not fit 12 bits and end early.",
+                            shortest.error.incomplete),
+                [](const Number& number) {
+                  if (number.word_bits && *number.word_bits > 20) return std::string();
+                  return number.study == "words" ? fmt::format("{}", *number.word_bits) : number.arithmetic;
+                });
+}
+
+void native_table(Page& page, const JonesNumbers& native) {
+  std::vector<RowColumn<Number>> columns{
+      {"scene", "Scene", &Number::scene},
+      {"arithmetic", "Arithmetic", &Number::arithmetic},
+      {"word_bits", "Word", "bits", &Number::word_bits},
+      {"fraction_bits", "Fraction", "bits", &Number::fraction_bits},
+      {"rounding", "Points",
+       [](const Number& number) { return number.rounded ? Cell(std::string(points_of(*number.rounded))) : Cell(); }},
+      {"incomplete_views", "Views not completed", "of 6", [](const Number& number) { return number.error.incomplete; }}};
+  add_error_columns(columns, [](const Number& number) -> const PictureError& { return number.error; });
+  columns.emplace_back("view_us", "View", "us, mean", &Number::view_us, 1, host_time);
+  page.table("jones-speed-error-numbers", "Jones in C++: accuracy and time of every kind of number", native.numbers, columns,
+             {{"A view that meets a number its word cannot hold ends there, and counts with what it drew until then. The report "
+               "ends with an error where an exact program does not draw what the oracle finds, piece for piece: an error of 0, "
+               "not a small one."},
+              true});
+}
+
+}  // namespace
+
+const JonesBuild& JonesAccuracy::build(std::string_view scene, int fraction_bits, bool rounded) const {
+  return the(builds, [=](const JonesBuild& build) {
+    return build.scene == scene && build.fraction_bits == fraction_bits && build.rounded == rounded;
+  });
+}
+
+JonesAccuracy jones_accuracy(const Context& context) {
+  JonesAccuracy made;
+  for (const jones::SixViews& six : jones::six_views) {
+    context.progress(fmt::format("{} on the PDP-7 in every arithmetic", six.scene));
+    add_builds(made, SceneViews(six), six);
+  }
+  return made;
+}
+
+void jones_numbers(const Context& context, JonesNumbers& made) {
   for (const jones::SixViews& six : jones::six_views) {
     context.progress(fmt::format("{} in C++ in every arithmetic", six.scene));
-    const auto numbers = std::make_shared<Numbers>(six, records["numbers"]);
-    if (!context.host_times) continue;
-    context.alone([numbers, rounds = context.full ? 61 : 9](Records& made) { numbers->take_times(made["numbers"], rounds); });
+    const auto numbers = std::make_shared<Numbers>(six, made.numbers);
+    if (context.host_times) context.when_alone([numbers, rounds = context.full ? 61 : 9] { numbers->take_times(rounds); });
   }
-  return records;
+}
+
+void jones_accuracy_chapter(Page& page, const JonesAccuracy& machine, const JonesNumbers& native) {
+  page.paragraph(
+      "Six views of each scene are compared with exact visibility. The measures are: missing length, which is visible and not "
+      "drawn; extra length, which is drawn and not visible; wrong length, their sum in per cent of the visible length; extra "
+      "length farther than a pixel from every visible line, which is what a person notices; the greatest distance between what "
+      "is drawn and what is visible; and wrong visibility, the share of random points on all lines, a pixel or more from any "
+      "end, that are wrongly visible or hidden. In the plots less error is to the left and less time is below. Both axes are "
+      "logarithmic; an error of exactly 0 stands at a mark named 0. Fraction bits are the bits of a word behind the point; f=2 "
+      "marks two of them.");
+  machine_plots(page, machine);
+  error_table(page, machine, "jones-error-table", "after the clip, with the fraction of a point", &Build::computed);
+  error_table(page, machine, "jones-error-display", "between the whole points of the display", &Build::displayed);
+  machine_table(page, machine);
+  wrong_pieces_table(page, machine);
+  if (page.host_times()) native_plots(page, native);
+  native_table(page, native);
 }
 
 }  // namespace sightline::report

@@ -1,26 +1,19 @@
-// Jones's algorithm today in buildings from ten rooms to a million: "cells to which access is not gained in
-// this way are never even considered" (Jones 1971).
-//
 // The buildings are generate_big_rooms: n by n rooms, between which walls, doors and hatches are drawn by
 // lot, so that a building of another size is another building. From within, what can be compared is the time
 // of a visit to a cell, and the mean view over many eyes, which stand in the middle of rooms spread evenly
 // over the building. The very same view is had from a closed house of 64 rooms beside each.
 //
-//   buildings  a building each: its size, loading (cell decomposition and preparation), views from within
-//   house      the view from the house beside each. Picture and counts must be equal in every row.
-//
 // Only the smallest building and one other are in memory at a time. A round looks at each of the two some
 // times over, so that a computer that changes its speed does so for both; of the rounds the median counts.
+#include "host/report/experiments/jones_unseen.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "host/algorithms/jones/visible_edges.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/scene/cells/decompose.hpp"
 #include "host/scene/generate/house_beside.hpp"
 
@@ -87,10 +80,9 @@ std::vector<std::int32_t> rooms_with_eyes(std::size_t side) {
   return rooms;
 }
 
-void add_views_from_within(RowSet& rows, Building& building, bool host_times) {
-  std::size_t views = 0;
+JonesBuilding seen_from_within(Building& building, bool host_times) {
+  JonesBuilding made;
   std::uint64_t visits = 0;
-  std::uint64_t most_cells = 0;
   double views_s = 0;  // each the quickest of its repetitions
   for (const std::int32_t i : rooms_with_eyes(building.side)) {
     for (const std::int32_t j : rooms_with_eyes(building.side)) {
@@ -103,23 +95,22 @@ void add_views_from_within(RowSet& rows, Building& building, bool host_times) {
         const double time = seconds_since(begun);
         quickest = again == 0 ? time : std::min(quickest, time);
         if (again == 0) visits += view.counts.visits;
-        most_cells = std::max(most_cells, view.counts.cells);
+        made.most_cells = std::max(made.most_cells, view.counts.cells);
       }
       views_s += quickest;
-      ++views;
+      ++made.views;
     }
   }
-  const auto host = [host_times](double value) { return host_times ? Value(value) : Value(); };
-  rows.add({{"rooms", building.side * building.side},
-            {"all_rooms", building.side * building.side + scene::house_rooms * scene::house_rooms},
-            {"cells", building.complex.cells.size()},
-            {"openings", building.complex.openings.size()},
-            {"load_s", host(building.load_s)},
-            {"views", views},
-            {"visits", static_cast<double>(visits) / static_cast<double>(views)},
-            {"most_cells", most_cells},
-            {"view_us", host(1e6 * views_s / static_cast<double>(views))},
-            {"visit_ns", host(1e9 * views_s / static_cast<double>(visits))}});
+  made.rooms = building.side * building.side;
+  made.all_rooms = made.rooms + scene::house_rooms * scene::house_rooms;
+  made.cells = building.complex.cells.size();
+  made.openings = building.complex.openings.size();
+  made.visits = static_cast<double>(visits) / static_cast<double>(made.views);
+  if (!host_times) return made;
+  made.load_s = building.load_s;
+  made.view_us = 1e6 * views_s / static_cast<double>(made.views);
+  made.visit_ns = 1e9 * views_s / static_cast<double>(visits);
+  return made;
 }
 
 // The mean of a round; the first view, which finds another building in the caches, does not count.
@@ -136,40 +127,31 @@ double median(std::vector<double> times) {
   return *middle;
 }
 
-void add_view_from_house(RowSet& rows, Building& smallest, const View& first, Building& building,
-                         bool host_times) {
+JonesHouse seen_from_house(Building& smallest, const View& first, Building& building, bool host_times) {
   const View view = building.view(building.camera);
   if (view.picture != first.picture || view.counts != first.counts)
     throw Failure(
         ErrorKind::differs,
         fmt::format("the view of the house beside {0} by {0} rooms is not the one beside {1} by {1}",
                     building.side, smallest.side));
-  Value view_us;
-  Value ratio;
-  if (host_times) {
-    std::vector<double> here;
-    std::vector<double> there;
-    for (int round = 0; round < rounds; ++round) {
-      there.push_back(round_of(smallest));
-      here.push_back(&building == &smallest ? there.back() : round_of(building));
-    }
-    view_us = 1e6 * median(here);
-    ratio = median(here) / median(there);
+  JonesHouse made{building.side * building.side, building.complex.cells.size(), view.counts.cells, view.counts.visits,
+                  view.picture.pieces.size(), {}, {}};
+  if (!host_times) return made;
+  std::vector<double> here;
+  std::vector<double> there;
+  for (int round = 0; round < rounds; ++round) {
+    there.push_back(round_of(smallest));
+    here.push_back(&building == &smallest ? there.back() : round_of(building));
   }
-  rows.add({{"rooms", building.side * building.side},
-            {"cells", building.complex.cells.size()},
-            {"cells_seen", view.counts.cells},
-            {"visits", view.counts.visits},
-            {"segments", view.picture.pieces.size()},
-            {"view_us", view_us},
-            {"ratio", ratio}});
+  made.view_us = 1e6 * median(here);
+  made.ratio = median(here) / median(there);
+  return made;
 }
 
 }  // namespace
 
-Records jones_unseen(const Context& context) {
-  Records records;
-  records["rounds"].add({{"rounds", rounds}, {"views_a_round", views_a_round}, {"repetitions", repetitions}});
+JonesUnseen jones_unseen(const Context& context) {
+  JonesUnseen made;
   std::vector<std::size_t> sides{3, 10, 32, 100};
   // What larger ones add is their times; the largest takes 1.5 GB.
   if (context.host_times) sides.insert(sides.end(), {316, 500});
@@ -181,10 +163,76 @@ Records jones_unseen(const Context& context) {
     std::optional<Building> larger;
     if (side != smallest.side) larger.emplace(side);
     Building& building = larger ? *larger : smallest;
-    add_views_from_within(records["buildings"], building, context.host_times);
-    add_view_from_house(records["house"], smallest, first, building, context.host_times);
+    made.buildings.push_back(seen_from_within(building, context.host_times));
+    made.house.push_back(seen_from_house(smallest, first, building, context.host_times));
   }
-  return records;
+  return made;
+}
+
+void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
+  std::vector<Said> notes{
+      "A closed house of 64 rooms, seen from within one of them, beside a building of which nothing is seen. The report ends "
+      "with an error where picture and counts are not the same in every row."};
+  if (page.host_times()) {
+    const auto ratio = range_of(unseen.house, &JonesHouse::ratio);
+    const std::string last = shown(unseen.house.back().ratio, 2);
+    notes.push_back(
+        fmt::format("Times are the median of {} rounds, in each of which a view beside the building and one beside "
+                    "the smallest are computed in turn, {} times each. ",
+                    rounds, views_a_round) +
+        page.claim(ratio.greatest <= 1.25 && ratio.least >= 0.8,
+                   fmt::format("Beside the largest building the view takes {} times as long as beside the smallest.", last),
+                   fmt::format("{} to {}", shown(ratio.least), shown(ratio.greatest))));
+  }
+  using House = JonesHouse;
+  page.table("unseen-house", "Jones today: one view beside a building that grows", unseen.house,
+             {{"rooms", "Rooms", "of the building", &House::rooms},
+              {"cells", "Cells", "in all", &House::cells},
+              {"cells_seen", "Cells", "seen", &House::cells_seen},
+              {"visits", "Visits", &House::visits},
+              {"segments", "Segments", "drawn", &House::segments},
+              {"view_us", "View", "us, median", &House::view_us, 2, host_time},
+              {"ratio", "Ratio", "to the smallest building", &House::ratio, 3, host_time}},
+             {std::move(notes)});
+  using Building = JonesBuilding;
+  const auto& buildings = unseen.buildings;
+  const auto rooms = range_of(buildings, &Building::rooms);
+  notes = {"Rooms with doors, hatches or nothing between them, by lot; 256 eyes or one in every room."};
+  if (page.host_times())
+    notes.push_back(fmt::format("Loading is cutting the building into cells and preparing them for views; a view's time is the "
+                                "least of {}.",
+                                repetitions));
+  page.table("unseen-native", fmt::format("Jones today: buildings of {} to {} rooms", shown(rooms.least), shown(rooms.greatest)),
+             buildings,
+             {{"rooms", "Rooms", "and 64 of the house", &Building::rooms},
+              {"cells", "Cells", &Building::cells},
+              {"openings", "Portals", &Building::openings},
+              {"load_s", "Loading", "s", &Building::load_s, 3, host_time},
+              {"load_us_a_room", "Loading", "us a room",
+               [](const Building& b) { return 1000000 * b.load_s.value_or(0) / static_cast<double>(b.all_rooms); }, 2, host_time},
+              {"views", "Views", &Building::views},
+              {"visits", "Visits", "mean of a view", &Building::visits, 1},
+              {"most_cells", "Cells seen", "most of a view", &Building::most_cells},
+              {"view_us", "View", "us, mean", &Building::view_us, 2, host_time},
+              {"visit_ns", "Visit", "ns, mean", &Building::visit_ns, 0, host_time}},
+             {std::move(notes)});
+  if (!page.host_times()) return;
+  const Building& small = the(buildings, is(&Building::rooms, 100U));
+  Plot plot{"unseen-plot",
+            "Jones today: time of a view against the size of the building",
+            fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times "
+                        "as long, a visit {} times. Times of the computer this report was made on.",
+                        shown(small.all_rooms), shown(greatest(buildings, &Building::all_rooms)),
+                        shown(greatest(buildings, &Building::load_s) / *small.load_s, 0),
+                        shown(*buildings.back().visit_ns / *small.visit_ns, 1)),
+            "Log-log plot of the time of loading, of a view and of a visit to a cell against the number of rooms.",
+            {"rooms"},
+            {"time", "s"}};
+  const auto all_rooms = [](const Building& b) { return static_cast<double>(b.all_rooms); };
+  add_curves(plot, buildings, "loading", all_rooms, &Building::load_s);
+  add_curves(plot, buildings, "a view, mean", all_rooms, [](const Building& b) { return *b.view_us / 1000000; });
+  add_curves(plot, buildings, "a visit, mean", all_rooms, [](const Building& b) { return *b.visit_ns / 1000000000; });
+  page.plot(std::move(plot));
 }
 
 }  // namespace sightline::report

@@ -1,11 +1,8 @@
-// Scenes in stripes on the 8080 (firmware/i8080/stripes): Montani and Re's method in 4 KB of program. On the raster board and on the
-// plotter, with stripes and priority list made by the machine, and by the host.
-//
-//   scenes     a scene each: what it takes, its filled faces and its drawing
-//   tests      the same scenes: pairs of faces by the test that decides them, and cycles
-//   machine    what the program and its data have of the memory
+#include "host/report/experiments/montani_re_8080.hpp"
+
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -15,9 +12,10 @@
 #include "host/guests/stripes/session.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/guest_runs.hpp"
 #include "host/report/experiments/png_picture.hpp"
+#include "host/report/experiments/skala_pictures.hpp"
+#include "host/report/page.hpp"
 #include "host/scene/read/load.hpp"
 
 namespace sightline::report {
@@ -44,12 +42,14 @@ stripes::DrawnScene drawn(const stripes::Session& session, const scene::PolyScen
   return std::move(*made);
 }
 
-double whole_time(const stripes::GuestPicture& guest) { return seconds(guest.receiving + guest.working()); }
+double whole_time(const stripes::GuestPicture& guest) {
+  return seconds(guest.receiving + guest.working());
+}
 
 }  // namespace
 
-Records montani_re_8080(const Context& context) {
-  Records records;
+MontaniRe8080 montani_re_8080(const Context& context) {
+  MontaniRe8080 measured;
   const stripes::Session session;
   for (const std::string_view scene_name : stripe_scenes) {
     const std::string name(scene_name);
@@ -64,33 +64,82 @@ Records montani_re_8080(const Context& context) {
     const stripes::GuestPicture& guest = raster.picture.guest;
     const stripes::TwinCounts& counts = raster.picture.twin.counts;
     const auto pen = stripes::pen_paths(plotter.picture.guest.commands);
-    records["scenes"].add({{"scene", name},
-                           {"faces", raster.scene.faces.size()},
-                           {"polygon_bytes", raster.stream.bytes.size()},
-                           {"stripe_bytes", by_host.stream.bytes.size()},
-                           {"receipt_s", seconds(guest.receiving)},
-                           {"priority_s", seconds(guest.ranking)},
-                           {"drawing_s", seconds(guest.drawing)},
-                           {"whole_s", whole_time(guest)},
-                           {"by_host_s", whole_time(by_host.picture.guest)},
-                           {"plotter_s", whole_time(plotter.picture.guest)},
-                           {"plotter_moves_s", seconds(plotter.picture.guest.device)},
-                           {"raster", png_picture(picture::raster_image(guest.raster, picture::RasterPalette::grey, 1), true)},
-                           {"drawing", png_picture(picture::pen_image(pen, picture::calcomp_paper, 1), true)}});
-    NamedValues tests{{"scene", name}};
-    constexpr std::array<std::string_view, 6> keys{"test_1", "test_2", "test_3", "test_4", "test_5", "test_6"};
-    for (std::size_t k = 0; k < keys.size(); ++k) tests.emplace_back(keys[k], counts.decided_by[k + 1]);
-    tests.emplace_back("relations", counts.relations);
-    tests.emplace_back("deleted", counts.deleted);
-    tests.emplace_back("cuts", raster.picture.twin.cuts.size());
-    records["tests"].add(std::move(tests));
+    StripesScene& row = measured.scenes.emplace_back();
+    row.scene = name;
+    row.faces = raster.scene.faces.size();
+    row.polygon_bytes = raster.stream.bytes.size();
+    row.stripe_bytes = by_host.stream.bytes.size();
+    row.receipt_s = seconds(guest.receiving);
+    row.priority_s = seconds(guest.ranking);
+    row.drawing_s = seconds(guest.drawing);
+    row.whole_s = whole_time(guest);
+    row.by_host_s = whole_time(by_host.picture.guest);
+    row.plotter_s = whole_time(plotter.picture.guest);
+    row.plotter_moves_s = seconds(plotter.picture.guest.device);
+    row.raster = png_picture(picture::raster_image(guest.raster, picture::RasterPalette::grey, 1), true);
+    row.drawing = png_picture(picture::pen_image(pen, picture::calcomp_paper, 1), true);
+    std::copy(counts.decided_by.begin() + 1, counts.decided_by.end(), row.decided_by.begin());
+    row.relations = counts.relations;
+    row.deleted = counts.deleted;
+    row.cuts = raster.picture.twin.cuts.size();
   }
-  records["machine"].add({{"program_bytes", session.program().memory.size()},
-                          {"program_room", stripes::program_room},
-                          {"data_room", stripes::data_room},
-                          {"scene_room", stripes::most_body_bytes},
-                          {"most_faces", stripes::most_faces}});
-  return records;
+  measured.program_bytes = session.program().memory.size();
+  measured.program_room = stripes::program_room;
+  measured.data_room = stripes::data_room;
+  measured.scene_room = stripes::most_body_bytes;
+  measured.most_faces = stripes::most_faces;
+  return measured;
+}
+
+void montani_re_8080_chapter(Page& page, const MontaniRe8080& measured, const SkalaPictures& skala) {
+  const std::vector<StripesScene>& scenes = measured.scenes;
+  page.table(
+      "montani-re-8080-scenes", "Scenes in stripes on an 8080 at 3 MHz", scenes,
+      {{"scene", "Scene", &StripesScene::scene},
+       {"faces", "Faces", "turned to the eye", &StripesScene::faces},
+       {"polygon_bytes", "Sent as polygons", "bytes", &StripesScene::polygon_bytes},
+       {"stripe_bytes", "Sent as stripes", "bytes", &StripesScene::stripe_bytes},
+       {"receipt_s", "Receipt", "emulated s", &StripesScene::receipt_s, 2},
+       {"priority_s", "Priority list", "emulated s", &StripesScene::priority_s, 2},
+       {"drawing_s", "Drawing", "emulated s", &StripesScene::drawing_s, 2},
+       {"whole_s", "In all", "emulated s", &StripesScene::whole_s, 2},
+       {"by_host_s", "In all, stripes and list by the host", "emulated s", &StripesScene::by_host_s, 2},
+       {"plotter_s", "On the plotter", "emulated s", &StripesScene::plotter_s, 1},
+       {"plotter_moves_s", "The plotter's movements", "emulated s", &StripesScene::plotter_moves_s, 1}},
+      {.notes = {
+           fmt::format("The program (`firmware/i8080/stripes`) has {} of {} bytes and {} bytes of data, {} of them for the "
+                       "scene, at most {} faces. Every picture is compared with that of a native program written from the same "
+                       "specification. The paper names no computer and no time.",
+                       shown(measured.program_bytes), shown(measured.program_room), shown(measured.data_room),
+                       shown(measured.scene_room), shown(measured.most_faces)),
+           fmt::format(
+               "{} Skala's program on the same machine takes {} to {} s for a drawing of one surface.",
+               greatest(scenes, &StripesScene::whole_s) <= 60 ? "No scene takes a minute on the raster board." : "",
+               shown(least(where(skala.pictures, is(&SkalaPicture::picture, "lines")), &SkalaPicture::drawing_s), 2),
+               shown(greatest(where(skala.pictures, is(&SkalaPicture::picture, "surface")), &SkalaPicture::drawing_s), 2))}});
+  const auto decided_by = [](std::size_t test) {
+    return [test](const StripesScene& scene) { return scene.decided_by[test - 1]; };
+  };
+  page.table("montani-re-8080-tests", "Pairs of faces by the test that decides them, on the 8080", scenes,
+             {{"scene", "Scene", &StripesScene::scene},
+              {"test_1", "Test 1", "pairs", decided_by(1)},
+              {"test_2", "Test 2", "pairs", decided_by(2)},
+              {"test_3", "Test 3", "pairs", decided_by(3)},
+              {"test_4", "Test 4", "pairs", decided_by(4)},
+              {"test_5", "Test 5", "pairs", decided_by(5)},
+              {"test_6", "Test 6", "pairs", decided_by(6)},
+              {"relations", "Relations", &StripesScene::relations},
+              {"deleted", "Deleted", "on cycles, without overlap", &StripesScene::deleted},
+              {"cuts", "Cuts", "faces cut by another", &StripesScene::cuts}});
+  page.gallery("montani-re-8080-rasters", "Filled faces on the raster board", scenes, [](const StripesScene& scene) {
+    return figure(scene.raster, "montani-re-8080-" + scene.scene, fmt::format("{}, {} faces.", scene.scene, scene.faces),
+                  "In seven levels, by the lamp.", fmt::format("Faces of {} in greys, hidden parts removed", scene.scene));
+  });
+  page.gallery("montani-re-8080-drawings", "The same stripes as lines on the plotter", scenes, [](const StripesScene& scene) {
+    return figure(scene.drawing, fmt::format("montani-re-8080-{}-lines", scene.scene), scene.scene + ".",
+                  shown(scene.plotter_moves_s, 1) + " s of the plotter's movements.",
+                  fmt::format("{} in lines, hidden parts removed", scene.scene));
+  });
 }
 
 }  // namespace sightline::report

@@ -3,26 +3,58 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <span>
-#include <string_view>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "host/report/records.hpp"
+#include "host/report/experiment.hpp"
 
 namespace sightline::report {
 
-// The exponent of y = c x^exponent, by least squares of logarithms; 0 for fewer than two points.
-[[nodiscard]] double growth_exponent(const std::vector<std::pair<double, double>>& points);
-// Of `key` over the key `over` in some rows; values that are missing or 0 are left out, and none is there of
-// fewer than `fewest` others.
-[[nodiscard]] Value growth_exponent(const RowSet& rows, std::size_t from, std::size_t to,
-                                    std::string_view key, std::string_view over, std::size_t fewest = 3);
+// A generated scene from its own camera, in perspective, on 1024 x 1024 pixels. Times of this computer: none without
+// Context::host_times.
+struct GrowthView {
+  std::string family;
+  std::size_t size = 0;
+  std::size_t faces = 0;  // that take part: not turned away, not edge-on
+  double y_complexity = 0;
+  std::uint64_t pairs = 0;  // that overlap in X: tests 2 to 6 are for these
+  std::uint64_t relations = 0;
+  std::uint64_t sides_seen = 0;  // in stripes of a pixel
+  std::uint64_t silhouette_sides = 0;
+  std::optional<double> exact_build_ms = {};
+  std::optional<double> stripes_ms = {};
+  std::optional<double> exact_ms = {};
+};
 
-// Generated scenes of one family and these sizes: a row each is added to "views", and one of exponents to
-// "exponents". Times are missing if `rounds` is 0; scenes of 10000 and more are timed once.
-void add_montani_re_growth(Records& records, std::string_view family, std::span<const std::size_t> sizes,
-                           int rounds, const std::function<void(std::string_view)>& progress);
+// Of the views of a family: of growth over its faces, and of a time over pairs.
+struct GrowthExponents {
+  std::string family;
+  std::size_t from_faces = 0;
+  std::size_t to_faces = 0;
+  std::optional<double> pairs = {};
+  std::optional<double> relations = {};
+  std::optional<double> exact_build = {};
+  std::optional<double> stripes = {};
+  std::optional<double> exact = {};
+  std::optional<double> exact_build_over_pairs = {};
+};
+
+struct MontaniReGrowth {
+  std::vector<GrowthView> views;
+  std::vector<GrowthExponents> exponents;
+};
+
+[[nodiscard]] MontaniReGrowth montani_re_growth(const Context& context);
+
+// The exponent of y = c x^exponent, by least squares of logarithms. Points with a y of 0 are left out; there is none of
+// fewer than `fewest` others.
+[[nodiscard]] std::optional<double> growth_exponent(const std::vector<std::pair<double, double>>& points, std::size_t fewest);
+
+class Page;
+struct MontaniReTables;
+void montani_re_timing(Page& page, const MontaniReGrowth& growth, const MontaniReTables& tables);
 
 }  // namespace sightline::report

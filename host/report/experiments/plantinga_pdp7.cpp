@@ -1,8 +1,5 @@
-// Solids turning with hidden lines on the PDP-7 (firmware/pdp7/turn): the on-line phase of Plantinga, Seales and Dyer on a
-// machine of 1965. One turn in 8 emulated seconds, with the EAE and without, beside the same turn as a wire frame.
-//
-//   turns      a model, with the EAE or without, each. Pictures are there of runs with the EAE: a picture of the turn as the
-//              display drew it.
+#include "host/report/experiments/plantinga_pdp7.hpp"
+
 #include <fmt/core.h>
 
 #include <span>
@@ -12,8 +9,8 @@
 
 #include "host/guests/turn/session.hpp"
 #include "host/picture/raster_image.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
+#include "host/report/page.hpp"
 #include "host/scene/read/poly_file.hpp"
 
 namespace sightline::report {
@@ -35,8 +32,8 @@ turn::Tape tape_of(std::string_view file, std::string_view text) {
 
 }  // namespace
 
-Records plantinga_pdp7(const Context& context) {
-  Records records;
+std::vector<Pdp7Turn> plantinga_pdp7(const Context& context) {
+  std::vector<Pdp7Turn> turns;
   for (const auto& [file, text] : turn_model_files()) {
     const std::string model(file.substr(0, file.rfind('.')));
     context.progress(fmt::format("{} turning on the PDP-7", model));
@@ -50,25 +47,78 @@ Records plantinga_pdp7(const Context& context) {
       }
       const turn::Summary& hidden = measure.hidden.summary;
       const turn::Layout& layout = tape.layout;
-      records["turns"].add({{"model", model},
-                            {"eae", eae},
-                            {"edges", tape.edges},
-                            {"events", tape.events},
-                            {"used_words", session.program().words + layout.model() + layout.display_files},
-                            {"turn_s", measure.turn_seconds()},
-                            {"frames_a_second", hidden.frames_per_second_mean},
-                            {"worst_frames_a_second", hidden.frames_per_second_worst},
-                            {"wire_frames_a_second", measure.wire.summary.frames_per_second_mean},
-                            {"cost", measure.cost_against_wire_frame()},
-                            {"junctions", hidden.junctions_mean},
-                            {"waiting_percent", 100 * hidden.waiting_fraction},
-                            {"refreshes_a_second", hidden.refreshes_per_second},
-                            {"screen", eae ? Value(png_picture(picture::crisp_raster(
-                                                 measure.hidden.shown[measure.hidden.shown.size() / 8].strokes)))
-                                           : Value()}});
+      Pdp7Turn& row = turns.emplace_back();
+      row.model = model;
+      row.eae = eae;
+      row.edges = tape.edges;
+      row.events = tape.events;
+      row.used_words = session.program().words + layout.model() + layout.display_files;
+      row.turn_s = measure.turn_seconds();
+      row.frames_a_second = hidden.frames_per_second_mean;
+      row.worst_frames_a_second = hidden.frames_per_second_worst;
+      row.wire_frames_a_second = measure.wire.summary.frames_per_second_mean;
+      row.cost = measure.cost_against_wire_frame();
+      row.junctions = hidden.junctions_mean;
+      row.waiting_percent = 100 * hidden.waiting_fraction;
+      row.refreshes_a_second = hidden.refreshes_per_second;
+      if (eae) row.screen = png_picture(picture::crisp_raster(measure.hidden.shown[measure.hidden.shown.size() / 8].strokes));
     }
   }
-  return records;
+  return turns;
+}
+
+void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
+  const auto with_eae = where(turns, &Pdp7Turn::eae);
+  page.table("plantinga-pdp7-turns",
+             "What 1965 could have done: solids turning with hidden lines removed on a PDP-7 with a Type 340", turns,
+             {{"model", "Model", &Pdp7Turn::model},
+              {"eae", "EAE", &Pdp7Turn::eae},
+              {"edges", "Edges", &Pdp7Turn::edges},
+              {"events", "Events", "different angles in a turn", &Pdp7Turn::events},
+              {"used_words", "Core", "words of 8192", &Pdp7Turn::used_words},
+              {"turn_s", "One turn", "emulated s", &Pdp7Turn::turn_s, 2},
+              {"frames_a_second", "Frames a second", "mean", &Pdp7Turn::frames_a_second, 1},
+              {"worst_frames_a_second", "Frames a second", "worst", &Pdp7Turn::worst_frames_a_second, 1},
+              {"wire_frames_a_second", "Wire frames a second", "mean", &Pdp7Turn::wire_frames_a_second, 1},
+              {"cost", "Cost", "time of a frame to that of a wire frame", &Pdp7Turn::cost, 2},
+              {"junctions", "T-junctions", "drawn, mean of a frame", &Pdp7Turn::junctions, 1},
+              {"waiting_percent", "Waiting for the display", "%", &Pdp7Turn::waiting_percent, 1},
+              {"refreshes_a_second", "Refreshes a second", &Pdp7Turn::refreshes_a_second, 1}},
+             {.notes = {"The events of a turn are found by today's program and put on a paper tape with the model; the PDP-7 "
+                        "then rotates the corners, applies the events and draws. Every display word is compared with that of a "
+                        "native program written from the same specification (`firmware/pdp7/turn`). Times are emulated seconds "
+                        "and include the display's refreshing and waiting for it.",
+                        fmt::format("{} {}",
+                                    least(with_eae, &Pdp7Turn::worst_frames_a_second) >= 20
+                                        ? "With the EAE no frame of these solids takes longer than a twentieth of a second."
+                                        : "",
+                                    greatest(with_eae, &Pdp7Turn::cost) <= 1
+                                        ? "With it a frame without hidden lines is no slower than a wire frame: fewer lines are "
+                                          "drawn, and that saves more than the events cost."
+                                        : "")}});
+  const std::size_t dear = count(turns, [](const Pdp7Turn& t) { return t.cost > 1.5; });
+  page.claims(
+      "plantinga-pdp7-claims", "Two sentences, on the PDP-7",
+      {{.claim = "plantinga.wire",
+        .here = least_and_greatest(turns, &Pdp7Turn::cost),
+        .places = 2,
+        .condition =
+            fmt::format("time of a frame without hidden lines to that of a wire frame, {} solids, with the EAE and without",
+                        distinct(turns, &Pdp7Turn::model)),
+        .comparison = dear == 0 ? "the claim holds on this machine"
+                                : fmt::format("the claim does not hold for {} of {} rows (limit 1.5 times)", dear, turns.size())},
+       {.claim = "jones.frames",
+        .here = least_and_greatest(turns, &Pdp7Turn::worst_frames_a_second),
+        .places = 1,
+        .condition =
+            "worst frame of a turn about one axis, events found beforehand; Jones meant any movement, without preparation",
+        .comparison = fmt::format("{} of {} rows reach sixteen frames a second in every frame",
+                                  count(turns, [](const Pdp7Turn& t) { return t.worst_frames_a_second >= 16; }), turns.size())}});
+  page.gallery("plantinga-pdp7-pictures", "A frame of each turn", with_eae, [](const Pdp7Turn& t) {
+    return figure(*t.screen, "plantinga-pdp7-" + t.model, t.model + ", turning on the PDP-7.",
+                  "An eighth of a turn after the beginning, as the Type 340 drew it.",
+                  "A solid in lines on a dark screen, hidden lines removed");
+  });
 }
 
 }  // namespace sightline::report

@@ -1,8 +1,8 @@
-// An image as a value of records.
+// An image as a picture of the page.
 #pragma once
 
 #include "host/picture/image.hpp"
-#include "host/report/records.hpp"
+#include "host/report/document.hpp"
 
 namespace sightline::report {
 

@@ -1,19 +1,14 @@
-// Skala's program and its native version on rasters, grids and numbers of levels of every size: how wrong and how
-// long.
-//
 // Reference: the native program with 16384 columns of masks, 64 to a dot of the 8080's raster: for the raster on
 // the same grid, for grids on slices of 1024 points, for contours on a grid four times as fine. The column oracle
 // cannot serve: it knows pictures of 256 by 256 rounded points only, and so has the very errors that are measured.
-//
-//   points  a study (raster, grid, levels), function, program and setting each
-//   boards  both boards on both links, 65 points in each of 33 slices
+#include "host/report/experiments/skala_accuracy.hpp"
+
 #include <fmt/core.h>
 
 #include <array>
 #include <functional>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "emulators/core/tstates.hpp"
 #include "host/algorithms/skala/draw.hpp"
@@ -21,8 +16,6 @@
 #include "host/guests/skala/session.hpp"
 #include "host/guests/skala/stream.hpp"
 #include "host/report/experiments/clock.hpp"
-#include "host/report/experiments/experiments.hpp"
-#include "host/report/experiments/surface_error.hpp"
 #include "host/scene/heights/function.hpp"
 
 namespace sightline::report {
@@ -45,7 +38,11 @@ constexpr std::size_t finest_slice = 1024;  // points
 constexpr scene::GridSize contour_grid{33, 33};
 constexpr scene::GridSize finest_contour_grid{129, 129};  // all points of contour_grid are in it
 constexpr double rotation = 30;
-constexpr double pixels = 1024;  // in which distances are told
+
+// Of 1024 a side in dots of a raster.
+double dots_of_pixels(double pixels, int raster) {
+  return pixels * raster / 1024;
+}
 
 scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
   return scene::sample(*scene::height_function(function), size);
@@ -111,19 +108,11 @@ double seconds(core::TStates time) {
   return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
 }
 
-// raster: dots a side.
-void add_error(NamedValues& row, const SurfaceError& error, int raster) {
-  row.emplace_back("pmr_per_cent", error.mismatch);
-  row.emplace_back("pmr_far_per_cent", error.far);
-  row.emplace_back("h_px", error.hausdorff);
-  row.emplace_back("h_dots", error.hausdorff * raster / pixels);
-  row.emplace_back("h_usual_px", error.usual);
-}
-
 // Measures pictures, and keeps what is to be timed when all are measured.
 class Study {
  public:
-  Study(const skala::Session& session, bool host_times) : session_(session), host_times_(host_times) {}
+  Study(const skala::Session& session, std::vector<SkalaPoint>& points, bool host_times)
+      : session_(session), points_(points), host_times_(host_times) {}
 
   void on_rasters(std::string_view function) {
     begin("raster", function);
@@ -155,11 +144,10 @@ class Study {
     }
   }
 
-  [[nodiscard]] const RowSet& points() const { return points_; }
-  // All at once, interleaved; `points` are these.
-  void take_times(RowSet& points, int rounds) const {
+  // All at once, interleaved.
+  void take_times(int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
-    for (std::size_t i = 0; i < times.size(); ++i) points.set(timed_[i], "host_us", times[i] / 1000);
+    for (std::size_t i = 0; i < times.size(); ++i) points_[timed_[i]].host_us = times[i] / 1000;
   }
 
  private:
@@ -170,15 +158,12 @@ class Study {
 
   // drawing: of the program on the 8080; none: a picture of the native program.
   void add(int setting, int raster, const SurfaceError& error, std::optional<core::TStates> drawing) {
-    NamedValues row{{"study", study_},
-                    {"function", function_},
-                    {"program", drawing ? "8080 and its twin" : "native"},
-                    {"setting", setting}};
-    add_error(row, error, raster);
-    row.emplace_back("drawing_t_states", drawing ? Value(drawing->count()) : Value());
-    row.emplace_back("drawing_s", drawing ? Value(seconds(*drawing)) : Value());
-    row.emplace_back("host_us", Value());
-    points_.add(row);
+    SkalaPoint point{study_, function_, drawing ? "8080 and its twin" : "native", setting, raster, error, {}, {}, {}};
+    if (drawing) {
+      point.drawing_t_states = static_cast<std::uint64_t>(drawing->count());
+      point.drawing_s = seconds(*drawing);
+    }
+    points_.push_back(std::move(point));
   }
 
   void add_program(int setting, const scene::HeightGrid& grid, const Order& order, const FinePicture& fine) {
@@ -203,55 +188,240 @@ class Study {
   }
 
   const skala::Session& session_;  // of measuring, not of what is timed
+  std::vector<SkalaPoint>& points_;
   bool host_times_;
   std::string study_;
   std::string function_;
-  RowSet points_;
   std::vector<std::function<void()>> jobs_;
   std::vector<std::size_t> timed_;  // rows
 };
 
-void add_boards(RowSet& boards, const skala::Session& session, std::string_view function) {
+void add_boards(std::vector<SkalaBoard>& boards, const skala::Session& session, std::string_view function) {
   const auto grid = grid_of(function, board_grid);
   const FinePicture fine = fine_picture(grid, {});
   for (const skala::Device device : {skala::Device::ef9365, skala::Device::alt256}) {
     for (const skala::Link link : {skala::Link::parallel, skala::Link::serial}) {
       const Order order{.device = device, .link = link};
       const auto guest = run_guest(session, skala::stream_of(grid, view_of(order)), order);
-      NamedValues row{{"function", function},
-                      {"board", fmt::format("{}, {} link", device == skala::Device::ef9365 ? "EF9365" : "ALT-256",
-                                            link == skala::Link::serial ? "serial" : "parallel")}};
-      add_error(row, fine.error_of(dots_of(guest.raster, skala::raster_side)), skala::raster_side);
-      row.emplace_back("drawing_t_states", guest.drawing.count());
-      row.emplace_back("drawing_s", seconds(guest.drawing));
-      row.emplace_back("total_t_states", guest.total.count());
-      row.emplace_back("total_s", seconds(guest.total));
-      row.emplace_back("dots_not_shown", guest.dots_not_shown);
-      boards.add(row);
+      boards.push_back({std::string(function),
+                        fmt::format("{}, {} link", device == skala::Device::ef9365 ? "EF9365" : "ALT-256",
+                                    link == skala::Link::serial ? "serial" : "parallel"),
+                        fine.error_of(dots_of(guest.raster, skala::raster_side)),
+                        static_cast<std::uint64_t>(guest.drawing.count()), seconds(guest.drawing),
+                        static_cast<std::uint64_t>(guest.total.count()), seconds(guest.total), guest.dots_not_shown});
     }
   }
 }
 
+// The chapter.
+
+using Point = SkalaPoint;
+
+double pixels_off(const Point& point) {
+  return point.error.hausdorff;
+}
+
+// An error that plots show.
+struct Measure {
+  std::string key;
+  std::string title;
+  std::string unit;
+  double (*of)(const Point&);
+};
+
+const std::array<Measure, 2>& measures() {
+  static const std::array<Measure, 2> both{
+      Measure{"h", "greatest distance", "pixels of 1024", &pixels_off},
+      Measure{"pmr", "differing pixels", "% of the raster", [](const Point& point) { return point.error.mismatch; }}};
+  return both;
+}
+
+Chosen<Point> of_study(const SkalaAccuracy& skala, std::string_view study, bool emulated_only) {
+  return where(skala.points, [=](const Point& point) { return point.study == study && !(emulated_only && point.native()); });
+}
+
+// Settings are named at the points of one function.
+CurveParts<Point> labels_at(std::string function) {
+  return {[function = std::move(function)](const Point& point) {
+    return point.function == function ? fmt::format("{}", point.setting) : std::string();
+  }};
+}
+
+void plot_emulated(Page& page, const SkalaAccuracy& skala, const Measure& measure, const std::string& study,
+                   const std::string& id, const std::string& what, const Said& caption, const std::string& alternative,
+                   const std::string& labelled) {
+  Plot plot{id,
+            fmt::format("Skala on the 8080: {}: {}", what, measure.title),
+            caption + " Drawing on the EF9365 board, 8080 at 3 MHz.",
+            alternative + ", one curve for each function.",
+            {measure.title, measure.unit},
+            {"a drawing, time on the emulated machine", "s"}};
+  add_curves(plot, of_study(skala, study, true), &Point::function, measure.of, &Point::drawing_s, labels_at(labelled));
+  page.plot(std::move(plot));
+}
+
+void plot_host(Page& page, const SkalaAccuracy& skala, const Measure& measure, const std::string& study, const std::string& id,
+               const std::string& what, const std::string& caption, const std::string& alternative, const std::string& labelled) {
+  if (!page.host_times()) return;
+  Plot plot{id,
+            fmt::format("Skala in C++: {}: {}", what, measure.title),
+            caption + " Times are medians of interleaved repetitions, of this computer.",
+            alternative,
+            {measure.title, measure.unit},
+            {"a drawing, time on this computer", "ms"}};
+  const auto milliseconds = [](const Point& point) {
+    return point.host_us ? std::optional(*point.host_us / 1000) : std::optional<double>();
+  };
+  add_curves(plot, where(of_study(skala, study, false), [](const Point& point) { return point.host_us.has_value(); }),
+             [](const Point& point) { return fmt::format("{}, {}", point.function, point.program); }, measure.of, milliseconds,
+             labels_at(labelled));
+  page.plot(std::move(plot));
+}
+
+void raster_plots(Page& page, const SkalaAccuracy& skala) {
+  const std::string what = "rasters of more and more dots a side";
+  const double farthest = greatest(of_study(skala, "raster", true), &Point::dots_off);
+  for (const Measure& measure : measures())
+    plot_emulated(page, skala, measure, "raster", fmt::format("skala-raster-{}-emulated", measure.key), what,
+                  "33 slices of 17 points. The program on the 8080 has 256 dots and is made to use fewer by zooming out. " +
+                      page.claim(farthest <= 2.5, fmt::format("The greatest distance is at most {} dots of the raster at hand.",
+                                                              shown(farthest, 1))),
+                  "Log-log plot of the time of a drawing against its error on rasters of 64, 128 and 256 dots a side", "sinc");
+  plot_host(page, skala, measures()[0], "raster", "skala-raster-h-host", what, "33 slices of 17 points.",
+            "Log-log plot of the time of a drawing against its error on rasters of 64 to 1024 dots a side, one curve for each "
+            "function and program.",
+            "sinc");
+}
+
+void grid_plots(Page& page, const SkalaAccuracy& skala) {
+  const std::string what = "8 to 256 points in each of 33 slices";
+  const std::string alternative = "Log-log plot of the time of a drawing against its error with 8 to 256 points for each slice";
+  const auto point = [&](std::string_view function, bool native, int points) -> const Point& {
+    return the(skala.points, [=](const Point& row) {
+      return row.study == "grid" && row.function == function && row.native() == native && row.setting == points;
+    });
+  };
+  const auto gain = [&](std::string_view function, bool native) {
+    return shown(pixels_off(point(function, native, 8)) / pixels_off(point(function, native, 64)), 0);
+  };
+  const Said caption = fmt::format(
+      "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of "
+      "the native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} "
+      "times. From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times "
+      "as long as with 64.",
+      gain("sinc", true), gain("peaks", true), gain("sinc", false), gain("peaks", false),
+      shown(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
+  for (const Measure& measure : measures())
+    plot_emulated(page, skala, measure, "grid", fmt::format("skala-grid-{}-emulated", measure.key), what, caption, alternative,
+                  "sinc");
+  plot_host(page, skala, measures()[0], "grid", "skala-grid-h-host", what, "Compared with slices of 1024 points.",
+            alternative + ", one curve for each function and program.", "sinc");
+}
+
+void level_plots(Page& page, const SkalaAccuracy& skala) {
+  const std::string what = "1 to 32 contour levels";
+  const std::string caption =
+      "33 x 33 points, compared with 129 x 129. The error is that of the grid and depends on which level happens to touch a peak.";
+  const std::string alternative = "Log-log plot of the time of a drawing against its error with 1 to 32 levels of contours";
+  plot_emulated(page, skala, measures()[1], "levels", "skala-levels-pmr-emulated", what, caption, alternative, "cosr");
+  plot_host(page, skala, measures()[1], "levels", "skala-levels-pmr-host", what, caption,
+            alternative + ", one curve for each function.", "cosr");
+}
+
+void study_table(Page& page, const SkalaAccuracy& skala, const std::string& study, const std::string& title,
+                 const std::string& setting) {
+  page.table(
+      "skala-speed-error-" + study, "Skala: " + title, where(skala.points, is(&Point::study, study)),
+      {{"function", "Function", &Point::function},
+       {"program", "Program", &Point::program},
+       {study, setting, &Point::setting},
+       {"pmr_per_cent", "Differing pixels", "% of the raster", measures()[1].of},
+       {"pmr_far_per_cent", "Differing pixels, no lit dot beside", "%", [](const Point& point) { return point.error.far; }},
+       {"h_px", "Greatest distance", "pixels of 1024", &pixels_off},
+       {"h_dots", "Greatest distance", "dots of the raster", &Point::dots_off},
+       {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels of 1024",
+        [](const Point& point) { return point.error.usual; }},
+       {"drawing_t_states", "Drawing on the 8080", "T-states", &Point::drawing_t_states},
+       {"drawing_s", "at 3 MHz", "s", &Point::drawing_s, 3},
+       {"host_us", "Drawing in C++", "us", &Point::host_us, 1, host_time}},
+      {.folded = true});
+}
+
+void boards(Page& page, const SkalaAccuracy& skala) {
+  using Board = SkalaBoard;
+  const auto mismatch = [](const Board& board) { return board.error.mismatch; };
+  const auto of = [&](const char* function) { return where(skala.boards, is(&Board::function, function)); };
+  bool same = true;
+  for (const char* const function : functions) same = same && distinct(of(function), mismatch) == 1;
+  const auto sinc = range_of(of("sinc"), &Board::total_s);
+  Plot plot{"skala-boards-pmr",
+            "Skala on the 8080: two boards and two links, receipt included",
+            "33 slices of 65 points of three functions, from the first byte of a command to the last dot." +
+                page.claim(same, "The board does not change the picture, so the points of a function stand above one another."),
+            fmt::format("Plot of the time of a picture against its error for each board and link; for sinc it takes {} to {} s.",
+                        shown(sinc.least, 1), shown(sinc.greatest, 1)),
+            {"differing pixels", "% of the raster", false},
+            {"a picture, time on the emulated machine", "s"}};
+  add_curves(plot, skala.boards, &Board::board, mismatch, &Board::total_s,
+             {[](const Board& board) { return board.function; }, false});
+  page.plot(std::move(plot));
+  page.table(
+      "skala-boards", "Skala: two boards and two links", skala.boards,
+      {{"function", "Function", &Board::function},
+       {"board", "Board and link", &Board::board},
+       {"pmr_per_cent", "Differing pixels", "% of the raster", mismatch},
+       {"pmr_far_per_cent", "Differing pixels, no lit dot beside", "%", [](const Board& board) { return board.error.far; }},
+       {"h_px", "Greatest distance", "pixels of 1024", [](const Board& board) { return board.error.hausdorff; }},
+       {"h_dots", "Greatest distance", "dots",
+        [](const Board& board) { return dots_of_pixels(board.error.hausdorff, skala::raster_side); }, 2},
+       {"h_usual_px", "Distance of all but 1 sample in 1000", "pixels of 1024",
+        [](const Board& board) { return board.error.usual; }},
+       {"drawing_t_states", "Drawing", "T-states", &Board::drawing_t_states},
+       {"drawing_s", "Drawing", "s at 3 MHz", &Board::drawing_s, 3},
+       {"total_t_states", "With the receipt of commands", "T-states", &Board::total_t_states},
+       {"total_s", "With the receipt", "s at 3 MHz", &Board::total_s, 3},
+       {"dots_not_shown", "Dots in rows not shown", &Board::dots_not_shown}},
+      {{"33 slices of 65 points. Both boards hold the same dots; the ALT-256 shows fewer rows than it holds. The link "
+        "takes part in the receipt only."},
+       true});
+}
+
 }  // namespace
 
-Records skala_accuracy(const Context& context) {
+double SkalaPoint::dots_off() const {
+  return dots_of_pixels(error.hausdorff, raster);
+}
+
+void skala_accuracy(const Context& context, SkalaAccuracy& made) {
   const skala::Session session;
-  Records records;
-  const auto study = std::make_shared<Study>(session, context.host_times);
+  const auto study = std::make_shared<Study>(session, made.points, context.host_times);
   for (const auto measure : {&Study::on_rasters, &Study::on_grids, &Study::with_levels}) {
     for (const char* const function : functions) {
       context.progress(fmt::format("{} on the 8080, of every size", function));
       ((*study).*measure)(function);
     }
   }
-  for (const char* const function : functions) add_boards(records["boards"], session, function);
-  records["points"] = study->points();
+  for (const char* const function : functions) add_boards(made.boards, session, function);
   if (context.host_times)
-    context.alone([study, progress = context.progress, rounds = context.full ? 31 : 5](Records& made) {
+    context.when_alone([study, progress = context.progress, rounds = context.full ? 31 : 5] {
       progress("Skala in C++, timed");
-      study->take_times(made["points"], rounds);
+      study->take_times(rounds);
     });
-  return records;
+}
+
+void skala_accuracy_chapter(Page& page, const SkalaAccuracy& skala) {
+  page.paragraph(
+      "Pictures of three functions turned by 30 degrees, compared with the native program with 16384 columns of masks, 64 to a "
+      "dot of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these "
+      "those without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also "
+      "without the farthest one of a thousand samples. In the plots less error is to the left and less time is below.");
+  raster_plots(page, skala);
+  grid_plots(page, skala);
+  level_plots(page, skala);
+  study_table(page, skala, "raster", "rasters of more and more dots a side", "Dots a side");
+  study_table(page, skala, "grid", "8 to 256 points in each of 33 slices", "Points for each slice");
+  study_table(page, skala, "levels", "1 to 32 contour levels", "Levels");
+  boards(page, skala);
 }
 
 }  // namespace sightline::report

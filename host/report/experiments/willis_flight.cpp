@@ -1,11 +1,10 @@
-// Flights on an 8080 with the priority display (firmware/i8080/flight): what the machine of Willis's time could do. Times are the machine's.
-//
-//   flights    a scene, a number of pieces and bits of a coordinate, each. With 8 bits and the most pieces wrong points are counted,
-//              and there is a picture.
+#include "host/report/experiments/willis_flight.hpp"
+
 #include <fmt/core.h>
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -13,8 +12,8 @@
 
 #include "host/guests/flight/path.hpp"
 #include "host/guests/flight/session.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
+#include "host/report/page.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline::report {
@@ -40,13 +39,59 @@ picture::Image greys_of(std::span<const std::uint32_t> shown) {
   return image;
 }
 
+// 25 frames a second, but for the rounding of a frame.
+bool reaches_25(const WillisFlight& flight) {
+  return flight.worst_frames_a_second >= 24.9;
+}
+
+// Nothing, if no flight keeps up.
+std::optional<std::uint32_t> most_pieces(const std::vector<WillisFlight>& flights,
+                                         const std::function<bool(const WillisFlight&)>& holds) {
+  const auto chosen = where(flights, [&](const WillisFlight& f) { return reaches_25(f) && holds(f); });
+  return chosen.empty() ? std::nullopt : std::optional(greatest(chosen, &WillisFlight::pieces));
+}
+
+void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
+  const double rate = page.paper_figure("willis.rate").least;
+  const double hundreds = page.paper_figure("willis.surfaces").least;
+  const auto pieces = range_of(flights, &WillisFlight::pieces);
+  const auto of_8_bits = where(flights, is(&WillisFlight::bits, 8));
+  const auto of_16_bits = where(flights, is(&WillisFlight::bits, 16));
+  const auto keeps_up = [rate](const auto& chosen) { return least(chosen, &WillisFlight::worst_frames_a_second) >= 0.99 * rate; };
+  const auto most_of_16_bits = [&flights](std::size_t axes) {
+    return shown(most_pieces(flights, [axes](const WillisFlight& f) { return f.bits == 16 && f.axes == axes; }));
+  };
+  const auto most = most_pieces(flights, [](const WillisFlight&) { return true; });
+  page.claims("willis-flight-claims", "25 frames a second, on an 8080 at 3 MHz",
+              {{.claim = "willis.rate",
+                .here = least_and_greatest(of_8_bits, &WillisFlight::worst_frames_a_second),
+                .places = 1,
+                .condition =
+                    fmt::format("worst frame of flights past {} to {} pieces, coordinates of 8 bits; the display itself shows 25",
+                                pieces.least, pieces.greatest),
+                .comparison = keeps_up(of_8_bits) ? "reached in every frame"
+                                                  : fmt::format("reached in every frame of {} of {} flights",
+                                                                count(of_8_bits, &reaches_25), of_8_bits.size())},
+               {.claim = "willis.rate",
+                .here = least_and_greatest(of_16_bits, &WillisFlight::worst_frames_a_second),
+                .places = 1,
+                .condition = "the same with coordinates of 16 bits",
+                .comparison = keeps_up(of_16_bits) ? "reached in every frame"
+                                                   : fmt::format("reached in every frame up to {} pieces in space, {} in plan",
+                                                                 most_of_16_bits(3), most_of_16_bits(2))},
+               {.claim = "willis.surfaces",
+                .here = {as_cell(most), as_cell(most)},
+                .condition = "most pieces at 25 frames a second",
+                .comparison = most.value_or(0) >= hundreds ? "hundreds, though not many" : "not hundreds"}});
+}
+
 }  // namespace
 
-Records willis_flight(const Context& context) {
+std::vector<WillisFlight> willis_flight(const Context& context) {
   namespace guest = guests::flight;
   constexpr std::uint32_t frames = 100;
   constexpr std::size_t all = 200;
-  Records records;
+  std::vector<WillisFlight> flights;
   const guest::Session session;
   std::vector<FlownScene> scenes;
   scenes.push_back({"town-20", scene::generate_town(20), false});
@@ -58,10 +103,11 @@ Records willis_flight(const Context& context) {
     algorithms::willis::ModelOptions model_options;
     model_options.plan = flown.plan;
     model_options.vertical = frame.vertical;
-    for (const std::size_t pieces : {std::size_t{10}, std::size_t{20}, std::size_t{50}, std::size_t{100}, std::size_t{150}, all}) {
+    for (const std::size_t pieces :
+         {std::size_t{10}, std::size_t{20}, std::size_t{50}, std::size_t{100}, std::size_t{150}, all}) {
       const auto model = flown_value(guest::flight_model(flown.scene, model_options, path.front().eye, pieces), flown.name);
-      for (const auto& [precision, bits] :
-           {std::pair(guest::Precision::bits_8, 8), std::pair(guest::Precision::bits_12, 12), std::pair(guest::Precision::bits_16, 16)}) {
+      for (const auto& [precision, bits] : {std::pair(guest::Precision::bits_8, 8), std::pair(guest::Precision::bits_12, 12),
+                                            std::pair(guest::Precision::bits_16, 16)}) {
         const guest::Packed packed = guest::pack(model, path, precision);
         guest::FlightOptions options;
         std::optional<Picture> screen;
@@ -74,27 +120,81 @@ Records willis_flight(const Context& context) {
         const guest::FlightRun run = session.run(model, path, packed, options);
         if (!run.difference.empty()) throw Failure(ErrorKind::differs, fmt::format("{}: {}", flown.name, run.difference));
         const guest::FlightSummary& sum = run.summary;
-        records["flights"].add({{"scene", flown.name},
-                                {"axes", packed.axes},
-                                {"pieces", sum.pieces},
-                                {"bits", bits},
-                                {"frames_a_second", sum.frames_per_second_mean},
-                                {"worst_frames_a_second", sum.frames_per_second_worst},
-                                {"computed_a_second", sum.computed_per_second_mean},
-                                {"worst_computed_a_second", sum.computed_per_second_worst},
-                                {"t_states", sum.t_states_mean},
-                                {"worst_t_states", sum.t_states_worst},
-                                {"exchanged", sum.exchanges_mean},
-                                {"most_exchanged", sum.exchanges_most},
-                                {"pairs", sum.pairs},
-                                {"wrong_orders", sum.wrong_orders},
-                                {"wrong_points", options.count_points ? Value(sum.wrong_points) : Value()},
-                                {"distance_error", packed.error_in_units},
-                                {"screen", screen ? Value(*screen) : Value()}});
+        flights.push_back({.scene = flown.name,
+                           .axes = packed.axes,
+                           .pieces = sum.pieces,
+                           .bits = bits,
+                           .frames_a_second = sum.frames_per_second_mean,
+                           .worst_frames_a_second = sum.frames_per_second_worst,
+                           .computed_a_second = sum.computed_per_second_mean,
+                           .worst_computed_a_second = sum.computed_per_second_worst,
+                           .t_states = sum.t_states_mean,
+                           .worst_t_states = sum.t_states_worst,
+                           .exchanged = sum.exchanges_mean,
+                           .most_exchanged = sum.exchanges_most,
+                           .pairs = sum.pairs,
+                           .wrong_orders = sum.wrong_orders,
+                           .distance_error = packed.error_in_units,
+                           .wrong_points = options.count_points ? std::optional(sum.wrong_points) : std::nullopt,
+                           .screen = std::move(screen)});
       }
     }
   }
-  return records;
+  return flights;
+}
+
+void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights) {
+  add_claims(page, flights);
+  const std::uint64_t wrong_points = greatest(flights, &WillisFlight::wrong_points);
+  const double of_100 = least(where(flights, is(&WillisFlight::pieces, 100U)), &WillisFlight::frames_a_second);
+  page.table(
+      "willis-flights", "Willis on an 8080 with the priority display: flights", flights,
+      {{"scene", "Scene", &WillisFlight::scene},
+       {"axes", "Axes", &WillisFlight::axes},
+       {"pieces", "Pieces", &WillisFlight::pieces},
+       {"bits", "Bits", "of a coordinate", &WillisFlight::bits},
+       {"frames_a_second", "Frames a second", "shown, mean", &WillisFlight::frames_a_second, 1},
+       {"worst_frames_a_second", "Frames a second", "shown, worst", &WillisFlight::worst_frames_a_second, 1},
+       {"computed_a_second", "Computed a second", "mean", &WillisFlight::computed_a_second, 1},
+       {"worst_computed_a_second", "Computed a second", "worst", &WillisFlight::worst_computed_a_second, 1},
+       {"t_states", "Frame", "T-states, mean", &WillisFlight::t_states, 0},
+       {"worst_t_states", "Frame", "T-states, worst", &WillisFlight::worst_t_states, 0},
+       {"exchanged", "Pairs exchanged", "mean of a frame", &WillisFlight::exchanged, 1},
+       {"most_exchanged", "Pairs exchanged", "most", &WillisFlight::most_exchanged},
+       {"wrong_orders", "Wrong orders", "pairs turned to the eye", &WillisFlight::wrong_orders},
+       {"pairs", "of", "pairs", &WillisFlight::pairs},
+       {"distance_error", "Right beyond", "a difference of distances, scene units", &WillisFlight::distance_error, 2},
+       {"wrong_points", "Wrong points", "of all pictures", &WillisFlight::wrong_points}},
+      {.notes = {
+           "A model without clusters is made by today's program. The 8080 is sent a point of each piece, and the eye of each "
+           "frame; it computes the distances, puts the pieces in order and loads their priorities into the display. Where a "
+           "piece is on the screen comes to the display from outside. Every priority is compared with that of a native program "
+           "written from the same specification (`firmware/i8080/flight`). Computed a second is what a display would show that "
+           "never lets the program wait.",
+           fmt::format(
+               "Wrong orders are pairs that exact distances put in the other order. {}",
+               wrong_points == 0
+                   ? "None of them shows: pieces that overlap in these pictures differ in distance by more than the rounding."
+                   : ""),
+           of_100 >= 5 ? fmt::format("100 pieces are shown at {} frames a second or more.", shown(of_100, 1)) : std::string()}});
+  Plot plot{.id = "willis-flight-plot",
+            .title = "Willis on an 8080: frames computed a second",
+            .caption = "The mean of a flight; the display shows 25 a second at most.",
+            .alternative =
+                "Log-log plot of frames computed a second against the number of pieces, a curve for each scene and number of "
+                "bits; all fall.",
+            .x = {"pieces"},
+            .y = {"frames computed", "a second"}};
+  add_curves(
+      plot, flights, [](const WillisFlight& f) { return fmt::format("{}, {} bits", f.scene, f.bits); }, &WillisFlight::pieces,
+      &WillisFlight::computed_a_second);
+  page.plot(std::move(plot));
+  page.gallery("willis-flight-pictures", "A frame of each flight",
+               where(flights, [](const WillisFlight& f) { return f.screen.has_value(); }), [](const WillisFlight& f) {
+                 return figure(*f.screen, "willis-flight-" + f.scene, fmt::format("{}, {} pieces.", f.scene, f.pieces),
+                               "A third of the way, as the priority display showed it; each face in one grey.",
+                               "Buildings in greys, seen from between them");
+               });
 }
 
 }  // namespace sightline::report

@@ -1,14 +1,5 @@
-// Willis's models cut to every depth, by both boundaries, with the 90-degree rule and without: how wrong the
-// order of their surfaces is.
-//
-//   models    a model each: pairs tested and left over; sight lines that meet two or more surfaces, and those
-//             on which the nearest has not the highest priority; points of pictures that show another face
-//             than the nearest. A random corner stands for each piece.
-//   measures  what the counts are of
-//   normals   a scene each: pairs of surfaces of which one can obscure the other, and the angles between
-//             their normals
-//   areas     of the boundaries of a wall of length 1 in plan, by formula and counted
-//   pictures  a town in space, cut never, once, and as often as it takes
+#include "host/report/experiments/willis_order.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -20,21 +11,19 @@
 
 #include "host/algorithms/willis/boundary.hpp"
 #include "host/algorithms/willis/sight_lines.hpp"
-#include "host/report/experiments/experiments.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/experiments/willis_scenes.hpp"
-#include "host/report/hard_cases/willis_views.hpp"
+#include "host/report/experiments/willis_times.hpp"
+#include "host/compare/hard_cases/willis_views.hpp"
+#include "host/report/page.hpp"
 
 namespace sightline::report {
 
 namespace {
 
 namespace willis = algorithms::willis;
-using report::FaceErrors;
-using report::TrueFaces;
-
-constexpr std::size_t eyes = 160;
-constexpr int points_a_side = 24;
+using compare::FaceErrors;
+using compare::TrueFaces;
 
 double per_cent(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? 100 * static_cast<double>(part) / static_cast<double>(whole) : 0;
@@ -45,7 +34,7 @@ struct Measured {
   willis::SightLines lines;
 };
 
-void add_models(RowSet& models, const WillisScene& scene, const TrueFaces& truth, bool full) {
+void add_models(std::vector<WillisModel>& models, const WillisScene& scene, const TrueFaces& truth, bool full) {
   // In space there are few lines that meet two surfaces, and finding them takes longer.
   const std::uint64_t lines = (full ? 40'000 : 4'000) / (scene.plan ? 1 : 4);
   constexpr std::uint64_t more = 5;  // of balls of which nothing is left over: few are wrong, if any
@@ -57,23 +46,22 @@ void add_models(RowSet& models, const WillisScene& scene, const TrueFaces& truth
     const bool thorough = !left_over && kind.rules.shape == willis::BoundaryShape::ball;
     const Measured measured =
         whole ? *whole
-              : Measured{truth.errors_of(model),
-                         willis::count_lines(model, scene.scene, thorough ? more * lines : lines, 1)};
+              : Measured{truth.errors_of(model), willis::count_lines(model, scene.scene, thorough ? more * lines : lines, 1)};
     if (!left_over) whole = measured;
-    models.add({{"scene", scene.title()},
-                {"boundary", kind.boundary()},
-                {"rule90", kind.rule90()},
-                {"depth", kind.depth},
-                {"tests", model.tests},
-                {"clusters", model.clusters},
-                {"pieces", model.pieces.size()},
-                {"left_over", model.residual.size()},
-                {"points", measured.faces.points},
-                {"points_wrong", measured.faces.wrong_inside},
-                {"pmr_inside_percent", measured.faces.inside_per_cent()},
-                {"lines", measured.lines.with_two},
-                {"lines_wrong", measured.lines.wrong},
-                {"lines_wrong_percent", per_cent(measured.lines.wrong, measured.lines.with_two)}});
+    models.push_back({.scene = scene.title(),
+                      .boundary = kind.boundary(),
+                      .rule90 = kind.rules.rule90,
+                      .depth = kind.depth,
+                      .tests = model.tests,
+                      .clusters = model.clusters,
+                      .pieces = model.pieces.size(),
+                      .left_over = model.residual.size(),
+                      .points = measured.faces.points,
+                      .points_wrong = measured.faces.wrong_inside,
+                      .pmr_inside_percent = measured.faces.inside_per_cent(),
+                      .lines = measured.lines.with_two,
+                      .lines_wrong = measured.lines.wrong,
+                      .lines_wrong_percent = per_cent(measured.lines.wrong, measured.lines.with_two)});
   }
 }
 
@@ -83,12 +71,11 @@ double degrees_between(const willis::SurfacePlane& a, const willis::SurfacePlane
     for (std::size_t i = 0; i < 3; ++i) sum += static_cast<double>(u[i]) * static_cast<double>(v[i]);
     return sum;
   };
-  const double cosine =
-      dot(a.normal, b.normal) / std::sqrt(dot(a.normal, a.normal) * dot(b.normal, b.normal));
+  const double cosine = dot(a.normal, b.normal) / std::sqrt(dot(a.normal, a.normal) * dot(b.normal, b.normal));
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-void add_normals(RowSet& normals, const WillisScene& scene) {
+WillisNormals normals_of(const WillisScene& scene) {
   const willis::Model uncut = scene.model({.order_cells = false, .limits = {.depth = 0}});
   std::uint64_t pairs = 0;
   std::uint64_t over_90 = 0;
@@ -101,15 +88,11 @@ void add_normals(RowSet& normals, const WillisScene& scene) {
       greatest = std::max(greatest, degrees_between(s.plane, t.plane));
     }
   }
-  normals.add({{"scene", scene.title()},
-               {"pairs", pairs},
-               {"pairs_over_90", over_90},
-               {"greatest_degrees", greatest}});
+  return {scene.title(), pairs, over_90, greatest};
 }
 
 // What the boundaries of walls along x cover, as a share of the square of `length`, by counting.
-double counted_area(const std::vector<std::array<std::int32_t, 2>>& walls, std::int32_t length,
-                    willis::BoundaryShape shape) {
+double counted_area(const std::vector<std::array<std::int32_t, 2>>& walls, std::int32_t length, willis::BoundaryShape shape) {
   constexpr int steps = 600;  // of a square of three lengths around the first
   std::vector<willis::Surface> surfaces;
   for (const auto& [from, to] : walls) {
@@ -130,19 +113,16 @@ double counted_area(const std::vector<std::array<std::int32_t, 2>>& walls, std::
   return 9.0 * inside / (steps * steps);
 }
 
-void add_areas(RowSet& areas) {
+std::vector<WillisArea> boundary_areas() {
   using willis::BoundaryShape;
   constexpr std::int32_t length = 1 << 20;
-  const auto add = [&](const char* boundary, double formula, double counted) {
-    areas.add({{"boundary", boundary},
-               {"area", formula},
-               {"counted", counted},
-               {"smaller_percent", 100 * (1 - formula / willis::oval_area())}});
+  const auto area = [](const char* boundary, double formula, double counted) {
+    return WillisArea{boundary, formula, counted, 100 * (1 - formula / willis::oval_area())};
   };
-  add("oval", willis::oval_area(), counted_area({{0, length}}, length, BoundaryShape::oval));
-  add("two circles", willis::two_circles_area(), counted_area({{0, length}}, length, BoundaryShape::ball));
-  add("ovals of both halves", willis::halves_ovals_area(),
-      counted_area({{0, length / 2}, {length / 2, length}}, length, BoundaryShape::oval));
+  return {area("oval", willis::oval_area(), counted_area({{0, length}}, length, BoundaryShape::oval)),
+          area("two circles", willis::two_circles_area(), counted_area({{0, length}}, length, BoundaryShape::ball)),
+          area("ovals of both halves", willis::halves_ovals_area(),
+               counted_area({{0, length / 2}, {length / 2, length}}, length, BoundaryShape::oval))};
 }
 
 // Greys by face; points at which the order is wrong in red.
@@ -176,40 +156,127 @@ std::size_t worst_view(const TrueFaces& views, const willis::Model& uncut) {
   return worst;
 }
 
-void add_pictures(RowSet& pictures, const WillisScene& scene, const TrueFaces& views) {
+void add_pictures(std::vector<WillisPicture>& pictures, const WillisScene& scene, const TrueFaces& views) {
   const std::size_t view = worst_view(views, scene.model({.limits = {.depth = 0}}));
   const TrueFaces truth(scene.scene, {views.cameras().at(view)}, 256);
   for (const int depth : {0, 1, 12}) {
     const willis::Model model = scene.model({.limits = {.depth = depth}});
-    const auto corners = report::random_corners(model, static_cast<std::uint32_t>(view) + 1);
-    const auto drawn = report::ordered_faces(model, truth.cameras().front(), truth.size(), corners);
+    const auto corners = compare::random_corners(model, static_cast<std::uint32_t>(view) + 1);
+    const auto drawn = compare::ordered_faces(model, truth.cameras().front(), truth.size(), corners);
     const FaceErrors errors = truth.errors_of(drawn, 0);
-    pictures.add({{"scene", scene.title()},
-                  {"depth", depth},
-                  {"pieces", model.pieces.size()},
-                  {"left_over", model.residual.size()},
-                  {"wrong_inside", errors.wrong_inside},
-                  {"wrong_at_edges", errors.wrong_on_edges},
-                  {"picture", png_picture(marked(drawn, truth.truth(0)), true)}});
+    pictures.push_back({scene.title(), depth, model.pieces.size(), model.residual.size(), errors.wrong_inside,
+                        errors.wrong_on_edges, png_picture(marked(drawn, truth.truth(0)), true)});
   }
+}
+
+Said without_rule(const Page& page, const std::vector<WillisModel>& models) {
+  const std::uint64_t wrong =
+      sum(where(models, [](const WillisModel& m) { return m.left_over == 0 && !m.rule90; }), &WillisModel::lines_wrong);
+  return page.claim(wrong == 0,
+                    "Without the rule no line is wrong in a model of which no pair is left over: its point stands at the mark 0.",
+                    fmt::format("{} lines are wrong", wrong));
+}
+
+Said with_rule(const Page& page, const std::vector<WillisModel>& models) {
+  const auto whole = where(models, [](const WillisModel& m) { return m.left_over == 0 && m.rule90; });
+  const std::size_t wrong = count(whole, [](const WillisModel& m) { return m.lines_wrong > 0; });
+  return page.claim(wrong > 0,
+                    fmt::format("With the 90-degree rule, lines are wrong in {} of {} such models.", wrong, whole.size()));
+}
+
+// A curve for each scene and rule, boundaries being balls.
+template <class Y>
+void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, Said caption,
+                    Axis y, Y value) {
+  Plot plot{.id = fmt::format("willis-lines-{}", id),
+            .title = fmt::format("Willis: surfaces cut up to 0 to {} times: {}", deepest_cuts, what),
+            .caption = std::move(caption),
+            .alternative =
+                fmt::format("Log-log plot of {}{} against sight lines in the wrong order, one curve for each scene and rule.",
+                            what == "pieces" ? "" : "the ", what),
+            .x = {"sight lines in the wrong order", "%"},
+            .y = std::move(y)};
+  const std::string first = models.front().scene;
+  add_curves(plot, where(models, is(&WillisModel::boundary, "ball")),
+             [](const WillisModel& m) { return m.scene + (m.rule90 ? ", 90-degree rule" : ""); },
+             &WillisModel::lines_wrong_percent, value, {.label = [first](const WillisModel& m) {
+               return m.scene == first && !m.rule90 && m.left_over > 0 ? shown(m.depth) : std::string();
+             }});
+  page.plot(std::move(plot));
 }
 
 }  // namespace
 
-Records willis_order(const Context& context) {
-  Records records;
-  add_areas(records["areas"]);
-  records["measures"].add({{"eyes", eyes}, {"points_a_side", points_a_side}, {"deepest_cuts", deepest_cuts}});
+WillisOrder willis_order(const Context& context) {
+  WillisOrder measured;
+  measured.areas = boundary_areas();
   for (const WillisScene& scene : willis_order_scenes()) {
     context.progress(fmt::format("{} by distance, cut to every depth", scene.title()));
-    add_normals(records["normals"], scene);
+    measured.normals.push_back(normals_of(scene));
     // From among the solids, where the order is hardest. In plan the eye is between feet and tops, as it is
     // here.
-    const TrueFaces truth(scene.scene, report::cameras_within(scene.scene, eyes), points_a_side);
-    add_models(records["models"], scene, truth, context.full);
-    if (scene.name == prisms_in_space().name) add_pictures(records["pictures"], scene, truth);
+    const TrueFaces truth(scene.scene, compare::cameras_within(scene.scene, WillisOrder::eyes), WillisOrder::points_a_side);
+    add_models(measured.models, scene, truth, context.full);
+    if (scene.name == prisms_in_space().name) add_pictures(measured.pictures, scene, truth);
   }
-  return records;
+  return measured;
+}
+
+void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& times) {
+  const std::vector<WillisModel>& models = order.models;
+  const double uncut = greatest(where(models, is(&WillisModel::depth, 0)), &WillisModel::lines_wrong_percent);
+  const std::uint64_t cut =
+      sum(where(models, [](const WillisModel& m) { return m.depth == deepest_cuts && !m.rule90; }), &WillisModel::lines_wrong);
+  page.paragraph(
+      "Surfaces in the order of their distances, each cut as often as the limit allows until no two are in each other's "
+      "boundary, compared with the nearest face on every sight line. " +
+      page.claim(uncut > 0 && cut == 0,
+                 fmt::format("With nothing cut at most {} % of the sight lines are in the wrong order; cut up to {} times, and "
+                             "without the 90-degree rule, none.",
+                             shown(uncut, 2), deepest_cuts),
+                 fmt::format("{} lines are wrong", cut)));
+
+  add_lines_plot(page, models, "pieces", "pieces",
+                 "Boundaries are balls. Labels are the limit of cuts, of the first curve. " + without_rule(page, models) + " " +
+                     with_rule(page, models),
+                 {"pieces"}, [](const WillisModel& m) { return static_cast<double>(m.pieces); });
+  if (page.host_times()) {
+    const Said caption("As above. Times are medians of interleaved repetitions, of this computer.");
+    add_lines_plot(page, models, "prepare", "time of a model", caption, {"a model, time on this computer", "ms"},
+                   [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; });
+    add_lines_plot(page, models, "frame", "time of a frame", caption, {"distances and sort, time on this computer", "us"},
+                   [&](const WillisModel& m) { return times.of(m, order).order_us; });
+  }
+
+  const auto left_over = where(models, [](const WillisModel& m) { return m.left_over > 0; });
+  const double most_wrong = greatest(left_over, &WillisModel::lines_wrong_percent);
+  const auto pairs = range_of(left_over, &WillisModel::left_over);
+  page.table(
+      "willis-speed-error", "Willis: limit of cuts, boundary and rule", models,
+      {{"scene", "Scene", &WillisModel::scene},
+       {"boundary", "Boundary", &WillisModel::boundary},
+       {"rule90", "90-degree rule", &WillisModel::rule},
+       {"depth", "Cuts up to", &WillisModel::depth},
+       {"pieces", "Pieces", &WillisModel::pieces},
+       {"left_over", "Left over", "pairs", &WillisModel::left_over},
+       {"pmr_inside_percent", "Differing pixels inside faces", "%", &WillisModel::pmr_inside_percent},
+       {"lines", "Sight lines", &WillisModel::lines},
+       {"lines_wrong", "in the wrong order", &WillisModel::lines_wrong},
+       {"lines_wrong_percent", "wrong", "%", &WillisModel::lines_wrong_percent},
+       {"prepare_us", "Model made", "us", [&](const WillisModel& m) { return times.of(m, order).prepare_us; }, 1, host_time},
+       {"order_us", "Distances and sort", "us", [&](const WillisModel& m) { return times.of(m, order).order_us; }, 1, host_time}},
+      {.notes =
+           {fmt::format(
+                "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random places "
+                "in and around the scene, a random corner of each piece standing for it, five times as many where boundaries are "
+                "balls and no pair is left over; points are of {0} pictures of {1} by {1} from places within it. ",
+                WillisOrder::eyes, WillisOrder::points_a_side) +
+            page.claim(most_wrong < 2,
+                       fmt::format("Few lines are wrong, at most {} %, where {} to {} pairs are left over: a pair is left over "
+                                   "if some eye could see it wrongly.",
+                                   shown(most_wrong, 2), shown(pairs.least), shown(pairs.greatest)),
+                       shown(most_wrong) + " % of the lines are wrong")},
+       .folded = true});
 }
 
 }  // namespace sightline::report

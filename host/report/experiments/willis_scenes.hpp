@@ -53,7 +53,6 @@ struct WillisModelKind {
   [[nodiscard]] const char* boundary() const {
     return rules.shape == algorithms::willis::BoundaryShape::oval ? "oval" : "ball";
   }
-  [[nodiscard]] const char* rule90() const { return rules.rule90 ? "on" : "off"; }
 };
 
 // Both boundaries, the 90-degree rule off and on; 0 to 8 cuts, the fewest first.

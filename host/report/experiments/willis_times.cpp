@@ -1,11 +1,8 @@
-// Willis's method as it was meant to run: a model is made once, its frames go to the priority display. Times
-// of this computer.
-//
-//   display  its rate
-//   frames   a scene each: its model, and a frame of 512 by 512 points from the scene's own camera
-//   models   times of the models of willis-order
+#include "host/report/experiments/willis_times.hpp"
+
 #include <fmt/core.h>
 
+#include <cmath>
 #include <functional>
 #include <list>
 #include <utility>
@@ -14,8 +11,9 @@
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/report/experiments/clock.hpp"
-#include "host/report/experiments/experiments.hpp"
+#include "host/report/experiments/willis_order.hpp"
 #include "host/report/experiments/willis_scenes.hpp"
+#include "host/report/page.hpp"
 
 namespace sightline::report {
 
@@ -48,25 +46,22 @@ struct Flight {
   registry::WillisDisplay shown;
 };
 
-void add_frame(RowSet& frames, Flight& flight) {
+WillisFrame frame_of(Flight& flight) {
   flight.fly();
   const willis::Model& model = flight.model;
-  frames.add({{"scene", flight.scene.title()},
-              {"surfaces", model.surfaces},
-              {"tests", model.tests},
-              {"clusters", model.clusters},
-              {"pieces", model.pieces.size()},
-              {"order_cells", model.cells.cells},
-              {"left_over", model.residual.size()},
-              {"distances", flight.order()},
-              {"spans", flight.spans.spans.size()},
-              {"points_covered", flight.shown.device.counts().points},
-              {"prepare_ms", {}},
-              {"order_us", {}},
-              {"frame_ms", {}}});
+  return {.scene = flight.scene.title(),
+          .surfaces = model.surfaces,
+          .tests = model.tests,
+          .clusters = model.clusters,
+          .pieces = model.pieces.size(),
+          .order_cells = model.cells.cells,
+          .left_over = model.residual.size(),
+          .distances = flight.order(),
+          .spans = flight.spans.spans.size(),
+          .points_covered = flight.shown.device.counts().points};
 }
 
-void time_frames(RowSet& rows, std::list<Flight>& flights, int rounds) {
+void time_frames(std::vector<WillisFrame>& frames, std::list<Flight>& flights, int rounds) {
   std::vector<std::function<void()>> jobs;
   for (Flight& flight : flights) {
     jobs.emplace_back([&flight] { (void)flight.scene.model(); });
@@ -74,49 +69,196 @@ void time_frames(RowSet& rows, std::list<Flight>& flights, int rounds) {
     jobs.emplace_back([&flight] { flight.fly(); });
   }
   const auto times = median_nanoseconds(jobs, rounds);
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    rows.set(row, "prepare_ms", times[3 * row] / 1e6);
-    rows.set(row, "order_us", times[3 * row + 1] / 1e3);
-    rows.set(row, "frame_ms", times[3 * row + 2] / 1e6);
-  }
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    frames[i].times = WillisFrame::Times{times[3 * i] / 1e6, times[3 * i + 1] / 1e3, times[3 * i + 2] / 1e6};
 }
 
-void time_models(RowSet& rows, int rounds) {
+std::vector<WillisModelTime> model_times(int rounds) {
   const std::vector<WillisScene> scenes = willis_order_scenes();
   std::list<willis::Model> models;
   std::list<willis::Frames> frames;
   std::vector<std::function<void()>> jobs;
-  std::vector<std::pair<const WillisScene*, WillisModelKind>> timed;
   for (const WillisScene& scene : scenes) {
     for (const WillisModelKind& kind : willis_model_kinds()) {
-      timed.emplace_back(&scene, kind);
       willis::Frames& of_model = frames.emplace_back(models.emplace_back(scene.model(kind.options())));
       jobs.emplace_back([&scene, kind] { (void)scene.model(kind.options()); });
       jobs.emplace_back([&scene, &of_model] { (void)of_model.order(scene.scene.camera); });
     }
   }
   const auto times = median_nanoseconds(jobs, rounds);
-  for (std::size_t i = 0; i < timed.size(); ++i) {
-    const auto& [scene, kind] = timed[i];
-    rows.add({{"scene", scene->title()},
-              {"boundary", kind.boundary()},
-              {"rule90", kind.rule90()},
-              {"depth", kind.depth},
-              {"prepare_us", times[2 * i] / 1e3},
-              {"order_us", times[2 * i + 1] / 1e3}});
+  std::vector<WillisModelTime> of_models;
+  for (std::size_t i = 0; i < times.size(); i += 2) of_models.push_back({times[i] / 1e3, times[i + 1] / 1e3});
+  return of_models;
+}
+
+// The figures of a frame's times; nothing without host times.
+std::optional<double> frame_ms(const WillisFrame& frame) {
+  return frame.times ? std::optional(frame.times->frame_ms) : std::nullopt;
+}
+std::optional<double> order_us(const WillisFrame& frame) {
+  return frame.times ? std::optional(frame.times->order_us) : std::nullopt;
+}
+std::optional<double> prepare_ms(const WillisFrame& frame) {
+  return frame.times ? std::optional(frame.times->prepare_ms) : std::nullopt;
+}
+std::optional<double> rate(const WillisFrame& frame) {
+  return frame.times ? std::optional(1000 / frame.times->frame_ms) : std::nullopt;
+}
+
+std::string whole_per_cent(double here, double paper) {
+  return std::abs(here - paper) < 0.5 ? "equal, rounded to whole per cent" : "not equal";
+}
+
+void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) {
+  const WillisDisplay& shows = times.display;
+  const std::vector<WillisFrame>& frames = times.frames;
+  const WillisFrame& last = frames.back();
+  const std::size_t hundreds = count(frames, [](const WillisFrame& f) { return f.distances >= 100; });
+  const std::size_t all_pairs = last.surfaces * last.surfaces;
+  const double two_circles = the(order.areas, is(&WillisArea::boundary, "two circles")).smaller_percent;
+  const double oval = the(order.areas, is(&WillisArea::boundary, "oval")).counted;
+  const double halves = the(order.areas, is(&WillisArea::boundary, "ovals of both halves")).smaller_percent;
+  const auto figure_of = [&page](std::string_view claim) { return page.paper_figure(claim).least; };
+  const double greatest_angle = greatest(order.normals, &WillisNormals::greatest_degrees);
+  std::vector<ClaimRow> rows{
+      {.claim = "willis.rate",
+       .here = one_figure(shows.frames_per_s),
+       .places = 0,
+       .condition = fmt::format("priority display, {} lines of {} us", shows.scan_lines, shown(shows.line_us, 0)),
+       .comparison = fmt::format("{}: the rate of the display, whatever it shows",
+                                 shows.frames_per_s == figure_of("willis.rate") ? "equal" : "not equal")}};
+  if (page.host_times()) {
+    const bool all = least(frames, &rate) >= figure_of("willis.update");
+    rows.push_back({.claim = "willis.update",
+                    .here = least_and_greatest(frames, &rate),
+                    .places = 0,
+                    .condition = "this computer, scenes of the next table, the display emulated",
+                    .comparison = fmt::format(
+                        "{}; no time of a program is given: a comparison needs one, with its computer and scene",
+                        all ? "all are fast enough"
+                            : fmt::format("{} of {} are fast enough",
+                                          count(frames, [](const WillisFrame& f) { return f.times && f.times->frame_ms <= 40; }),
+                                          frames.size()))});
   }
+  rows.insert(
+      rows.end(),
+      {{.claim = "willis.surfaces",
+        .here = least_and_greatest(frames, &WillisFrame::distances),
+        .condition = "pieces turned to the eye, scenes of the next table",
+        .comparison = fmt::format("{} of {} scenes show hundreds", hundreds, frames.size())},
+       {.claim = "willis.comparisons",
+        .here = {as_cell(last.tests), as_cell(all_pairs)},
+        .condition = last.scene + ": boundaries tested, and N^2",
+        .comparison = fmt::format(
+            "{} % of N^2, once, when the model is made; a frame has {} distances and, as the display is given an order, a sort",
+            shown(100 * static_cast<double>(last.tests) / static_cast<double>(all_pairs), 1), shown(last.distances))},
+       {.claim = "willis.circles",
+        .here = one_figure(two_circles),
+        .places = 2,
+        .condition = "two circles for an oval: (4 pi / 3 + sqrt(3) / 2) to (pi + 2)",
+        .comparison = whole_per_cent(two_circles, figure_of("willis.circles"))},
+       {.claim = "willis.oval",
+        .here = one_figure(oval),
+        .places = 4,
+        .condition = "points in the boundary, counted",
+        .comparison = std::abs(oval / figure_of("willis.oval") - 1) <= 0.002 ? "equal within 0.2 %" : "not equal"},
+       {.claim = "willis.halves",
+        .here = one_figure(halves),
+        .places = 2,
+        .condition = "a surface in two halves: (1 + pi / 4) to (pi + 2)",
+        .comparison = whole_per_cent(halves, figure_of("willis.halves")) + ", of what the two ovals cover together"},
+       {.claim = "willis.normals",
+        .here = {.greatest = as_cell(greatest_angle)},
+        .places = 1,
+        .condition = "pairs of surfaces of which one can obscure the other, four scenes",
+        .comparison = greatest_angle > figure_of("willis.normals")
+                          ? fmt::format("wrong: {} of {} pairs are farther apart; see the table of the rule",
+                                        shown(sum(order.normals, &WillisNormals::pairs_over_90)),
+                                        shown(sum(order.normals, &WillisNormals::pairs)))
+                          : "no pair is farther apart"}});
+  page.claims("willis-paper", "Willis 1977: every number for time and size", rows);
+}
+
+void add_scenes_table(Page& page, const WillisTimes& times) {
+  const WillisDisplay& shows = times.display;
+  const std::size_t left_over = greatest(times.frames, &WillisFrame::left_over);
+  std::vector<Said> notes{
+      fmt::format("A frame of 512 by 512 points from the scene's own camera. The display scans it in {} of the {} lines of a "
+                  "frame, {} of {} ms. ",
+                  shows.shown_lines, shows.scan_lines, shown(static_cast<double>(shows.shown_lines) * shows.line_us / 1000, 3),
+                  shown(shows.frame_ms, 0)) +
+      page.claim(left_over == 0, "No pair is left over in any scene.", fmt::format("{} are in one", left_over)) +
+      " Sheets (rooms) have two sides, and so two surfaces."};
+  if (page.host_times())
+    notes.emplace_back(
+        "A frame by this computer is everything: distances and sort, spans, and the display emulated point by point.");
+  page.table("willis-scenes", "Willis: models and frames", times.frames,
+             {{"scene", "Scene", &WillisFrame::scene},
+              {"surfaces", "Surfaces", &WillisFrame::surfaces},
+              {"tests", "Boundaries tested", "pairs", &WillisFrame::tests},
+              {"clusters", "Clusters", "pairs", &WillisFrame::clusters},
+              {"pieces", "Pieces", &WillisFrame::pieces},
+              {"order_cells", "Order cells", &WillisFrame::order_cells},
+              {"left_over", "Left over", "pairs", &WillisFrame::left_over},
+              {"distances", "Distances a frame", &WillisFrame::distances},
+              {"spans", "Spans a frame", &WillisFrame::spans},
+              {"points_covered", "Points covered", &WillisFrame::points_covered},
+              {"prepare_ms", "Model made", "ms", &prepare_ms, 2, host_time},
+              {"order_us", "Distances and sort", "us", &order_us, 1, host_time},
+              {"order_us_per_1000", "per 1,000 pieces", "us",
+               [](const WillisFrame& f) { return 1000 * order_us(f).value_or(0) / static_cast<double>(f.pieces); }, 1, host_time},
+              {"frame_ms", "Frame, display emulated", "ms", &frame_ms, 2, host_time},
+              {"frames_per_s", "Rate", "frames/s", &rate, 0, host_time}},
+             {.notes = std::move(notes)});
+}
+
+void add_rule90_table(Page& page, const WillisTimes& times, const WillisOrder& order) {
+  const auto cut = where(order.models, [](const WillisModel& m) { return m.boundary == "ball" && m.depth == deepest_cuts; });
+  const auto by_rule = where(cut, &WillisModel::rule90);
+  const std::uint64_t wrong_by_rule = sum(by_rule, &WillisModel::lines_wrong);
+  const std::size_t left_over = sum(by_rule, &WillisModel::left_over);
+  const auto whole = where(order.models, [](const WillisModel& m) { return m.left_over == 0 && !m.rule90; });
+  const std::uint64_t wrong_lines = sum(whole, &WillisModel::lines_wrong);
+  const std::uint64_t wrong_points = sum(whole, &WillisModel::points_wrong);
+  page.table(
+      "willis-rule90", "Willis: the rule that normals be within 90 degrees", cut,
+      {{"scene", "Scene", &WillisModel::scene},
+       {"rule90", "Rule", &WillisModel::rule},
+       {"tests", "Boundaries tested", "pairs", &WillisModel::tests},
+       {"clusters", "Clusters", "pairs", &WillisModel::clusters},
+       {"pieces", "Pieces", &WillisModel::pieces},
+       {"left_over", "Left over", "pairs", &WillisModel::left_over},
+       {"lines", "Sight lines with two surfaces", &WillisModel::lines},
+       {"lines_wrong", "Wrong", &WillisModel::lines_wrong},
+       {"points", "Points of pictures", &WillisModel::points},
+       {"points_wrong", "Wrong", &WillisModel::points_wrong},
+       {"prepare_ms", "Model made", "ms", [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; }, 2,
+        host_time}},
+      {.notes = {
+           "With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that should have been "
+           "are not. " +
+               page.claim(wrong_by_rule > 0 && left_over == 0,
+                          fmt::format("{} sight lines are wrong with it though no pair is left over.", shown(wrong_by_rule)),
+                          fmt::format("{} pairs are left over", left_over)) +
+               " " +
+               page.claim(wrong_lines == 0 && wrong_points == 0, "Without it nothing is wrong where no pair is left over.",
+                          fmt::format("{} lines and {} points are", wrong_lines, wrong_points)),
+           fmt::format("Sight lines start at random places in and around the scene, a random corner stands for each piece; {0} "
+                       "pictures are of {1} by {1} points from places within it, points within 0.75 of an edge left out.",
+                       WillisOrder::eyes, WillisOrder::points_a_side)}});
 }
 
 }  // namespace
 
-Records willis_times(const Context& context) {
-  Records records;
-  records["display"].add({{"frames_per_s", 1e9 / static_cast<double>(display::frame.count())},
-                          {"scan_lines", display::frame / display::line},
-                          {"line_us", static_cast<double>(display::line.count()) / 1e3},
-                          {"shown_lines", display::lines},
-                          {"frame_ms", static_cast<double>(display::frame.count()) / 1e6}});
-  records["models"] = RowSet({"scene", "boundary", "rule90", "depth", "prepare_us", "order_us"});
+const WillisModelTime& WillisTimes::of(const WillisModel& model, const WillisOrder& order) const {
+  return models.at(static_cast<std::size_t>(&model - order.models.data()));
+}
+
+WillisTimes willis_times(const Context& context) {
+  WillisTimes measured;
+  measured.display = {1e9 / static_cast<double>(display::frame.count()), display::frame / display::line,
+                      static_cast<double>(display::line.count()) / 1e3, display::lines,
+                      static_cast<double>(display::frame.count()) / 1e6};
   std::vector<WillisScene> scenes{
       {"prisms-35", scene::generate_prisms(35), true}, prisms_in_space(),
       {"boxes-30", scene::generate_boxes(30), false},  {"touch-3", scene::generate_touch(3), false},
@@ -126,13 +268,41 @@ Records willis_times(const Context& context) {
   std::list<Flight> flights;
   for (WillisScene& scene : scenes) {
     context.progress(fmt::format("Willis: {}", scene.title()));
-    add_frame(records["frames"], flights.emplace_back(std::move(scene)));
+    measured.frames.push_back(frame_of(flights.emplace_back(std::move(scene))));
   }
-  if (!context.host_times) return records;
+  if (!context.host_times) return measured;
   context.progress("Willis, timed");
-  time_frames(records["frames"], flights, context.full ? 31 : 5);
-  time_models(records["models"], context.full ? 9 : 3);
-  return records;
+  time_frames(measured.frames, flights, context.full ? 31 : 5);
+  measured.models = model_times(context.full ? 9 : 3);
+  return measured;
+}
+
+void willis_timing(Page& page, const WillisTimes& times, const WillisOrder& order) {
+  add_claims(page, times, order);
+  page.table(
+      "willis-areas", "Willis: areas of the boundaries of a wall of length L", order.areas,
+      {{"boundary", "Boundary", &WillisArea::boundary},
+       {"area", "Formula", "L^2", &WillisArea::area, 4},
+       {"counted", "Counted", "L^2", &WillisArea::counted, 4},
+       {"smaller_percent", "Less than the oval", "%", &WillisArea::smaller_percent, 2},
+       {"agree", "Comparison",
+        [](const WillisArea& a) {
+          return std::abs(a.counted / a.area - 1) <= 0.002 ? Verdict{true, "equal within 0.2 %"} : Verdict{false, "differs"};
+        }}},
+      {.folded = true});
+  add_scenes_table(page, times);
+  page.gallery("willis-pictures", fmt::format("Willis: {}, wrong points in red", order.pictures.front().scene), order.pictures,
+               [](const WillisPicture& p) {
+                 return figure(p.picture, fmt::format("willis-depth-{}", p.depth),
+                               p.depth == 0   ? "nothing cut"
+                               : p.depth == 1 ? "cut once"
+                                              : fmt::format("cut up to {} times", p.depth),
+                               fmt::format("{} pieces, {} pairs left over; points wrong: {} inside faces, {} at edges",
+                                           shown(p.pieces), shown(p.left_over), shown(p.wrong_inside), shown(p.wrong_at_edges)),
+                               fmt::format("A town of turned houses from within; {} points in red",
+                                           shown(p.wrong_inside + p.wrong_at_edges)));
+               });
+  add_rule90_table(page, times, order);
 }
 
 }  // namespace sightline::report

@@ -32,7 +32,7 @@ class HelpCommand : public sightline::test::CommandLine {
 };
 
 TEST_F(HelpCommand, NamesEveryOption) {
-  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "spin", "stripes", "turn", "flight", "sweep", "demo", "--version"});
+  expect_help({}, {"asm", "disasm", "run", "scene", "jones", "skala", "draw", "spin", "stripes", "turn", "flight", "sweep", "atlas", "demo", "hard", "--version"});
   expect_help({"asm", "pdp7"},
               {"SOURCE", "-D", "-o", "--format", "rim", "hri", "octal", "--listing", "--symbols"});
   expect_help({"disasm", "pdp7"}, {"FILE", "-o"});
@@ -96,13 +96,16 @@ TEST_F(HelpCommand, NamesEveryOption) {
               {"GRID", "--function", "--domain", "--x-range", "--y-range", "--xyz", "--layout", "--axes", "--aspect", "--stretch", "--title", "--labels", "--floor", "--colours", "--slices", "--points", "--picture", "--along", "--rotate",
                "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels", "--json"});
   expect_help({"compare"},
-              {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "guest", "twin", "native"});
+              {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "--fraction", "--methods", "--views", "--seed", "--no-host-times", "guest", "twin", "native"});
   expect_help({"stripes"}, {"SCENE", "--device", "raster", "calcomp", "--stripes", "--priority", "host", "--json", "Montani"});
   expect_help({"flight"}, {"SCENE", "--bits", "--plan", "--pieces", "--frames", "Willis"});
   expect_help({"turn"}, {"MODEL", "--no-eae", "--memory", "--frames", "--level", "Plantinga"});
   expect_help({"spin"}, {"SCENE", "--size", "--pixels", "--events", "Plantinga"});
   expect_help({"draw"}, {"exact", "jones", "skala", "oracle"});
   expect_help({"skala", "lines"}, {"--rotate", "-o"});
+  expect_help({"hard"}, {"CASE", "--list", "--json", "-o"});
+  expect_help({"atlas"}, {"SCENE", "--lattice", "--height", "--views", "--seed", "--eae", "--no-eae", "--fraction", "--jobs", "-o",
+                          "--json", "mask corner"});
   expect_help({"sweep"}, {"SCENE", "--views", "--seed", "--shard", "--algorithm", "--guest", "--eae",
                           "--no-eae", "--time", "--jobs", "-o", "parallel", "sbatch"});
 }

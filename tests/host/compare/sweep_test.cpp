@@ -261,6 +261,7 @@ TEST(SweepTable, CountsWhatDiffers) {
   EXPECT_TRUE(differs(line(R"({"jones":{)" + measures + R"(,"defect":"word 3"}})")));
   EXPECT_TRUE(differs(line(R"({"error":"no"})")));
   EXPECT_FALSE(differs(line(R"({"jones":{"not_applicable":"no"}})")));
+  EXPECT_TRUE(differs(line(R"({"jones-pdp7":{"not_applicable":"no lines","defect":"word 3"}})")));
 }
 
 // A view's measures are those that `compare` has of the same camera, whose truth is the slow oracle.

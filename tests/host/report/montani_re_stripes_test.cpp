@@ -7,14 +7,19 @@
 #include <cmath>
 
 #include "host/report/experiments/montani_re_growth.hpp"
-#include "host/report/hard_cases/montani_re_pixels.hpp"
+#include "host/compare/hard_cases/montani_re_pixels.hpp"
 
 namespace sightline::report {
 namespace {
 
 TEST(MontaniReGrowth, ExponentsOfPowersAreTheirs) {
-  EXPECT_NEAR(growth_exponent({{1, 5}, {10, 50 * std::sqrt(10)}, {100, 5000}}), 1.5, 1e-12);
-  EXPECT_EQ(growth_exponent({{1, 5}}), 0);
+  EXPECT_NEAR(growth_exponent({{1, 5}, {10, 50 * std::sqrt(10)}, {100, 5000}}, 3).value(), 1.5, 1e-12);
+}
+
+TEST(MontaniReGrowth, FewPointsHaveNoExponent) {
+  EXPECT_FALSE(growth_exponent({{1, 5}}, 2));
+  EXPECT_FALSE(growth_exponent({{1, 5}, {10, 0}, {100, 0}}, 2)) << "points of 0 are left out";
+  EXPECT_NEAR(growth_exponent({{1, 5}, {10, 0}, {100, 500}}, 2).value(), 1, 1e-12);
 }
 
 TEST(MontaniReStripes, TheBoundaryOfARectangleIsItsSides) {
@@ -24,7 +29,7 @@ TEST(MontaniReStripes, TheBoundaryOfARectangleIsItsSides) {
   constexpr std::int64_t pixel = 65536;
   const StripeBand band{0, 16, {{2 * pixel, 2 * pixel}, {5 * pixel, 5 * pixel}}};
   StripePcs pcs{3, {{band}, {band}}};
-  EXPECT_DOUBLE_EQ(report::square_pixels(pcs, 16), 6);
+  EXPECT_DOUBLE_EQ(compare::square_pixels(pcs, 16), 6);
   double length = 0;
   double lowest = 1e9;
   const auto boundary = boundary_of(pcs, 16);
@@ -43,27 +48,31 @@ TEST(MontaniReStripes, TheBoundaryOfARectangleIsItsSides) {
 
 TEST(MontaniReStripes, ErrorFallsWithThicknessAndIsNothingForTheExactBuild) {
   // Nothing in it is lower than half a stripe: that would be lost.
-  const Records records =
-      measure_stripes({.scenes = {"boxes"}, .scene_size = 8, .raster = 128, .rounds = 0}, {});
-  const RowSet& rows = records.at("stripes");
-  ASSERT_EQ(rows.size(), 7U);
-  const auto at = [&rows](std::size_t row, std::string_view key) {
-    return rows.at(row, key).number().value();
-  };
-  for (std::size_t row = 0; row < 6; ++row) {
-    EXPECT_GT(at(row, "true_length_px"), 500);
-    EXPECT_GT(at(row, "h_usual_stripes"), 0.1) << row;
-    EXPECT_LT(at(row, "h_usual_px"), 0.5 * at(row, "thickness_px") + 0.01) << row;
-    if (at(row, "thickness_px") > 1) continue;
-    EXPECT_EQ(at(row, "pmr_inside_percent"), 0) << row;
-    EXPECT_EQ(at(row, "l_sym_percent"), 0) << row;
+  const auto measured = measure_stripes({.scenes = {"boxes"}, .scene_size = 8, .raster = 128, .rounds = 0}, {});
+  const std::vector<StripesPicture>& pictures = measured.pictures;
+  ASSERT_EQ(pictures.size(), stripe_units.size() + 1);
+  for (std::size_t i = 0; i < stripe_units.size(); ++i) {
+    const StripesPicture& p = pictures[i];
+    ASSERT_TRUE(p.in_stripes());
+    EXPECT_GT(p.true_length_px, 500);
+    EXPECT_GT(p.h_usual_stripes().value(), 0.1) << i;
+    EXPECT_LT(p.h_usual_px, 0.5 * *p.thickness_px + 0.01) << i;
+    if (*p.thickness_px > 1) continue;
+    EXPECT_EQ(p.pmr_inside_percent, 0) << i;
+    EXPECT_EQ(p.l_sym_percent, 0) << i;
   }
-  EXPECT_GT(at(0, "l_sym_percent"), 1);
-  EXPECT_GT(at(0, "pmr_percent"), 8 * at(5, "pmr_percent"));
-  EXPECT_NEAR(at(5, "sides") / at(4, "sides"), 2, 0.1);
-  EXPECT_TRUE(rows.at(6, "thickness_px").missing());
-  EXPECT_EQ(at(6, "pmr_percent"), 0);
-  EXPECT_LT(at(6, "h_px"), 1e-6);
+  EXPECT_GT(pictures[0].l_sym_percent, 1);
+  EXPECT_GT(pictures[0].pmr_percent, 8 * pictures[5].pmr_percent);
+  EXPECT_NEAR(static_cast<double>(pictures[5].sides) / static_cast<double>(pictures[4].sides), 2, 0.1);
+  const StripesPicture& exact = pictures.back();
+  EXPECT_FALSE(exact.in_stripes());
+  EXPECT_FALSE(exact.h_usual_stripes());
+  EXPECT_EQ(exact.pmr_percent, 0);
+  EXPECT_LT(exact.h_px, 1e-6);
+  EXPECT_FALSE(exact.view_ms) << "no times were asked for";
+  ASSERT_EQ(measured.exponents.size(), 1U);
+  EXPECT_NEAR(measured.exponents[0].sides.value(), -1, 0.1) << "half the thickness, twice the sides";
+  EXPECT_FALSE(measured.exponents[0].view_ms);
 }
 
 }  // namespace

@@ -4,11 +4,15 @@
 #include <utility>
 
 #include "host/algorithms/willis/model.hpp"
-#include "host/report/hard_cases/willis_views.hpp"
+#include "host/compare/hard_cases/willis_views.hpp"
 #include "host/scene/generate/scene.hpp"
 
 namespace sightline::report {
 namespace {
+
+using compare::FaceErrors;
+using compare::TrueFaces;
+using compare::cameras_around;
 
 namespace willis = algorithms::willis;
 

@@ -1,4 +1,4 @@
-// The inputs of the hard cases (host/report/hard_cases/data), for tests of an algorithm's insides: what the
+// The inputs of the hard cases (host/compare/hard_cases/data), for tests of an algorithm's insides: what the
 // report shows of such a case is the name of its test, which reads the same file.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace sightline::scene {
 
 inline std::string hard_case_text(const std::string& file) {
-  std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/report/hard_cases/data/" + file, std::ios::binary);
+  std::ifstream stream(SIGHTLINE_SOURCE_DIR "/host/compare/hard_cases/data/" + file, std::ios::binary);
   EXPECT_TRUE(stream) << file;
   return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -77,6 +77,12 @@ PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scen
   return run_in(LongWords(precision.word_bits, precision.fraction_bits, precision.truncate));
 }
 
+PreciseView run_mixed(std::span<const core::Word18> core, std::uint32_t scene_header, const Parameters& parameters,
+                      const std::array<bool, roundings>& of_machine, bool convex_masks) {
+  return view_of(core, scene_header, parameters,
+                 MixedWords(parameters.fraction_bits, parameters.truncate, of_machine, convex_masks));
+}
+
 std::vector<std::optional<SceneLine>> lines_by_address(const EncodedScene& scene,
                                                        std::span<const core::Word18> core) {
   std::vector<std::optional<SceneLine>> lines(core_words);

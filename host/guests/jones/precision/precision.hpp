@@ -7,6 +7,7 @@
 // limits of the machine's core (stack, display file, 8192 words) stay as they are.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -63,6 +64,11 @@ struct PreciseView {
 // precision: possible.
 [[nodiscard]] PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scene_header,
                                         const Parameters& parameters, const Precision& precision);
+
+// The same with the machine's words, or with 8 fraction bits, for each rounding: true is the machine's own, of the
+// parameters' fraction_bits and truncate.
+[[nodiscard]] PreciseView run_mixed(std::span<const core::Word18> core, std::uint32_t scene_header, const Parameters& parameters,
+                                    const std::array<bool, roundings>& of_machine, bool convex_masks = false);
 
 // A scene in core without the program, its header at 0, and which line each vector word represents.
 struct SceneInCore {

@@ -142,6 +142,9 @@ auto MaskClip<Number>::intersect(const BasicMask<Coordinate>& mask, std::span<co
     const auto outcome = clip_at(at, polygon, operations_.mask_sloped);
     if (outcome != MaskOutcome::visible) return {outcome, {}};
   }
+  if constexpr (requires { number_.convex_masks(); }) {
+    if (number_.convex_masks()) polygon.drop_hollow_corners();
+  }
   const BasicMask<Coordinate> result = mask_around(polygon.points());
   if (result.xlo == result.xhi || result.ylo == result.yhi) return {};
   if (sloped_edges(result) > 0 && doubled_area(result.ring()) <= 0) return {};
@@ -150,6 +153,7 @@ auto MaskClip<Number>::intersect(const BasicMask<Coordinate>& mask, std::span<co
 
 template class MaskClip<ShortWords>;
 template class MaskClip<LongWords>;
+template class MaskClip<MixedWords>;
 template class MaskClip<SingleFloat>;
 template class MaskClip<DoubleFloat>;
 

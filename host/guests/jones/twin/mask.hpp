@@ -91,6 +91,20 @@ class BasicPolygonBuilder {
   void close() {
     if (count_ > 1 && points_[count_ - 1] == points_.front()) --count_;
   }
+  // Leaves the corners at which a counter-clockwise ring turns to the left, if there are three.
+  void drop_hollow_corners() {
+    for (std::size_t i = 0, straight = 0; count_ > 3 && straight < count_; i = (i + 1) % count_) {
+      const Point a = points_[(i + count_ - 1) % count_], b = points_[i], c = points_[(i + 1) % count_];
+      const auto turn = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+      ++straight;
+      if (turn > 0) continue;
+      std::copy(points_.begin() + static_cast<std::ptrdiff_t>(i) + 1, points_.begin() + static_cast<std::ptrdiff_t>(count_),
+                points_.begin() + static_cast<std::ptrdiff_t>(i));
+      --count_;
+      straight = 0;
+      i = (i + count_ - 1) % count_;
+    }
+  }
   void reverse() { std::reverse(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count_)); }
   [[nodiscard]] std::span<const Point> points() const { return std::span(points_).first(count_); }
 
@@ -156,6 +170,7 @@ class MaskClip {
 };
 extern template class MaskClip<ShortWords>;
 extern template class MaskClip<LongWords>;
+extern template class MaskClip<MixedWords>;
 extern template class MaskClip<SingleFloat>;
 extern template class MaskClip<DoubleFloat>;
 

@@ -10,7 +10,9 @@
 // Coordinates in space are integers everywhere: the data are.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -147,6 +149,52 @@ class FloatingPoint {
 
 using ShortWords = FixedPoint<std::int32_t, std::int64_t>;     // up to 30 bits; the machine's own
 using LongWords = FixedPoint<std::int64_t, geometry::Int128>;  // up to 36 bits
+
+// The roundings of a view on the screen: where the ends of its lines lie, the corners of its openings, and the
+// corners that masks get where they cut each other.
+enum class Rounding : std::uint8_t { line_ends, opening_corners, mask_corners };
+inline constexpr int roundings = 3;
+
+// Words of 36 bits with 8 fraction bits, in which chosen roundings are those of the machine: a quotient is a multiple
+// of the machine's unit, and a ratio has 17 bits. With all of them the pieces are the machine's; with some, a
+// difference in the picture is caused by these. Statuses are those of 36 bits.
+class MixedWords : public LongWords {
+ public:
+  static constexpr int fine_bits = 8;
+
+  // machine_bits: fraction bits of the machine, 0..3.
+  // convex_masks: corners at which rounding has made a mask hollow are left out of it.
+  MixedWords(int machine_bits, bool truncate, const std::array<bool, roundings>& of_machine, bool convex_masks = false)
+      : LongWords(36, fine_bits, truncate),
+        unit_(std::int64_t{1} << (fine_bits - machine_bits)),
+        of_machine_(of_machine),
+        convex_masks_(convex_masks) {}
+
+  [[nodiscard]] bool convex_masks() const { return convex_masks_; }
+
+  // What follows rounds these numbers of the view.
+  void enter(Rounding rounding) { coarse_ = of_machine_[static_cast<std::size_t>(rounding)]; }
+
+  [[nodiscard]] std::optional<std::int64_t> muldiv(std::int64_t a, std::int64_t b, std::int64_t c) const {
+    if (!coarse_) return LongWords::muldiv(a, b, c);
+    const Distance dividend = Distance{a} * b + (truncate() ? Distance{0} : Distance{c / 2} * unit_);
+    return static_cast<std::int64_t>(dividend / (Distance{c} * unit_)) * unit_;
+  }
+  [[nodiscard]] Share<std::int64_t> share_of(Distance dp, Distance dq) {
+    Share<std::int64_t> share = LongWords::share_of(dp, dq);
+    while (coarse_ && share.den >= std::int64_t{1} << (machine_word_bits - 1)) {
+      share.num >>= 1;
+      share.den >>= 1;
+    }
+    return share;
+  }
+
+ private:
+  std::int64_t unit_;
+  std::array<bool, roundings> of_machine_;
+  bool convex_masks_;
+  bool coarse_ = false;
+};
 using SingleFloat = FloatingPoint<float>;
 using DoubleFloat = FloatingPoint<double>;
 

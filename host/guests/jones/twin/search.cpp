@@ -13,6 +13,12 @@ using core::Word18;
 constexpr Word18 no_openings{0400000};
 constexpr std::uint32_t no_entry = 0777777;
 
+// Only numbers that round each in another way need to know.
+template <class Number>
+void enter(Number& number, Rounding rounding) {
+  if constexpr (requires { number.enter(rounding); }) number.enter(rounding);
+}
+
 }  // namespace
 
 template <class Number>
@@ -134,6 +140,7 @@ bool Search<Number>::draw(const SpaceSegment& moved, Axis axis, std::uint32_t ve
   const auto part = seg3(moved, axis, window_.bound_factor, number_.largest());
   if (!part) return true;
   BasicScreenSegment<Coordinate> line;
+  enter(number_, Rounding::line_ends);
   if (!project_point(part->p, line.a) || !project_point(part->q, line.b)) return false;
   ++view_.counts.lines_clipped;
   const auto left = MaskClip(number_, view_.counts.operations).clip2(levels_.back().mask, line);
@@ -206,6 +213,7 @@ bool Search<Number>::scan(const Chain& ring, bool towards_higher, RingScan& fact
 template <class Number>
 bool Search<Number>::append_corner(Outline& outline, const SpacePoint& corner) {
   Point projected;
+  enter(number_, Rounding::opening_corners);
   if (!project_point(corner, projected)) return false;
   return outline.polygon.append(projected) || fail(Status::too_many_mask_vertices);
 }
@@ -221,6 +229,7 @@ template <class Number>
 bool Search<Number>::go_through(std::uint32_t far_cell, std::uint32_t element, PolygonBuilder& polygon,
                                 bool counter_clockwise) {
   if (!counter_clockwise) polygon.reverse();
+  enter(number_, Rounding::mask_corners);
   const auto seen =
       MaskClip(number_, view_.counts.operations).intersect(levels_.back().mask, polygon.points());
   if (!sound()) return false;
@@ -237,6 +246,7 @@ bool Search<Number>::go_through(std::uint32_t far_cell, std::uint32_t element, P
 
 template class Search<ShortWords>;
 template class Search<LongWords>;
+template class Search<MixedWords>;
 template class Search<SingleFloat>;
 template class Search<DoubleFloat>;
 

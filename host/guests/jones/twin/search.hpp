@@ -107,6 +107,7 @@ class Search {
 
 extern template class Search<ShortWords>;
 extern template class Search<LongWords>;
+extern template class Search<MixedWords>;
 extern template class Search<SingleFloat>;
 extern template class Search<DoubleFloat>;
 

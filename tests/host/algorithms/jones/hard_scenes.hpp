@@ -1,5 +1,5 @@
 // Scenes with their cells and openings for hard cases that need more than a picture and counts. J1 to J17 as
-// such, with their inputs, are data of the report (host/report/hard_cases/data) and tested there.
+// such, with their inputs, are data of the report (host/compare/hard_cases/data) and tested there.
 //
 // The eye is at the origin and looks along z. Corridor: cell 0 is z -100..100, cell i is z 100i..100(i+1), x
 // and y at most 50; between cells i-1 and i a wall with a portal at z = 100i. Walls are sheets; the outer box

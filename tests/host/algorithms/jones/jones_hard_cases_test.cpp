@@ -1,4 +1,4 @@
-// Hard cases of native Jones beyond the report's (host/report/hard_cases/data): other ways to look,
+// Hard cases of native Jones beyond the report's (host/compare/hard_cases/data): other ways to look,
 // other ways to say the same opening, and what cannot be looked at.
 #include <gtest/gtest.h>
 

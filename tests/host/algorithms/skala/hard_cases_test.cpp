@@ -1,5 +1,5 @@
 // The hard cases S1 to S16 of a floating horizon as lines: small grids, flat and end-on surfaces, equal
-// heights, holes, cliffs. Their dots are in the report (host/report/hard_cases/data/manifest.json).
+// heights, holes, cliffs. Their dots are in the report (host/compare/hard_cases/data/manifest.json).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ scene::HeightGrid grid_of(std::size_t points, std::size_t slices, std::vector<do
 }
 
 scene::HeightGrid hard_case_grid(const std::string& file) {
-  const auto read = scene::load_height_grid(SIGHTLINE_SOURCE_DIR "/host/report/hard_cases/data/" + file);
+  const auto read = scene::load_height_grid(SIGHTLINE_SOURCE_DIR "/host/compare/hard_cases/data/" + file);
   if (!read) {
     ADD_FAILURE() << read.error().message();
     return {};

@@ -168,6 +168,23 @@ TEST(WillisModel, LimitsAreNamed) {
   EXPECT_EQ(reasons({.pieces = 6}), ResidualReason::pieces);
 }
 
+// The bound is on the number that a model without it counts.
+TEST(WillisModel, MoreTestsThanTheLimitAreRefused) {
+  const scene::PolyScene scene = scene::generate_boxes(20);
+  ModelOptions options;
+  const auto whole = make_model(scene, options);
+  ASSERT_TRUE(whole);
+  options.limits.tests = whole->tests;
+  const auto at_limit = make_model(scene, options);
+  ASSERT_TRUE(at_limit);
+  EXPECT_EQ(at_limit->pieces.size(), whole->pieces.size());
+  options.limits.tests = 5;
+  const auto beyond = make_model(scene, options);
+  ASSERT_FALSE(beyond);
+  EXPECT_NE(beyond.error().message().find(" pieces to be kept apart by cuts, expected at most 5 pairs"), std::string::npos)
+      << beyond.error().message();
+}
+
 TEST(WillisModel, ResidualNamesTheFaces) {
   scene::PolyBuilder builder;
   builder.add_box("left", {0, 0, 0}, {100, 100, 100});

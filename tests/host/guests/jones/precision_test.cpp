@@ -48,6 +48,32 @@ TEST_P(JonesPrecision, EighteenBitsAreTheTwin) {
   }
 }
 
+// With all roundings of the machine the pieces are the machine's; with none they are those of 36 bits.
+TEST_P(JonesPrecision, MixedWordsAreThoseOfTheirRoundings) {
+  const SceneInCore scene = in_core(GetParam());
+  const auto expect_same = [](const PreciseView& a, const PreciseView& b) {
+    ASSERT_EQ(a.pieces.size(), b.pieces.size());
+    for (std::size_t i = 0; i < a.pieces.size(); ++i) {
+      EXPECT_EQ(a.pieces[i].vector_address, b.pieces[i].vector_address);
+      EXPECT_EQ(a.pieces[i].line.x0, b.pieces[i].line.x0);
+      EXPECT_EQ(a.pieces[i].line.y0, b.pieces[i].line.y0);
+      EXPECT_EQ(a.pieces[i].line.x1, b.pieces[i].line.x1);
+      EXPECT_EQ(a.pieces[i].line.y1, b.pieces[i].line.y1);
+    }
+  };
+  for (int f = 0; f <= 3; ++f) {
+    for (const bool truncate : {false, true}) {
+      Parameters parameters = default_parameters(scene.core, 0);
+      parameters.fraction_bits = f;
+      parameters.truncate = truncate;
+      expect_same(run_mixed(scene.core, 0, parameters, {true, true, true}),
+                  run_precisely(scene.core, 0, parameters, {NumberKind::fixed_point, 18, f, truncate}));
+      expect_same(run_mixed(scene.core, 0, parameters, {false, false, false}),
+                  run_precisely(scene.core, 0, parameters, {NumberKind::fixed_point, 36, 8, truncate}));
+    }
+  }
+}
+
 // The two widths of integers behind the words must not show.
 TEST_P(JonesPrecision, LongAndShortWordsCalculateAlike) {
   const SceneInCore scene = in_core(GetParam());

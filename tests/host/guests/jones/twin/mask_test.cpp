@@ -256,5 +256,20 @@ TEST(JonesMask, CountsItsSlopedEdges) {
   EXPECT_EQ(sloped_edges(mask_of({{0, 0}, {100, -50}, {100, 200}, {0, 100}})), 2);
 }
 
+// Of a square, a corner in the middle of a side and one that is drawn in are left out, wherever the ring begins.
+TEST(JonesMask, CornersThatDoNotTurnLeftAreLeftOut) {
+  const std::vector<ScreenPoint> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  const std::vector<ScreenPoint> ring{{0, 0}, {4, 0}, {8, 0}, {7, 4}, {8, 8}, {0, 8}};
+  for (std::size_t first = 0; first < ring.size(); ++first) {
+    PolygonBuilder polygon;
+    for (std::size_t i = 0; i < ring.size(); ++i) EXPECT_TRUE(polygon.append(ring[(first + i) % ring.size()]));
+    polygon.drop_hollow_corners();
+    ASSERT_EQ(polygon.points().size(), square.size());
+    EXPECT_TRUE(std::is_permutation(square.begin(), square.end(), polygon.points().begin()));
+    for (std::size_t i = 0; i < square.size(); ++i)
+      EXPECT_GT(turn(polygon.points()[i], polygon.points()[(i + 1) % 4], polygon.points()[(i + 2) % 4]), 0);
+  }
+}
+
 }  // namespace
 }  // namespace sightline::guests::jones

@@ -1,0 +1,310 @@
+// See cross_check_machines.hpp.
+#include "host/compare/cross_check_machines.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "host/algorithms/registry/heights.hpp"
+#include "host/algorithms/registry/lines.hpp"
+#include "host/compare/device_raster.hpp"
+#include "host/compare/lines.hpp"
+#include "host/guests/jones/precision/precision.hpp"
+#include "host/guests/jones/session.hpp"
+#include "host/picture/line_metrics_near.hpp"
+
+namespace sightline::compare {
+namespace {
+
+namespace jones = guests::jones;
+namespace skala = guests::skala;
+using picture::PixelGrid;
+using picture::PixelPoint;
+using picture::PixelSegment;
+
+constexpr double spacing = 0.25;  // of places along a line, as Hausdorff distances have it
+
+// The greatest distance of any place of `from` from `to`.
+double farthest(const std::vector<PixelSegment>& from, const std::vector<PixelSegment>& to) {
+  const picture::NearestSegment near(to);
+  std::uint32_t nearest = 0;
+  double greatest = 0;
+  for (const auto& [a, b] : from) {
+    const int steps = static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y) / spacing));
+    for (int i = 0; i <= steps; ++i) {
+      const double share = steps == 0 ? 0 : static_cast<double>(i) / steps;
+      greatest = std::max(greatest, near.distance({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}, nearest));
+    }
+  }
+  return greatest;
+}
+
+double apart(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
+  return std::max(farthest(a, b), farthest(b, a));
+}
+
+// A verdict of distances: each within its bound.
+class Distances {
+ public:
+  void add(std::string what, double found, double bound) {
+    verdict_.agrees = verdict_.agrees && found <= bound;
+    verdict_.text += fmt::format("{}{} {:.3g} of {:.3g}", verdict_.text.empty() ? "" : ", ", what, found, bound);
+    verdict_.distances.push_back({std::move(what), found, bound});
+  }
+  void fail(const std::string& text) {
+    verdict_.agrees = false;
+    verdict_.text += (verdict_.text.empty() ? "" : ", ") + text;
+  }
+  [[nodiscard]] ViewVerdict take() { return std::move(verdict_); }
+
+ private:
+  ViewVerdict verdict_{true, "points", {}, {}};
+};
+
+// --- Jones
+
+constexpr int most_on_machine = 3;
+constexpr std::array bits_of_longer_words{4, 6, 8};
+constexpr int longer_word = 24;
+constexpr double screen_centre = 512;
+
+// Lines between points, from the pieces as they left the clip.
+std::vector<PixelSegment> on_points(const jones::View& view, int fraction_bits) {
+  const jones::ShortWords number(jones::machine_word_bits, fraction_bits);
+  const auto place = [&number](const jones::ScreenPoint& p) {
+    return PixelPoint{number.point(p.x) + screen_centre, number.point(p.y) + screen_centre};
+  };
+  std::vector<PixelSegment> lines;
+  for (const jones::Piece& piece : view.pieces) lines.push_back({place(piece.line.a), place(piece.line.b)});
+  return lines;
+}
+
+std::vector<PixelSegment> flashes_of(const std::vector<core::Stroke>& pass) {
+  std::vector<PixelSegment> flashes;
+  for (const core::Stroke& stroke : pass) {
+    const PixelPoint place{static_cast<double>(stroke.x), static_cast<double>(stroke.y)};
+    flashes.push_back({place, place});
+  }
+  return flashes;
+}
+
+// One view by the program, assembled with that eye.
+base::Result<jones::CheckedRun> run_of(const CommonScene& scene, const geometry::Point& eye, bool eae, int fraction_bits) {
+  jones::ProgramOptions options;
+  options.eae = eae;
+  options.fraction_bits = static_cast<std::uint32_t>(fraction_bits);
+  options.tape.view = eye;
+  const auto session = jones::Session::of(*scene.cells, options);
+  if (!session) return session.error();
+  jones::GuestOptions of_guest;
+  of_guest.views = 1;
+  return session->run(of_guest);
+}
+
+JonesPicture picture_of(const CommonScene& scene, const geometry::Point& eye, int fraction_bits) {
+  JonesPicture made;
+  made.words.fraction_bits = fraction_bits;
+  made.bound = jones_line_bound(jones_piece_bound(*scene.cells, eye, made.words), made.words);
+  return made;
+}
+
+// What a picture of the scene's wires shows on the screen of the Type 340.
+std::vector<PixelSegment> on_screen(const CommonScene& scene, const CrossCheckView& view, const picture::LinePicture& lines) {
+  const auto chosen = scene.matter->lines_at(view.camera.eye);
+  return visible_segments(ImageLines(lines, scene.scene, view.camera, ScreenFrame{}, &chosen).lines());
+}
+
+// --- Skala
+
+// Dots with ink that have one without beside them.
+std::vector<PixelSegment> border_of(const PixelGrid& dots) {
+  const auto inked = [&](int column, int row) {
+    return column >= 0 && row >= 0 && column < dots.width && row < dots.height && dots.at(column, row) != 0;
+  };
+  std::vector<PixelSegment> border;
+  for (int row = 0; row < dots.height; ++row) {
+    for (int column = 0; column < dots.width; ++column) {
+      const PixelPoint place{static_cast<double>(column), static_cast<double>(row)};
+      if (inked(column, row) &&
+          !(inked(column - 1, row) && inked(column + 1, row) && inked(column, row - 1) && inked(column, row + 1)))
+        border.push_back({place, place});
+    }
+  }
+  return border;
+}
+
+// Distances of ink and lines. Devices that have the same ink are measured once.
+class InkDistances {
+ public:
+  // The bounds are multiplied.
+  void add(Distances& to, const SkalaInk& ink, const std::vector<PixelSegment>& lines, double bounds_times) {
+    auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) {
+      return k.lines == &lines && shows_lines(*k.ink) == shows_lines(ink) &&
+             skala::is_raster(k.ink->device) == skala::is_raster(ink.device) && k.ink->dots == ink.dots;
+    });
+    const InkBounds bounds = ink_bounds(ink);
+    if (known == known_.end()) {
+      const double of_ink = farthest(shows_lines(ink) ? ink.ink : border_of(ink.dots), lines);
+      known = known_.insert(known_.end(), {&ink, &lines, of_ink, bounds.of_lines ? farthest(lines, ink.ink) : 0});
+    }
+    to.add(name_of(ink) + (shows_lines(ink) ? ": ink" : ": border"), known->of_ink, bounds.of_ink * bounds_times);
+    if (bounds.of_lines) to.add(name_of(ink) + ": lines", known->of_lines, *bounds.of_lines * bounds_times);
+  }
+
+ private:
+  struct Known {
+    const SkalaInk* ink;
+    const std::vector<PixelSegment>* lines;
+    double of_ink;
+    double of_lines;
+  };
+  std::vector<Known> known_;
+};
+
+std::vector<PixelSegment> lines_of(const picture::VectorDrawing& drawing) {
+  std::vector<PixelSegment> lines;
+  for (const picture::DrawingLine& line : drawing.lines) {
+    const auto place = [&](std::uint32_t i) {
+      return PixelPoint{drawing.points[line.first + i].x, drawing.points[line.first + i].y};
+    };
+    for (std::uint32_t i = 0; i < std::max(line.count, 2U) - 1; ++i)
+      lines.push_back({place(i), place(std::min(i + 1, line.count - 1))});
+  }
+  return lines;
+}
+
+}  // namespace
+
+base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, const CrossCheckView& view, bool eae) {
+  std::vector<JonesPicture> builds;
+  for (int bits = 0; bits <= most_on_machine; ++bits) {
+    const auto run = run_of(scene, view.camera.eye, eae, bits);
+    if (!run) return run.error();
+    if (run->guest.timed_out || run->guest.views.empty()) return base::fail("the program on the PDP-7 did not complete a view");
+    if (!run->difference.empty())
+      return base::fail(fmt::format("{} fraction bits: the program is not its twin: {}", bits, run->difference));
+    const jones::GuestView& shown = run->guest.views.back();
+    if (shown.status != jones::Status::complete)
+      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+    JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
+    made.display_file = shown.display_file;
+    made.lines = on_points(run->twin, bits);
+    made.flashes = flashes_of(run->guest.pass);
+    made.flash_bound = jones_flash_bound(made.bound);
+  }
+  return builds;
+}
+
+base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, const CrossCheckView& view) {
+  const geometry::Point& eye = view.camera.eye;
+  const auto in_core = jones::scene_in_core(*scene.cells, eye);
+  if (!in_core) return in_core.error();
+  std::vector<JonesPicture> builds;
+  jones::Parameters parameters = jones::default_parameters(in_core->core, 0);
+  for (int bits = 0; bits <= most_on_machine; ++bits) {
+    parameters.fraction_bits = bits;
+    const jones::View shown = jones::run(in_core->core, 0, parameters);
+    if (shown.status != jones::Status::complete)
+      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+    builds.push_back({{jones::machine_word_bits, bits}, shown.display_file, {}, 0, {}, 0});
+  }
+  for (const int bits : bits_of_longer_words) {
+    JonesPicture& made = builds.emplace_back();
+    made.words = {longer_word, bits};
+    made.bound = jones_piece_bound(*scene.cells, eye, made.words);
+    jones::Precision precision;
+    precision.word_bits = longer_word;
+    precision.fraction_bits = bits;
+    const jones::PreciseView shown = jones::run_precisely(in_core->core, 0, parameters, precision);
+    if (shown.status != jones::Status::complete)
+      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+    for (const jones::PrecisePiece& piece : shown.pieces)
+      made.lines.push_back({{piece.line.x0, piece.line.y0}, {piece.line.x1, piece.line.y1}});
+  }
+  return builds;
+}
+
+ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view, const NamedJones& a, const NamedLines& b) {
+  const auto exact = on_screen(scene, view, *b.lines);
+  // Flashes are many, and the others are compared with the first.
+  const bool with_flashes = b.name == registry::line_algorithms().front().name;
+  Distances distances;
+  for (const JonesPicture& build : *a.builds) {
+    if (build.lines.empty()) continue;
+    const std::string bits = fmt::format("f={}", build.words.fraction_bits);
+    distances.add(bits, apart(build.lines, exact), build.bound);
+    if (!build.flashes.empty() && with_flashes) distances.add(bits + " lit", apart(build.flashes, exact), build.flash_bound);
+  }
+  return distances.take();
+}
+
+ViewVerdict compare_pictures(const NamedJones& a, const NamedJones& b) {
+  std::size_t words = 0;
+  for (const JonesPicture& of_a : *a.builds) {
+    for (const JonesPicture& of_b : *b.builds) {
+      if (!(of_a.words == of_b.words) || of_a.display_file.empty()) continue;
+      if (of_a.display_file != of_b.display_file)
+        return {false,
+                "words",
+                fmt::format("{} fraction bits: {} and {} have other display files", of_a.words.fraction_bits, a.name, b.name),
+                {}};
+      words += of_a.display_file.size();
+    }
+  }
+  return {words > 0, "words", fmt::format("{} display words equal", words), {}};
+}
+
+ViewVerdict compare_with_oracle(const CommonScene& scene, const NamedInk& a) {
+  const skala::View asked = program_view(scene);
+  std::map<skala::PictureKind, PixelGrid> oracle;
+  std::map<skala::PictureKind, std::vector<PixelSegment>> unrounded;
+  for (const skala::PictureKind kind : {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
+    skala::View view = asked;
+    view.picture = kind;
+    oracle[kind] = registry::oracle_dots(*scene.heights, registry::height_view(view), kind == skala::PictureKind::contours);
+    if (kind != skala::PictureKind::surface) unrounded[kind] = unrounded_ink(*scene.heights, asked, kind);
+  }
+  Distances distances;
+  InkDistances measured;
+  for (const SkalaInk& ink : *a.pictures) {
+    const std::string name = name_of(ink);
+    if (skala::is_raster(ink.device) && ink.dots != oracle[ink.kind]) {
+      distances.fail(name + ": other dots than the column oracle");
+      continue;
+    }
+    measured.add(distances, ink, unrounded[ink.kind == skala::PictureKind::contours ? ink.kind : skala::PictureKind::lines], 1);
+  }
+  return distances.take();
+}
+
+ViewVerdict compare_with_native(const CommonScene& scene, const NamedInk& a) {
+  algorithms::skala::View view = scene.height_view;
+  view.subject = algorithms::skala::Subject::lines;
+  registry::HeightView native;
+  static_cast<algorithms::skala::View&>(native) = view;
+  const auto lines = lines_of(*registry::find_height_method("native")->draw(*scene.heights, native).drawing);
+  // Its masks have columns, too, but finer ones.
+  const double finer = 1 + 256.0 / view.columns;
+  Distances distances;
+  InkDistances measured;
+  for (const SkalaInk& ink : *a.pictures)
+    if (ink.kind != skala::PictureKind::contours) measured.add(distances, ink, lines, finer);
+  return distances.take();
+}
+
+guests::skala::View program_view(const CommonScene& scene) {
+  registry::HeightView view;
+  static_cast<algorithms::skala::View&>(view) = scene.height_view;
+  skala::View asked = registry::program_view(view);
+  asked.levels = 4;
+  return asked;
+}
+
+}  // namespace sightline::compare

@@ -1,0 +1,291 @@
+// See jones_bound.hpp.
+#include "host/compare/jones_bound.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "host/guests/jones/encode.hpp"
+#include "host/guests/jones/twin/elements.hpp"
+#include "host/guests/turn/precision.hpp"
+#include "host/picture/line_metrics.hpp"
+
+namespace sightline::compare {
+namespace {
+
+namespace jones = guests::jones;
+using picture::PixelPoint;
+
+constexpr double half = 0.5;                        // a unit rounded
+constexpr double corner = 1 / std::numbers::sqrt2;  // a point with both coordinates rounded
+constexpr double on_line = 1e-6;                    // units: a distance of nothing
+constexpr double no_area = 1e-6;
+
+// A straight line of the image, from one end to the other, and how far the computed ends can be from it.
+struct Side {
+  PixelPoint along;              // its direction, of length 1
+  std::array<double, 2> away{};  // at its beginning and its end, in units
+  bool of_window = false;
+
+  [[nodiscard]] bool is_sloped() const { return along.x != 0 && along.y != 0; }
+  // Of a rounding by half a unit in these coordinates, the part at right angles to the line.
+  [[nodiscard]] double across(bool x, bool y) const { return half * ((x ? std::abs(along.y) : 0) + (y ? std::abs(along.x) : 0)); }
+  [[nodiscard]] double away_at(double share) const { return std::abs(1 - share) * away[0] + std::abs(share) * away[1]; }
+};
+
+double length_of(const PixelPoint& a, const PixelPoint& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+double sine_of(const Side& a, const Side& b) {
+  return std::abs(a.along.x * b.along.y - a.along.y * b.along.x);
+}
+double cosine_of(const Side& a, const Side& b) {
+  return std::abs(a.along.x * b.along.x + a.along.y * b.along.y);
+}
+
+// Projected, both ends.
+Side projected(const PixelPoint& a, const PixelPoint& b) {
+  const double length = length_of(a, b);
+  Side side{{(b.x - a.x) / length, (b.y - a.y) / length}, {}, false};
+  side.away.fill(side.across(true, true));
+  return side;
+}
+
+struct Corner {
+  PixelPoint place;
+  Side next;  // to the next corner
+};
+using Polygon = std::vector<Corner>;  // counter-clockwise
+
+// What cuts: the left of a line.
+struct ClipLine {
+  PixelPoint at;
+  Side side;
+  double length = 0;  // of the side; 0: a side of a box
+
+  [[nodiscard]] double distance(const PixelPoint& p) const { return side.along.x * (p.y - at.y) - side.along.y * (p.x - at.x); }
+  [[nodiscard]] bool holds(const PixelPoint& p) const { return distance(p) >= -on_line; }
+  // How far the computed one is off there.
+  [[nodiscard]] double away(const PixelPoint& p) const {
+    return length > 0 ? side.away_at((side.along.x * (p.x - at.x) + side.along.y * (p.y - at.y)) / length) : side.away[0];
+  }
+};
+
+// The box first, then the sloped sides, as the program has them.
+std::vector<ClipLine> clip_lines(const Polygon& mask) {
+  std::vector<ClipLine> lines;
+  constexpr std::array<PixelPoint, 4> ways{{{0, -1}, {0, 1}, {1, 0}, {-1, 0}}};  // x >= xlo, x <= xhi, y >= ylo, y <= yhi
+  for (const PixelPoint& way : ways) {
+    ClipLine line{mask.front().place, {way, {}, false}, 0};
+    for (const Corner& c : mask)
+      if (line.distance(c.place) < 0) line.at = c.place;
+    // As far off as a side that lies on it, or else a corner.
+    double away = corner;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      const Side& side = mask[i].next;
+      if (std::abs(line.distance(mask[i].place)) > on_line ||
+          std::abs(line.distance(mask[(i + 1) % mask.size()].place)) > on_line)
+        continue;
+      away = std::max(side.away[0], side.away[1]);
+      line.side.of_window = side.of_window;
+    }
+    line.side.away.fill(away);
+    lines.push_back(line);
+  }
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i].next.is_sloped())
+      lines.push_back({mask[i].place, mask[i].next, length_of(mask[i].place, mask[(i + 1) % mask.size()].place)});
+  return lines;
+}
+
+class Bound {
+ public:
+  Bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words)
+      : scene_(scene),
+        eye_(eye),
+        window_(jones::window_of(jones::Pass::mono, 512, words.fraction_bits, words.word_bits)),
+        share_(std::ldexp(1.0, 2 - words.word_bits)) {
+    const auto at = [](std::int32_t x, std::int32_t y) { return PixelPoint{static_cast<double>(x), static_cast<double>(y)}; };
+    Polygon mask{{at(window_.xlo, window_.ylo), {}},
+                 {at(window_.xhi, window_.ylo), {}},
+                 {at(window_.xhi, window_.yhi), {}},
+                 {at(window_.xlo, window_.yhi), {}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      mask[i].next = projected(mask[i].place, mask[(i + 1) % 4].place);
+      mask[i].next.away = {0, 0};
+      mask[i].next.of_window = true;
+    }
+    const auto view = jones::viewpoint(scene, eye);
+    if (view) visit(view->cell, mask, scene.openings.size(), 1);
+  }
+
+  [[nodiscard]] double units() const { return greatest_; }
+
+ private:
+  [[nodiscard]] jones::SpacePoint seen(const geometry::Point& p) const {
+    return {p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
+  }
+  [[nodiscard]] PixelPoint project(const jones::SpacePoint& p) const {
+    return {static_cast<double>(p.x) * window_.width_scale / p.z, static_cast<double>(p.y) * window_.width_scale / p.z};
+  }
+
+  void visit(std::size_t number, const Polygon& mask, std::size_t entry, std::size_t depth) {
+    const scene::Cell& cell = scene_.cells[number];
+    const std::vector<ClipLine> clip = clip_lines(mask);
+    for (const scene::Line& line : cell.lines) draw(seen(line.from), seen(line.to), clip);
+    for (std::size_t o = 0; o < scene_.openings.size(); ++o) {
+      const scene::Opening& opening = scene_.openings[o];
+      if (o == entry || (opening.cells[0] != number && opening.cells[1] != number)) continue;
+      const bool upwards = opening.cells[0] == number;
+      geometry::Point at = opening.ring.front();
+      for (const scene::RingVector& vector : opening.vectors) {
+        geometry::Point to = at;
+        to[vector.axis] += vector.magnitude;
+        if (vector.actual) draw(seen(at), seen(to), clip);
+        at = to;
+      }
+      const std::size_t axis = opening.place.axis;
+      const std::int32_t ahead = opening.place.at - eye_[axis];
+      if (axis == 2 ? !upwards || ahead < 1 : upwards ? ahead <= 0 : ahead >= 0) continue;
+      Polygon through = outline(opening, ahead);
+      for (const ClipLine& line : clip) cut(through, line);
+      if (through.size() >= 3 && area(through) > no_area && depth < scene_.cells.size())
+        visit(opening.cells[upwards ? 1 : 0], through, o, depth + 1);
+    }
+  }
+
+  // The ring on the screen, drawn back into the bound.
+  [[nodiscard]] Polygon outline(const scene::Opening& opening, std::int32_t ahead) const {
+    const jones::RingBound bound(jones::Axis{static_cast<std::uint8_t>(opening.place.axis + 1)}, ahead, window_.bound_factor);
+    std::vector<PixelPoint> places;
+    const auto add = [&](const jones::SpacePoint& p) { places.push_back(project(p)); };
+    geometry::Point at = opening.ring.front();
+    for (const scene::RingVector& vector : opening.vectors) {
+      geometry::Point to = at;
+      to[vector.axis] += vector.magnitude;
+      add(bound.into_bound(seen(at)));
+      const auto bend = vector.axis == 2 ? bound.bend({seen(at), seen(to)}) : std::nullopt;
+      if (bend) add(*bend);
+      at = to;
+    }
+    Polygon polygon;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (length_of(places[i], places[(i + 1) % places.size()]) > on_line) polygon.push_back({places[i], {}});
+    if (area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      polygon[i].next = projected(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
+    return polygon;
+  }
+
+  static double area(const Polygon& polygon) {
+    double doubled = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const PixelPoint& p = polygon[i].place;
+      const PixelPoint& q = polygon[(i + 1) % polygon.size()].place;
+      doubled += p.x * q.y - p.y * q.x;
+    }
+    return doubled / 2;
+  }
+
+  // Where a line from p to q is cut, and how far the computed place can be off.
+  struct Cut {
+    PixelPoint place;
+    double of_line = 0;  // from the line that is cut
+    double of_clip = 0;  // from the exact line that cuts
+    double along = 0;    // along the line that is cut
+  };
+  [[nodiscard]] Cut cut_at(const ClipLine& clip, const Side& side, const PixelPoint& p, const PixelPoint& q) const {
+    const double dp = clip.distance(p);
+    const double share = dp / (dp - clip.distance(q));
+    Cut cut;
+    cut.place = {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+    const bool box = clip.length == 0;
+    // A coordinate that both ends have stays, and one of a side of the box is its value.
+    const bool x = side.along.x != 0 && (!box || clip.side.along.y == 0);
+    const bool y = side.along.y != 0 && (!box || clip.side.along.x == 0);
+    const double lost = box ? 0 : share_ * length_of(p, q);
+    const double before = side.away_at(share);
+    const double clip_away = clip.away(cut.place);
+    cut.of_line = before + side.across(x, y);
+    cut.of_clip = clip_away + clip.side.across(x, y) + lost * sine_of(side, clip.side);
+    const double rounded_along = half * ((x ? std::abs(side.along.x) : 0) + (y ? std::abs(side.along.y) : 0));
+    cut.along = (clip_away + before * cosine_of(side, clip.side)) / sine_of(side, clip.side) + rounded_along + lost;
+    return cut;
+  }
+
+  void cut(Polygon& polygon, const ClipLine& clip) const {
+    Polygon left;
+    std::optional<std::size_t> closing;  // the side on the clip line, which begins where the polygon leaves
+    double entered = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Corner& p = polygon[i];
+      const Corner& q = polygon[(i + 1) % polygon.size()];
+      const bool holds_p = clip.holds(p.place);
+      if (holds_p) left.push_back(p);
+      if (holds_p == clip.holds(q.place)) continue;
+      const Cut at = cut_at(clip, p.next, p.place, q.place);
+      if (holds_p) {
+        left.back().next.away[1] = at.of_line;
+        closing = left.size();
+        left.push_back({at.place, clip.side});
+        left.back().next.away = {at.of_clip, at.of_clip};
+      } else {
+        left.push_back({at.place, p.next});
+        left.back().next.away[0] = at.of_line;
+        entered = at.of_clip;
+      }
+    }
+    // What lies on a side of the box stays there.
+    if (closing && clip.length > 0) left[*closing].next.away[1] = entered;
+    if (closing && clip.length == 0) left[*closing].next.away = clip.side.away;
+    polygon = std::move(left);
+  }
+
+  void draw(const jones::SpacePoint& from, const jones::SpacePoint& to, const std::vector<ClipLine>& clip) {
+    const jones::Axis axis = from.x != to.x ? jones::Axis::x : from.y != to.y ? jones::Axis::y : jones::Axis::z;
+    const auto inside = jones::seg3({from, to}, axis, window_.bound_factor);
+    if (!inside) return;
+    std::array<PixelPoint, 2> ends{project(inside->p), project(inside->q)};
+    if (length_of(ends[0], ends[1]) <= on_line) return;
+    Side side = projected(ends[0], ends[1]);
+    std::array<double, 2> end_away{corner, corner};
+    for (const ClipLine& line : clip) {
+      const std::array<bool, 2> holds{line.holds(ends[0]), line.holds(ends[1])};
+      if (!holds[0] && !holds[1]) return;
+      if (holds[0] == holds[1]) continue;
+      const std::size_t end = holds[0] ? 1 : 0;
+      const Cut at = cut_at(line, side, ends[0], ends[1]);
+      const double drawn_there = line.side.of_window ? std::numeric_limits<double>::infinity() : at.of_clip + at.of_line + corner;
+      ends[end] = at.place;
+      side.away[end] = at.of_line;
+      end_away[end] = std::min(std::hypot(at.of_line, at.along), drawn_there);
+    }
+    for (const std::size_t end : {0U, 1U}) greatest_ = std::max({greatest_, side.away[end], end_away[end]});
+  }
+
+  const scene::CellScene& scene_;
+  geometry::Point eye_;
+  jones::Window window_;
+  double share_;
+  double greatest_ = 0;
+};
+
+}  // namespace
+
+double jones_piece_bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words) {
+  return std::ldexp(Bound(scene, eye, words).units(), -words.fraction_bits);
+}
+
+double jones_line_bound(double piece_bound, const JonesWords& words) {
+  return words.fraction_bits == 0 ? piece_bound : piece_bound + corner;
+}
+
+double jones_flash_bound(double line_bound) {
+  return line_bound + corner + guests::turn::flash_bound();
+}
+
+}  // namespace sightline::compare

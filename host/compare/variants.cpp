@@ -1,0 +1,244 @@
+// See variants.hpp.
+#include "host/compare/variants.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "host/algorithms/plantinga/edge_structure_graph.hpp"
+#include "host/algorithms/plantinga/frame.hpp"
+#include "host/algorithms/plantinga/visible_edges.hpp"
+#include "host/algorithms/registry/faces.hpp"
+#include "host/compare/answer.hpp"
+#include "host/compare/host_time.hpp"
+#include "host/scene/check/crossings.hpp"
+#include "host/scene/model/aim_camera.hpp"
+#include "host/scene/model/poly_from_cells.hpp"
+
+namespace sightline::compare {
+namespace {
+
+namespace plantinga = algorithms::plantinga;
+
+constexpr std::string_view jones_on_pdp7 = "jones-pdp7";
+constexpr std::string_view jones_twin = "jones-twin";
+constexpr std::string_view montani_re = "montani-re";
+
+bool chosen(const CompareOptions& options, std::string_view name) {
+  return options.methods.empty() || std::find(options.methods.begin(), options.methods.end(), name) != options.methods.end();
+}
+
+double percent_of(const MethodView& view) {
+  if (view.exact && *view.exact) return 0;
+  if (view.all > 0) return 100 * view.wrong / view.all;
+  return view.wrong > 0 ? 100 : 0;
+}
+
+// A point of each time that the view has.
+void add_point(const MethodView& view, const std::string& series, const std::string& label, std::vector<PlotPoint>& points) {
+  if (view.emulated_seconds) points.push_back({PlotPanel::emulated, series, label, *view.emulated_seconds, percent_of(view)});
+  if (view.host_seconds) points.push_back({PlotPanel::host, series, label, *view.host_seconds, percent_of(view)});
+}
+
+// Methods without a setting; those with one are drawn by the functions below.
+void add_plain(const SceneComparison& comparison, std::vector<PlotPoint>& points) {
+  for (const MethodView& view : method_views(comparison)) {
+    if (view.method == jones_on_pdp7 || view.method == jones_twin || (view.method == montani_re && view.picture == "faces")) continue;
+    add_point(view, view.method, "", points);
+  }
+}
+
+base::Result<base::Done> add_jones(const scene::CellScene& scene, CompareOptions options, const geometry::Point& eye,
+                                   const CompareProgress& progress, std::vector<PlotPoint>& points) {
+  const bool guest = chosen(options, jones_on_pdp7);
+  const bool twin = chosen(options, jones_twin) && options.host_times;
+  options.faces = false;
+  options.eye = eye;
+  for (const bool eae : {true, false}) {
+    options.eae = eae;
+    options.methods.clear();
+    if (guest) options.methods.emplace_back(jones_on_pdp7);
+    if (twin && eae) options.methods.emplace_back(jones_twin);
+    if (options.methods.empty()) continue;
+    for (std::uint32_t bits = 0; bits <= 3; ++bits) {
+      options.fraction_bits = bits;
+      const std::string label = fmt::format("{} bit{}", bits, bits == 1 ? "" : "s");
+      progress(fmt::format("jones-pdp7 {} EAE, {}", eae ? "with" : "without", label));
+      const auto comparison = compare_cell_scene(scene, options);
+      if (!comparison) return comparison.error();
+      for (const MethodView& view : method_views(*comparison)) {
+        const bool on_machine = view.method == jones_on_pdp7;
+        add_point(view, on_machine ? fmt::format("jones-pdp7 {} EAE", eae ? "with" : "without") : view.method, label, points);
+      }
+    }
+  }
+  return base::Done{};
+}
+
+void add_stripes(const scene::PolyScene& scene, const scene::PolyCamera& camera, const CompareOptions& options,
+                 const CompareProgress& progress, std::vector<PlotPoint>& points) {
+  if (!options.faces || !options.host_times || !chosen(options, montani_re)) return;
+  const registry::FaceAlgorithm* const algorithm = registry::find_face_algorithm(montani_re);
+  const auto truth = FaceTruth::of(scene, camera);
+  if (!truth || !scene::crossings_of(scene, 1).empty()) return;
+  for (const double thickness : registry::stripe_thicknesses) {
+    progress(fmt::format("montani-re, stripes of {} px", thickness));
+    registry::FaceOptions of_stripe;
+    of_stripe.vertical = scene::frame_of(camera).vertical;
+    of_stripe.stripe = thickness;
+    const auto faces = algorithm->prepare(scene, of_stripe);
+    if (!faces) continue;
+    auto view = faces->view(camera, truth->window());
+    if (!view) continue;
+    const double seconds = median_seconds([&] { static_cast<void>(faces->view(camera, truth->window())); });
+    const picture::PixelMetrics metrics = truth->compared(std::string(montani_re), std::move(view->faces), 0).metrics;
+    points.push_back({PlotPanel::host, "montani-re stripes", fmt::format("{} px", thickness), seconds, 100 * metrics.mismatch()});
+  }
+}
+
+// --- Plantinga's events
+
+// Visible parts of an edge, from 0 to 1.
+using Parts = std::vector<std::pair<double, double>>;
+
+Parts parts_of(const plantinga::FrameMaker& frame, plantinga::EdgeIndex edge, const plantinga::EdgeStructure& structure) {
+  Parts parts;
+  for (const plantinga::Piece& piece : structure) {
+    const double low = frame.parameter_of(edge, piece.low);
+    const double high = frame.parameter_of(edge, piece.high);
+    if (low < high) parts.emplace_back(low, high);
+  }
+  return parts;
+}
+
+double length_of(const Parts& parts) {
+  double sum = 0;
+  for (const auto& [low, high] : parts) sum += high - low;
+  return sum;
+}
+
+double in_both(const Parts& a, const Parts& b) {
+  double sum = 0;
+  for (const auto& [low, high] : a)
+    for (const auto& [other_low, other_high] : b) sum += std::max(0.0, std::min(high, other_high) - std::max(low, other_low));
+  return sum;
+}
+
+// A turn in even steps, that no event falls on but by chance.
+constexpr int turn_frames = 180;
+double angle_of(int frame) { return -std::numbers::pi + (frame + 0.37) * 2 * std::numbers::pi / turn_frames; }
+
+struct TurnFrame {
+  double angle = 0;
+  std::vector<plantinga::EdgeStructure> edges;  // exactly
+};
+
+std::vector<TurnFrame> exact_frames(const plantinga::RotationModel& model) {
+  std::vector<std::vector<plantinga::Occluder>> occluders;
+  for (plantinga::EdgeIndex edge = 0; edge < model.edges().size(); ++edge) occluders.push_back(model.occluders_of(edge));
+  std::vector<TurnFrame> frames;
+  for (int i = 0; i < turn_frames; ++i) {
+    constexpr double scale = 0x1p20;
+    const plantinga::Sight sight{std::llround(scale * std::sin(angle_of(i))), std::llround(scale * std::cos(angle_of(i)))};
+    TurnFrame& frame = frames.emplace_back();
+    frame.angle = std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
+    for (plantinga::EdgeIndex edge = 0; edge < model.edges().size(); ++edge)
+      frame.edges.push_back(plantinga::structure_at(model, edge, occluders[edge], sight));
+  }
+  return frames;
+}
+
+// Of the length that is seen in all frames.
+double wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list, const std::vector<TurnFrame>& frames) {
+  plantinga::EdgeStructureGraph graph(list);
+  plantinga::FrameMaker maker(model);
+  double wrong = 0;
+  double seen = 0;
+  for (const TurnFrame& frame : frames) {
+    static_cast<void>(graph.turn_to(frame.angle));
+    maker.place(frame.angle);
+    for (plantinga::EdgeIndex edge = 0; edge < model.edges().size(); ++edge) {
+      const plantinga::Segment s = model.segment(edge);
+      const auto across = [&](const plantinga::Vector3& p) {
+        return static_cast<double>(p[0]) * std::cos(frame.angle) - static_cast<double>(p[2]) * std::sin(frame.angle);
+      };
+      const double length = std::hypot(across(s.to) - across(s.from), static_cast<double>(s.to[1] - s.from[1]));
+      const Parts drawn = parts_of(maker, edge, graph.structure_of(edge));
+      const Parts exact = parts_of(maker, edge, frame.edges[edge]);
+      wrong += length * (length_of(drawn) + length_of(exact) - 2 * in_both(drawn, exact));
+      seen += length * length_of(exact);
+    }
+  }
+  // Equal places from different sums differ in their last bits.
+  return wrong > seen * 1e-12 ? 100 * wrong / seen : 0;
+}
+
+void add_events(const scene::PolyScene& scene, const scene::PolyCamera& camera, const CompareOptions& options,
+                const CompareProgress& progress, std::vector<PlotPoint>& points) {
+  constexpr std::size_t most_edges = 400;  // events of more take seconds to find
+  if (!options.host_times || !chosen(options, "plantinga") || !plantinga::sight_of(camera)) return;
+  const plantinga::RotationModel model(scene);
+  if (model.edges().size() > most_edges) return;
+  const std::vector<TurnFrame> frames = exact_frames(model);
+  for (const double degrees : {0.0, 0.1, 1.0, 5.0, 10.0}) {
+    const std::string label = degrees == 0 ? "0 degrees" : fmt::format("{} degree{}", degrees, degrees == 1 ? "" : "s");
+    progress("plantinga, events within " + label);
+    plantinga::BuildOptions build;
+    build.tolerance = degrees * std::numbers::pi / 180;
+    build.threads = 1;
+    const auto list = plantinga::build_event_list(model, build);
+    if (!list) return;
+    plantinga::EdgeStructureGraph graph(*list);
+    plantinga::FrameMaker maker(model);
+    std::vector<plantinga::ImageLine> lines;
+    const double turn = median_seconds([&] {
+      for (int i = 0; i < turn_frames; ++i) {
+        static_cast<void>(graph.turn_to(angle_of(i)));
+        maker.visible(graph, angle_of(i), lines);
+      }
+    });
+    points.push_back({PlotPanel::host, "plantinga events", label, turn / turn_frames, wrong_percent(model, *list, frames)});
+  }
+}
+
+}  // namespace
+
+base::Result<std::vector<PlotPoint>> variants_of(const scene::CellScene& scene, const CompareOptions& options, const SceneComparison& comparison,
+                                                 const CompareProgress& progress) {
+  std::vector<PlotPoint> points;
+  if (const auto done = add_jones(scene, options, comparison.camera.eye, progress, points); !done) return done.error();
+  add_plain(comparison, points);
+  add_stripes(scene::poly_scene_of(scene), comparison.camera, options, progress, points);
+  return points;
+}
+
+std::vector<PlotPoint> variants_of(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& comparison,
+                                   const CompareProgress& progress) {
+  std::vector<PlotPoint> points;
+  add_plain(comparison, points);
+  add_stripes(scene, comparison.camera, options, progress, points);
+  add_events(scene, comparison.camera, options, progress, points);
+  return points;
+}
+
+std::vector<PlotPoint> variants_of(const HeightComparison& comparison) {
+  constexpr std::string_view program = "skala-8080";
+  std::vector<PlotPoint> points;
+  for (const MethodView& view : method_views(comparison)) {
+    if (!view.method.starts_with(program)) {
+      add_point(view, view.method, "", points);
+      continue;
+    }
+    const std::string_view device = std::string_view(view.method).substr(program.size());
+    add_point(view, std::string(program), device.empty() ? "ef9365" : std::string(device.substr(1)), points);
+  }
+  return points;
+}
+
+}  // namespace sightline::compare
