@@ -71,7 +71,7 @@ MethodView method_view(const ComparedFaces& row) {
   MethodView view;
   view.method = row.name;
   view.picture = "faces";
-  view.rounding = "middles of pixels";
+  view.rounding = "pixels";
   view.unit = "points";
   view.all = static_cast<double>(row.metrics.pixels);
   view.wrong = static_cast<double>(row.metrics.different());
@@ -88,7 +88,7 @@ MethodView method_view(const StripesPen& pen) {
   MethodView view;
   view.method = std::string(stripes_name) + " pen";
   view.picture = "lines";
-  view.rounding = "corners of pixels";
+  view.rounding = "pixels";
   view.unit = "steps";
   view.all = static_cast<double>(pen.raster.lit_in_truth);
   view.wrong = static_cast<double>(pen.raster.missing.all + pen.raster.extra.all);
@@ -104,7 +104,7 @@ MethodView method_view(const TurnCheck& turn) {
   MethodView view;
   view.method = turn_name;
   view.picture = "lines";
-  view.rounding = "points of the Type 340";
+  view.rounding = "points";
   view.unit = "px";
   view.all = turn.metrics.true_length;
   view.wrong = turn.metrics.symmetric();
@@ -132,7 +132,7 @@ MethodView method_view(const ComparedRaster& row) {
   MethodView view;
   view.method = height_method_name(row.name);
   view.picture = "dots";
-  view.rounding = row.rounding;
+  view.rounding = "dots";
   view.raster = row.from_native;
   if (row.unrounded) {
     tell_unrounded(*row.unrounded, view);
@@ -149,7 +149,7 @@ MethodView method_view(const ComparedDevice& row) {
   MethodView view;
   view.method = fmt::format("skala-8080 {}", row.name);
   view.picture = "dots";
-  view.rounding = "ends of lines to the nearest dot, then a dot a step";
+  view.rounding = "dots";
   view.raster = row.raster;
   view.defect = row.difference;
   view.emulated_seconds = seconds_at_3_mhz(row.time);

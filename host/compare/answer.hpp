@@ -23,7 +23,7 @@ namespace sightline::compare {
 struct MethodView {
   std::string method;      // "jones-pdp7"
   std::string picture;     // "lines", "faces", "dots"
-  std::string rounding;    // of what was measured, in words
+  std::string rounding;    // of the coordinates measured: "points", "dots" or "pixels" of the device, "1/8 point", "none"
   std::string unit;        // of the next three: "px", "points", "dots"
   double all = 0;          // truly seen: length of lines, or points
   double wrong = 0;        // missing and extra together

@@ -275,14 +275,24 @@ class SceneMethods::Parts {
     of_guest.views = 1;
     if (session_) {
       const auto core = session_->core_at(comparison.camera.eye);
-      if (!core) return core.error();
+      if (!core) return leave_programs_out(core.error(), comparison);
       return compare_run(*session_, session_->run(*core, of_guest), truth, comparison);
     }
     guests::jones::ProgramOptions program = program_;
     program.tape.view = comparison.camera.eye;
     const auto session = guests::jones::Session::of(*cells_, program);
-    if (!session) return session.error();
+    if (!session) return leave_programs_out(session.error(), comparison);
     return compare_run(*session, session->run(of_guest), truth, comparison);
+  }
+
+  // The program cannot stand at the eye, or its core cannot hold the scene; others can, from within the outer box.
+  std::optional<Error> leave_programs_out(const Error& why, SceneComparison& comparison) const {
+    const geometry::Point& eye = comparison.camera.eye;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (eye[a] <= cells_->outer.low[a] || eye[a] >= cells_->outer.high[a]) return why;
+    for (const std::string_view name : {jones_on_pdp7, jones_twin})
+      if (chosen(options_, name)) comparison.not_applicable.emplace_back(name, why.message());
+    return std::nullopt;
   }
 
   std::optional<Error> compare_run(const guests::jones::Session& session, const guests::jones::CheckedRun& run, const Truth& truth,
@@ -295,7 +305,7 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_on_pdp7)) {
       if (comparison.guest->difference.empty()) {
         const auto drawn = display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits));
-        auto row = compared(jones_on_pdp7, "points of the Type 340", truth.lines.lines(), drawn);
+        auto row = compared(jones_on_pdp7, "points", truth.lines.lines(), drawn);
         const auto seen = visible_segments(truth.lines.lines());
         row.metrics.hausdorff = picture::hausdorff_distance(seen, lit_points(run.guest.pass));
         row.emulated = guest.time;

@@ -50,7 +50,8 @@ Json spread_json(const Spread& spread) {
 }  // namespace
 
 AnswerCells answer_cells(const AnswerRow& row) {
-  return {spread_text(row.emulated_seconds, row.views, time_text),
+  return {row.rounding == compare::not_rounded ? "" : row.rounding,
+          spread_text(row.emulated_seconds, row.views, time_text),
           spread_text(row.host_seconds, row.views, time_text),
           wrong_text(row),
           spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }),
@@ -68,21 +69,21 @@ std::string answer_text(const std::vector<AnswerRow>& rows) {
   }
   const bool many = !rows.empty() && rows.front().views > 1;
   // Columns begin with two blanks, so that a long cell does not touch the one before.
-  std::vector<int> widths{-20, -6, many ? 21 : 12};
+  std::vector<int> widths{-20, -7, -11, many ? 21 : 12};
   if (host) widths.push_back(many ? 21 : 12);
-  for (const int width : {many ? 21 : 20, many ? 16 : 10, many ? 14 : 10, -24, 0}) widths.push_back(width);
+  for (const int width : {many ? 21 : 20, many ? 15 : 10, many ? 13 : 9, -24, 0}) widths.push_back(width);
   base::TextTable table(widths);
   std::string said;
   const auto line = [&](std::string_view method, std::string_view picture, const AnswerCells& cells) {
     const auto apart = [](std::string_view cell) { return cell.empty() ? std::string() : "  " + std::string(cell); };
     if (host)
-      table.row({method, apart(picture), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest), apart(cells.far),
-                 apart(cells.read), apart(cells.paper)});
+      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest),
+                 apart(cells.far), apart(cells.read), apart(cells.paper)});
     else
-      table.row({method, apart(picture), apart(cells.emulated), apart(cells.wrong), apart(cells.greatest), apart(cells.far), apart(cells.read),
-                 apart(cells.paper)});
+      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.wrong), apart(cells.greatest), apart(cells.far),
+                 apart(cells.read), apart(cells.paper)});
   };
-  line("", "", {"emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says"});
+  line("", "", {"rounded to", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says"});
   for (const AnswerRow& row : rows) {
     if (several && row.scene != said) table.line(said = row.scene);
     line(row.method, row.picture, answer_cells(row));

@@ -11,6 +11,7 @@ namespace sightline::app {
 
 // A row in words, of many views the median and the greatest; empty: nothing is known of it.
 struct AnswerCells {
+  std::string rounding;  // to what
   std::string emulated;
   std::string host;
   std::string wrong;

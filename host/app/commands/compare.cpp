@@ -277,7 +277,7 @@ void check_methods(const std::vector<std::string>& methods) {
   }
 }
 
-// Nothing if no plot is asked for.
+// Empty if no plot is asked for.
 std::optional<Output> plot_output(const CompareArguments& arguments) {
   if (arguments.plot.empty()) return std::nullopt;
   if (arguments.plot == "-") throw Failure(ExitCode::usage, "--plot: found -, expected a file: the table goes to standard output");
