@@ -1,5 +1,6 @@
 // Time against error of methods and their variants as a drawing: both axes logarithmic, emulated seconds and seconds of this computer
-// on panels of their own, points without error in a strip below, where errors of less than a thousandth of a per cent stand with their number.
+// on panels of their own, points without error in a strip below, where errors of less than a thousandth of a per cent stand with their
+// number.
 //
 // A series is one machine with one adjustable method, or an exact method. Of each the front is marked: the variants of which no other
 // is both at least as fast and at least as right. Their marks are filled and joined by a line; those of the others are hollow.

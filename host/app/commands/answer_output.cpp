@@ -77,11 +77,11 @@ std::string answer_text(const std::vector<AnswerRow>& rows) {
   const auto line = [&](std::string_view method, std::string_view picture, const AnswerCells& cells) {
     const auto apart = [](std::string_view cell) { return cell.empty() ? std::string() : "  " + std::string(cell); };
     if (host)
-      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest), apart(cells.far),
-                 apart(cells.read), apart(cells.paper)});
+      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest),
+                 apart(cells.far), apart(cells.read), apart(cells.paper)});
     else
-      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.wrong), apart(cells.greatest), apart(cells.far), apart(cells.read),
-                 apart(cells.paper)});
+      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.wrong), apart(cells.greatest), apart(cells.far),
+                 apart(cells.read), apart(cells.paper)});
   };
   line("", "", {"rounded to", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says"});
   for (const AnswerRow& row : rows) {

@@ -126,7 +126,8 @@ std::string methods_html(const std::vector<AnswerRow>& methods) {
       const std::string wrong = row.views > 1 ? fmt::format("{:.3g} ({:.3g})", row.wrong_percent.median, row.wrong_percent.greatest)
                                               : fmt::format("{:.3g}", row.wrong_percent.greatest);
       const std::string_view who = method_text(row.method);
-      base::append(text, "<tr><th>{} <small>{}{}{}</small></th>", html(row.method), html(who), who.empty() ? "" : ", ", html(row.picture));
+      const std::string rounded = cells.rounding.empty() ? std::string() : ", rounded to " + cells.rounding;
+      base::append(text, "<tr><th>{} <small>{}{}{}{}</small></th>", html(row.method), html(who), who.empty() ? "" : ", ", html(row.picture), html(rounded));
       text += cell("td", "n", emulated ? cells.emulated : cells.host) + cell("td", "n", exact ? "0, exact" : wrong) + cell("td", "n", cells.greatest) +
               cell("td", "n", fmt::format("{} of {}", row.right, row.views)) + cell("td", "p", cells.paper) + "</tr>\n" + defect_row(row);
     }
@@ -137,15 +138,16 @@ std::string methods_html(const std::vector<AnswerRow>& methods) {
 // A row a scene and method.
 std::string table_html(const std::vector<AnswerRow>& rows) {
   const bool host = timed_here(rows);
-  std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n<thead><tr>" + cell("th", "", "method") + cell("th", "", "draws") + cell("th", "n", "emulated time");
+  std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n<thead><tr>" + cell("th", "", "method") + cell("th", "", "draws") + cell("th", "", "rounded to") +
+                     cell("th", "n", "emulated time");
   if (host) text += cell("th", "n", "time here");
   text += cell("th", "n", "wrong") + cell("th", "n", "farthest, points") +
                      cell("th", "n", "beyond 1") + cell("th", "", "read") + "</tr></thead>\n<tbody>\n";
   std::string scene;
   for (const AnswerRow& row : rows) {
-    if (row.scene != scene) base::append(text, "<tr class=\"scene\"><th colspan=\"8\">{}</th></tr>\n", html(scene = row.scene));
+    if (row.scene != scene) base::append(text, "<tr class=\"scene\"><th colspan=\"9\">{}</th></tr>\n", html(scene = row.scene));
     const AnswerCells cells = answer_cells(row);
-    text += "<tr>" + cell("th", "", row.method) + cell("td", "", row.picture) + cell("td", "n", cells.emulated);
+    text += "<tr>" + cell("th", "", row.method) + cell("td", "", row.picture) + cell("td", "", cells.rounding) + cell("td", "n", cells.emulated);
     if (host) text += cell("td", "n", cells.host);
     text += cell("td", "n", cells.wrong) + cell("td", "n", cells.greatest) +
             cell("td", "n", cells.far) + cell("td", "", cells.read) + "</tr>\n" + defect_row(row);
@@ -304,8 +306,8 @@ std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {
   text += "<h2>Time against error</h2>\n<div class=\"plots\">\n";
   text += compare::panel_svg(answer.plotted, compare::PlotPanel::emulated) + compare::panel_svg(answer.plotted, compare::PlotPanel::host);
   base::append(text,
-               "</div>\n<p class=\"note\">{}. Filled and joined: the settings of a method of which no other is both faster and more right. What has no error "
-               "is in the strip below.</p>\n",
+               "</div>\n<p class=\"note\">{}. Filled and joined: the settings of a method of which no other is both faster and more right. Points "
+               "without error are in the strip below.</p>\n",
                html(answer.plotted_text));
   for (const PageGallery& gallery : page.galleries) text += gallery_html(gallery);
   text += "<h2>In one line each</h2>\n<div class=\"wide\" tabindex=\"0\">\n<table>\n<tbody>\n";
