@@ -112,7 +112,7 @@ std::string defect_row(const AnswerRow& row) {
   return row.defect.empty() ? std::string() : fmt::format("<tr><th></th><td class=\"bad\" colspan=\"8\">{}</td></tr>\n", html(row.defect));
 }
 
-// A row a method, over all scenes: first those of the old machines.
+// One row per method, over all scenes: first those of the old machines.
 std::string methods_html(const std::vector<AnswerRow>& methods) {
   std::string text = "<div class=\"wide\" tabindex=\"0\">\n<table class=\"methods\">\n<thead><tr>" + cell("th", "", "method") + cell("th", "n", "time") +
                      cell("th", "n", "wrong, %") + cell("th", "n", "farthest, points") + cell("th", "n", "none beyond 1") + cell("th", "p", "the paper says") +
@@ -135,7 +135,7 @@ std::string methods_html(const std::vector<AnswerRow>& methods) {
   return text + "</tbody>\n</table>\n</div>\n";
 }
 
-// A row a scene and method.
+// One row per scene and method.
 std::string table_html(const std::vector<AnswerRow>& rows) {
   const bool host = timed_here(rows);
   std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n<thead><tr>" + cell("th", "", "method") + cell("th", "", "draws") + cell("th", "", "rounded to") +
