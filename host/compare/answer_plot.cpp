@@ -18,13 +18,13 @@ namespace {
 
 using picture::xml_text;
 
-// In the drawing's units, of which a panel is `panel_width` wide: letters of 13 are 11 pixels high at 355.
-constexpr double panel_width = 420;
+// In the drawing's units, of which a panel is `panel_width` wide: letters of 13 are 11 pixels high at 350.
+constexpr double panel_width = 410;
 constexpr double letter_height = 15;
 constexpr double letter_width = 7.3;  // of usual letters on average, rather too much
 constexpr double bold_width = 8.2;
 constexpr double left_end = 62;
-constexpr double right_end = 412;
+constexpr double right_end = 402;
 constexpr double top_end = 56;
 constexpr double bottom_end = 318;
 constexpr double row_height = 19;  // of the strip

@@ -35,7 +35,7 @@ struct PlotPoint {
 // came first. Of an even number the lower median.
 [[nodiscard]] std::vector<PlotPoint> medians_of(const std::vector<PlotPoint>& points);
 
-// A panel as an SVG element for a page, so large that its letters are readable at a width of 360 pixels. A panel without points
+// A panel as an SVG element for a page, so large that its letters are readable at a width of 350 pixels. A panel without points
 // says so.
 [[nodiscard]] std::string panel_svg(const std::vector<PlotPoint>& points, PlotPanel panel);
 
