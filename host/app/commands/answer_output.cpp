@@ -17,12 +17,6 @@ using base::Json;
 using compare::AnswerRow;
 using compare::Spread;
 
-std::string time_text(double seconds) {
-  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
-  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
-  return fmt::format("{:.3g} us", seconds * 1e6);
-}
-
 // Of one view the value, of many the median and the greatest.
 template <class Text>
 std::string spread_text(const std::optional<Spread>& spread, std::size_t views, Text&& text) {
@@ -49,8 +43,14 @@ Json spread_json(const Spread& spread) {
 
 }  // namespace
 
+std::string time_text(double seconds) {
+  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
+  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} us", seconds * 1e6);
+}
+
 AnswerCells answer_cells(const AnswerRow& row) {
-  return {row.rounding == compare::not_rounded ? "" : row.rounding,
+  return {row.rounding == compare::not_rounded ? std::string() : row.rounding,
           spread_text(row.emulated_seconds, row.views, time_text),
           spread_text(row.host_seconds, row.views, time_text),
           wrong_text(row),

@@ -11,7 +11,7 @@ namespace sightline::app {
 
 // A row in words, of many views the median and the greatest; empty: nothing is known of it.
 struct AnswerCells {
-  std::string rounding;  // to what
+  std::string rounding;  // empty: nothing is rounded
   std::string emulated;
   std::string host;
   std::string wrong;
@@ -24,6 +24,9 @@ struct AnswerCells {
 
 // Rows of one scene below each other, under its name unless that is the only one; of many views the median and the greatest.
 [[nodiscard]] std::string answer_text(const std::vector<compare::AnswerRow>& rows);
+
+// With the unit that suits it: "1.50 s", "12.3 ms", "7 us".
+[[nodiscard]] std::string time_text(double seconds);
 
 // One object a row.
 [[nodiscard]] base::Json answer_json(const std::vector<compare::AnswerRow>& rows);
