@@ -44,18 +44,20 @@ void add_point(const MethodView& view, const std::string& series, const std::str
 // Methods without a setting; those with one are drawn by the functions below.
 void add_plain(const SceneComparison& comparison, std::vector<PlotPoint>& points) {
   for (const MethodView& view : method_views(comparison)) {
-    if (view.method == jones_on_pdp7 || view.method == jones_twin || (view.method == montani_re && view.picture == "faces")) continue;
+    if (view.method == jones_on_pdp7 || view.method == jones_twin || (view.method == montani_re && view.picture == "faces"))
+      continue;
     add_point(view, view.method, "", points);
   }
 }
 
 bool has_lines(const SceneComparison& comparison, std::string_view method) {
-  return std::any_of(comparison.pictures.begin(), comparison.pictures.end(), [method](const ComparedPicture& row) { return row.name == method; });
+  return std::any_of(comparison.pictures.begin(), comparison.pictures.end(),
+                     [method](const ComparedPicture& row) { return row.name == method; });
 }
 
 // A setting that the machine cannot hold is left out.
-void add_jones(const scene::CellScene& scene, CompareOptions options, const SceneComparison& usual, const CompareProgress& progress,
-               std::vector<PlotPoint>& points) {
+void add_jones(const scene::CellScene& scene, CompareOptions options, const SceneComparison& usual,
+               const CompareProgress& progress, std::vector<PlotPoint>& points) {
   const bool guest = has_lines(usual, jones_on_pdp7);
   const bool twin = has_lines(usual, jones_twin) && options.host_times;
   options.faces = false;
@@ -80,10 +82,11 @@ void add_jones(const scene::CellScene& scene, CompareOptions options, const Scen
   }
 }
 
-void add_stripes(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual, const CompareProgress& progress,
-                 std::vector<PlotPoint>& points) {
+void add_stripes(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual,
+                 const CompareProgress& progress, std::vector<PlotPoint>& points) {
   const scene::PolyCamera& camera = usual.camera;
-  const bool there = std::any_of(usual.faces.begin(), usual.faces.end(), [](const ComparedFaces& row) { return row.name == montani_re; });
+  const bool there =
+      std::any_of(usual.faces.begin(), usual.faces.end(), [](const ComparedFaces& row) { return row.name == montani_re; });
   if (!options.host_times || !there) return;
   const registry::FaceAlgorithm* const algorithm = registry::find_face_algorithm(montani_re);
   const auto truth = FaceTruth::of(scene, camera);
@@ -133,7 +136,9 @@ double in_both(const Parts& a, const Parts& b) {
 
 // A turn in even steps, that no event falls on but by chance.
 constexpr int turn_frames = 180;
-double angle_of(int frame) { return -std::numbers::pi + (frame + 0.37) * 2 * std::numbers::pi / turn_frames; }
+double angle_of(int frame) {
+  return -std::numbers::pi + (frame + 0.37) * 2 * std::numbers::pi / turn_frames;
+}
 
 struct TurnFrame {
   double angle = 0;
@@ -156,7 +161,8 @@ std::vector<TurnFrame> exact_frames(const plantinga::RotationModel& model) {
 }
 
 // Of the length that is seen in all frames.
-double wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list, const std::vector<TurnFrame>& frames) {
+double wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list,
+                     const std::vector<TurnFrame>& frames) {
   plantinga::EdgeStructureGraph graph(list);
   plantinga::FrameMaker maker(model);
   double wrong = 0;
@@ -180,8 +186,8 @@ double wrong_percent(const plantinga::RotationModel& model, const plantinga::Eve
   return wrong > seen * 1e-12 ? 100 * wrong / seen : 0;
 }
 
-void add_events(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual, const CompareProgress& progress,
-                std::vector<PlotPoint>& points) {
+void add_events(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual,
+                const CompareProgress& progress, std::vector<PlotPoint>& points) {
   constexpr std::size_t most_edges = 400;  // events of more take seconds to find
   if (!options.host_times || !has_lines(usual, "plantinga")) return;
   const plantinga::RotationModel model(scene);
@@ -210,8 +216,8 @@ void add_events(const scene::PolyScene& scene, const CompareOptions& options, co
 
 }  // namespace
 
-std::vector<PlotPoint> variants_of(const scene::CellScene& scene, const CompareOptions& options, const SceneComparison& comparison,
-                                   const CompareProgress& progress) {
+std::vector<PlotPoint> variants_of(const scene::CellScene& scene, const CompareOptions& options,
+                                   const SceneComparison& comparison, const CompareProgress& progress) {
   std::vector<PlotPoint> points;
   add_jones(scene, options, comparison, progress, points);
   add_plain(comparison, points);
@@ -219,8 +225,8 @@ std::vector<PlotPoint> variants_of(const scene::CellScene& scene, const CompareO
   return points;
 }
 
-std::vector<PlotPoint> variants_of(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& comparison,
-                                   const CompareProgress& progress) {
+std::vector<PlotPoint> variants_of(const scene::PolyScene& scene, const CompareOptions& options,
+                                   const SceneComparison& comparison, const CompareProgress& progress) {
   std::vector<PlotPoint> points;
   add_plain(comparison, points);
   add_stripes(scene, options, comparison, progress, points);

@@ -31,8 +31,7 @@ DemoResults run_parts(const DemoArguments& arguments) {
   DemoResults results;
   const std::vector<std::function<void()>> parts{[&] { results.jones = run_jones_demo(arguments.directory); },
                                                  [&] { results.skala = run_skala_demo(arguments.directory); },
-                                                 [&] { results.turns = run_turns(); },
-                                                 [&] { results.flights = run_flights(); },
+                                                 [&] { results.turns = run_turns(); }, [&] { results.flights = run_flights(); },
                                                  [&] { results.stripes = run_stripes_demo(arguments.directory); }};
   base::OrderedWork<bool> work;
   work.last = parts.size();
@@ -70,7 +69,8 @@ Json document_of(const DemoArguments& arguments, const DemoResults& results, con
   Json document{{"schema", "sightline/demo/2"}, {"pictures", arguments.directory}, {"page", page}};
   document["verdicts"] = Json::array();
   for (const Verdict& verdict : verdicts_of(results))
-    document["verdicts"].push_back({{"subject", verdict.subject}, {"text", verdict.text}, {"verdict", verdict.verdict}, {"right", verdict.right}});
+    document["verdicts"].push_back(
+        {{"subject", verdict.subject}, {"text", verdict.text}, {"verdict", verdict.verdict}, {"right", verdict.right}});
   add_jones_rows(document, results.jones);
   add_turns(document, results.turns);
   add_flights(document, results.flights);
@@ -87,7 +87,8 @@ ExitCode run_demo(const DemoArguments& arguments) {
     print_json(document_of(arguments, results, page));
   } else {
     for (const Verdict& verdict : verdicts_of(results))
-      write_stdout(fmt::format("{}: {}{}{}\n", verdict.subject, verdict.text, verdict.verdict.empty() ? "" : ": ", verdict.verdict));
+      write_stdout(
+          fmt::format("{}: {}{}{}\n", verdict.subject, verdict.text, verdict.verdict.empty() ? "" : ": ", verdict.verdict));
     write_stdout(fmt::format("The table, the plot and the pictures: {}{}\n", page,
                              report_program() ? "; every experiment on the five papers: sightline report" : ""));
   }

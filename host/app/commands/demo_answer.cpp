@@ -54,7 +54,9 @@ void compare_polyhedra(const compare::CompareOptions& options, DemoAnswer& answe
     if (name == boxes) continue;
     // The other methods are in the plot with the scene of cells.
     std::vector<compare::PlotPoint> points = compare::variants_of(scene, options, answer.scenes.back());
-    std::erase_if(points, [](const compare::PlotPoint& point) { return !point.series.starts_with("plantinga") && point.series != "turn-pdp7"; });
+    std::erase_if(points, [](const compare::PlotPoint& point) {
+      return !point.series.starts_with("plantinga") && point.series != "turn-pdp7";
+    });
     add_plotted(std::move(points), answer);
   }
 }
@@ -64,7 +66,8 @@ void compare_functions(bool host_times, DemoAnswer& answer) {
   view.rotation = 30;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const scene::HeightGrid grid = sample(function, {33, 60});
-    auto comparison = compare::compare_heights(grid, view, [](std::string_view) {}, {}, host_times);
+    auto comparison = compare::compare_heights(
+        grid, view, [](std::string_view) {}, {}, host_times);
     comparison.devices = compare::compare_devices(grid, view);
     if (function.name == function_in_plot) add_plotted(compare::variants_of(comparison), answer);
     answer.functions.emplace_back(function.name, std::move(comparison));
@@ -105,7 +108,8 @@ DemoAnswer answer_for_demo(bool host_times) {
   answer.rows = by_scene.rows();
   answer.methods = by_method.rows();
   answer.plotted_text = fmt::format(
-      "{} from its own view; of {} in parallel projection along {} Plantinga's events and turn-pdp7; the function {}, rotated 30 degrees",
+      "{} from its own view; of {} in parallel projection along {} Plantinga's events and turn-pdp7; the function {}, rotated 30 "
+      "degrees",
       cells_in_plot, turned_boxes, turned_view, function_in_plot);
   return answer;
 }

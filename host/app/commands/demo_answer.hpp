@@ -1,7 +1,8 @@
-// How fast and how wrong each method is on the scenes and functions of `sightline demo`: the rows of the table, the points of the plot.
+// How fast and how wrong each method is on the scenes and functions of `sightline demo`: the rows of the table, the points of the
+// plot.
 //
-// The built-in scenes of cells from their own views, the functions of the figures rotated 30 degrees, a scene of boxes from its own
-// view, and one in parallel projection, so that every method of the five papers occurs.
+// The built-in scenes of cells from their own views, the functions of the figures rotated 30 degrees, a scene of boxes from its
+// own view, and one in parallel projection, so that every method of the five papers occurs.
 #pragma once
 
 #include <string>
@@ -19,7 +20,7 @@ namespace sightline::app {
 struct DemoAnswer {
   std::vector<compare::SceneComparison> scenes;
   std::vector<std::pair<std::string, compare::HeightComparison>> functions;  // by name; lines
-  std::vector<compare::AnswerRow> rows;     // a scene or function and method each
+  std::vector<compare::AnswerRow> rows;                                      // a scene or function and method each
   std::vector<compare::AnswerRow> methods;  // a method each, over all of them; without what was read
   std::vector<compare::PlotPoint> plotted;
   std::string plotted_text;  // of what

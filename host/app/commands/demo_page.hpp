@@ -1,5 +1,5 @@
-// The page that `sightline demo` writes beside its pictures: three answers, the table, the plot, the pictures, and the numbers behind
-// them folded. HTML and CSS in one file, no scripts; the pictures are files beside it.
+// The page that `sightline demo` writes beside its pictures: three answers, the table, the plot, the pictures, and the numbers
+// behind them folded. HTML and CSS in one file, no scripts; the pictures are files beside it.
 #pragma once
 
 #include <string>
@@ -33,8 +33,8 @@ struct DemoPage {
 // Texts are escaped here.
 [[nodiscard]] std::string demo_page(const DemoPage& page, const DemoAnswer& answer);
 
-// The pictures that were written, for the page. Writes SCENE-difference.png and FUNCTION-difference.png: what the devices lit beside what
-// exact lines light by the same rule. Failure io.
+// The pictures that were written, for the page. Writes SCENE-difference.png and FUNCTION-difference.png: what the devices lit
+// beside what exact lines light by the same rule. Failure io.
 [[nodiscard]] std::vector<PageGallery> demo_galleries(const std::string& directory, const DemoResults& results);
 
 }  // namespace sightline::app

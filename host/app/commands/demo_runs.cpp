@@ -15,8 +15,7 @@ namespace {
 namespace jones = guests::jones;
 using base::Json;
 
-JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool eae,
-              const std::string& directory) {
+JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool eae, const std::string& directory) {
   jones::ProgramOptions program_options;
   program_options.eae = eae;
   const jones::Session session = session_of(scene, name, program_options);
@@ -49,12 +48,11 @@ std::vector<JonesRow> run_jones_demo(const std::string& directory) {
 }
 
 std::string jones_table(const std::vector<JonesRow>& rows) {
-  std::string text = fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells",
-                      "segments", "words of core", "refreshes/s");
+  std::string text = fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells", "segments",
+                                 "words of core", "refreshes/s");
   for (const JonesRow& row : rows) {
-    text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene,
-                        row.eae ? "yes" : "no", seconds(row.view.time),
-                        fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
+    text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
+                        seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
                         fmt::format("{}/{}", row.words, guests::jones::core_words), row.refreshes);
   }
   text += "Seconds of the emulated machine for the second view; the paper: \"a few seconds\".\n";
@@ -95,7 +93,9 @@ std::string turn_table(const std::vector<TurnRow>& rows) {
                         hidden.frames_per_second_mean, hidden.frames_per_second_worst,
                         row.measure.wire.summary.frames_per_second_mean, row.measure.cost_against_wire_frame());
   }
-  text += "One turn in 8 seconds. Jones, 1971: continuous motion \"has not been possible\"; the claim of 1990: no more than the wire frame.\n";
+  text +=
+      "One turn in 8 seconds. Jones, 1971: continuous motion \"has not been possible\"; the claim of 1990: no more than the wire "
+      "frame.\n";
   return text;
 }
 
@@ -128,8 +128,8 @@ std::vector<FlightRow> run_flights() {
 }
 
 std::string demo_flight_table(const std::vector<FlightRow>& rows) {
-  std::string text = fmt::format("{:<11}{:>5}{:>8}{:>15}{:>8}{:>16}{:>16}\n", "scene", "bits", "pieces", "frames/s mean", "worst", "T-states mean",
-                                 "wrong orders");
+  std::string text = fmt::format("{:<11}{:>5}{:>8}{:>15}{:>8}{:>16}{:>16}\n", "scene", "bits", "pieces", "frames/s mean", "worst",
+                                 "T-states mean", "wrong orders");
   for (const FlightRow& row : rows) {
     text += fmt::format("{:<11}{:>5}{:>8}{:>15.1f}{:>8.1f}{:>16.0f}{:>16}\n", row.scene, row.bits, row.summary.pieces,
                         row.summary.frames_per_second_mean, row.summary.frames_per_second_worst, row.summary.t_states_mean,

@@ -1,5 +1,5 @@
-// What `sightline demo` runs on the old machines but for Skala's and Montani and Re's pictures: Jones's program on its scenes, solids
-// turning, flights with the priority display. Of each the table and the JSON.
+// What `sightline demo` runs on the old machines but for Skala's and Montani and Re's pictures: Jones's program on its scenes,
+// solids turning, flights with the priority display. Of each the table and the JSON.
 #pragma once
 
 #include <cstdint>

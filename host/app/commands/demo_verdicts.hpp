@@ -1,5 +1,5 @@
-// What `sightline demo` says in about ten lines: of each machine and method what was run, how fast and how wrong it is, and what the
-// paper says.
+// What `sightline demo` says in about ten lines: of each machine and method what was run, how fast and how wrong it is, and what
+// the paper says.
 #pragma once
 
 #include <string>

@@ -30,9 +30,10 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 11) << ran.out;
   EXPECT_FALSE(has(ran.out, "WRONG")) << ran.out;
-  for (const char* text : {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ", "Willis 1977 on the 8080: ",
-                           "Montani and Re 1985 on the 8080: ", "Skala 1985 on the 8080: ", "about 2 s", "about 15 %", "CalComp 565",
-                           "This computer, exact lines: ", "pictures/index.html"})
+  for (const char* text :
+       {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ",
+        "Willis 1977 on the 8080: ", "Montani and Re 1985 on the 8080: ", "Skala 1985 on the 8080: ", "about 2 s", "about 15 %",
+        "CalComp 565", "This computer, exact lines: ", "pictures/index.html"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
   const std::string page = read("pictures/index.html");
   // What the line on the paper's 15 % says of two functions is what their rows say: T-states added to a point, of those
@@ -69,10 +70,12 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
   }
   // Five scenes in four ways; eight functions in four ways and one plot in three; three scenes in stripes.
   EXPECT_EQ(pictures, 5 * 4 + 8 * 4 + 3 + 3);
-  for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen", "turn-pdp7", "<details>",
-                           "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"", "jones-pdp7 without EAE", "A solid turning on the PDP-7"})
+  for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen",
+                           "turn-pdp7", "<details>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
+                           "jones-pdp7 without EAE", "A solid turning on the PDP-7"})
     EXPECT_TRUE(has(page, text)) << text;
-  for (const char* text : {"<script", "http://www.example", "https://", "time here", " us</", "&#181;"}) EXPECT_FALSE(has(page, text)) << text;
+  for (const char* text : {"<script", "http://www.example", "https://", "time here", " us</", "&#181;"})
+    EXPECT_FALSE(has(page, text)) << text;
   // The same bytes again.
   const Ran again = sightline({"demo", "-o", "pictures2", "--no-host-times"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
@@ -94,11 +97,11 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   }
   ASSERT_EQ(document.at("turns").size(), 4U);
   ASSERT_EQ(document.at("flights").size(), 4U);
-  for (const json& flight : document.at("flights")) EXPECT_GE(flight.at("frames_per_second_mean").get<double>(), flight.at("bits") == 8 ? 23 : 12);
+  for (const json& flight : document.at("flights"))
+    EXPECT_GE(flight.at("frames_per_second_mean").get<double>(), flight.at("bits") == 8 ? 23 : 12);
   for (const json& turn : document.at("turns")) EXPECT_GT(turn.at("frames_per_second_worst").get<double>(), 15);
   ASSERT_EQ(document.at("skala").size(), 8U);
-  for (const json& row : document.at("skala"))
-    EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);
+  for (const json& row : document.at("skala")) EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);
   ASSERT_EQ(document.at("stripes").size(), 4U);
   for (const json& row : document.at("stripes")) EXPECT_GT(row.at("drawing_seconds").get<double>(), 0.1);
   EXPECT_GT(document.at("skala_plot").at("seconds").get<double>(), 10.0);
@@ -111,7 +114,8 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
     EXPECT_TRUE(row.at("method") != "exact" || row.at("host_s").at("greatest").get<double>() > 0) << row;
     EXPECT_TRUE(row.at("method") != "jones-pdp7" || row.at("emulated_s").at("greatest").get<double>() > 0) << row;
   }
-  for (const char* method : {"jones-pdp7", "exact", "jones", "montani-re", "willis", "plantinga", "turn-pdp7", "willis-8080", "stripes-8080", "skala-8080", "skala"})
+  for (const char* method : {"jones-pdp7", "exact", "jones", "montani-re", "willis", "plantinga", "turn-pdp7", "willis-8080",
+                             "stripes-8080", "skala-8080", "skala"})
     EXPECT_TRUE(methods.contains(method)) << method;
   std::set<std::string> computers;
   for (const json& point : document.at("plot")) computers.insert(point.at("computer").get<std::string>());

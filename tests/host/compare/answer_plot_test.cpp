@@ -1,4 +1,5 @@
-// The plot of time against error: fronts by hand, places on logarithmic axes, labels that do not lie on each other, texts escaped.
+// The plot of time against error: fronts by hand, places on logarithmic axes, labels that do not lie on each other, texts
+// escaped.
 #include "host/compare/answer_plot.hpp"
 
 #include <gtest/gtest.h>
@@ -45,8 +46,8 @@ std::vector<Place> marks_of(const std::string& svg) {
 TEST(Front, IsWhatNoOtherIsBothFasterAndMoreRightThan) {
   //                                       0            1            2            3            4              5
   const std::vector<PlotPoint> series{point(1, 5), point(2, 4), point(3, 4), point(2, 1), point(0.5, 9), point(4, 0)};
-  // From the fastest on, each that is more right than all before: 4, 0, 3 (as fast as 1 and more right), 5. 2 is slower than 1 and no
-  // more right.
+  // From the fastest on, each that is more right than all before: 4, 0, 3 (as fast as 1 and more right), 5. 2 is slower than 1
+  // and no more right.
   EXPECT_EQ(front_of(series), (std::vector<std::size_t>{4, 0, 3, 5}));
   EXPECT_EQ(front_of({point(1, 1), point(1, 1)}), (std::vector<std::size_t>{0})) << "of equal points the first";
   EXPECT_TRUE(front_of({}).empty());
@@ -83,7 +84,8 @@ TEST(Plot, AxesAreLogarithmic) {
 TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
   std::vector<PlotPoint> points;
   for (int i = 0; i < 30; ++i)
-    points.push_back(point(1 + 0.3 * (i % 6), 2 + 0.5 * (i / 6), "setting " + std::to_string(i), "series " + std::to_string(i % 5)));
+    points.push_back(
+        point(1 + 0.3 * (i % 6), 2 + 0.5 * (i / 6), "setting " + std::to_string(i), "series " + std::to_string(i % 5)));
   for (int i = 0; i < 6; ++i) points.push_back(point(1 + 0.01 * i, 0, "", "exact " + std::to_string(i)));
   const std::string svg = panel_svg(points, PlotPanel::emulated);
   struct Box {
@@ -92,7 +94,8 @@ TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
   std::vector<Box> boxes;
   const std::regex label("<text class=\"(e |m )?(b )?c[0-9]\" x=\"([0-9.]+)\" y=\"([0-9.]+)\">([^<]*)</text>");
   for (auto at = std::sregex_iterator(svg.begin(), svg.end(), label); at != std::sregex_iterator(); ++at) {
-    const double width = 6.5 * static_cast<double>((*at)[5].length());  // of 13 units of height: narrow letters, so that what touches is found
+    const double width =
+        6.5 * static_cast<double>((*at)[5].length());  // of 13 units of height: narrow letters, so that what touches is found
     const double x = std::stod((*at)[3]) - ((*at)[1] == "e " ? width : (*at)[1] == "m " ? width / 2 : 0);
     const double base = std::stod((*at)[4]);
     boxes.push_back({x, x + width, base - 9, base + 2});
@@ -105,7 +108,8 @@ TEST(Plot, LabelsDoNotLieOnEachOtherOrOnMarks) {
       EXPECT_FALSE(a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) << i << " lies on " << j;
     }
     for (const Place& mark : marks_of(svg)) {
-      const bool on = mark.x > boxes[i].left - 3 && mark.x < boxes[i].right + 3 && mark.y > boxes[i].top - 3 && mark.y < boxes[i].bottom + 3;
+      const bool on =
+          mark.x > boxes[i].left - 3 && mark.x < boxes[i].right + 3 && mark.y > boxes[i].top - 3 && mark.y < boxes[i].bottom + 3;
       EXPECT_FALSE(on) << "label " << i << " at " << boxes[i].left << ", " << boxes[i].top;
     }
   }
@@ -156,7 +160,8 @@ TEST(Variants, OfASceneOfCellsAreTheBitsWithTheEaeAndWithout) {
   }
   // The usual setting is what the comparison has.
   EXPECT_EQ(with[3].seconds, core::in_seconds(comparison->guest->time));
-  for (const PlotPoint& point : points) EXPECT_EQ(point.panel, PlotPanel::emulated) << point.series << ": no times of this computer";
+  for (const PlotPoint& point : points)
+    EXPECT_EQ(point.panel, PlotPanel::emulated) << point.series << ": no times of this computer";
 }
 
 TEST(Variants, OfPolyhedraAreStripesAndEvents) {
