@@ -244,7 +244,8 @@ class Drawing {
     for_each_view([&](const CrossCheckView&, CrossCheckPicture& picture) {
       picture.ink = skala_pictures(*scene_.heights, program_view(scene_));
       for (const SkalaInk& ink : *picture.ink)
-        if (picture.problem.empty() && !ink.difference.empty()) picture.problem = fmt::format("{}: the program is not its twin: {}", name_of(ink), ink.difference);
+        if (picture.problem.empty() && !ink.difference.empty())
+          picture.problem = fmt::format("{}: the program is not its twin: {}", name_of(ink), ink.difference);
     });
   }
 

@@ -55,7 +55,7 @@ class Distances {
  public:
   void add(std::string what, double found, double bound) {
     verdict_.agrees = verdict_.agrees && found <= bound;
-    verdict_.text += fmt::format("{}{} {:.2f} of {:.2f}", verdict_.text.empty() ? "" : ", ", what, found, bound);
+    verdict_.text += fmt::format("{}{} {:.3g} of {:.3g}", verdict_.text.empty() ? "" : ", ", what, found, bound);
     verdict_.distances.push_back({std::move(what), found, bound});
   }
   void fail(const std::string& text) {
@@ -78,7 +78,9 @@ constexpr double screen_centre = 512;
 // Lines between points, from the pieces as they left the clip.
 std::vector<PixelSegment> on_points(const jones::View& view, int fraction_bits) {
   const jones::ShortWords number(jones::machine_word_bits, fraction_bits);
-  const auto place = [&number](const jones::ScreenPoint& p) { return PixelPoint{number.point(p.x) + screen_centre, number.point(p.y) + screen_centre}; };
+  const auto place = [&number](const jones::ScreenPoint& p) {
+    return PixelPoint{number.point(p.x) + screen_centre, number.point(p.y) + screen_centre};
+  };
   std::vector<PixelSegment> lines;
   for (const jones::Piece& piece : view.pieces) lines.push_back({place(piece.line.a), place(piece.line.b)});
   return lines;
@@ -93,7 +95,7 @@ std::vector<PixelSegment> flashes_of(const std::vector<core::Stroke>& pass) {
   return flashes;
 }
 
-// The program of a scene of cells, which is assembled once for all views.
+// One view by the program, assembled with that eye.
 base::Result<jones::CheckedRun> run_of(const CommonScene& scene, const geometry::Point& eye, bool eae, int fraction_bits) {
   jones::ProgramOptions options;
   options.eae = eae;
@@ -130,7 +132,8 @@ std::vector<PixelSegment> border_of(const PixelGrid& dots) {
   for (int row = 0; row < dots.height; ++row) {
     for (int column = 0; column < dots.width; ++column) {
       const PixelPoint place{static_cast<double>(column), static_cast<double>(row)};
-      if (inked(column, row) && !(inked(column - 1, row) && inked(column + 1, row) && inked(column, row - 1) && inked(column, row + 1)))
+      if (inked(column, row) &&
+          !(inked(column - 1, row) && inked(column + 1, row) && inked(column, row - 1) && inked(column, row + 1)))
         border.push_back({place, place});
     }
   }
@@ -143,8 +146,8 @@ class InkDistances {
   // The bounds are multiplied.
   void add(Distances& to, const SkalaInk& ink, const std::vector<PixelSegment>& lines, double bounds_times) {
     auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) {
-      return k.lines == &lines && shows_lines(*k.ink) == shows_lines(ink) && skala::is_raster(k.ink->device) == skala::is_raster(ink.device) &&
-             k.ink->dots == ink.dots;
+      return k.lines == &lines && shows_lines(*k.ink) == shows_lines(ink) &&
+             skala::is_raster(k.ink->device) == skala::is_raster(ink.device) && k.ink->dots == ink.dots;
     });
     const InkBounds bounds = ink_bounds(ink);
     if (known == known_.end()) {
@@ -168,8 +171,11 @@ class InkDistances {
 std::vector<PixelSegment> lines_of(const picture::VectorDrawing& drawing) {
   std::vector<PixelSegment> lines;
   for (const picture::DrawingLine& line : drawing.lines) {
-    const auto place = [&](std::uint32_t i) { return PixelPoint{drawing.points[line.first + i].x, drawing.points[line.first + i].y}; };
-    for (std::uint32_t i = 0; i < std::max(line.count, 2U) - 1; ++i) lines.push_back({place(i), place(std::min(i + 1, line.count - 1))});
+    const auto place = [&](std::uint32_t i) {
+      return PixelPoint{drawing.points[line.first + i].x, drawing.points[line.first + i].y};
+    };
+    for (std::uint32_t i = 0; i < std::max(line.count, 2U) - 1; ++i)
+      lines.push_back({place(i), place(std::min(i + 1, line.count - 1))});
   }
   return lines;
 }
@@ -182,9 +188,11 @@ base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, 
     const auto run = run_of(scene, view.camera.eye, eae, bits);
     if (!run) return run.error();
     if (run->guest.timed_out || run->guest.views.empty()) return base::fail("the program on the PDP-7 did not complete a view");
-    if (!run->difference.empty()) return base::fail(fmt::format("{} fraction bits: the program is not its twin: {}", bits, run->difference));
+    if (!run->difference.empty())
+      return base::fail(fmt::format("{} fraction bits: the program is not its twin: {}", bits, run->difference));
     const jones::GuestView& shown = run->guest.views.back();
-    if (shown.status != jones::Status::complete) return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+    if (shown.status != jones::Status::complete)
+      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
     made.display_file = shown.display_file;
     made.lines = on_points(run->twin, bits);
@@ -203,10 +211,9 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
   for (int bits = 0; bits <= most_on_machine; ++bits) {
     parameters.fraction_bits = bits;
     const jones::View shown = jones::run(in_core->core, 0, parameters);
-    if (shown.status != jones::Status::complete) return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
-    JonesPicture& made = builds.emplace_back(picture_of(scene, eye, bits));
-    made.display_file = shown.display_file;
-    made.lines = on_points(shown, bits);
+    if (shown.status != jones::Status::complete)
+      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+    builds.push_back({{jones::machine_word_bits, bits}, shown.display_file, {}, 0, {}, 0});
   }
   for (const int bits : bits_of_longer_words) {
     JonesPicture& made = builds.emplace_back();
@@ -216,8 +223,10 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
     precision.word_bits = longer_word;
     precision.fraction_bits = bits;
     const jones::PreciseView shown = jones::run_precisely(in_core->core, 0, parameters, precision);
-    if (shown.status != jones::Status::complete) return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
-    for (const jones::PrecisePiece& piece : shown.pieces) made.lines.push_back({{piece.line.x0, piece.line.y0}, {piece.line.x1, piece.line.y1}});
+    if (shown.status != jones::Status::complete)
+      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+    for (const jones::PrecisePiece& piece : shown.pieces)
+      made.lines.push_back({{piece.line.x0, piece.line.y0}, {piece.line.x1, piece.line.y1}});
   }
   return builds;
 }
@@ -228,6 +237,7 @@ ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& vie
   const bool with_flashes = b.name == registry::line_algorithms().front().name;
   Distances distances;
   for (const JonesPicture& build : *a.builds) {
+    if (build.lines.empty()) continue;
     const std::string bits = fmt::format("f={}", build.words.fraction_bits);
     distances.add(bits, apart(build.lines, exact), build.bound);
     if (!build.flashes.empty() && with_flashes) distances.add(bits + " lit", apart(build.flashes, exact), build.flash_bound);
@@ -241,7 +251,10 @@ ViewVerdict compare_pictures(const NamedJones& a, const NamedJones& b) {
     for (const JonesPicture& of_b : *b.builds) {
       if (!(of_a.words == of_b.words) || of_a.display_file.empty()) continue;
       if (of_a.display_file != of_b.display_file)
-        return {false, "words", fmt::format("{} fraction bits: {} and {} have other display files", of_a.words.fraction_bits, a.name, b.name), {}};
+        return {false,
+                "words",
+                fmt::format("{} fraction bits: {} and {} have other display files", of_a.words.fraction_bits, a.name, b.name),
+                {}};
       words += of_a.display_file.size();
     }
   }

@@ -20,15 +20,15 @@ namespace {
 namespace jones = guests::jones;
 using picture::PixelPoint;
 
-constexpr double half = 0.5;                          // a unit rounded
-constexpr double corner = 1 / std::numbers::sqrt2;    // a point with both coordinates rounded
-constexpr double on_line = 1e-6;                      // units: a distance of nothing
+constexpr double half = 0.5;                        // a unit rounded
+constexpr double corner = 1 / std::numbers::sqrt2;  // a point with both coordinates rounded
+constexpr double on_line = 1e-6;                    // units: a distance of nothing
 constexpr double no_area = 1e-6;
 
 // A straight line of the image, from one end to the other, and how far the computed ends can be from it.
 struct Side {
-  PixelPoint along;                    // its direction, of length 1
-  std::array<double, 2> away{};        // at its beginning and its end, in units
+  PixelPoint along;              // its direction, of length 1
+  std::array<double, 2> away{};  // at its beginning and its end, in units
   bool of_window = false;
 
   [[nodiscard]] bool is_sloped() const { return along.x != 0 && along.y != 0; }
@@ -37,9 +37,15 @@ struct Side {
   [[nodiscard]] double away_at(double share) const { return std::abs(1 - share) * away[0] + std::abs(share) * away[1]; }
 };
 
-double length_of(const PixelPoint& a, const PixelPoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
-double sine_of(const Side& a, const Side& b) { return std::abs(a.along.x * b.along.y - a.along.y * b.along.x); }
-double cosine_of(const Side& a, const Side& b) { return std::abs(a.along.x * b.along.x + a.along.y * b.along.y); }
+double length_of(const PixelPoint& a, const PixelPoint& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+double sine_of(const Side& a, const Side& b) {
+  return std::abs(a.along.x * b.along.y - a.along.y * b.along.x);
+}
+double cosine_of(const Side& a, const Side& b) {
+  return std::abs(a.along.x * b.along.x + a.along.y * b.along.y);
+}
 
 // Projected, both ends.
 Side projected(const PixelPoint& a, const PixelPoint& b) {
@@ -61,9 +67,7 @@ struct ClipLine {
   Side side;
   double length = 0;  // of the side; 0: a side of a box
 
-  [[nodiscard]] double distance(const PixelPoint& p) const {
-    return side.along.x * (p.y - at.y) - side.along.y * (p.x - at.x);
-  }
+  [[nodiscard]] double distance(const PixelPoint& p) const { return side.along.x * (p.y - at.y) - side.along.y * (p.x - at.x); }
   [[nodiscard]] bool holds(const PixelPoint& p) const { return distance(p) >= -on_line; }
   // How far the computed one is off there.
   [[nodiscard]] double away(const PixelPoint& p) const {
@@ -83,7 +87,9 @@ std::vector<ClipLine> clip_lines(const Polygon& mask) {
     double away = corner;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const Side& side = mask[i].next;
-      if (std::abs(line.distance(mask[i].place)) > on_line || std::abs(line.distance(mask[(i + 1) % mask.size()].place)) > on_line) continue;
+      if (std::abs(line.distance(mask[i].place)) > on_line ||
+          std::abs(line.distance(mask[(i + 1) % mask.size()].place)) > on_line)
+        continue;
       away = std::max(side.away[0], side.away[1]);
       line.side.of_window = side.of_window;
     }
@@ -91,7 +97,8 @@ std::vector<ClipLine> clip_lines(const Polygon& mask) {
     lines.push_back(line);
   }
   for (std::size_t i = 0; i < mask.size(); ++i)
-    if (mask[i].next.is_sloped()) lines.push_back({mask[i].place, mask[i].next, length_of(mask[i].place, mask[(i + 1) % mask.size()].place)});
+    if (mask[i].next.is_sloped())
+      lines.push_back({mask[i].place, mask[i].next, length_of(mask[i].place, mask[(i + 1) % mask.size()].place)});
   return lines;
 }
 
@@ -103,7 +110,10 @@ class Bound {
         window_(jones::window_of(jones::Pass::mono, 512, words.fraction_bits, words.word_bits)),
         share_(std::ldexp(1.0, 2 - words.word_bits)) {
     const auto at = [](std::int32_t x, std::int32_t y) { return PixelPoint{static_cast<double>(x), static_cast<double>(y)}; };
-    Polygon mask{{at(window_.xlo, window_.ylo), {}}, {at(window_.xhi, window_.ylo), {}}, {at(window_.xhi, window_.yhi), {}}, {at(window_.xlo, window_.yhi), {}}};
+    Polygon mask{{at(window_.xlo, window_.ylo), {}},
+                 {at(window_.xhi, window_.ylo), {}},
+                 {at(window_.xhi, window_.yhi), {}},
+                 {at(window_.xlo, window_.yhi), {}}};
     for (std::size_t i = 0; i < 4; ++i) {
       mask[i].next = projected(mask[i].place, mask[(i + 1) % 4].place);
       mask[i].next.away = {0, 0};
@@ -116,7 +126,9 @@ class Bound {
   [[nodiscard]] double units() const { return greatest_; }
 
  private:
-  [[nodiscard]] jones::SpacePoint seen(const geometry::Point& p) const { return {p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]}; }
+  [[nodiscard]] jones::SpacePoint seen(const geometry::Point& p) const {
+    return {p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
+  }
   [[nodiscard]] PixelPoint project(const jones::SpacePoint& p) const {
     return {static_cast<double>(p.x) * window_.width_scale / p.z, static_cast<double>(p.y) * window_.width_scale / p.z};
   }
@@ -164,7 +176,8 @@ class Bound {
     for (std::size_t i = 0; i < places.size(); ++i)
       if (length_of(places[i], places[(i + 1) % places.size()]) > on_line) polygon.push_back({places[i], {}});
     if (area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
-    for (std::size_t i = 0; i < polygon.size(); ++i) polygon[i].next = projected(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      polygon[i].next = projected(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
     return polygon;
   }
 
@@ -271,6 +284,8 @@ double jones_line_bound(double piece_bound, const JonesWords& words) {
   return words.fraction_bits == 0 ? piece_bound : piece_bound + corner;
 }
 
-double jones_flash_bound(double line_bound) { return line_bound + corner + guests::turn::flash_bound(); }
+double jones_flash_bound(double line_bound) {
+  return line_bound + corner + guests::turn::flash_bound();
+}
 
 }  // namespace sightline::compare

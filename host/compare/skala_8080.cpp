@@ -68,7 +68,8 @@ std::vector<PixelSegment> outline_of(const skala::Projection& projection) {
       const bool behind = slice + 1 < projection.slices();
       if (beside) sides.push_back({place(point, slice), place(point + 1, slice)});
       if (behind) sides.push_back({place(point, slice), place(point, slice + 1)});
-      if (beside && behind) sides.push_back({place(rising ? point : point + 1, slice), place(rising ? point + 1 : point, slice + 1)});
+      if (beside && behind)
+        sides.push_back({place(rising ? point : point + 1, slice), place(rising ? point + 1 : point, slice + 1)});
     }
   }
   std::sort(columns.begin(), columns.end());
@@ -94,10 +95,13 @@ std::vector<PixelSegment> outline_of(const skala::Projection& projection) {
 }  // namespace
 
 std::string name_of(const SkalaInk& ink) {
-  return fmt::format("{}, {}", ink_kind_names.at(static_cast<std::size_t>(ink.kind)), ink_device_names.at(static_cast<std::size_t>(ink.device)));
+  return fmt::format("{}, {}", ink_kind_names.at(static_cast<std::size_t>(ink.kind)),
+                     ink_device_names.at(static_cast<std::size_t>(ink.device)));
 }
 
-bool shows_lines(const SkalaInk& ink) { return ink.kind != skala::PictureKind::surface || !skala::is_raster(ink.device); }
+bool shows_lines(const SkalaInk& ink) {
+  return ink.kind != skala::PictureKind::surface || !skala::is_raster(ink.device);
+}
 
 std::vector<SkalaInk> skala_pictures(const scene::HeightGrid& grid, const skala::View& asked) {
   static const skala::Session session;

@@ -72,6 +72,7 @@ class IsolatedEdge {
   // The stretch of the edge in a trapezoid, by ordinates.
   [[nodiscard]] std::optional<Extent> stretch(Extent within, std::uint32_t west, std::uint32_t east) const {
     if (!keep_east_of(west, 1, within) || !keep_east_of(east, -1, within)) return std::nullopt;
+    if (image_.compare(within.low, within.high) >= 0) return std::nullopt;
     return within;
   }
   // With `side` -1: to the west of it.
@@ -79,7 +80,7 @@ class IsolatedEdge {
     if (image_.compare(within.low, within.high) >= 0) return false;
     const int low = side * image_.order_at(line_, line, within.low);
     const int high = side * image_.order_at(line_, line, within.high);
-    if (low <= 0 && high <= 0) return false;
+    if (low < 0 && high < 0) return false;
     if (low < 0) within.low = image_.crossing(line_, line);
     if (high < 0) within.high = image_.crossing(line_, line);
     return true;
@@ -120,22 +121,11 @@ class IsolatedEdge {
     return parts;
   }
 
-  // Where stripes end at the edge, it is inside the face only if there is some above and some below.
   void hide_along_stripes(const Face& face) {
-    std::vector<Interval> below;
-    std::vector<Interval> above;
     for (const Band& band : face.pcs.bands) {
-      const int low = image_.compare(band.low, extent_.low);
-      const int high = image_.compare(band.high, extent_.low);
-      if (low > 0 || high < 0) continue;
-      if (high >= 0 && low < 0) below = parts_in(face.pcs, band);
-      if (low <= 0 && high > 0) above = parts_in(face.pcs, band);
-    }
-    for (const Interval& a : below) {
-      for (const Interval& b : above) {
-        const Interval both{std::max(a.low, b.low), std::min(a.high, b.high)};
-        if (both.low < both.high) hide(face, both);
-      }
+      if (image_.compare(band.low, extent_.low) > 0 || image_.compare(band.high, extent_.low) < 0) continue;
+      for (const Interval& part : parts_in(face.pcs, band))
+        if (part.low < part.high) hide(face, part);
     }
   }
 

@@ -1,5 +1,5 @@
 // The visible part of an isolated edge, one that bounds no region: the edge less the parts that lie behind
-// the inside of a face.
+// a face: behind its inside, or exactly behind its outline, which is drawn in its place.
 #pragma once
 
 #include <cstdint>

@@ -118,6 +118,7 @@ std::string hard_command(const HardCase& hard) {
 
 std::string compare_command(const HardCase& hard) {
   if (hard.input.empty() || hard.input == "octants" || hard.input.ends_with(".txt")) return "";
+  if (hard.expect.refused || hard.expect.eye_refused) return "";
   const std::string stem = hard.input.substr(0, hard.input.rfind('.'));
   const std::string command = "sightline compare " + (scene::builtin_scene_text(stem) ? stem : hard.input);
   if (is_grid(hard)) return command_of_grid(command, hard);

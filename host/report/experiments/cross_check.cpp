@@ -69,7 +69,7 @@ void machine_table(Page& page, const std::string& id, const std::string& title, 
              Pivot<MachineFarthest>{.key = [](const MachineFarthest& m) { return base::lower_case(m.scene); },
                                     .title = [](const MachineFarthest& m) { return m.scene + ", " + m.title; },
                                     .unit = "points",
-                                    .cell = [](const MachineFarthest& m) { return Verdict{m.found <= m.bound, fmt::format("{:.2f} of {:.2f}", m.found, m.bound)}; }});
+                                    .cell = [](const MachineFarthest& m) { return Verdict{m.found <= m.bound, fmt::format("{:.{}f} of {:.{}f}", m.found, m.places(), m.bound, m.places())}; }});
 }
 
 void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement) {
@@ -176,9 +176,10 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
                 "Of the views of a scene the one that comes nearest to its bound: how far, in points of the Type 340, a line of the program is from the exact "
                 "ones or an exact one from the program's, of how far its words let it be. f is the number of fraction bits; lit: the points of one pass of "
                 "the display, whose vector generator wanders. jones-pdp7 is the program on its machine, with the EAE and without; jones-twin the same "
-                "program in C++, from f=4 on with words of 24 bits and before its pieces are put on points. The bounds are worked out for each view "
-                "from the roundings on the way to each end; they hold for these views: from other places the program may lose a line that it sees "
-                "between two openings, which no length of words bounds.");
+                "program in C++ with words of 24 bits, before its pieces are put on points. The bounds are worked out for each view "
+                "from the roundings on the way to each end. They hold for these views: where two openings meet in a side that is no line, "
+                "their masks are rounded each for itself, and a line that runs in the gap between them, at a small angle to it, is lost over a "
+                "length that no word bounds.");
   machine_table(page, "agreement-skala", "Skala's program: its ink and the unrounded lines", of_skala,
                 "How far, in dots, ink is from the lines between the samples (oracle: what is truly seen of them, not rounded; skala: what the native "
                 "algorithm draws), and these from ink, of how far integer coordinates, the dots of a line and the test by columns let it be. Contours "

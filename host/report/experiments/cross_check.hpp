@@ -55,6 +55,7 @@ struct MachineFarthest {
   double bound = 0;
 
   [[nodiscard]] double part() const { return found / bound; }
+  [[nodiscard]] int places() const { return bound < 0.5 ? 4 : 2; }  // that say something of both
 };
 
 struct CrossCheck {

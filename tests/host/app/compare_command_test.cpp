@@ -1,6 +1,9 @@
 // `sightline compare`: tables, JSON, overlays, exit codes, and what a user gets wrong.
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/registry/lines.hpp"
@@ -27,15 +30,69 @@ std::vector<std::string> names(const Algorithms& algorithms, Choose choose) {
 TEST_F(CompareCommand, ComparesASceneOfCells) {
   const auto ran = sightline({"compare", "house", "-o", "pictures"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* part : {"house from ", "  guest ", "  twin ", "  exact ", "equal to the oracle's",
-                           "guest and twin: identical, ", "overlay pictures/house-compare-guest.png, .svg"})
+  for (const char* part : {"house from ", "\njones-pdp7 ", "\njones-twin ", "\nexact ", "0, exact", "of 3 cells", "a few seconds, 1971",
+                           "jones-pdp7 is its twin word for word: ", "picture pictures/house-compare-jones-pdp7.png",
+                           "jones-pdp7 lit "})
     EXPECT_TRUE(has(ran.out, part)) << part << '\n' << ran.out;
-  for (const char* file : {"pictures/house-compare-guest.png", "pictures/house-compare-twin.svg",
-                           "pictures/house-compare-exact.png"})
+  for (const char* file : {"pictures/house-compare-jones-pdp7.png", "pictures/house-compare-jones-twin.svg",
+                           "pictures/house-compare-exact.png", "pictures/house-compare-jones-pdp7_points.png"})
     EXPECT_TRUE(exists(file)) << file;
-  const auto png = sightline::picture::read_png(path("pictures/house-compare-guest.png").string());
+  const auto png = sightline::picture::read_png(path("pictures/house-compare-jones-pdp7.png").string());
   ASSERT_TRUE(png);
   EXPECT_EQ(png->image.width, 1027);
+  const auto points = sightline::picture::read_png(path("pictures/house-compare-jones-pdp7_points.png").string());
+  ASSERT_TRUE(points);
+  EXPECT_EQ(points->image.width, 1024);
+}
+
+// One table for people and programs: all rows have the same true length, the machine a time of its own and the others none of theirs.
+TEST_F(CompareCommand, HasOneTableOfAllMethods) {
+  const auto ran = sightline({"compare", "house", "--no-host-times", "--json"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const auto document = nlohmann::json::parse(ran.out);
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& row : document["table"]) {
+    EXPECT_FALSE(row.contains("host_s")) << row;
+    EXPECT_EQ(row["scene"], "house");
+    EXPECT_EQ(row["views"], 1);
+    rows[row["method"].get<std::string>() + "/" + row["picture"].get<std::string>()] = row;
+  }
+  ASSERT_TRUE(rows.contains("jones-pdp7/lines") && rows.contains("jones-twin/lines") && rows.contains("exact/lines") &&
+              rows.contains("jones/lines") && rows.contains("montani-re/lines") && rows.contains("stripes-8080/faces"));
+  EXPECT_GT(rows["jones-pdp7/lines"]["emulated_s"]["median"], 0.01);
+  EXPECT_FALSE(rows["exact/lines"].contains("emulated_s"));
+  EXPECT_EQ(rows["jones-pdp7/lines"]["paper"], "a few seconds, 1971");
+  // What the machine reads of the scene is what its twin reads.
+  EXPECT_EQ(rows["jones-pdp7/lines"]["read"], rows["jones-twin/lines"]["read"]);
+  EXPECT_EQ(rows["jones-pdp7/lines"]["of_all"], 3);
+  std::set<double> lengths;
+  for (const auto& picture : document["scenes"][0]["pictures"]) lengths.insert(std::round(1e6 * picture["true_length"].get<double>()));
+  EXPECT_EQ(lengths.size(), 1U);
+  const auto fewer = sightline({"compare", "house", "--no-host-times", "--json", "--methods", "jones-twin,jones-pdp7", "--fraction", "0", "--no-eae"});
+  ASSERT_EQ(fewer.exit_code, 0) << fewer.err;
+  const auto chosen = nlohmann::json::parse(fewer.out)["table"];
+  ASSERT_EQ(chosen.size(), 2U);
+  EXPECT_GT(chosen[1]["wrong"]["median"], 2 * rows["jones-twin/lines"]["wrong"]["median"].get<double>()) << "without fraction bits";
+  EXPECT_EQ(chosen[1]["wrong"]["median"], chosen[0]["wrong"]["median"]) << "its words are the display's points";
+  EXPECT_GT(chosen[0]["emulated_s"]["median"], rows["jones-pdp7/lines"]["emulated_s"]["median"]) << "without the EAE";
+}
+
+// Random views are those of their seed, and the table of some is not that of others.
+TEST_F(CompareCommand, ComparesRandomViews) {
+  const Arguments arguments{"compare", "house", "--views", "3", "--seed", "5", "--no-host-times", "--methods", "exact,jones-pdp7"};
+  const auto ran = sightline(arguments);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "house, 3 random views of seed 5")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "3 of 3")) << ran.out;
+  EXPECT_EQ(sightline(arguments).out, ran.out);
+  Arguments others = arguments;
+  others[5] = "6";
+  EXPECT_NE(sightline(others).out, ran.out);
+  const auto function = sightline({"compare", "saddle", "--points", "9", "--views", "2", "--no-host-times", "--json", "--methods", "skala"});
+  ASSERT_EQ(function.exit_code, 0) << function.err;
+  const auto table = nlohmann::json::parse(function.out)["table"];
+  ASSERT_EQ(table.size(), 1U);
+  EXPECT_EQ(table[0]["views"], 2);
 }
 
 // The coordinates of the file are multiples of 0.1, in which the scene counts.
@@ -51,11 +108,11 @@ TEST_F(CompareCommand, TheEyeIsInTheUnitOfTheFile) {
 
 TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   NEEDS_OPTIMISED_CODE();
-  const Arguments arguments{"compare", "sinc", "bricks-10", "--json"};
+  const Arguments arguments{"compare", "sinc", "bricks-10", "--json", "--no-host-times"};
   const auto ran = sightline(arguments);
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
   const auto document = nlohmann::json::parse(ran.out);
-  EXPECT_EQ(document["schema"], "sightline/compare/1");
+  EXPECT_EQ(document["schema"], "sightline/compare/2");
   EXPECT_EQ(document["agrees"], true);
   ASSERT_EQ(document["scenes"].size(), 2U);
   EXPECT_EQ(document["scenes"][0]["function"], "sinc");
@@ -69,7 +126,7 @@ TEST_F(CompareCommand, ComparesAFunctionAndPolyhedraAsJson) {
   EXPECT_EQ(document["scenes"][1]["pictures"][0]["name"], "exact");
   EXPECT_EQ(document["scenes"][1]["pictures"][0]["equal_to_oracle"], true);
   EXPECT_EQ(document["scenes"][1]["pictures"][0]["pieces_different"], 0);
-  EXPECT_TRUE(exists("out/sinc-compare-native.png"));
+  EXPECT_TRUE(exists("out/sinc-compare-skala.png"));
   EXPECT_TRUE(exists("out/bricks-10-compare-exact.svg"));
   if (sightline::tests::optimised()) {
     EXPECT_EQ(sightline(arguments).out, ran.out);
@@ -83,13 +140,13 @@ TEST_F(CompareCommand, ComparesAFunctionOfOnesOwn) {
   const auto document = nlohmann::json::parse(contours.out)["scenes"];
   ASSERT_EQ(document.size(), 1U);
   EXPECT_EQ(document[0]["function"], "x*x - z*z");
-  EXPECT_EQ(document[0]["vectors"]["name"], "native lines");
+  EXPECT_EQ(document[0]["vectors"]["name"], "skala lines");
   EXPECT_GT(document[0]["vectors"]["true_length"], 500);
   EXPECT_LT(document[0]["vectors"]["missing_share"], 0.01);
-  EXPECT_TRUE(exists("out/function-compare-native_lines.svg"));
+  EXPECT_TRUE(exists("out/function-compare-skala_lines.svg"));
   const auto surface = sightline({"compare", "saddle", "--picture", "surface", "--points", "9"});
   ASSERT_EQ(surface.exit_code, 0) << surface.err;
-  for (const char* part : {"  guest ", "  twin ", "  native ", "  native cells "})
+  for (const char* part : {"\nskala-8080 ", "\nskala-twin ", "\nskala "})
     EXPECT_TRUE(has(surface.out, part)) << part << surface.out;
   EXPECT_EQ(sightline({"compare", "saddle", "--along", "z", "--rotate", "80", "--points", "9"}).exit_code, 0);
   const auto end_on = sightline({"compare", "saddle", "--along", "z", "--points", "9"});
@@ -151,6 +208,10 @@ TEST_F(CompareCommand, NamesWhatIsWrong) {
   write("bad.off", "OFF\n1\n");
   const std::vector<Case> cases{
       {{"compare", "nowhere"}, 5, "nowhere"},
+      {{"compare", "house", "--methods", "jone-pdp7"}, 2, "--methods: found \"jone-pdp7\""},
+      {{"compare", "house", "--methods", "jone-pdp7"}, 2, "did you mean \"jones-pdp7\"?"},
+      {{"compare", "house", "--fraction", "4"}, 2, "--fraction"},
+      {{"compare", "house", "--views", "3", "--eye", "480,160,20"}, 2, "--eye: found with --views"},
       {{"compare", "house", "--view", "1,2"}, 2, "--view"},
       {{"compare", "house", "--view", "iso"}, 2, "--view: found with house"},
       {{"compare", "bricks-5", "--view", "sideways"}, 2, "dimetric"},
@@ -188,13 +249,36 @@ TEST_F(CompareCommand, ScenesOfOneNameHaveOverlaysOfTheirOwn) {
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_EQ(read("both/a-compare-exact.png"), read("alone/a-compare-exact.png"));
   EXPECT_NE(read("both/a-2-compare-exact.png"), read("alone/a-compare-exact.png"));
-  EXPECT_TRUE(has(both.out, "overlay both/a-2-compare-exact.png")) << both.out;
+  EXPECT_TRUE(has(both.out, "picture both/a-2-compare-exact.png")) << both.out;
+}
+
+TEST_F(CompareCommand, PlotsTimeAgainstError) {
+  const auto ran = sightline({"compare", "house", "--plot", "house.svg", "--no-host-times", "--methods", "jones-pdp7,exact"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "plot house.svg")) << ran.out;
+  const std::string svg = read("house.svg");
+  for (const char* part : {"house: time against error", "jones-pdp7 with EAE, 0 bits: ", "jones-pdp7 without EAE, 3 bits: ", "No times of this computer"})
+    EXPECT_TRUE(has(svg, part)) << part;
+  const struct {
+    Arguments arguments;
+    const char* what;
+    int exit_code;
+  } cases[] = {{{"compare", "house", "--plot", "-"}, "--plot: found -, expected a file", 2},
+               {{"compare", "house", "--plot", "a.svg", "--views", "2"}, "--plot: found with --views", 2},
+               {{"compare", "house", "--plot", "no/such/a.svg"}, "no/such/a.svg", 5},
+               {{"compare", "house", "--plot", "a.svg", "--no-host-times", "--methods", "exact"}, "--plot: nothing to plot: no method has", 4}};
+  for (const auto& c : cases) {
+    const auto failed = sightline(c.arguments);
+    EXPECT_EQ(failed.exit_code, c.exit_code) << c.what;
+    EXPECT_TRUE(has(failed.err, c.what)) << failed.err;
+  }
+  EXPECT_FALSE(exists("a.svg"));
 }
 
 TEST_F(CompareCommand, ExplainsItself) {
   const auto ran = sightline({"compare", "--help"});
   EXPECT_EQ(ran.exit_code, 0);
-  for (const char* part : {"Examples:", "missing, extra", "NAME-compare-PICTURE.png", "--rotate", "Exit codes"})
+  for (const char* part : {"Examples:", "farthest", "NAME-compare-PICTURE.png", "--rotate", "--methods", "Exit codes"})
     EXPECT_TRUE(has(ran.out, part)) << part;
 }
 

@@ -35,7 +35,7 @@ class HardInputs : public sightline::test::CommandLine, public testing::WithPara
 };
 
 INSTANTIATE_TEST_SUITE_P(, HardInputs, testing::Values("jones", "skala", "willis", "montani-re", "plantinga"),
-                         [](const auto& group) { return std::string(group.param).substr(0, 5); });
+                         [](const auto& group) { return group.param == std::string("montani-re") ? "montani_re" : group.param; });
 
 TEST_P(HardInputs, GoThroughCompare) {
   const auto manifest = compare::read_manifest(compare::hard_case_text("manifest.json"), "manifest.json");
@@ -47,7 +47,7 @@ TEST_P(HardInputs, GoThroughCompare) {
       const std::string_view text = compare::hard_case_text(hard.input);
       if (text.empty()) continue;
       write(hard.input, text);
-      const std::string plain = "sightline compare " + hard.input;
+      const std::string plain = "sightline compare --no-host-times " + hard.input;
       const std::string stem = hard.input.substr(0, hard.input.rfind('.'));
       if (hard.input.ends_with(".txt")) {
         expect(plain, 4, "expected a scene or a grid; `sightline hard " + stem + "` takes this file");
@@ -55,7 +55,8 @@ TEST_P(HardInputs, GoThroughCompare) {
         continue;
       }
       // No reader takes the file, or nobody can stand there.
-      const bool refused = hard.expect.refused || hard.expect.program_refuses || hard.expect.eye_refused;
+      const bool on_a_wall = hard.expect.program_refuses && hard.id != "J2";  // J2 is in an opening, where others can stand
+      const bool refused = hard.expect.refused || on_a_wall || hard.expect.eye_refused;
       if (refused) {
         expect(plain, 4, hard.input + ": ");
         continue;
@@ -65,8 +66,8 @@ TEST_P(HardInputs, GoThroughCompare) {
         continue;
       }
       ++compared;
-      expect(plain, 0, hard.input.ends_with(".json") || hard.input.ends_with(".off") ? "equal to the oracle's" : "guest and twin: identical");
-      expect(compare_command(hard), 0, "");
+      expect(plain, 0, hard.input.ends_with(".json") || hard.input.ends_with(".off") ? "0, exact" : "skala-8080 is its twin");
+      if (const std::string command = compare_command(hard); !command.empty()) expect(command + " --no-host-times", 0, "");
     }
   }
   EXPECT_GT(compared, 4U);
@@ -78,13 +79,13 @@ class HardBounds : public sightline::test::CommandLine {};
 TEST_F(HardBounds, LeaveOutWhatIsTooMuchWork) {
   for (const char* file : {"J10.json", "J12.json", "J12-far.json"}) {
     write(file, compare::hard_case_text(file));
-    const auto ran = sightline({"compare", file});
+    const auto ran = sightline({"compare", "--no-host-times", file});
     EXPECT_EQ(ran.exit_code, 0) << file << '\n' << ran.err;
     for (const char* method : {"willis", "willis-8080"})
       EXPECT_TRUE(has(ran.out, std::string(method) + " not compared: found ")) << file << '\n' << ran.out;
     EXPECT_TRUE(has(ran.out, "pieces to be kept apart by cuts, expected at most 500000 pairs\n")) << file << '\n' << ran.out;
-    EXPECT_TRUE(has(ran.out, "  montani-re ")) << ran.out;
-    EXPECT_TRUE(has(ran.out, "  stripes-8080 ")) << ran.out;
+    EXPECT_TRUE(has(ran.out, "montani-re  ")) << ran.out;
+    EXPECT_TRUE(has(ran.out, "stripes-8080  ")) << ran.out;
   }
 }
 

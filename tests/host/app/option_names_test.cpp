@@ -34,8 +34,8 @@ TEST_F(OptionNames, TheEye) {
   const std::string eye = "110,50,40";
   expect_same({"jones", "house", "--json", "--at", eye}, {"jones", "house", "--json", "--eye", eye});
   expect_same({"scene", "tape", "house", "--at", eye}, {"scene", "tape", "house", "--eye", eye});
-  expect_same({"compare", "boxes-2", "--view", "5000,4000,6000"},
-              {"compare", "boxes-2", "--eye", "5000,4000,6000"});
+  expect_same({"compare", "boxes-2", "--view", "5000,4000,6000", "--no-host-times"},
+              {"compare", "boxes-2", "--eye", "5000,4000,6000", "--no-host-times"});
   EXPECT_NE(sightline({"scene", "tape", "house", "--eye", eye}).out,
             sightline({"scene", "tape", "house"}).out);
 }

@@ -127,5 +127,28 @@ TEST(IsolatedEdges, OfASheetSeenEdgeOn) {
   }
 }
 
+// A sheet in the plane of the eye, behind two that share a side on it, or behind one whose outline lies on it: nothing of the farther
+// sheet is drawn, and the picture is that of `exact`, which has the outline. Beyond the end of the outline it is.
+TEST(IsolatedEdges, ExactlyBehindAnOutlineAreNotDrawn) {
+  for (const bool both : {true, false}) {
+    scene::PolyScene scene;
+    scene.name = "seam";
+    scene.vertices = {{0, -9, 10}, {0, 9, 10}, {9, 9, 10}, {9, -9, 10}, {-9, 9, 10}, {-9, -9, 10}, {0, -3, 20}, {0, 3, 20}, {0, 3, 30}, {0, -3, 30}};
+    scene.bodies = {{"right", true, {{{0, 1, 2, 3}, {}}}}, {"edge-on", true, {{{6, 7, 8, 9}, {}}}}};
+    if (both) scene.bodies.push_back({"left", true, {{{0, 1, 4, 5}, {}}}});
+    const scene::PolyCamera camera;  // at the origin, along z
+    const auto near = [&] {
+      std::size_t pieces = 0;
+      for (const picture::LinePiece& piece : drawn(scene, camera).pieces) pieces += piece.edge.from >= 6 ? 1 : 0;
+      return pieces;
+    };
+    EXPECT_EQ(near(), 0U) << both;
+    expect_agreement(scene, camera);
+    scene.vertices[7] = {0, 30, 20};  // above the outline, whose end it sees at y = 18
+    EXPECT_GT(near(), 0U) << both;
+    expect_agreement(scene, camera);
+  }
+}
+
 }  // namespace
 }  // namespace sightline::algorithms::montani_re
