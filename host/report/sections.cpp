@@ -11,6 +11,7 @@
 #include "host/report/experiments/montani_re_growth.hpp"
 #include "host/report/experiments/montani_re_stripes.hpp"
 #include "host/report/experiments/montani_re_tables.hpp"
+#include "host/report/experiments/opening.hpp"
 #include "host/report/experiments/overview.hpp"
 #include "host/report/experiments/plantinga_accuracy.hpp"
 #include "host/report/experiments/plantinga_pdp7.hpp"
@@ -40,6 +41,7 @@ const std::vector<Part>& report_parts() {
 
 const std::vector<Experiment>& report_experiments() {
   static const std::vector<Experiment> experiments{
+      experiment(&opening_answer, true),
       experiment(&jones_numbers),
       experiment(&hard_cases),
       experiment(&skala_accuracy),
@@ -64,6 +66,8 @@ const std::vector<Experiment>& report_experiments() {
 
 const std::vector<SectionPlan>& report_sections() {
   static const std::vector<SectionPlan> sections{
+      {"opening", "The answer: how fast, how wrong, against what?", "",
+       {chapter("opening", 0, &opening)}},
       {"overview", "Which lines can the eye see?", "",
        {chapter("overview", 0, &overview_question),
         chapter("method-jones", 0, &method_jones),
