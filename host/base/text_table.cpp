@@ -5,9 +5,13 @@
 namespace sightline::base {
 
 void TextTable::row(std::initializer_list<std::string_view> cells) {
+  row(std::vector<std::string>(cells.begin(), cells.end()));
+}
+
+void TextTable::row(const std::vector<std::string>& cells) {
   std::string line;
   std::size_t column = 0;
-  for (const std::string_view cell : cells) {
+  for (const std::string& cell : cells) {
     const int width = widths_[column++];
     const auto wanted = static_cast<std::size_t>(std::abs(width));
     const std::string padding(wanted > cell.size() ? wanted - cell.size() : 0, ' ');

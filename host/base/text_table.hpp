@@ -21,6 +21,7 @@ class TextTable {
 
   // At most as many cells as there are columns.
   void row(std::initializer_list<std::string_view> cells);
+  void row(const std::vector<std::string>& cells);
   // A line that is not in columns, without its end.
   void line(std::string_view text);
 

@@ -71,7 +71,7 @@ MethodView method_view(const ComparedFaces& row) {
   MethodView view;
   view.method = row.name;
   view.picture = "faces";
-  view.rounding = "middles of pixels";
+  view.rounding = "pixels";
   view.unit = "points";
   view.all = static_cast<double>(row.metrics.pixels);
   view.wrong = static_cast<double>(row.metrics.different());
@@ -88,7 +88,7 @@ MethodView method_view(const StripesPen& pen) {
   MethodView view;
   view.method = std::string(stripes_name) + " pen";
   view.picture = "lines";
-  view.rounding = "corners of pixels";
+  view.rounding = "pixels";
   view.unit = "steps";
   view.all = static_cast<double>(pen.raster.lit_in_truth);
   view.wrong = static_cast<double>(pen.raster.missing.all + pen.raster.extra.all);
@@ -104,7 +104,7 @@ MethodView method_view(const TurnCheck& turn) {
   MethodView view;
   view.method = turn_name;
   view.picture = "lines";
-  view.rounding = "points of the Type 340";
+  view.rounding = "points";
   view.unit = "px";
   view.all = turn.metrics.true_length;
   view.wrong = turn.metrics.symmetric();
@@ -132,7 +132,7 @@ MethodView method_view(const ComparedRaster& row) {
   MethodView view;
   view.method = height_method_name(row.name);
   view.picture = "dots";
-  view.rounding = row.rounding;
+  view.rounding = "dots";
   view.raster = row.from_native;
   if (row.unrounded) {
     tell_unrounded(*row.unrounded, view);
@@ -149,7 +149,7 @@ MethodView method_view(const ComparedDevice& row) {
   MethodView view;
   view.method = fmt::format("skala-8080 {}", row.name);
   view.picture = "dots";
-  view.rounding = "ends of lines to the nearest dot, then a dot a step";
+  view.rounding = "dots";
   view.raster = row.raster;
   view.defect = row.difference;
   view.emulated_seconds = seconds_at_3_mhz(row.time);
@@ -165,9 +165,12 @@ MethodView method_view(const ComparedDevice& row) {
   return view;
 }
 
-Spread spread_of(std::vector<double> values) {
+// Of values, if there are any.
+std::optional<Spread> spread_of(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
-  return {values[(values.size() - 1) / 2], values.back()};
+  const std::size_t ninety_percent = (9 * values.size() + 9) / 10;  // rounded up
+  return Spread{values[(values.size() - 1) / 2], values[ninety_percent - 1], values.back()};
 }
 
 double wrong_percent(const MethodView& view) {
@@ -288,55 +291,55 @@ std::optional<MethodView> method_view_of(const base::Json& object) {
 
 void Answer::add(const std::string& scene, std::uint64_t number, const std::vector<MethodView>& views) {
   for (const MethodView& view : views) {
-    const auto known = std::find_if(gathered_.begin(), gathered_.end(), [&](const Gathered& row) {
-      const MethodView& first = row.views.front().second;
-      return row.scene == scene && first.method == view.method && first.picture == view.picture;
+    auto known = std::find_if(gathered_.begin(), gathered_.end(), [&](const Gathered& gathered) {
+      return gathered.row.scene == scene && gathered.row.method == view.method && gathered.row.picture == view.picture;
     });
-    if (known != gathered_.end())
-      known->views.emplace_back(number, view);
-    else
-      gathered_.push_back({scene, {{number, view}}});
+    if (known == gathered_.end()) {
+      AnswerRow row;
+      row.scene = scene;
+      row.method = view.method;
+      row.picture = view.picture;
+      row.rounding = view.rounding;
+      row.unit = view.unit;
+      row.of_all = view.of_all;
+      row.what = view.what;
+      row.exact = view.exact.has_value();
+      gathered_.emplace_back().row = std::move(row);
+      known = gathered_.end() - 1;
+    }
+    Gathered& all = *known;
+    const double percent = wrong_percent(view);
+    all.wrong.push_back(view.wrong);
+    all.wrong_percent.push_back(percent);
+    all.far.push_back(view.far);
+    if (view.greatest) all.greatest.push_back(*view.greatest);
+    if (view.emulated_seconds) all.emulated_seconds.push_back(*view.emulated_seconds);
+    if (view.host_seconds) all.host_seconds.push_back(*view.host_seconds);
+    if (view.read) all.read.push_back(static_cast<double>(*view.read));
+    if (view.chord) all.chord.push_back(*view.chord);
+    ++all.row.views;
+    if (view.right()) ++all.row.right;
+    if (all.row.defect.empty()) all.row.defect = view.defect;
+    if (view.right() == all.worst_is_right ? percent > all.worst_percent : all.worst_is_right) {
+      all.worst_percent = percent;
+      all.worst_is_right = view.right();
+      all.row.worst_view = number;
+    }
   }
 }
 
 std::vector<AnswerRow> Answer::rows() const {
   std::vector<AnswerRow> rows;
-  for (const auto& [scene, views] : gathered_) {
-    const MethodView& first = views.front().second;
-    AnswerRow row;
-    row.scene = scene;
-    row.method = first.method;
-    row.picture = first.picture;
-    row.rounding = first.rounding;
-    row.unit = first.unit;
-    row.views = views.size();
-    row.of_all = first.of_all;
-    row.what = first.what;
-    row.exact = first.exact.has_value();
-    // Of the views that have it.
-    const auto spread = [&](auto&& value) -> std::optional<Spread> {
-      std::vector<double> values;
-      for (const auto& [number, view] : views)
-        if (const std::optional<double> there = value(view)) values.push_back(*there);
-      return values.empty() ? std::nullopt : std::optional(spread_of(std::move(values)));
-    };
-    row.wrong = *spread([](const MethodView& view) { return std::optional(view.wrong); });
-    row.far = *spread([](const MethodView& view) { return std::optional(view.far); });
-    row.wrong_percent = *spread([](const MethodView& view) { return std::optional(wrong_percent(view)); });
-    row.greatest = spread([](const MethodView& view) { return view.greatest; });
-    row.emulated_seconds = spread([](const MethodView& view) { return view.emulated_seconds; });
-    row.host_seconds = spread([](const MethodView& view) { return view.host_seconds; });
-    row.read = spread([](const MethodView& view) { return view.read ? std::optional(static_cast<double>(*view.read)) : std::nullopt; });
-    if (const auto chord = spread([](const MethodView& view) { return view.chord; })) row.chord = chord->greatest;
-    double worst = -1;
-    for (const auto& [number, view] : views) {
-      row.right += view.right() ? 1 : 0;
-      if (row.defect.empty()) row.defect = view.defect;
-      if (wrong_percent(view) > worst) {
-        worst = wrong_percent(view);
-        row.worst_view = number;
-      }
-    }
+  for (const Gathered& all : gathered_) {
+    AnswerRow row = all.row;
+    row.wrong = *spread_of(all.wrong);
+    row.far = *spread_of(all.far);
+    row.wrong_percent = *spread_of(all.wrong_percent);
+    row.greatest = spread_of(all.greatest);
+    row.emulated_seconds = spread_of(all.emulated_seconds);
+    row.host_seconds = spread_of(all.host_seconds);
+    row.read = spread_of(all.read);
+    if (const auto chord = spread_of(all.chord)) row.chord = chord->greatest;
     rows.push_back(std::move(row));
   }
   return rows;

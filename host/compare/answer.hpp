@@ -23,7 +23,7 @@ namespace sightline::compare {
 struct MethodView {
   std::string method;      // "jones-pdp7"
   std::string picture;     // "lines", "faces", "dots"
-  std::string rounding;    // of what was measured, in words
+  std::string rounding;    // of the coordinates measured: "points", "dots" or "pixels" of the device, "1/8 point", "none"
   std::string unit;        // of the next three: "px", "points", "dots"
   double all = 0;          // truly seen: length of lines, or points
   double wrong = 0;        // missing and extra together
@@ -54,9 +54,10 @@ struct MethodView {
 // Empty if it is no such object.
 [[nodiscard]] std::optional<MethodView> method_view_of(const base::Json& object);
 
-// Of the views of a row: half of them have no more; the greatest.
+// Of the views of a row: half of them have no more; 90 in 100 have no more; the greatest.
 struct Spread {
   double median = 0;
+  double ninety = 0;
   double greatest = 0;
 };
 
@@ -80,7 +81,8 @@ struct AnswerRow {
   bool exact = false;                // an exact method
   std::optional<double> chord;       // the greatest
   std::string defect;                // the first
-  std::uint64_t worst_view = 0;      // the number of the view with the greatest wrong share, the first of such
+  // The number of the view with the greatest wrong share among those that are not right, or else among all; the first of such.
+  std::uint64_t worst_view = 0;
 };
 
 class Answer {
@@ -91,9 +93,19 @@ class Answer {
   [[nodiscard]] std::vector<AnswerRow> rows() const;
 
  private:
+  // Of a row: of each view only the numbers, because sweeps have millions of views.
   struct Gathered {
-    std::string scene;
-    std::vector<std::pair<std::uint64_t, MethodView>> views;
+    AnswerRow row;  // what needs no numbers of all views
+    std::vector<double> wrong;
+    std::vector<double> wrong_percent;
+    std::vector<double> far;
+    std::vector<double> greatest;
+    std::vector<double> emulated_seconds;
+    std::vector<double> host_seconds;
+    std::vector<double> read;
+    std::vector<double> chord;
+    double worst_percent = -1;
+    bool worst_is_right = true;
   };
   std::vector<Gathered> gathered_;
 };

@@ -1,5 +1,5 @@
 // Time against error of methods and their variants as a drawing: both axes logarithmic, emulated seconds and seconds of this computer
-// on panels of their own, what has no error in a strip below.
+// on panels of their own, points without error in a strip below.
 //
 // A series is one machine with one adjustable method, or an exact method. Of each the front is marked: the variants of which no other
 // is both at least as fast and at least as right. Their marks are filled and joined by a line; those of the others are hollow.

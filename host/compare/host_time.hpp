@@ -8,11 +8,13 @@
 
 namespace sightline::compare {
 
-// The median, in seconds, of as many runs as take a tenth of a second together, at least one and at most twenty.
+inline constexpr double enough_seconds = 0.1;
+
+// The median, in seconds, of as many runs as take `seconds` together, at least one and at most twenty.
 template <class Run>
-[[nodiscard]] double median_seconds(Run&& run) {
+[[nodiscard]] double median_seconds(Run&& run, double seconds = enough_seconds) {
   constexpr std::size_t most = 20;
-  constexpr std::chrono::duration<double> enough{0.1};
+  const std::chrono::duration<double> enough{seconds};
   std::vector<double> times;
   std::chrono::duration<double> all{0};
   while (times.size() < most && (times.empty() || all < enough)) {

@@ -10,8 +10,8 @@
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
+#include "host/base/threads.hpp"
 #include "host/compare/device_raster.hpp"
-#include "host/compare/host_time.hpp"
 #include "host/compare/lines.hpp"
 #include "host/compare/matter_scene.hpp"
 #include "host/compare/stripes.hpp"
@@ -43,10 +43,25 @@ bool chosen(const CompareOptions& options, std::string_view name) {
   return options.methods.empty() || std::find(options.methods.begin(), options.methods.end(), name) != options.methods.end();
 }
 
+// Pictures known to be the same have no distance to measure, unless lengths say otherwise.
+picture::LineMetrics metrics_of(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn, const CompareOptions& options,
+                                bool identical) {
+  if (!options.for_table) return picture::line_metrics(truth, drawn);
+  constexpr double noise = 1e-6;  // pixels
+  picture::MetricOptions measured;
+  measured.points = 0;
+  measured.distances = !identical;
+  picture::LineMetrics metrics = picture::line_metrics(truth, drawn, measured);
+  if (!identical || metrics.symmetric() < noise) return metrics;
+  measured.distances = true;
+  return picture::line_metrics(truth, drawn, measured);
+}
+
 ComparedPicture compared(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
-                         const std::vector<DrawnPiece>& drawn) {
-  return {std::string(name), std::move(rounding), std::nullopt, picture::line_metrics(truth, drawn),
-          picture::line_difference(truth, drawn, least_stretch)};
+                         const std::vector<DrawnPiece>& drawn, const CompareOptions& options, bool identical = false) {
+  ComparedPicture row{std::string(name), std::move(rounding), std::nullopt, metrics_of(truth, drawn, options, identical), {}};
+  if (!options.for_table) row.difference = picture::line_difference(truth, drawn, least_stretch);
+  return row;
 }
 
 // Adds the algorithms that say which face is seen at each point.
@@ -150,6 +165,8 @@ class SceneMethods::Parts {
     return comparison;
   }
 
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& not_applicable() const { return not_applicable_; }
+
  private:
   struct Entry {
     const registry::LineAlgorithm* algorithm = nullptr;
@@ -163,9 +180,17 @@ class SceneMethods::Parts {
     picture::LinePicture visible;  // as far as the window of the screen reaches, of a scene of cells
     std::optional<picture::ChosenEdges> chosen;
     ImageLines lines;
+    std::optional<registry::LineView> exact{};  // the view by `exact` that is the truth, if it is
   };
 
   std::optional<Error> prepare_algorithms() {
+    if (options_.truth_by_exact && !matter_) {
+      const registry::LineAlgorithm& exact = registry::line_algorithms().front();
+      if (const auto reason = exact.why_not(polyhedra_)) return Error{"", "", *reason};
+      auto prepared = exact.prepare(polyhedra_);
+      if (!prepared) return prepared.error();
+      exact_.emplace(std::move(*prepared));
+    }
     const scene::PolyScene& with_faces = matter_ ? matter_->with_box() : polyhedra_;
     const bool crossing = !scene::crossings_of(with_faces, 1).empty();
     for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) {
@@ -200,7 +225,7 @@ class SceneMethods::Parts {
     return window;
   }
 
-  [[nodiscard]] Truth truth_of(SceneComparison& comparison) const {
+  [[nodiscard]] base::Result<Truth> truth_of(SceneComparison& comparison) const {
     const scene::PolyCamera& camera = comparison.camera;
     if (matter_) {
       const scene::PolyScene& scene = matter_->scene();
@@ -210,18 +235,26 @@ class SceneMethods::Parts {
       auto lines = matter_->lines_at(camera.eye);
       picture::LinePicture visible = matter_->visible(camera.eye, window());
       ImageLines image(visible, scene, camera, comparison.frame, &lines);
-      return {scene, std::move(visible), std::move(lines), std::move(image)};
+      return Truth{scene, std::move(visible), std::move(lines), std::move(image)};
     }
-    picture::LinePicture visible = oracle::visible_edges(polyhedra_, camera);
+    std::optional<registry::LineView> exact;
+    if (exact_) {
+      auto view = exact_->view(camera);
+      if (!view) return view.error();
+      exact = std::move(*view);
+    }
+    picture::LinePicture visible = exact ? exact->picture : oracle::visible_edges(polyhedra_, camera);
     comparison.frame = fitted_frame(visible, polyhedra_, camera);
     ImageLines image(visible, polyhedra_, camera, comparison.frame);
-    return {polyhedra_, std::move(visible), std::nullopt, std::move(image)};
+    return Truth{polyhedra_, std::move(visible), std::nullopt, std::move(image), std::move(exact)};
   }
 
   std::optional<Error> compare_lines(SceneComparison& comparison, const CompareProgress& progress) const {
     if (auto error = scene::eye_error(polyhedra_, comparison.camera)) return error;
     progress("oracle");
-    const Truth truth = truth_of(comparison);
+    const auto known = truth_of(comparison);
+    if (!known) return known.error();
+    const Truth& truth = *known;
     if (matter_)
       if (auto error = compare_programs(truth, comparison, progress)) return error;
     // Of a scene of cells the truth is cut to the screen; what exact methods see of all lines is compared with the oracle of edges.
@@ -237,17 +270,23 @@ class SceneMethods::Parts {
       }
       auto drawn = drawn_by(entry, truth, comparison.camera);
       if (!drawn) return drawn.error();
-      auto row = compared(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture));
       const picture::LinePicture& all = matter_ ? whole : truth.visible;
       // Edges of other names may lie on each other: of a scene of cells always compared as images.
-      row.identical = matter_ ? picture::image_set(drawn->picture, truth.scene, comparison.camera) ==
+      const bool identical = matter_ ? picture::image_set(drawn->picture, truth.scene, comparison.camera) ==
                                     picture::image_set(all, truth.scene, comparison.camera)
                               : registry::agrees(algorithm, drawn->picture, all, truth.scene, comparison.camera);
+      auto row = compared(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture), options_,
+                          identical);
+      row.identical = identical;
+      row.pieces = drawn->picture.pieces.size();
+      row.visible_length = picture::image_length(drawn->picture, truth.scene, comparison.camera);
+      if (!identical) row.piece_difference = piece_difference(all, drawn->picture);
       row.counts = entry.prepared.counts;
       for (const registry::AlgorithmCount& count : drawn->counts)  // of all cells, and of those a view enters
         row.counts.push_back({count.name == "cells" ? "cells_read" : count.name, count.value});
       if (options_.host_times)
-        row.host_seconds = median_seconds([&] { static_cast<void>(view_of(entry, truth, comparison.camera)); });
+        row.host_seconds =
+            median_seconds([&] { static_cast<void>(view_of(entry, truth, comparison.camera)); }, options_.host_seconds);
       comparison.pictures.push_back(std::move(row));
     }
     return std::nullopt;
@@ -259,6 +298,7 @@ class SceneMethods::Parts {
 
   // As a picture of the truth's scene.
   [[nodiscard]] base::Result<registry::LineView> drawn_by(const Entry& entry, const Truth& truth, const scene::PolyCamera& camera) const {
+    if (truth.exact && entry.algorithm == &registry::line_algorithms().front()) return *truth.exact;
     auto view = view_of(entry, truth, camera);
     if (view && entry.of_faces) view->picture = matter_->on_lines(view->picture, camera.eye);
     return view;
@@ -305,7 +345,7 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_on_pdp7)) {
       if (comparison.guest->difference.empty()) {
         const auto drawn = display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits));
-        auto row = compared(jones_on_pdp7, "points of the Type 340", truth.lines.lines(), drawn);
+        auto row = compared(jones_on_pdp7, "points", truth.lines.lines(), drawn, options_);
         const auto seen = visible_segments(truth.lines.lines());
         row.metrics.hausdorff = picture::hausdorff_distance(seen, lit_points(run.guest.pass));
         row.emulated = guest.time;
@@ -326,14 +366,14 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_twin)) {
       const int parts = 1 << options_.fraction_bits;
       auto row = compared(jones_twin, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
-                          twin_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)));
+                          twin_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)), options_);
       const guests::jones::Counts& c = run.twin.counts;
       row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
       if (options_.host_times) {
         guests::jones::GuestOptions of_twin;
         of_twin.scale = options_.scale;
         const auto core = session.core_at(comparison.camera.eye);
-        if (core) row.host_seconds = median_seconds([&] { static_cast<void>(session.twin(*core, of_twin)); });
+        if (core) row.host_seconds = median_seconds([&] { static_cast<void>(session.twin(*core, of_twin)); }, options_.host_seconds);
       }
       comparison.pictures.push_back(std::move(row));
     }
@@ -342,13 +382,25 @@ class SceneMethods::Parts {
 
   void compare_turn(SceneComparison& comparison, const CompareProgress& progress) const {
     const auto angle = turn_angle_of(comparison.camera);
-    if (!angle) return;
+    if (!angle) {
+      if (!options_.methods.empty())
+        comparison.not_applicable.emplace_back(turn_name, "draws in parallel projection along a level direction only");
+      return;
+    }
     progress(turn_name);
-    auto checked = check_turn(polyhedra_, *angle);
+    const auto& turning = turning_of();
+    auto checked = turning ? check_turn(*turning, *angle) : base::Result<TurnCheck>(turning.error());
     if (checked)
       comparison.turn = std::move(*checked);
     else
       comparison.not_applicable.emplace_back(turn_name, checked.error().message());
+  }
+
+  // The scene on its machine, prepared when a view first needs it.
+  const base::Result<Turning>& turning_of() const {
+    const base::Lock lock(turning_mutex_);
+    if (!turning_) turning_.emplace(Turning::of(polyhedra_));
+    return *turning_;
   }
 
   CompareOptions options_;
@@ -358,6 +410,9 @@ class SceneMethods::Parts {
   guests::jones::ProgramOptions program_;
   std::optional<guests::jones::Session> session_;
   std::vector<Entry> entries_;
+  std::optional<registry::PreparedScene> exact_;  // that the truth is by
+  mutable base::Mutex turning_mutex_;
+  mutable std::optional<base::Result<Turning>> turning_;
   std::vector<std::pair<std::string, std::string>> not_applicable_;
 };
 
@@ -380,6 +435,10 @@ base::Result<SceneMethods> SceneMethods::of(const scene::PolyScene& scene, const
 
 base::Result<SceneComparison> SceneMethods::view(const scene::PolyCamera& camera, const CompareProgress& progress) const {
   return parts_->view(camera, progress);
+}
+
+const std::vector<std::pair<std::string, std::string>>& SceneMethods::not_applicable() const {
+  return parts_->not_applicable();
 }
 
 std::vector<std::string> method_names() {

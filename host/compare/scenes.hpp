@@ -20,7 +20,9 @@
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/faces.hpp"
+#include "host/compare/host_time.hpp"
 #include "host/compare/lines.hpp"
+#include "host/compare/piece_difference.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
 #include "host/guests/jones/twin/twin.hpp"
@@ -43,6 +45,11 @@ struct ComparedPicture {
   std::optional<core::Duration> emulated{};  // what the view took on the machine
   std::optional<double> host_seconds{};      // what it took here: median of repeated views; not of a machine's program
   std::vector<registry::AlgorithmCount> counts{};  // what was read of the scene, and done
+  // Of a native method: the pieces of edges that it sees, in the window and beyond, their length in the image (infinite if one is),
+  // and, where an exact method is not exact, what differs.
+  std::optional<std::size_t> pieces{};
+  double visible_length = 0;
+  std::optional<PieceDifference> piece_difference{};
   // Of a machine's program: the points it lit, and those that the exact lines light by the rule of its display, and their difference.
   picture::PixelGrid lit{};
   picture::PixelGrid lit_in_truth{};
@@ -84,6 +91,9 @@ struct CompareOptions {
   std::vector<std::string> methods{};  // of these names alone; empty: all
   bool faces = true;                   // and not lines alone
   bool host_times = false;             // measure them
+  double host_seconds = enough_seconds;  // of repeated runs, for each of them; 0: of one run
+  bool truth_by_exact = false;  // of polyhedra `exact` is the truth, because the oracle of edges takes long for large scenes
+  bool for_table = false;       // leave out what method_views() does not read: stretches to draw, the rate of wrong points
 };
 
 // The names that CompareOptions::methods may have, in the order of rows.
@@ -100,6 +110,8 @@ class SceneMethods {
   SceneMethods& operator=(SceneMethods&&) noexcept;
   ~SceneMethods();
 
+  // Of all methods asked for, those that apply to no view of the scene: name, reason.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& not_applicable() const;
   // One view. Cameras of a scene of cells look along z, as Jones's program does (precondition). Errors: the eye is where the program or
   // the algorithms cannot have it; the program did not complete a view.
   [[nodiscard]] base::Result<SceneComparison> view(

@@ -2,213 +2,135 @@
 #include "host/compare/sweep.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <bit>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "host/algorithms/oracle/drawn_error.hpp"
-#include "host/algorithms/oracle/matter.hpp"
-#include "host/algorithms/oracle/visible_lines.hpp"
+#include "host/algorithms/registry/faces.hpp"
+#include "host/algorithms/registry/lines.hpp"
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
+#include "host/compare/piece_difference.hpp"
+#include "host/compare/stripes.hpp"
 #include "host/compare/sweep_views.hpp"
-#include "host/guests/jones/session.hpp"
-#include "host/picture/line_picture_image.hpp"
-#include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {
-
-namespace {
-
-namespace oracle = algorithms::oracle;
-
-// From coordinates of the program, about the middle of the screen, to points.
-std::vector<oracle::ScreenSegment> in_points(const std::vector<guests::jones::Piece>& pieces) {
-  constexpr double centre = 512;
-  std::vector<oracle::ScreenSegment> segments;
-  segments.reserve(pieces.size());
-  const guests::jones::ShortWords number;
-  const auto point = [&number](std::int32_t coordinate) { return number.points(coordinate) + centre; };
-  for (const guests::jones::Piece& piece : pieces)
-    segments.push_back({point(piece.line.a.x), point(piece.line.a.y), point(piece.line.b.x), point(piece.line.b.y)});
-  return segments;
-}
-
-}  // namespace
-
-// One view of a scene of cells by Jones's program on the emulated PDP-7 and by its twin, compared with each
-// other word for word and with what is truly seen.
-struct GuestResult {
-  std::string_view status;
-  bool same_as_twin = false;  // status and display words
-  std::size_t display_words = 0;
-  std::uint64_t pieces = 0;
-  std::uint64_t visits = 0;
-  std::int64_t emulated_ns = 0;  // the paper's computing time
-  // Of the pieces, farther than one point from anything true, or drawn.
-  algorithms::oracle::DrawnError error;
-};
-
-class Sweep::Guest {
- public:
-  // Empty if the scene is beyond what the oracle can hold. It outlives this.
-  [[nodiscard]] static std::optional<Guest> of(const scene::CellScene& scene, bool eae);
-
-  // An error if the program does not accept that eye, or the scene does not fit into core.
-  [[nodiscard]] base::Result<GuestResult> view(const geometry::Point& eye) const;
-
- private:
-  Guest(const scene::CellScene& scene, bool eae, algorithms::oracle::Matter matter);
-  [[nodiscard]] GuestResult view(const guests::jones::Session& session, std::span<const core::Word18> core,
-                                 const geometry::Point& eye) const;
-
-  const scene::CellScene* scene_;
-  guests::jones::ProgramOptions options_;
-  // Empty if the program does not accept the scene's own view: it is assembled for every view then.
-  std::optional<guests::jones::Session> session_;
-  algorithms::oracle::Matter matter_;
-  std::vector<algorithms::oracle::RealLine> lines_;
-};
-
-Sweep::Guest::Guest(const scene::CellScene& scene, bool eae, oracle::Matter matter)
-    : scene_(&scene), matter_(std::move(matter)), lines_(matter_.real_lines()) {
-  options_.eae = eae;
-  auto session = guests::jones::Session::of(scene, options_);
-  if (session) session_ = std::move(*session);
-}
-
-std::optional<Sweep::Guest> Sweep::Guest::of(const scene::CellScene& scene, bool eae) {
-  auto matter = oracle::Matter::of(scene);
-  if (!matter) return std::nullopt;
-  return Guest(scene, eae, std::move(*matter));
-}
-
-base::Result<GuestResult> Sweep::Guest::view(const geometry::Point& eye) const {
-  if (session_) {
-    const auto core = session_->core_at(eye);
-    if (!core) return core.error();
-    return view(*session_, *core, eye);
-  }
-  guests::jones::ProgramOptions options = options_;
-  options.tape.view = eye;
-  const auto session = guests::jones::Session::of(*scene_, options);
-  if (!session) return session.error();
-  return view(*session, session->program().core, eye);
-}
-
-GuestResult Sweep::Guest::view(const guests::jones::Session& session, std::span<const core::Word18> core,
-                               const geometry::Point& eye) const {
-  guests::jones::GuestOptions options;
-  options.views = 1;
-  options.display = false;
-  const guests::jones::CheckedRun run = session.run(core, options);
-  GuestResult result;
-  result.status = guests::jones::name(run.twin.status);
-  if (!run.guest.views.empty()) {
-    const guests::jones::GuestView& guest = run.guest.views.front();
-    result.status = guests::jones::name(guest.status);
-    result.same_as_twin = run.difference.empty();
-    result.display_words = guest.display_file.size();
-    result.pieces = guest.pieces;
-    result.visits = guest.visits;
-    result.emulated_ns = guest.time.count();
-  }
-  oracle::Window window;
-  window.near = guests::jones::near_z;
-  result.error =
-      oracle::drawn_error(oracle::on_screen(oracle::visible_lines(matter_, lines_, eye, window), eye, window),
-                          in_points(run.twin.pieces), 1.0);
-  return result;
-}
-
 namespace {
 
 using base::Json;
 
-// FNV-1a over all that an algorithm is given of the scene: a file that has changed is noticed.
+// FNV-1a over all that a method is given of the scene: a file that has changed is noticed.
+class Fingerprint {
+ public:
+  void add(std::uint64_t value) {
+    for (int byte = 0; byte < 8; ++byte, value >>= 8) hash_ = (hash_ ^ (value & 0xffU)) * 0x100000001b3U;
+  }
+  [[nodiscard]] std::string text() const {
+    char digits[17];
+    static_cast<void>(std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_)));
+    return digits;
+  }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325U;
+};
+
 std::string fingerprint_of(const scene::PolyScene& scene) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto add = [&hash](std::uint64_t value) {
-    for (int byte = 0; byte < 8; ++byte, value >>= 8) hash = (hash ^ (value & 0xffU)) * 0x100000001b3U;
+  Fingerprint print;
+  const auto add_ring = [&print](const std::vector<scene::VertexIndex>& ring) {
+    print.add(ring.size());
+    for (const scene::VertexIndex v : ring) print.add(v);
   };
-  const auto add_ring = [&add](const std::vector<scene::VertexIndex>& ring) {
-    add(ring.size());
-    for (const scene::VertexIndex v : ring) add(v);
-  };
-  add(scene.vertices.size());
+  print.add(scene.vertices.size());
   for (const scene::PolyPoint& p : scene.vertices)
-    for (const std::int32_t c : p) add(static_cast<std::uint32_t>(c));
+    for (const std::int32_t c : p) print.add(static_cast<std::uint32_t>(c));
   for (const scene::PolyBody& body : scene.bodies) {
-    add(body.faces.size());
-    add(body.sheet ? 1 : 0);
+    print.add(body.faces.size());
+    print.add(body.sheet ? 1 : 0);
     for (const scene::PolyFace& face : body.faces) {
       add_ring(face.outline);
-      add(face.holes.size());
+      print.add(face.holes.size());
       for (const auto& hole : face.holes) add_ring(hole);
     }
   }
-  char digits[17];
-  static_cast<void>(std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash)));
-  return digits;
+  return print.text();
 }
 
-std::string text_of(const Json& document) {
-  return document.dump();
-}
-
-Json json_of(const std::vector<registry::AlgorithmCount>& counts) {
-  Json document = Json::object();
-  for (const registry::AlgorithmCount& count : counts) document[std::string(count.name)] = count.value;
-  return document;
+std::string fingerprint_of(const scene::HeightGrid& grid) {
+  Fingerprint print;
+  for (const std::vector<double>* const numbers : {&grid.x, &grid.z, &grid.heights}) {
+    print.add(numbers->size());
+    for (const double number : *numbers) print.add(std::bit_cast<std::uint64_t>(number));
+  }
+  for (const double number : {grid.range.low, grid.range.high}) print.add(std::bit_cast<std::uint64_t>(number));
+  return print.text();
 }
 
 std::string text_of(const geometry::Rational& r) {
   return std::to_string(r.numerator()) + "/" + std::to_string(r.denominator());
 }
 
-bool before(const picture::LinePiece& a, const picture::LinePiece& b) {
-  if (a.edge != b.edge) return a.edge < b.edge;
-  if (a.low != b.low) return a.low < b.low;
-  return a.high < b.high;
-}
-
-// How many pieces are in one picture only, and the first of them.
-Json difference_of(const picture::LinePicture& exact, const picture::LinePicture& other) {
-  std::vector<picture::LinePiece> missing;
-  std::vector<picture::LinePiece> extra;
-  std::set_difference(exact.pieces.begin(), exact.pieces.end(), other.pieces.begin(), other.pieces.end(),
-                      std::back_inserter(missing), before);
-  std::set_difference(other.pieces.begin(), other.pieces.end(), exact.pieces.begin(), exact.pieces.end(),
-                      std::back_inserter(extra), before);
-  const bool is_missing = !missing.empty() && (extra.empty() || before(missing.front(), extra.front()));
-  Json document{{"missing_pieces", missing.size()}, {"extra_pieces", extra.size()}};
-  if (missing.empty() && extra.empty()) return document;
-  const picture::LinePiece& first = is_missing ? missing.front() : extra.front();
-  document["first"] = {{"edge", Json::array({first.edge.from, first.edge.to})},
-                       {"low", text_of(first.low)},
-                       {"high", text_of(first.high)},
-                       {"is", is_missing ? "missing" : "extra"}};
+Json json_of(const PieceDifference& difference) {
+  Json document{{"missing_pieces", difference.missing}, {"extra_pieces", difference.extra}};
+  if (!difference.first) return document;
+  document["first"] = {{"edge", Json::array({difference.first->edge.from, difference.first->edge.to})},
+                       {"low", text_of(difference.first->low)},
+                       {"high", text_of(difference.first->high)},
+                       {"is", difference.first_is_missing ? "missing" : "extra"}};
   return document;
 }
 
-Json json_of(const base::Result<GuestResult>& result) {
-  if (!result) return {{"error", result.error().message()}};
-  const auto& view = *result;
-  return {{"status", view.status},
-          {"same_as_twin", view.same_as_twin},
-          {"display_words", view.display_words},
-          {"pieces", view.pieces},
-          {"visits", view.visits},
-          {"emulated_ns", view.emulated_ns},
-          {"true_length", view.error.true_length},
-          {"drawn_length", view.error.drawn_length},
-          {"missing", view.error.missing},
-          {"extra", view.error.extra}};
+template <class Counts>
+Json counts_of(const Counts& counts) {
+  Json document = Json::object();
+  for (const auto& count : counts) document[std::string(count.name)] = count.value;
+  return document;
+}
+
+// What the measures do not say of a picture of lines.
+void add_lines(const ComparedPicture& row, Json& result) {
+  if (row.pieces) {
+    result["pieces"] = *row.pieces;
+    result["visible_length"] = row.visible_length;
+  }
+  if (row.piece_difference) result["difference"] = json_of(*row.piece_difference);
+  if (!row.counts.empty()) result["counts"] = counts_of(row.counts);
+}
+
+// A method that draws faces, too, has two results.
+std::string unused_name(const Json& results, const std::string& method) {
+  return results.find(method) == nullptr ? method : method + " faces";
+}
+
+bool is_asked(const SweepOptions& options, std::string_view method) {
+  return std::find(options.methods.begin(), options.methods.end(), method) != options.methods.end();
+}
+
+// A method that none of SceneMethods or compare_heights() leaves out itself.
+std::optional<std::string> why_not(std::string_view method, bool cells, bool function) {
+  const bool skala = method.starts_with("skala");
+  if (function) return skala ? std::nullopt : std::optional<std::string>("it draws scenes, not functions of two variables");
+  if (skala) return "it draws functions of two variables, such as sinc";
+  if (method.starts_with("jones-") && !cells) return "Jones's program takes scenes of cells, looking along +z";
+  if (method == turn_name && cells) return "it takes polyhedra; --level takes a scene of cells as polyhedra";
+  return std::nullopt;
+}
+
+// Those of method_names() that are among the one or the other.
+std::vector<std::string> with(const std::vector<std::string>& methods, const std::vector<std::string>& added) {
+  std::vector<std::string> both;
+  for (const std::string& name : method_names())
+    for (const std::vector<std::string>* const list : {&methods, &added})
+      if (std::find(list->begin(), list->end(), name) != list->end() && (both.empty() || both.back() != name)) both.push_back(name);
+  return both;
+}
+
+base::Error does_not_apply(const std::string& source, const std::string& method, const std::string& reason) {
+  return {source, "", method + " does not apply: " + reason};
 }
 
 }  // namespace
@@ -218,95 +140,164 @@ SweepShard sweep_shard(std::uint64_t views, std::uint64_t number, std::uint64_t 
   return {views * (number - 1) / count, views * number / count};
 }
 
-base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene& scene,
-                              const scene::CellScene* cells, const SweepOptions& options) {
+base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene& scene, const scene::CellScene* cells,
+                              const SweepOptions& options) {
   Sweep sweep;
   sweep.source_ = source;
   sweep.fingerprint_ = fingerprint_of(scene);
   sweep.scene_ = &scene;
   sweep.cells_ = cells;
   sweep.options_ = options;
-  std::vector<const registry::LineAlgorithm*> algorithms{&registry::line_algorithms().front()};
-  for (const registry::LineAlgorithm* algorithm : options.algorithms)
-    if (std::find(algorithms.begin(), algorithms.end(), algorithm) == algorithms.end())
-      algorithms.push_back(algorithm);
-  for (const registry::LineAlgorithm* algorithm : algorithms) {
-    auto prepared = algorithm->prepare(scene);
-    if (!prepared) return base::Error{source, prepared.error().place, prepared.error().found};
-    sweep.entries_.push_back({algorithm, std::move(*prepared)});
+  std::vector<std::string> added;
+  if (options.all_lines)
+    for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) added.emplace_back(algorithm.name);
+  if (options.faces)
+    for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) added.emplace_back(algorithm.name);
+  sweep.options_.methods = with(options.methods, added);
+  const bool as_cells = cells != nullptr && options.directions == Directions::usual;
+  for (const std::string& method : options.methods)
+    if (const auto reason = why_not(method, as_cells, false)) return does_not_apply(source, method, *reason);
+  CompareOptions compared;
+  compared.eae = options.eae;
+  compared.methods = sweep.options_.methods;
+  compared.faces = sweep.with_faces();
+  compared.host_times = options.time;
+  compared.host_seconds = 0;
+  compared.truth_by_exact = !options.oracle;
+  compared.for_table = true;
+  auto methods = as_cells ? SceneMethods::of(*cells, compared) : SceneMethods::of(scene, compared);
+  if (!methods) return base::Error{source, methods.error().place, methods.error().found};
+  for (const auto& [method, reason] : methods->not_applicable()) {
+    if (std::find(options.methods.begin(), options.methods.end(), method) != options.methods.end())
+      return does_not_apply(source, method, reason);
+    std::erase(sweep.options_.methods, method);
   }
-  if (options.guest && cells != nullptr) {
-    auto guest = Guest::of(*cells, options.eae);
-    if (!guest)
-      return base::Error{source, "", "too many grid coordinates for the oracle that checks the guest"};
-    sweep.guest_ = std::make_shared<const Guest>(std::move(*guest));
-  }
+  sweep.truth_ = as_cells ? "oracle of cells" : options.oracle ? "oracle of edges" : "exact";
+  sweep.methods_ = std::make_shared<const SceneMethods>(std::move(*methods));
   return sweep;
 }
 
-std::string Sweep::head(std::uint64_t number, const scene::PolyCamera& camera) const {
-  Json algorithms = Json::array();
-  for (const Entry& entry : entries_) algorithms.push_back(entry.algorithm->name);
-  Json document{{"schema", "sightline/sweep/1"}, {"scene", source_}, {"fingerprint", fingerprint_},
-                {"seed", options_.seed},         {"view", number},   {"algorithms", algorithms}};
-  if (guest_) document["guest"] = options_.eae ? "with EAE" : "without EAE";
-  if (options_.turned) document["directions"] = "all";
-  document["camera"] = {{"perspective", camera.perspective},
-                        {"eye", camera.eye},
-                        {"forward", camera.forward},
-                        {"right", camera.right},
-                        {"up", camera.up}};
-  std::string text = text_of(document);
+base::Result<Sweep> Sweep::of(const std::string& source, scene::HeightGrid grid, const guests::skala::View& view,
+                              const SweepOptions& options) {
+  Sweep sweep;
+  sweep.source_ = source;
+  sweep.fingerprint_ = fingerprint_of(grid);
+  sweep.truth_ = "unrounded lines between the samples";
+  sweep.options_ = options;
+  for (const std::string& method : options.methods)
+    if (const auto reason = why_not(method, false, true)) return does_not_apply(source, method, *reason);
+  if (options.all_lines) sweep.options_.methods = with(options.methods, {"skala-8080", "skala-twin", "skala"});
+  sweep.view_ = view;
+  sweep.grid_ = std::make_shared<const scene::HeightGrid>(std::move(grid));
+  return sweep;
+}
+
+bool Sweep::with_faces() const {
+  const auto draws_faces_only = [](const std::string& method) { return method.starts_with("willis") || method == stripes_name; };
+  return options_.faces || std::any_of(options_.methods.begin(), options_.methods.end(), draws_faces_only);
+}
+
+scene::PolyCamera Sweep::camera(std::uint64_t number) const {
+  return random_camera(*scene_, cells_, options_.directions, options_.seed, number);
+}
+
+guests::skala::View Sweep::height_view(std::uint64_t number) const {
+  return random_height_view(*grid_, view_, options_.seed, number);
+}
+
+std::string Sweep::head(std::uint64_t number) const {
+  Json methods = Json::array();
+  for (const std::string& method : options_.methods) methods.push_back(method);
+  Json document{{"schema", "sightline/sweep/2"}, {"scene", source_}, {"fingerprint", fingerprint_},
+                {"seed", options_.seed},         {"view", number},   {"methods", methods},
+                {"truth", truth_}};
+  if (with_faces()) document["faces"] = true;
+  if (is_asked(options_, "jones-pdp7") || is_asked(options_, "jones-twin")) document["eae"] = options_.eae;
+  if (options_.directions != Directions::usual) document["directions"] = options_.directions == Directions::all ? "all" : "level";
+  if (grid_) {
+    const guests::skala::View view = height_view(number);
+    document["angles"] = {{"rotate", view.rotation}, {"elevate", view.elevation}};
+  } else {
+    const scene::PolyCamera seen = camera(number);
+    document["camera"] = {{"perspective", seen.perspective},
+                          {"eye", seen.eye},
+                          {"forward", seen.forward},
+                          {"right", seen.right},
+                          {"up", seen.up}};
+  }
+  std::string text = document.dump();
   text.pop_back();
   return text + ",\"results\":";
 }
 
-std::string Sweep::line(std::uint64_t number) const {
-  const scene::PolyCamera camera = sweep_camera(*scene_, cells_, options_.turned, options_.seed, number);
-  Json results;
-  picture::LinePicture exact;
-  for (const Entry& entry : entries_) {
-    Json& result = results[std::string(entry.algorithm->name)];
-    if (const auto reason = entry.algorithm->why_not_seen(*scene_, camera)) {
-      result["not_applicable"] = *reason;
-      continue;
-    }
-    const auto start = std::chrono::steady_clock::now();
-    auto seen = entry.prepared.view(camera);
-    const auto time = std::chrono::steady_clock::now() - start;
-    if (!seen) {
-      result["error"] = seen.error().message();
-      continue;
-    }
-    auto& view = *seen;
-    result["pieces"] = view.picture.pieces.size();
-    result["visible_length"] = picture::image_length(view.picture, *scene_, camera);
-    if (&entry != &entries_.front()) {
-      const bool same = registry::agrees(*entry.algorithm, view.picture, exact, *scene_, camera);
-      result["agrees"] = same;
-      if (!same) result["difference"] = difference_of(exact, view.picture);
-    }
-    if (!view.counts.empty()) result["counts"] = json_of(view.counts);
-    if (options_.time) result["ns"] = std::chrono::duration_cast<std::chrono::nanoseconds>(time).count();
-    if (&entry == &entries_.front()) exact = std::move(view.picture);
+Json Sweep::scene_results(std::uint64_t number) const {
+  Json results = Json::object();
+  const auto comparison = methods_->view(camera(number));
+  if (!comparison) {
+    results["error"] = comparison.error().message();
+    return results;
   }
-  if (guest_ && looks_along_z(camera)) results["guest"] = json_of(guest_->view(camera.eye));
-  if (guest_ && !looks_along_z(camera))
-    results["guest"]["not_applicable"] = "the program looks along +z only";
-  return head(number, camera) + text_of(results) + "}\n";
+  for (const MethodView& view : method_views(*comparison)) {
+    Json& result = results[unused_name(results, view.method)];
+    result = compare::json_of(view);
+    if (view.picture != "lines") continue;
+    const auto row = std::find_if(comparison->pictures.begin(), comparison->pictures.end(),
+                                  [&](const ComparedPicture& picture) { return picture.name == view.method; });
+    if (row != comparison->pictures.end()) add_lines(*row, result);
+  }
+  for (const auto& [method, reason] : comparison->not_applicable)
+    if (is_asked(options_, method)) results[unused_name(results, method)] = {{"not_applicable", reason}};
+  return results;
+}
+
+Json Sweep::height_results(std::uint64_t number) const {
+  Json results = Json::object();
+  const HeightComparison comparison = compare_heights(*grid_, height_view(number), [](std::string_view) {}, {}, options_.time);
+  for (const MethodView& view : method_views(comparison))
+    if (is_asked(options_, view.method)) results[view.method] = compare::json_of(view);
+  return results;
+}
+
+std::string Sweep::line(std::uint64_t number) const {
+  return head(number) + (grid_ ? height_results(number) : scene_results(number)).dump() + "}\n";
 }
 
 bool Sweep::is_line(std::uint64_t number, std::string_view text) const {
-  return text.starts_with(
-             head(number, sweep_camera(*scene_, cells_, options_.turned, options_.seed, number))) &&
-         text.ends_with("}}\n");
+  return text.starts_with(head(number)) && text.ends_with("}}\n");
 }
 
-bool Sweep::agrees(std::string_view line) {
-  // In a string a quotation mark has a backslash before it: none of these can be part of a name.
-  return line.find(",\"agrees\":false") == std::string_view::npos &&
-         line.find(",\"same_as_twin\":false") == std::string_view::npos &&
-         line.find("{\"error\":") == std::string_view::npos;
+bool SweepTable::add(std::string_view line) {
+  const auto document = base::parse_json(line, "line");
+  if (!document) return false;
+  const Json* const scene = document->find("scene");
+  const Json* const number = document->find("view");
+  const Json* const results = document->find("results");
+  if (scene == nullptr || scene->text() == nullptr || number == nullptr || !number->integer() || results == nullptr) return false;
+  bool differs = false;
+  std::vector<MethodView> views;
+  for (const base::JsonMember& member : results->members()) {
+    if (const std::string* const error = member.value.text()) {
+      leave_out("", *error);
+      differs = true;
+    } else if (const Json* const reason = member.value.find("not_applicable"); reason != nullptr && reason->text() != nullptr) {
+      leave_out(member.key, *reason->text());
+    } else if (auto view = method_view_of(member.value)) {
+      differs = differs || !view->defect.empty() || view->exact == false;
+      views.push_back(std::move(*view));
+    }
+  }
+  answer_.add(*scene->text(), static_cast<std::uint64_t>(*number->integer()), views);
+  if (differs) ++differing_;
+  return true;
+}
+
+void SweepTable::leave_out(const std::string& method, const std::string& reason) {
+  for (LeftOut& known : left_out_)
+    if (known.method == method) {
+      ++known.views;
+      return;
+    }
+  left_out_.push_back({method, 1, reason});
 }
 
 }  // namespace sightline::compare

@@ -120,6 +120,19 @@ scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellS
   return turned ? turned_camera(scene, *cells, camera.eye, random) : camera;
 }
 
+scene::PolyCamera random_camera(const scene::PolyScene& scene, const scene::CellScene* cells, Directions directions, std::uint64_t seed,
+                                std::uint64_t number) {
+  if (directions != Directions::level) return sweep_camera(scene, cells, directions == Directions::all, seed, number);
+  ViewRandom random(seed, number);
+  constexpr std::int32_t most = 1000;
+  const std::int32_t x = random.between(-most, most);
+  std::int32_t z = random.between(-most, most);
+  if (x == 0 && z == 0) z = 1;
+  scene::SceneFrame frame = scene::frame_of(scene.camera);
+  frame.vertical = 1;
+  return scene::aimed_camera(frame, scene::bounds_of(scene).middle(), {x, 0, z}, false);
+}
+
 guests::skala::View random_height_view(const scene::HeightGrid& grid, guests::skala::View view, std::uint64_t seed, std::uint64_t number) {
   ViewRandom random(seed, number);
   const guests::skala::View asked = view;

@@ -21,6 +21,13 @@ namespace sightline::compare {
 [[nodiscard]] scene::PolyCamera sweep_camera(const scene::PolyScene& scene, const scene::CellScene* cells,
                                              bool turned, std::uint64_t seed, std::uint64_t number);
 
+// Which way random views of a scene look: as above; a scene of cells in all directions, as polyhedra; in parallel projection along
+// random directions without y, as Plantinga's turns and the solid turning on the PDP-7 need them.
+enum class Directions { usual, all, level };
+// The camera of a view. The preconditions are those of sweep_camera.
+[[nodiscard]] scene::PolyCamera random_camera(const scene::PolyScene& scene, const scene::CellScene* cells, Directions directions,
+                                              std::uint64_t seed, std::uint64_t number);
+
 // In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
 [[nodiscard]] bool looks_along_z(const scene::PolyCamera& camera);
 

@@ -285,11 +285,15 @@ picture::LineMetrics metrics_on_edges(const Turning& turning, const TurnPicture&
 base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t angle) {
   const auto turning = Turning::of(scene);
   if (!turning) return turning.error();
-  const auto shown = turning->draw(angle);
+  return check_turn(*turning, angle);
+}
+
+base::Result<TurnCheck> check_turn(const Turning& turning, std::uint32_t angle) {
+  const auto shown = turning.draw(angle);
   if (!shown) return shown.error();
   const registry::LineAlgorithm& exact = registry::line_algorithms().front();
-  if (const auto reason = exact.why_not(turning->standing())) return base::Error{.found = *reason};
-  const auto prepared = exact.prepare(turning->standing());
+  if (const auto reason = exact.why_not(turning.standing())) return base::Error{.found = *reason};
+  const auto prepared = exact.prepare(turning.standing());
   if (!prepared) return prepared.error();
   const auto view = prepared->view(shown->camera);
   if (!view) return view.error();
@@ -298,10 +302,10 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
   picture::PixelGrid flashed(picture::screen_points, picture::screen_points);
   for (const picture::PixelSegment& flash : shown->flashes)
     flashed.set(static_cast<int>(flash.a.x), static_cast<int>(flash.a.y), 1);
-  const auto exact_lines = turning->on_screen(view->picture, angle);
+  const auto exact_lines = turning.on_screen(view->picture, angle);
   check.distance = picture::hausdorff_distance(exact_lines, shown->flashes);
   check.raster = picture::raster_difference(type340_points(exact_lines, LongLines::turn), flashed);
-  check.metrics = metrics_on_edges(*turning, *shown, view->picture);
+  check.metrics = metrics_on_edges(turning, *shown, view->picture);
   return check;
 }
 

@@ -96,5 +96,7 @@ struct TurnCheck {
 
 // Errors: those of Turning.
 [[nodiscard]] base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t angle);
+// Of a scene prepared for many angles. Several threads may ask at once.
+[[nodiscard]] base::Result<TurnCheck> check_turn(const Turning& turning, std::uint32_t angle);
 
 }  // namespace sightline::compare

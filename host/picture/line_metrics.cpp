@@ -167,9 +167,12 @@ double LineMetrics::share(double length) const {
 LineMetrics line_metrics(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn,
                          const MetricOptions& options) {
   const std::vector<MeasuredLine> lines = measured_lines(truth, drawn);
-  const std::vector<PixelSegment> seen = segments_of(lines, &MeasuredLine::visible);
+  std::vector<PixelSegment> seen;
   std::vector<PixelSegment> pieces;
-  for (const DrawnPiece& piece : drawn) pieces.push_back(piece.image);
+  if (options.distances) {
+    seen = segments_of(lines, &MeasuredLine::visible);
+    for (const DrawnPiece& piece : drawn) pieces.push_back(piece.image);
+  }
   const NearestSegment near_seen(seen);
   const NearestSegment near_drawn(pieces);
   LineMetrics metrics;
@@ -180,11 +183,13 @@ LineMetrics line_metrics(const std::vector<ReferenceLine>& truth, const std::vec
     metrics.drawn_length += total(line.drawn) * line.length;
     metrics.missing += total(missing) * line.length;
     metrics.extra += total(extra) * line.length;
-    metrics.missing_far += far_length(line, missing, near_drawn);
-    metrics.extra_far += far_length(line, extra, near_seen);
+    if (options.distances) {
+      metrics.missing_far += far_length(line, missing, near_drawn);
+      metrics.extra_far += far_length(line, extra, near_seen);
+    }
     metrics.pieces_different += pieces_without_counterpart(line);
   }
-  metrics.hausdorff = hausdorff_distance(seen, pieces);
+  if (options.distances) metrics.hausdorff = hausdorff_distance(seen, pieces);
   metrics.wrong_visibility = wrong_visibility(lines, options);
   return metrics;
 }

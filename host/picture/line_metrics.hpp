@@ -99,6 +99,7 @@ struct LineMetrics {
 struct MetricOptions {
   std::uint64_t points = 20'000;  // tried for the wrong-visibility rate, by image length of all edges
   std::uint64_t seed = 1971;
+  bool distances = true;  // false: hausdorff, missing_far and extra_far are left at 0, which takes a tenth of the time
 };
 
 [[nodiscard]] LineMetrics line_metrics(const std::vector<ReferenceLine>& truth,

@@ -17,12 +17,6 @@ using base::Json;
 using compare::AnswerRow;
 using compare::Spread;
 
-std::string time_text(double seconds) {
-  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
-  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
-  return fmt::format("{:.3g} us", seconds * 1e6);
-}
-
 // Of one view the value, of many the median and the greatest.
 template <class Text>
 std::string spread_text(const std::optional<Spread>& spread, std::size_t views, Text&& text) {
@@ -49,6 +43,12 @@ Json spread_json(const Spread& spread) {
 
 }  // namespace
 
+std::string time_text(double seconds) {
+  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
+  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} us", seconds * 1e6);
+}
+
 std::string answer_text(const std::vector<AnswerRow>& rows) {
   bool several = false;
   bool host = false;
@@ -58,24 +58,24 @@ std::string answer_text(const std::vector<AnswerRow>& rows) {
   }
   const bool many = !rows.empty() && rows.front().views > 1;
   // Columns begin with two blanks, so that a long cell does not touch the one before.
-  std::vector<int> widths{-20, -6, many ? 21 : 12};
+  std::vector<int> widths{-20, -7, -11, many ? 21 : 12};
   if (host) widths.push_back(many ? 21 : 12);
-  for (const int width : {many ? 21 : 20, many ? 16 : 10, many ? 14 : 10, -24, 0}) widths.push_back(width);
+  for (const int width : {many ? 21 : 20, many ? 15 : 10, many ? 13 : 9, -24, 0}) widths.push_back(width);
   base::TextTable table(widths);
   std::string said;
-  const auto line = [&](std::string_view method, std::string_view picture, std::string_view machine, std::string_view here, std::string_view wrong,
+  const auto line = [&](std::string_view method, std::string_view picture, std::string_view rounding, std::string_view machine, std::string_view here, std::string_view wrong,
                         std::string_view greatest, std::string_view far, std::string_view read, std::string_view paper) {
     const auto apart = [](std::string_view cell) { return cell.empty() ? std::string() : "  " + std::string(cell); };
     if (host)
-      table.row({method, apart(picture), apart(machine), apart(here), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
+      table.row({method, apart(picture), apart(rounding), apart(machine), apart(here), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
     else
-      table.row({method, apart(picture), apart(machine), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
+      table.row({method, apart(picture), apart(rounding), apart(machine), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
   };
-  line("", "", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says");
+  line("", "", "rounded to", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says");
   for (const AnswerRow& row : rows) {
     if (several && row.scene != said) table.line(said = row.scene);
     const std::string far = many ? fmt::format("{} of {}", row.right, row.views) : fmt::format("{:.4g}", row.far.greatest);
-    line(row.method, row.picture, spread_text(row.emulated_seconds, row.views, time_text), spread_text(row.host_seconds, row.views, time_text),
+    line(row.method, row.picture, row.rounding == compare::not_rounded ? "" : row.rounding, spread_text(row.emulated_seconds, row.views, time_text), spread_text(row.host_seconds, row.views, time_text),
          wrong_text(row), spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }), far,
          read_text(row), compare::paper_figure(row.method));
     if (!row.defect.empty()) table.line(fmt::format("    {}: {}", row.method, row.defect));

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/compare_output.hpp"
 #include "host/app/commands/draw.hpp"
+#include "host/app/commands/random_views.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
@@ -54,7 +54,8 @@ struct CompareArguments {
   unsigned fraction = 3;
   std::vector<std::string> methods;
   std::uint64_t views = 0;  // 0: the one that the camera options say
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> only_view;  // of the random views
+  RandomViewOptions random;
   bool no_host_times = false;
   std::string plot;  // empty: none
   std::string directory = "out";
@@ -67,15 +68,6 @@ std::vector<std::string> every_builtin() {
   for (const auto& function : scene::height_functions().first(scene::figure_functions))
     names.emplace_back(function.name);
   return names;
-}
-
-bool is_height_function(const std::string& name) {
-  if (scene::builtin_scene_text(name)) return false;
-  if (scene::height_function(name)) return true;
-  std::error_code unknown;
-  constexpr std::array<std::string_view, 8> scene_endings{".json", ".off", ".obj", ".stl", ".ply", ".gltf", ".glb", ".3mf"};
-  const bool scene = std::any_of(scene_endings.begin(), scene_endings.end(), [&](std::string_view ending) { return name.ends_with(ending); });
-  return std::filesystem::exists(name, unknown) && !scene;
 }
 
 void refuse(bool given, const char* option, const std::string& name, std::string_view expected) {
@@ -141,7 +133,7 @@ void compare_views(std::uint64_t many, const compare::CompareProgress& progress,
 }
 
 std::string views_heading(const std::string& name, const CompareArguments& arguments) {
-  return fmt::format("{}, {} random views of seed {}: the median, and the greatest in brackets\n", name, arguments.views, arguments.seed);
+  return fmt::format("{}, {} random views of seed {}: the median, and the greatest in brackets\n", name, arguments.views, arguments.random.seed);
 }
 
 // Texts that are inputs of hard cases, but neither scenes nor grids.
@@ -179,8 +171,11 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     answer.add(function.name, number, views);
     return comparison;
   };
+  if (arguments.random.turn || arguments.random.level)
+    throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a scene", arguments.random.turn ? "--turn" : "--level", name));
   if (arguments.views == 0) {
-    const auto comparison = compare_view(view, 0, progress);
+    if (arguments.only_view) view = compare::random_height_view(function.grid, view, arguments.random.seed, *arguments.only_view);
+    const auto comparison = compare_view(view, arguments.only_view.value_or(0), progress);
     ComparedScene compared{comparison.agrees(), compare_heading(function.name, comparison), compare_notes(comparison),
                            compare_json(function.name, comparison),
                            write_overlays(arguments.directory, overlays.unused(function.stem), comparison), {}};
@@ -190,9 +185,9 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   }
   ComparedScene compared;
   compared.heading = views_heading(function.name, arguments);
-  compared.json = {{"function", function.name}, {"views", arguments.views}, {"seed", arguments.seed}};
+  compared.json = {{"function", function.name}, {"views", arguments.views}, {"seed", arguments.random.seed}};
   compare_views(arguments.views, progress, [&](std::uint64_t number, const compare::CompareProgress& step) {
-    const auto of = compare::random_height_view(function.grid, view, arguments.seed, number);
+    const auto of = compare::random_height_view(function.grid, view, arguments.random.seed, number);
     compared.agrees = compare_view(of, number, step).agrees() && compared.agrees;
   });
   return compared;
@@ -213,7 +208,10 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
          "a function, which is sampled");
   MeshArguments mesh = arguments.mesh;
   mesh.eye = eye_of(arguments.camera);
-  const scene::LoadedScene source = load_scene(name, mesh);
+  scene::LoadedScene source = load_scene(name, mesh);
+  const compare::Directions directions = directions_of(arguments.random, source);
+  const std::optional<scene::CellScene> cells = source.cells;
+  if (directions != compare::Directions::usual) source.cells.reset();  // its polyhedra are compared
   if (source.cells) {
     refuse_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
   } else {
@@ -231,15 +229,20 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     answer.add(shown, number, method_views(comparison));
     return comparison;
   };
+  const auto random_camera = [&](std::uint64_t number) {
+    return compare::random_camera(source.scene, cells ? &*cells : nullptr, directions, arguments.random.seed, number);
+  };
   if (arguments.views == 0) {
     scene::PolyCamera camera;
-    if (source.cells) {
+    if (arguments.only_view) {
+      camera = random_camera(*arguments.only_view);
+    } else if (source.cells) {
       const std::string& eye = arguments.camera.eye.empty() ? arguments.camera.view : arguments.camera.eye;
       camera.eye = eye.empty() ? source.cells->default_view : point_argument(arguments.camera.eye.empty() ? "--view" : "--eye", eye);
     } else {
       camera = camera_of(arguments.camera, source.scene, name);
     }
-    const auto comparison = compare_view(camera, 0, progress);
+    const auto comparison = compare_view(camera, arguments.only_view.value_or(0), progress);
     ComparedScene compared{comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
                            write_overlays(arguments.directory, overlays.unused(shown), comparison), {}};
     if (arguments.plot.empty()) return compared;
@@ -249,11 +252,9 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   }
   ComparedScene compared;
   compared.heading = views_heading(shown, arguments);
-  compared.json = {{"scene", shown}, {"views", arguments.views}, {"seed", arguments.seed}};
+  compared.json = {{"scene", shown}, {"views", arguments.views}, {"seed", arguments.random.seed}};
   compare_views(arguments.views, progress, [&](std::uint64_t number, const compare::CompareProgress& step) {
-    const auto camera =
-        compare::sweep_camera(source.scene, source.cells ? &*source.cells : nullptr, false, arguments.seed, number);
-    compared.agrees = compare_view(camera, number, step).agrees() && compared.agrees;
+    compared.agrees = compare_view(random_camera(number), number, step).agrees() && compared.agrees;
   });
   return compared;
 }
@@ -277,7 +278,7 @@ void check_methods(const std::vector<std::string>& methods) {
   }
 }
 
-// Nothing if no plot is asked for.
+// Empty if no plot is asked for.
 std::optional<Output> plot_output(const CompareArguments& arguments) {
   if (arguments.plot.empty()) return std::nullopt;
   if (arguments.plot == "-") throw Failure(ExitCode::usage, "--plot: found -, expected a file: the table goes to standard output");
@@ -295,7 +296,12 @@ ExitCode run_compare(CompareArguments arguments) {
   if (!expression && !arguments.function.domain.empty())
     throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
   check_methods(arguments.methods);
-  if (arguments.views != 0) refuse_camera(arguments.camera, true, "--views", "random views, which have cameras of their own");
+  if (arguments.views != 0 && arguments.only_view) throw Failure(ExitCode::usage, "--only-view: found with --views, expected one of them");
+  if ((arguments.random.turn || arguments.random.level) && arguments.views == 0 && !arguments.only_view)
+    throw Failure(ExitCode::usage, fmt::format("{}: found without random views, expected --views or --only-view",
+                                               arguments.random.turn ? "--turn" : "--level"));
+  if (arguments.views != 0 || arguments.only_view)
+    refuse_camera(arguments.camera, true, arguments.views != 0 ? "--views" : "--only-view", "random views, which have cameras of their own");
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
   std::optional<Output> plot = plot_output(arguments);
   std::vector<compare::PlotPoint> plotted;
@@ -365,7 +371,8 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   command.option("--views", arguments.views, "So many random views instead of one: median and greatest")
       .range(std::uint64_t{1}, std::uint64_t{100'000})
       .value("N");
-  command.option("--seed", arguments.seed, "Seed of the random views").check(why_no_whole_number).default_value().value("N");
+  command.option("--only-view", arguments.only_view, "One of the random views by its number, from 0, as sweeps number them").value("K");
+  add_random_view_options(command, arguments.random);
   command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
   command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");
   command.option("-o,--output", arguments.directory, "Folder for the overlays").default_value().value("DIR");

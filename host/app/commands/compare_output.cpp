@@ -193,8 +193,10 @@ Json unrounded_json(const picture::DotsAndLines& d) {
 
 std::string compare_heading(const SceneComparison& comparison) {
   std::string text = fmt::format("{} {}", comparison.scene, view_text(comparison));
-  if (!comparison.pictures.empty())
-    text += fmt::format(": {:.1f} px of lines are seen", comparison.pictures.front().metrics.true_length);
+  if (!comparison.pictures.empty()) {
+    const double length = comparison.pictures.front().metrics.true_length;
+    text += length > 0 ? fmt::format(": {:.1f} px of lines are seen", length) : std::string(": no line is on the screen");
+  }
   return text + "\n";
 }
 

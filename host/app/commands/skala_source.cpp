@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
-#include <system_error>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,6 +18,7 @@
 #include "host/scene/heights/expression.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/heights/read_grid.hpp"
+#include "host/scene/read/builtin.hpp"
 
 namespace sightline::app {
 
@@ -120,6 +124,15 @@ SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usu
   if (!source.domain.empty())
     throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
   return function ? from_name(source, *function, size) : from_file(source);
+}
+
+bool is_height_function(const std::string& name) {
+  if (scene::builtin_scene_text(name)) return false;
+  if (scene::height_function(name)) return true;
+  std::error_code unknown;
+  constexpr std::array<std::string_view, 8> scene_endings{".json", ".off", ".obj", ".stl", ".ply", ".gltf", ".glb", ".3mf"};
+  const bool scene = std::any_of(scene_endings.begin(), scene_endings.end(), [&](std::string_view ending) { return name.ends_with(ending); });
+  return std::filesystem::exists(name, unknown) && !scene;
 }
 
 }  // namespace sightline::app

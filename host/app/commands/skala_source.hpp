@@ -36,4 +36,7 @@ struct SkalaFunction {
 // an error. Failure io: neither a name nor a file. Failure bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
 
+// Whether a name among scenes and functions is that of a function: its name, or a file whose ending is none of a scene.
+[[nodiscard]] bool is_height_function(const std::string& name);
+
 }  // namespace sightline::app

@@ -1,4 +1,4 @@
-// `sightline sweep`: algorithms compared with each other over many random views of a scene.
+// `sightline sweep`: methods compared over many random views of a scene.
 #include "host/compare/sweep.hpp"
 
 #include <fcntl.h>
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -20,10 +21,15 @@
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
+#include "host/app/commands/random_views.hpp"
+#include "host/app/commands/skala_options.hpp"
+#include "host/app/commands/sweep_table.hpp"
 #include "host/app/scene_argument.hpp"
+#include "host/base/nearest_name.hpp"
 #include "host/base/number.hpp"
 #include "host/base/parallel.hpp"
 #include "host/base/progress.hpp"
+#include "host/base/text.hpp"
 
 namespace sightline::app {
 
@@ -35,21 +41,23 @@ struct SweepArguments {
   std::string scene;
   MeshArguments mesh;
   std::uint64_t views = 0;
-  std::uint64_t seed = 1;
+  RandomViewOptions random;
   std::string shard = "1/1";
   std::vector<std::string> algorithms;
   bool guest = false;
+  bool faces = false;
   bool no_eae = false;
   bool time = false;
-  bool turn = false;
   unsigned jobs = 0;
   std::string output = "-";
 };
 
-std::string known_algorithms() {
-  std::string names;
-  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", algorithm.name);
+constexpr std::string_view edge_oracle = "oracle";
+
+// What --algorithm takes.
+std::vector<std::string> known_methods() {
+  std::vector<std::string> names = compare::method_names();
+  names.emplace_back(edge_oracle);
   return names;
 }
 
@@ -62,49 +70,67 @@ compare::SweepShard shard_argument(const SweepArguments& arguments) {
   return compare::sweep_shard(arguments.views, (*parts)[0], (*parts)[1]);
 }
 
-// Unless asked for: all that apply but the oracle, which is slow.
-std::vector<const registry::LineAlgorithm*> algorithms_of(const SweepArguments& arguments,
-                                                         const scene::LoadedScene& source) {
-  std::vector<const registry::LineAlgorithm*> result;
+bool is_asked(const SweepArguments& arguments, std::string_view method) {
+  return std::find(arguments.algorithms.begin(), arguments.algorithms.end(), method) != arguments.algorithms.end();
+}
+
+// The methods that --algorithm and --guest name, in the order of tables. `exact` is always one for a scene.
+std::vector<std::string> methods_of(const SweepArguments& arguments, bool function) {
+  const std::vector<std::string> known = known_methods();
   for (const std::string& name : arguments.algorithms) {
-    const registry::LineAlgorithm* const algorithm = registry::find_line_algorithm(name);
-    if (algorithm == nullptr) {
-      throw Failure(ExitCode::usage,
-                    fmt::format("--algorithm: found \"{}\", expected some of {}", name, known_algorithms()));
-    }
-    if (const auto reason = algorithm->why_not(source.scene))
-      throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", source.name, name, *reason));
-    result.push_back(algorithm);
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string meant = base::did_you_mean(name, known);
+    throw Failure(ExitCode::usage, fmt::format("--algorithm: found \"{}\", expected some of {}{}", name, base::joined(known, ", "),
+                                               meant.empty() ? "" : "; " + meant));
   }
-  if (!arguments.algorithms.empty()) return result;
-  for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
-    if (algorithm.name != "oracle" && !algorithm.why_not(source.scene)) result.push_back(&algorithm);
-  return result;
+  std::vector<std::string> methods;
+  for (const std::string& name : compare::method_names()) {
+    const bool of_guest = name == "jones-pdp7" || name == "jones-twin";
+    const bool exact = name == "exact" && !function;
+    if (exact || is_asked(arguments, name) || (of_guest && arguments.guest)) methods.push_back(name);
+  }
+  return methods;
+}
+
+compare::SweepOptions options_of(const SweepArguments& arguments) {
+  compare::SweepOptions options;
+  options.seed = arguments.random.seed;
+  options.oracle = is_asked(arguments, edge_oracle);
+  options.eae = !arguments.no_eae;
+  options.time = arguments.time;
+  options.all_lines = arguments.algorithms.empty();
+  options.faces = arguments.faces;
+  return options;
+}
+
+// Failure usage: a method that was asked for does not apply; bad_input: one of those by default cannot be prepared.
+compare::Sweep value_of(base::Result<compare::Sweep> sweep, const SweepArguments& arguments) {
+  if (sweep) return std::move(*sweep);
+  throw Failure(arguments.algorithms.empty() && !arguments.guest ? ExitCode::bad_input : ExitCode::usage, sweep.error().message());
 }
 
 compare::Sweep sweep_of(const SweepArguments& arguments, const scene::LoadedScene& source) {
   if (source.scene.vertices.empty())
     throw Failure(ExitCode::bad_input, fmt::format("{}: nothing in it can be seen", source.name));
-  if (arguments.guest && !source.cells) {
-    throw Failure(ExitCode::usage, fmt::format("--guest: found {}, expected a scene of cells, which Jones's "
-                                               "program can be given",
-                                               source.name));
-  }
-  if (arguments.turn && !source.cells)
-    throw Failure(ExitCode::usage, fmt::format("--turn: found {}, expected a scene of cells; all others are "
-                                               "viewed in all directions in any case",
-                                               source.name));
-  compare::SweepOptions options;
-  options.seed = arguments.seed;
-  options.algorithms = algorithms_of(arguments, source);
-  options.guest = arguments.guest;
-  options.eae = !arguments.no_eae;
-  options.time = arguments.time;
-  options.turned = arguments.turn;
-  auto sweep =
-      compare::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options);
-  if (!sweep) throw Failure(ExitCode::bad_input, sweep.error().message());
-  return std::move(*sweep);
+  if (arguments.guest && !source.cells)
+    throw Failure(ExitCode::usage, fmt::format("--guest: found {}, expected a scene of cells, which Jones's program can be given", source.name));
+  compare::SweepOptions options = options_of(arguments);
+  options.directions = directions_of(arguments.random, source);
+  options.methods = methods_of(arguments, false);
+  return value_of(compare::Sweep::of(source.name, source.scene, source.cells ? &*source.cells : nullptr, options), arguments);
+}
+
+compare::Sweep sweep_of(const SweepArguments& arguments, const SkalaFunction& function) {
+  for (const auto& [given, option] : {std::pair{arguments.guest, "--guest"}, std::pair{arguments.faces, "--faces"},
+                                      std::pair{arguments.random.turn, "--turn"}, std::pair{arguments.random.level, "--level"}})
+    if (given) throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a scene", option, arguments.scene));
+  guests::skala::View view;
+  view.family = family_of({});
+  if (const auto reason = compare::why_not_comparable(function.grid, view))
+    throw Failure(ExitCode::bad_input, fmt::format("{}: {}", arguments.scene, *reason));
+  compare::SweepOptions options = options_of(arguments);
+  options.methods = methods_of(arguments, true);
+  return value_of(compare::Sweep::of(arguments.scene, function.grid, view, options), arguments);
 }
 
 // --- the output: a file of lines that grows while it is made and is continued after an interruption
@@ -210,11 +236,10 @@ void SweepFile::append(std::string_view line) {
 
 // How many views of the shard the file has already.
 std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const compare::Sweep& sweep,
-                         const compare::SweepShard& shard, std::uint64_t& differing) {
+                         const compare::SweepShard& shard, compare::SweepTable& table) {
   std::uint64_t next = shard.first;
   const std::int64_t kept = file.keep_lines([&](std::string_view line) {
-    if (next >= shard.last || !sweep.is_line(next, line)) return false;
-    differing += compare::Sweep::agrees(line) ? 0 : 1;
+    if (next >= shard.last || !sweep.is_line(next, line) || !table.add(line)) return false;
     ++next;
     return true;
   });
@@ -227,13 +252,34 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
                   next < shard.last ? fmt::format("view {}", next) : std::string("a view")));
 }
 
-ExitCode run_sweep(const SweepArguments& arguments) {
+// As one word of a shell's command line.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/+-,:=@%";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+std::string compare_command(const SweepArguments& arguments, std::string_view method, std::uint64_t view) {
+  std::string text = fmt::format("sightline compare {} --only-view {} --seed {} --methods {}", shell_word(arguments.scene), view,
+                                 arguments.random.seed, method);
+  if (arguments.random.turn) text += " --turn";
+  if (arguments.random.level) text += " --level";
+  if (arguments.no_eae && method.starts_with("jones-")) text += " --no-eae";
+  const MeshArguments& mesh = arguments.mesh;
+  if (mesh.strict) text += " --strict";
+  if (mesh.weld != 0) base::append(text, " --weld {}", mesh.weld);
+  if (mesh.planar_tolerance) base::append(text, " --planar-tolerance {}", *mesh.planar_tolerance);
+  if (!mesh.unit.empty()) base::append(text, " --unit {}", mesh.unit);
+  return text;
+}
+
+ExitCode run_sweep(const SweepArguments& arguments, const compare::Sweep& sweep) {
   const compare::SweepShard shard = shard_argument(arguments);
-  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
-  const compare::Sweep sweep = sweep_of(arguments, source);
   SweepFile file(arguments.output);
-  std::uint64_t differing = 0;
-  const std::uint64_t kept = kept_views(file, arguments, sweep, shard, differing);
+  compare::SweepTable table;
+  const std::uint64_t kept = kept_views(file, arguments, sweep, shard, table);
   const base::InterruptKey interrupt;
   std::uint64_t done = kept;
   {
@@ -245,11 +291,11 @@ ExitCode run_sweep(const SweepArguments& arguments) {
     work.make = [&sweep](std::uint64_t number) { return sweep.line(number); };
     work.take = [&](std::uint64_t, const std::string& line) {
       file.append(line);
-      differing += compare::Sweep::agrees(line) ? 0 : 1;
+      static_cast<void>(table.add(line));
       ++done;
     };
     work.go_on = [&] {
-      progress.show(fmt::format("{} of {} views, {} differ", done, shard.last - shard.first, differing));
+      progress.show(fmt::format("{} of {} views, {} differ", done, shard.last - shard.first, table.differing()));
       return !base::InterruptKey::pressed();
     };
     base::run_in_order(work);
@@ -259,9 +305,27 @@ ExitCode run_sweep(const SweepArguments& arguments) {
                          arguments.output == "-" ? "" : "; the same command goes on from there"));
     return ExitCode::interrupted;
   }
-  if (differing == 0) return ExitCode::ok;
-  complain(fmt::format("{}: {} of {} views differ", source.name, differing, done));
+  const std::string text = sweep_text(
+      table, [&](std::string_view method, std::uint64_t view) { return compare_command(arguments, method, view); });
+  // Lines on standard output stay lines alone.
+  if (arguments.output == "-")
+    std::fputs(text.c_str(), stderr);
+  else
+    write_stdout(text);
+  if (table.differing() == 0) return ExitCode::ok;
+  complain(fmt::format("{}: {} of {} views differ", arguments.scene, table.differing(), done));
   return ExitCode::differs;
+}
+
+ExitCode run_sweep(const SweepArguments& arguments) {
+  static_cast<void>(shard_argument(arguments));  // before the scene is read
+  if (is_height_function(arguments.scene)) {
+    SkalaSource source;
+    source.name_or_file = arguments.scene;
+    return run_sweep(arguments, sweep_of(arguments, load_skala_function(source, usual_grid_size(guests::skala::PictureKind::lines))));
+  }
+  const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
+  return run_sweep(arguments, sweep_of(arguments, source));
 }
 
 }  // namespace
@@ -269,32 +333,30 @@ ExitCode run_sweep(const SweepArguments& arguments) {
 void add_sweep_command(const Command& program) {
   const Command command = program.add_command("sweep", help_page("sweep"));
   const auto arguments = std::make_shared<SweepArguments>();
-  command.option("SCENE", arguments->scene, scene_help).required();
+  command.option("SCENE", arguments->scene, fmt::format("{}; or a function of two variables, by name or from a grid file", scene_help))
+      .required();
   add_mesh_options(command, arguments->mesh);
   command.option("--views", arguments->views, "How many views there are in all")
       .required()
       .range(std::uint64_t{1}, most_views)
       .value("N");
-  command.option("--seed", arguments->seed, "Seed of the random numbers: another seed gives other views")
-      .check(why_no_whole_number)
-      .default_value()
-      .value("N");
+  add_random_view_options(command, arguments->random);
   command.option("--shard", arguments->shard, "Only the I-th of N parts of the views")
       .default_value()
       .value("I/N");
   command
       .option("--algorithm", arguments->algorithms,
-              fmt::format("Which of: {}; exact always runs", known_algorithms()))
-      .default_value("all but the oracle")
+              fmt::format("Which of: {}. For scenes exact always runs, and is the truth for polyhedra unless oracle, the slow oracle of "
+                          "edges, is named",
+                          base::joined(known_methods(), ", ")))
+      .default_value("the native line methods that apply, or those of functions")
       .separated_by(',')
       .value("NAME,...");
   command.flag("--guest", arguments->guest,
-               "Add Jones's program on the emulated PDP-7 and its twin (scenes of cells)");
+               "Add jones-pdp7 and jones-twin, Jones's program on the emulated PDP-7 and its twin (scenes of cells)");
+  command.flag("--faces", arguments->faces, "Add the native methods of faces, compared point by point, which takes longer");
   add_eae_options(command, arguments->no_eae);
-  command.flag("--turn", arguments->turn,
-               "A scene of cells in all directions, where Jones's program does not apply; without it "
-               "along +z, as that program looks");
-  command.flag("--time", arguments->time, "Print the time of each view in nanoseconds of this computer");
+  command.flag("--time", arguments->time, "Measure the time of each view on this computer, once for a picture of lines");
   command.option("--jobs", arguments->jobs, "Threads")
       .default_value("as many as there are cores")
       .range(1U, 1024U);
