@@ -27,7 +27,7 @@ p { max-width: 48rem; margin: .5rem 0; }
 .answers { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: .8rem; }
 .answers > div { background: var(--band); border-left: 4px solid var(--link); padding: .4rem .8rem; }
 .answers h3 { font-size: 1rem; margin: 0; } .answers p { margin: .1rem 0 0; font-size: .95rem; line-height: 1.4; }
-.answer-plots { display: grid; grid-template-columns: repeat(2, minmax(0, 30rem)); gap: .5rem 1.5rem; align-items: start; margin-top: .8rem; }
+.answer-plots { display: grid; grid-template-columns: repeat(2, minmax(0, 27rem)); gap: .5rem 1.5rem; align-items: start; margin-top: .8rem; }
 .answer-plots svg { display: block; width: 100%; height: auto; }
 a { color: var(--link); }
 .contents ul { columns: 2; column-gap: 2.5rem; } .contents li { break-inside: avoid; }

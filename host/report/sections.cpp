@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "host/report/experiments/comparison.hpp"
 #include "host/report/experiments/cross_check.hpp"
 #include "host/report/experiments/hard_cases.hpp"
 #include "host/report/experiments/jones_accuracy.hpp"
@@ -41,6 +42,7 @@ const std::vector<Part>& report_parts() {
 
 const std::vector<Experiment>& report_experiments() {
   static const std::vector<Experiment> experiments{
+      experiment(&compare_all, true),
       experiment(&opening_answer, true),
       experiment(&jones_numbers),
       experiment(&hard_cases),
@@ -108,6 +110,8 @@ const std::vector<SectionPlan>& report_sections() {
        {chapter("plantinga-timing", 1, &plantinga_timing),
         chapter("plantinga-pdp7", 1, &plantinga_pdp7_chapter),
         chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter)}},
+      {"comparison-of-methods", "Comparison: all methods on many objects from many viewpoints", "",
+       {chapter("comparison-chapter", 2, &comparison_chapter)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",
        {chapter("hard-cases", 3, &hard_cases_chapter)}},
       {"agreement", "Cross-check: every method against every other", "",
