@@ -35,6 +35,7 @@ struct ComparisonScene {
   std::optional<double> jones_s{};
   std::optional<double> montani_re_s{};
   std::optional<double> pdp7_s{};
+  std::string not_on_pdp7{};  // of scenes of cells that Jones's program cannot take: why; else empty
 
   [[nodiscard]] std::optional<double> openness() const {
     return portals && walls && *walls > 0 ? std::optional(static_cast<double>(*portals) / static_cast<double>(*walls)) : std::nullopt;
