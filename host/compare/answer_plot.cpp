@@ -18,13 +18,13 @@ namespace {
 
 using picture::xml_text;
 
-// In the drawing's units, of which a panel is `panel_width` wide: letters of 13 are 11 pixels high at 355.
-constexpr double panel_width = 420;
+// In the drawing's units, of which a panel is `panel_width` wide: letters of 13 are 11 pixels high at 350.
+constexpr double panel_width = 410;
 constexpr double letter_height = 15;
 constexpr double letter_width = 7.3;  // of usual letters on average, rather too much
 constexpr double bold_width = 8.2;
 constexpr double left_end = 62;
-constexpr double right_end = 412;
+constexpr double right_end = 402;
 constexpr double top_end = 56;
 constexpr double bottom_end = 318;
 constexpr double row_height = 19;  // of the strip
@@ -54,9 +54,10 @@ std::string style_text() {
       "text{fill:#e4e4df}.q{fill:#a2a7ab}.o{stroke:#17191b}.g{fill:#17191b}.r{stroke:#303438}.x{stroke:#a2a7ab}.z{fill:#202326}";
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const auto rules = [i](std::string_view colour, std::string_view ground) {
-      return fmt::format("text.c{0}{{fill:{1}}}.l{0}{{stroke:{1};stroke-width:1.6;fill:none}}.f{0}{{stroke:{1};stroke-width:1.6;fill:{1}}}"
-                         ".h{0}{{stroke:{1};stroke-width:1.6;fill:{2}}}",
-                         i, colour, ground);
+      return fmt::format(
+          "text.c{0}{{fill:{1}}}.l{0}{{stroke:{1};stroke-width:1.6;fill:none}}.f{0}{{stroke:{1};stroke-width:1.6;fill:{1}}}"
+          ".h{0}{{stroke:{1};stroke-width:1.6;fill:{2}}}",
+          i, colour, ground);
     };
     light += rules(colours[i].light, "#ffffff");
     dark += rules(colours[i].dark, "#17191b");
@@ -93,19 +94,20 @@ struct Box {
   }
 };
 
-double width_of(std::string_view text, bool bold = false) { return (bold ? bold_width : letter_width) * static_cast<double>(text.size()) + 2; }
+double width_of(std::string_view text, bool bold = false) {
+  return (bold ? bold_width : letter_width) * static_cast<double>(text.size()) + 2;
+}
 
 // The mark of a series about (0, 0).
 std::string mark_path(std::size_t series) {
-  constexpr std::array<std::string_view, 8> paths{
-      "M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0Z",         // circle
-      "M-4.5,-4.5H4.5V4.5H-4.5Z",                      // square
-      "M0,-6L5.5,4.5H-5.5Z",                           // triangle
-      "M0,-6.5L6.5,0L0,6.5L-6.5,0Z",                   // diamond
-      "M0,6L5.5,-4.5H-5.5Z",                           // triangle on its tip
-      "M-2,-6H2V-2H6V2H2V6H-2V2H-6V-2H-2Z",            // cross
-      "M-6,-2.5L-2.5,-6H2.5L6,-2.5V2.5L2.5,6H-2.5L-6,2.5Z",  // octagon
-      "M-6,-5H6L0,0L6,5H-6L0,0Z"};                     // hourglass
+  constexpr std::array<std::string_view, 8> paths{"M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0Z",               // circle
+                                                  "M-4.5,-4.5H4.5V4.5H-4.5Z",                            // square
+                                                  "M0,-6L5.5,4.5H-5.5Z",                                 // triangle
+                                                  "M0,-6.5L6.5,0L0,6.5L-6.5,0Z",                         // diamond
+                                                  "M0,6L5.5,-4.5H-5.5Z",                                 // triangle on its tip
+                                                  "M-2,-6H2V-2H6V2H2V6H-2V2H-6V-2H-2Z",                  // cross
+                                                  "M-6,-2.5L-2.5,-6H2.5L6,-2.5V2.5L2.5,6H-2.5L-6,2.5Z",  // octagon
+                                                  "M-6,-5H6L0,0L6,5H-6L0,0Z"};                           // hourglass
   return std::string(paths[series % paths.size()]);
 }
 
@@ -171,6 +173,13 @@ class Axis {
   int high_ = 0;
 };
 
+// Errors below it stand in the strip, with their number: a hundred-thousandth of what is seen would stretch the axis for nothing.
+constexpr double least_percent = 1e-3;
+
+bool in_strip(const PlotPoint& point) {
+  return point.wrong_percent < least_percent;
+}
+
 bool drawable(const PlotPoint& point) {
   return std::isfinite(point.seconds) && point.seconds > 0 && std::isfinite(point.wrong_percent) && point.wrong_percent >= 0;
 }
@@ -197,11 +206,13 @@ class Panel {
       Series& series = known != series_.end() ? *known : series_.emplace_back(Series{point.series, {}, {}, {}});
       series.points.push_back(point);
       seconds_.push_back(point.seconds);
-      if (point.wrong_percent > 0) wrong_.push_back(point.wrong_percent);
+      if (!in_strip(point)) wrong_.push_back(point.wrong_percent);
     }
     if (seconds_.empty()) {
       height_ = 90;
-      text_ = heading() + fmt::format("<text class=\"q\" x=\"8\" y=\"56\">{}</text>\n", panel == PlotPanel::emulated ? "No old machine draws this." : "No times of this computer were measured.");
+      text_ = heading() + fmt::format("<text class=\"q\" x=\"8\" y=\"56\">{}</text>\n",
+                                      panel == PlotPanel::emulated ? "No old machine draws this."
+                                                                   : "No times of this computer were measured.");
       return;
     }
     for (Series& series : series_) {
@@ -217,8 +228,9 @@ class Panel {
 
  private:
   [[nodiscard]] std::string heading() const {
-    return fmt::format("<text class=\"b\" x=\"8\" y=\"18\">{}</text>\n",
-                       panel_ == PlotPanel::emulated ? "Old machines: emulated time of a view" : "This computer: measured time of a view");
+    return fmt::format("<text class=\"b\" x=\"8\" y=\"18\">{}</text>\n", panel_ == PlotPanel::emulated
+                                                                             ? "Old machines: emulated time of a view"
+                                                                             : "This computer: measured time of a view");
   }
 
   void draw() {
@@ -231,12 +243,13 @@ class Panel {
       const Axis up(wrong_, bottom - 10, top_end + 10);
       for (Series& series : series_)
         for (std::size_t i = 0; i < series.points.size(); ++i)
-          if (series.points[i].wrong_percent > 0) series.places[i].y = up.place(series.points[i].wrong_percent);
+          if (!in_strip(series.points[i])) series.places[i].y = up.place(series.points[i].wrong_percent);
       axes += fmt::format("<text class=\"q\" x=\"8\" y=\"{:.1f}\">wrong, % of what is truly seen</text>\n", top_end - 14);
       for (const double value : up.marks(7)) {
         const double y = up.place(value);
-        base::append(axes, "<path class=\"r\" d=\"M{:.1f},{:.1f}H{:.1f}\"/><text class=\"q e\" x=\"{:.1f}\" y=\"{:.1f}\">{} %</text>\n", left_end, y,
-                     right_end, left_end - 6, y + 4.5, number_text(value));
+        base::append(axes,
+                     "<path class=\"r\" d=\"M{:.1f},{:.1f}H{:.1f}\"/><text class=\"q e\" x=\"{:.1f}\" y=\"{:.1f}\">{} %</text>\n",
+                     left_end, y, right_end, left_end - 6, y + 4.5, number_text(value));
       }
     }
     const double strip_top = bottom + 8;
@@ -244,14 +257,16 @@ class Panel {
     const double strip_bottom = strip_rows_ > 0 ? strip_top + row_height * strip_rows_ + 6 : bottom;
     for (const double value : across.marks(6)) {
       const double x = across.place(value);
-      base::append(axes, "<path class=\"r\" d=\"M{0:.1f},{1:.1f}V{2:.1f}\"/><text class=\"q m\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4}</text>\n", x,
-                   wrong_.empty() ? strip_top : top_end, strip_bottom, strip_bottom + 17, time_text(value));
+      base::append(
+          axes, "<path class=\"r\" d=\"M{0:.1f},{1:.1f}V{2:.1f}\"/><text class=\"q m\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4}</text>\n",
+          x, wrong_.empty() ? strip_top : top_end, strip_bottom, strip_bottom + 17, time_text(value));
     }
-    if (!wrong_.empty()) base::append(axes, "<path class=\"x\" d=\"M{0:.1f},{1:.1f}V{2:.1f}H{3:.1f}\"/>\n", left_end, top_end, bottom, right_end);
+    if (!wrong_.empty())
+      base::append(axes, "<path class=\"x\" d=\"M{0:.1f},{1:.1f}V{2:.1f}H{3:.1f}\"/>\n", left_end, top_end, bottom, right_end);
     std::string ground;
     if (strip_rows_ > 0) {
-      ground = fmt::format("<rect class=\"z\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", left_end, strip_top,
-                           right_end - left_end, strip_bottom - strip_top);
+      ground = fmt::format("<rect class=\"z\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", left_end,
+                           strip_top, right_end - left_end, strip_bottom - strip_top);
       base::append(axes, "<text class=\"q e\" x=\"{:.1f}\" y=\"{:.1f}\">error 0</text>\n", left_end - 6, strip_top + 17);
     }
     place_labels(bottom);
@@ -268,7 +283,7 @@ class Panel {
     std::vector<Item> items;
     for (std::size_t s = 0; s < series_.size(); ++s)
       for (std::size_t i = 0; i < series_[s].points.size(); ++i)
-        if (series_[s].points[i].wrong_percent == 0) items.push_back({s, i});
+        if (in_strip(series_[s].points[i])) items.push_back({s, i});
     std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
       return series_[a.series].points[a.point].seconds < series_[b.series].points[b.point].seconds;
     });
@@ -276,10 +291,13 @@ class Panel {
     std::string text;
     for (const Item& item : items) {
       Place& place = series_[item.series].places[item.point];
-      const std::string name = series_[item.series].whole_name(item.point);
+      std::string name = series_[item.series].whole_name(item.point);
+      if (const double percent = series_[item.series].points[item.point].wrong_percent; percent > 0)
+        name += fmt::format(" ({} %)", number_text(percent));
       const double width = width_of(name);
       const auto side = [&](bool right) {
-        return right ? std::pair(place.x - mark_size - 2, place.x + 9 + width) : std::pair(place.x - 9 - width, place.x + mark_size + 2);
+        return right ? std::pair(place.x - mark_size - 2, place.x + 9 + width)
+                     : std::pair(place.x - 9 - width, place.x + mark_size + 2);
       };
       std::optional<std::pair<std::size_t, bool>> found;
       for (std::size_t row = 0; !found; ++row) {
@@ -299,8 +317,8 @@ class Panel {
       }
       rows[found->first].push_back(side(found->second));
       place.y = top + 3 + row_height * (static_cast<double>(found->first) + 0.5);
-      base::append(text, "<text class=\"c{}{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", item.series % colours.size(), found->second ? "" : " e",
-                   found->second ? place.x + 9 : place.x - 9, place.y + 4.5, xml_text(name));
+      base::append(text, "<text class=\"c{}{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", item.series % colours.size(),
+                   found->second ? "" : " e", found->second ? place.x + 9 : place.x - 9, place.y + 4.5, xml_text(name));
     }
     strip_rows_ = static_cast<int>(rows.size());
     return text;
@@ -312,7 +330,8 @@ class Panel {
       const Series& series = series_[s];
       if (series.front.size() < 2) continue;
       std::string points;
-      for (const std::size_t i : series.front) base::append(points, "{}{:.1f},{:.1f}", points.empty() ? "" : " ", series.places[i].x, series.places[i].y);
+      for (const std::size_t i : series.front)
+        base::append(points, "{}{:.1f},{:.1f}", points.empty() ? "" : " ", series.places[i].x, series.places[i].y);
       base::append(text, "<polyline class=\"l{}\" points=\"{}\"/>\n", s % colours.size(), points);
     }
     return text;
@@ -325,7 +344,8 @@ class Panel {
       for (std::size_t i = 0; i < series.points.size(); ++i) {
         const PlotPoint& point = series.points[i];
         const std::string wrong = point.wrong_percent > 0 ? number_text(point.wrong_percent) + " % wrong" : "nothing wrong";
-        base::append(text, "<path class=\"{}{}\" transform=\"translate({:.1f} {:.1f})\" d=\"{}\"><title>{}: {}, {}</title></path>\n",
+        base::append(text,
+                     "<path class=\"{}{}\" transform=\"translate({:.1f} {:.1f})\" d=\"{}\"><title>{}: {}, {}</title></path>\n",
                      series.in_front(i) ? 'f' : 'h', s % colours.size(), series.places[i].x, series.places[i].y, mark_path(s),
                      xml_text(series.whole_name(i)), time_text(point.seconds), wrong);
       }
@@ -333,15 +353,15 @@ class Panel {
     return text;
   }
 
-  // Names of series and variants beside marks, each where nothing else is. A variant's that has no place is left out: it is in the
-  // mark's title.
+  // Names of series and variants beside marks, each where nothing else is. A variant's that has no place is left out: it is in
+  // the mark's title.
   void place_labels(double bottom) {
     std::vector<Box> taken;
     for (const Series& series : series_) {
       for (std::size_t i = 0; i < series.points.size(); ++i)
-        if (series.points[i].wrong_percent > 0)
-          taken.push_back({series.places[i].x - mark_size - 1, series.places[i].y - mark_size - 1, series.places[i].x + mark_size + 1,
-                           series.places[i].y + mark_size + 1});
+        if (!in_strip(series.points[i]))
+          taken.push_back({series.places[i].x - mark_size - 1, series.places[i].y - mark_size - 1,
+                           series.places[i].x + mark_size + 1, series.places[i].y + mark_size + 1});
     }
     const Box inside{left_end + 2, top_end, right_end + 4, bottom - 1};
     const auto place = [&](const std::string& text, const Place& mark, double distance, bool bold, std::size_t series) {
@@ -369,7 +389,11 @@ class Panel {
         taken.push_back(box);
         const std::string at = fmt::format("x=\"{:.1f}\" y=\"{:.1f}\"", corner.x, corner.y + 11.5);
         const std::string shown = xml_text(text);
-        const std::string classes = fmt::format("{}{}c{}", corner.part == 1 ? "e " : corner.part > 0 ? "m " : "", bold ? "b " : "", series % colours.size());
+        const std::string classes = fmt::format("{}{}c{}",
+                                                corner.part == 1  ? "e "
+                                                : corner.part > 0 ? "m "
+                                                                  : "",
+                                                bold ? "b " : "", series % colours.size());
         base::append(labels_, "<text class=\"{0} o\" {1}>{2}</text><text class=\"{0}\" {1}>{2}</text>\n", classes, at, shown);
         if (distance > 0) {
           const Place end{std::clamp(mark.x, box.left, box.right), std::clamp(mark.y, box.top, box.bottom)};
@@ -386,7 +410,7 @@ class Panel {
       bool any = false;
       for (const double distance : {0.0, 14.0, 30.0, 60.0, 100.0}) {
         for (std::size_t i = 0; i < series.points.size() && !placed; ++i) {
-          if (series.points[i].wrong_percent == 0) continue;
+          if (in_strip(series.points[i])) continue;
           any = true;
           placed = place(one ? series.whole_name(0) : series.name, series.places[i], distance, true, s);
         }
@@ -397,7 +421,9 @@ class Panel {
       for (std::size_t s = 0; s < series_.size(); ++s) {
         const Series& series = series_[s];
         for (std::size_t i = 0; i < series.points.size(); ++i) {
-          if (series.points.size() == 1 || series.points[i].wrong_percent == 0 || series.points[i].label.empty() || series.in_front(i) != front) continue;
+          if (series.points.size() == 1 || in_strip(series.points[i]) || series.points[i].label.empty() ||
+              series.in_front(i) != front)
+            continue;
           static_cast<void>(place(series.points[i].label, series.places[i], 0, false, s));
         }
       }
@@ -407,7 +433,7 @@ class Panel {
   PlotPanel panel_;
   std::vector<Series> series_;
   std::vector<double> seconds_;
-  std::vector<double> wrong_;  // greater than 0
+  std::vector<double> wrong_;  // of what is not in the strip
   int strip_rows_ = 0;
   std::string labels_;
   std::string leaders_;
@@ -416,9 +442,11 @@ class Panel {
 };
 
 std::string svg_start(double width, double height, std::string_view label) {
-  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"answer-plot\" role=\"img\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-                     "height=\"{1:.0f}\" aria-label=\"{2}\">\n<title>{2}</title>\n",
-                     width, height, xml_text(label)) +
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"answer-plot\" role=\"img\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+             "width=\"{0:.0f}\" "
+             "height=\"{1:.0f}\" aria-label=\"{2}\">\n<title>{2}</title>\n",
+             width, height, xml_text(label)) +
          style_text() + fmt::format("<rect class=\"g\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width, height);
 }
 
@@ -469,8 +497,9 @@ std::vector<PlotPoint> medians_of(const std::vector<PlotPoint>& points) {
 
 std::string panel_svg(const std::vector<PlotPoint>& points, PlotPanel panel) {
   const Panel drawn(points, panel);
-  return svg_start(panel_width, drawn.height(),
-                   panel == PlotPanel::emulated ? "Time against error on the old machines" : "Time against error on this computer") +
+  return svg_start(
+             panel_width, drawn.height(),
+             panel == PlotPanel::emulated ? "Time against error on the old machines" : "Time against error on this computer") +
          drawn.text() + "</svg>\n";
 }
 
@@ -483,7 +512,8 @@ base::Result<std::string> plot_svg(const std::vector<PlotPoint>& points, std::st
   std::string text = svg_start(2 * panel_width + gap, title_height + std::max(emulated.height(), host.height()), title);
   base::append(text, "<text class=\"b\" x=\"8\" y=\"20\">{}</text>\n", xml_text(title));
   base::append(text, "<g transform=\"translate(0 {:.0f})\">\n{}</g>\n", title_height, emulated.text());
-  base::append(text, "<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n</svg>\n", panel_width + gap, title_height, host.text());
+  base::append(text, "<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n</svg>\n", panel_width + gap, title_height,
+               host.text());
   return text;
 }
 

@@ -282,11 +282,10 @@ PixelGrid skala_points(std::span<const ReferenceLine> lines, SkalaDevice device)
 
 PixelGrid stripes_pen_points(const PixelGrid& faces) {
   PixelGrid grid(faces.width + 1, faces.height + 1);
-  const auto face = [&](int x, int y) {
-    return x < 0 || y < 0 || x >= faces.width || y >= faces.height ? 0U : faces.at(x, y);
-  };
-  for (int y = 0; y <= faces.height; ++y) {
-    for (int x = 0; x <= faces.width; ++x) {
+  // Where a face reaches beyond the picture it has no side there.
+  const auto face = [&](int x, int y) { return faces.at(std::clamp(x, 0, faces.width - 1), std::clamp(y, 0, faces.height - 1)); };
+  for (int y = 0; y < faces.height; ++y) {
+    for (int x = 0; x < faces.width; ++x) {
       const std::uint32_t here = face(x, y);
       if (here != face(x - 1, y)) {
         light(grid, {x, y});

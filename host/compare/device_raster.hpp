@@ -72,7 +72,7 @@ enum class SkalaDevice : std::uint8_t { raster, plotter };
 [[nodiscard]] picture::PixelGrid skala_points(std::span<const picture::ReferenceLine> lines,
                                               SkalaDevice device = SkalaDevice::raster);
 
-// The ends of the sides of dots that separate different numbers, 0 being what is around. Point (x, y) is the lower left
+// The ends of the sides of dots that separate different numbers; the border of the picture is no side. Point (x, y) is the lower left
 // corner of dot (x, y): a grid larger by 1 in both directions.
 [[nodiscard]] picture::PixelGrid stripes_pen_points(const picture::PixelGrid& faces);
 

@@ -10,14 +10,16 @@ namespace sightline::compare {
 
 inline constexpr double enough_seconds = 0.1;
 
-// The median, in seconds, of as many runs as take `seconds` together, at least one and at most twenty.
+// The median, in seconds, of as many runs as take `seconds` together, at most twenty; at least three, so that one that the computer held up
+// is not the median, unless `seconds` is 0, which asks for one run.
 template <class Run>
 [[nodiscard]] double median_seconds(Run&& run, double seconds = enough_seconds) {
   constexpr std::size_t most = 20;
   const std::chrono::duration<double> enough{seconds};
   std::vector<double> times;
   std::chrono::duration<double> all{0};
-  while (times.size() < most && (times.empty() || all < enough)) {
+  const std::size_t least = seconds > 0 ? 3 : 1;
+  while (times.size() < most && (times.size() < least || all < enough)) {
     const auto start = std::chrono::steady_clock::now();
     run();
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

@@ -247,6 +247,10 @@ Json Sweep::scene_results(std::uint64_t number) const {
   }
   for (const auto& [method, reason] : comparison->not_applicable)
     if (is_asked(options_, method)) results[unused_name(results, method)] = {{"not_applicable", reason}};
+  // A display file that is not the twin's has no lines to measure, and is a defect.
+  if (comparison->guest && !comparison->guest->difference.empty())
+    for (const char* const method : {"jones-pdp7", "jones-twin"})
+      if (is_asked(options_, method)) results[method]["defect"] = comparison->guest->difference;
   return results;
 }
 
@@ -281,6 +285,7 @@ bool SweepTable::add(std::string_view line) {
       differs = true;
     } else if (const Json* const reason = member.value.find("not_applicable"); reason != nullptr && reason->text() != nullptr) {
       leave_out(member.key, *reason->text());
+      differs = differs || member.value.find("defect") != nullptr;
     } else if (auto view = method_view_of(member.value)) {
       differs = differs || !view->defect.empty() || view->exact == false;
       views.push_back(std::move(*view));

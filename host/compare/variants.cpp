@@ -11,13 +11,12 @@
 #include <string_view>
 #include <utility>
 
+#include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
-#include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/registry/faces.hpp"
 #include "host/compare/answer.hpp"
 #include "host/compare/host_time.hpp"
-#include "host/scene/check/crossings.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
@@ -29,10 +28,6 @@ namespace plantinga = algorithms::plantinga;
 constexpr std::string_view jones_on_pdp7 = "jones-pdp7";
 constexpr std::string_view jones_twin = "jones-twin";
 constexpr std::string_view montani_re = "montani-re";
-
-bool chosen(const CompareOptions& options, std::string_view name) {
-  return options.methods.empty() || std::find(options.methods.begin(), options.methods.end(), name) != options.methods.end();
-}
 
 double percent_of(const MethodView& view) {
   if (view.exact && *view.exact) return 0;
@@ -49,17 +44,24 @@ void add_point(const MethodView& view, const std::string& series, const std::str
 // Methods without a setting; those with one are drawn by the functions below.
 void add_plain(const SceneComparison& comparison, std::vector<PlotPoint>& points) {
   for (const MethodView& view : method_views(comparison)) {
-    if (view.method == jones_on_pdp7 || view.method == jones_twin || (view.method == montani_re && view.picture == "faces")) continue;
+    if (view.method == jones_on_pdp7 || view.method == jones_twin || (view.method == montani_re && view.picture == "faces"))
+      continue;
     add_point(view, view.method, "", points);
   }
 }
 
-base::Result<base::Done> add_jones(const scene::CellScene& scene, CompareOptions options, const geometry::Point& eye,
-                                   const CompareProgress& progress, std::vector<PlotPoint>& points) {
-  const bool guest = chosen(options, jones_on_pdp7);
-  const bool twin = chosen(options, jones_twin) && options.host_times;
+bool has_lines(const SceneComparison& comparison, std::string_view method) {
+  return std::any_of(comparison.pictures.begin(), comparison.pictures.end(),
+                     [method](const ComparedPicture& row) { return row.name == method; });
+}
+
+// A setting that the machine cannot hold is left out.
+void add_jones(const scene::CellScene& scene, CompareOptions options, const SceneComparison& usual,
+               const CompareProgress& progress, std::vector<PlotPoint>& points) {
+  const bool guest = has_lines(usual, jones_on_pdp7);
+  const bool twin = has_lines(usual, jones_twin) && options.host_times;
   options.faces = false;
-  options.eye = eye;
+  options.eye = usual.camera.eye;
   for (const bool eae : {true, false}) {
     options.eae = eae;
     options.methods.clear();
@@ -71,22 +73,24 @@ base::Result<base::Done> add_jones(const scene::CellScene& scene, CompareOptions
       const std::string label = fmt::format("{} bit{}", bits, bits == 1 ? "" : "s");
       progress(fmt::format("jones-pdp7 {} EAE, {}", eae ? "with" : "without", label));
       const auto comparison = compare_cell_scene(scene, options);
-      if (!comparison) return comparison.error();
+      if (!comparison) continue;
       for (const MethodView& view : method_views(*comparison)) {
         const bool on_machine = view.method == jones_on_pdp7;
         add_point(view, on_machine ? fmt::format("jones-pdp7 {} EAE", eae ? "with" : "without") : view.method, label, points);
       }
     }
   }
-  return base::Done{};
 }
 
-void add_stripes(const scene::PolyScene& scene, const scene::PolyCamera& camera, const CompareOptions& options,
+void add_stripes(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual,
                  const CompareProgress& progress, std::vector<PlotPoint>& points) {
-  if (!options.faces || !options.host_times || !chosen(options, montani_re)) return;
+  const scene::PolyCamera& camera = usual.camera;
+  const bool there =
+      std::any_of(usual.faces.begin(), usual.faces.end(), [](const ComparedFaces& row) { return row.name == montani_re; });
+  if (!options.host_times || !there) return;
   const registry::FaceAlgorithm* const algorithm = registry::find_face_algorithm(montani_re);
   const auto truth = FaceTruth::of(scene, camera);
-  if (!truth || !scene::crossings_of(scene, 1).empty()) return;
+  if (!truth) return;
   for (const double thickness : registry::stripe_thicknesses) {
     progress(fmt::format("montani-re, stripes of {} px", thickness));
     registry::FaceOptions of_stripe;
@@ -132,7 +136,9 @@ double in_both(const Parts& a, const Parts& b) {
 
 // A turn in even steps, that no event falls on but by chance.
 constexpr int turn_frames = 180;
-double angle_of(int frame) { return -std::numbers::pi + (frame + 0.37) * 2 * std::numbers::pi / turn_frames; }
+double angle_of(int frame) {
+  return -std::numbers::pi + (frame + 0.37) * 2 * std::numbers::pi / turn_frames;
+}
 
 struct TurnFrame {
   double angle = 0;
@@ -155,7 +161,8 @@ std::vector<TurnFrame> exact_frames(const plantinga::RotationModel& model) {
 }
 
 // Of the length that is seen in all frames.
-double wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list, const std::vector<TurnFrame>& frames) {
+double wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list,
+                     const std::vector<TurnFrame>& frames) {
   plantinga::EdgeStructureGraph graph(list);
   plantinga::FrameMaker maker(model);
   double wrong = 0;
@@ -179,10 +186,10 @@ double wrong_percent(const plantinga::RotationModel& model, const plantinga::Eve
   return wrong > seen * 1e-12 ? 100 * wrong / seen : 0;
 }
 
-void add_events(const scene::PolyScene& scene, const scene::PolyCamera& camera, const CompareOptions& options,
+void add_events(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual,
                 const CompareProgress& progress, std::vector<PlotPoint>& points) {
   constexpr std::size_t most_edges = 400;  // events of more take seconds to find
-  if (!options.host_times || !chosen(options, "plantinga") || !plantinga::sight_of(camera)) return;
+  if (!options.host_times || !has_lines(usual, "plantinga")) return;
   const plantinga::RotationModel model(scene);
   if (model.edges().size() > most_edges) return;
   const std::vector<TurnFrame> frames = exact_frames(model);
@@ -209,21 +216,21 @@ void add_events(const scene::PolyScene& scene, const scene::PolyCamera& camera, 
 
 }  // namespace
 
-base::Result<std::vector<PlotPoint>> variants_of(const scene::CellScene& scene, const CompareOptions& options, const SceneComparison& comparison,
-                                                 const CompareProgress& progress) {
+std::vector<PlotPoint> variants_of(const scene::CellScene& scene, const CompareOptions& options,
+                                   const SceneComparison& comparison, const CompareProgress& progress) {
   std::vector<PlotPoint> points;
-  if (const auto done = add_jones(scene, options, comparison.camera.eye, progress, points); !done) return done.error();
+  add_jones(scene, options, comparison, progress, points);
   add_plain(comparison, points);
-  add_stripes(scene::poly_scene_of(scene), comparison.camera, options, progress, points);
+  add_stripes(scene::poly_scene_of(scene), options, comparison, progress, points);
   return points;
 }
 
-std::vector<PlotPoint> variants_of(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& comparison,
-                                   const CompareProgress& progress) {
+std::vector<PlotPoint> variants_of(const scene::PolyScene& scene, const CompareOptions& options,
+                                   const SceneComparison& comparison, const CompareProgress& progress) {
   std::vector<PlotPoint> points;
   add_plain(comparison, points);
-  add_stripes(scene, comparison.camera, options, progress, points);
-  add_events(scene, comparison.camera, options, progress, points);
+  add_stripes(scene, options, comparison, progress, points);
+  add_events(scene, options, comparison, progress, points);
   return points;
 }
 

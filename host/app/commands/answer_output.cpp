@@ -49,6 +49,17 @@ std::string time_text(double seconds) {
   return fmt::format("{:.3g} us", seconds * 1e6);
 }
 
+AnswerCells answer_cells(const AnswerRow& row) {
+  return {row.rounding == compare::not_rounded ? std::string() : row.rounding,
+          spread_text(row.emulated_seconds, row.views, time_text),
+          spread_text(row.host_seconds, row.views, time_text),
+          wrong_text(row),
+          spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }),
+          row.views > 1 ? fmt::format("{} of {}", row.right, row.views) : fmt::format("{:.4g}", row.far.greatest),
+          read_text(row),
+          compare::paper_figure(row.method)};
+}
+
 std::string answer_text(const std::vector<AnswerRow>& rows) {
   bool several = false;
   bool host = false;
@@ -63,21 +74,19 @@ std::string answer_text(const std::vector<AnswerRow>& rows) {
   for (const int width : {many ? 21 : 20, many ? 15 : 10, many ? 13 : 9, -24, 0}) widths.push_back(width);
   base::TextTable table(widths);
   std::string said;
-  const auto line = [&](std::string_view method, std::string_view picture, std::string_view rounding, std::string_view machine, std::string_view here, std::string_view wrong,
-                        std::string_view greatest, std::string_view far, std::string_view read, std::string_view paper) {
+  const auto line = [&](std::string_view method, std::string_view picture, const AnswerCells& cells) {
     const auto apart = [](std::string_view cell) { return cell.empty() ? std::string() : "  " + std::string(cell); };
     if (host)
-      table.row({method, apart(picture), apart(rounding), apart(machine), apart(here), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
+      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest),
+                 apart(cells.far), apart(cells.read), apart(cells.paper)});
     else
-      table.row({method, apart(picture), apart(rounding), apart(machine), apart(wrong), apart(greatest), apart(far), apart(read), apart(paper)});
+      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.wrong), apart(cells.greatest), apart(cells.far),
+                 apart(cells.read), apart(cells.paper)});
   };
-  line("", "", "rounded to", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says");
+  line("", "", {"rounded to", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says"});
   for (const AnswerRow& row : rows) {
     if (several && row.scene != said) table.line(said = row.scene);
-    const std::string far = many ? fmt::format("{} of {}", row.right, row.views) : fmt::format("{:.4g}", row.far.greatest);
-    line(row.method, row.picture, row.rounding == compare::not_rounded ? "" : row.rounding, spread_text(row.emulated_seconds, row.views, time_text), spread_text(row.host_seconds, row.views, time_text),
-         wrong_text(row), spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }), far,
-         read_text(row), compare::paper_figure(row.method));
+    line(row.method, row.picture, answer_cells(row));
     if (!row.defect.empty()) table.line(fmt::format("    {}: {}", row.method, row.defect));
   }
   return table.text();

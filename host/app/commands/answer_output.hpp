@@ -9,6 +9,19 @@
 
 namespace sightline::app {
 
+// A row in words, of many views the median and the greatest; empty: nothing is known of it.
+struct AnswerCells {
+  std::string rounding;  // empty: nothing is rounded
+  std::string emulated;
+  std::string host;
+  std::string wrong;
+  std::string greatest;
+  std::string far;  // farther than a point: how much; of many views of how many it is nothing
+  std::string read;
+  std::string paper;
+};
+[[nodiscard]] AnswerCells answer_cells(const compare::AnswerRow& row);
+
 // Rows of one scene below each other, under its name unless that is the only one; of many views the median and the greatest.
 [[nodiscard]] std::string answer_text(const std::vector<compare::AnswerRow>& rows);
 

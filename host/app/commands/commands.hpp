@@ -1,6 +1,9 @@
 // Every command of `sightline`. Each function adds one, with its subcommands, to the program.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "host/app/command_line.hpp"
 
 namespace sightline::app {
@@ -29,6 +32,8 @@ void add_turn_command(const Command& program);
 // `report` is a program of its own, sightline-report, so that only those who want it build and install it.
 // The command stands in the list and runs that program.
 void add_report_command(const Command& program);
+// Where that program is: beside `sightline`, or where an installation has it.
+[[nodiscard]] std::optional<std::string> report_program();
 // Becomes sightline-report, found beside `sightline` or where an installation has it. Returns only if there
 // is none: io, said.
 [[nodiscard]] ExitCode run_report_program(char** argv);

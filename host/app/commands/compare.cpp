@@ -246,7 +246,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     ComparedScene compared{comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
                            write_overlays(arguments.directory, overlays.unused(shown), comparison), {}};
     if (arguments.plot.empty()) return compared;
-    compared.plotted = source.cells ? value_of(compare::variants_of(*source.cells, options, comparison, progress), name)
+    compared.plotted = source.cells ? compare::variants_of(*source.cells, options, comparison, progress)
                                     : compare::variants_of(source.scene, options, comparison, progress);
     return compared;
   }

@@ -113,7 +113,8 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const scene::LoadedScen
   if (source.scene.vertices.empty())
     throw Failure(ExitCode::bad_input, fmt::format("{}: nothing in it can be seen", source.name));
   if (arguments.guest && !source.cells)
-    throw Failure(ExitCode::usage, fmt::format("--guest: found {}, expected a scene of cells, which Jones's program can be given", source.name));
+    throw Failure(ExitCode::usage,
+                  fmt::format("--guest: found {}, expected a scene of cells, which Jones's program can be given", source.name));
   compare::SweepOptions options = options_of(arguments);
   options.directions = directions_of(arguments.random, source);
   options.methods = methods_of(arguments, false);

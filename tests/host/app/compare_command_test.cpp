@@ -252,6 +252,29 @@ TEST_F(CompareCommand, ScenesOfOneNameHaveOverlaysOfTheirOwn) {
   EXPECT_TRUE(has(both.out, "picture both/a-2-compare-exact.png")) << both.out;
 }
 
+TEST_F(CompareCommand, PlotsTimeAgainstError) {
+  const auto ran = sightline({"compare", "house", "--plot", "house.svg", "--no-host-times", "--methods", "jones-pdp7,exact"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "plot house.svg")) << ran.out;
+  const std::string svg = read("house.svg");
+  for (const char* part : {"house: time against error", "jones-pdp7 with EAE, 0 bits: ", "jones-pdp7 without EAE, 3 bits: ", "No times of this computer"})
+    EXPECT_TRUE(has(svg, part)) << part;
+  const struct {
+    Arguments arguments;
+    const char* what;
+    int exit_code;
+  } cases[] = {{{"compare", "house", "--plot", "-"}, "--plot: found -, expected a file", 2},
+               {{"compare", "house", "--plot", "a.svg", "--views", "2"}, "--plot: found with --views", 2},
+               {{"compare", "house", "--plot", "no/such/a.svg"}, "no/such/a.svg", 5},
+               {{"compare", "house", "--plot", "a.svg", "--no-host-times", "--methods", "exact"}, "--plot: nothing to plot: no method has", 4}};
+  for (const auto& c : cases) {
+    const auto failed = sightline(c.arguments);
+    EXPECT_EQ(failed.exit_code, c.exit_code) << c.what;
+    EXPECT_TRUE(has(failed.err, c.what)) << failed.err;
+  }
+  EXPECT_FALSE(exists("a.svg"));
+}
+
 TEST_F(CompareCommand, ExplainsItself) {
   const auto ran = sightline({"compare", "--help"});
   EXPECT_EQ(ran.exit_code, 0);

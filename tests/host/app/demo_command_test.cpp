@@ -1,9 +1,10 @@
-// `sightline demo`: both machines on everything they come with, as a table and as JSON. Each run takes seconds.
+// `sightline demo`: both machines on everything they come with, in ten lines, as a page and as JSON. Each run takes seconds.
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "tests/host/app/command_line.hpp"
 
@@ -15,20 +16,26 @@ using sightline::test::Ran;
 
 class DemoCommand : public sightline::test::CommandLine {};
 
-TEST_F(DemoCommand, PrintsTheTablesAndWritesThePictures) {
-  const Ran ran = sightline({"demo", "-o", "pictures"});
+// Names of files in attributes of the page, such as src="...".
+std::vector<std::string> named_in(const std::string& page, const std::string& attribute) {
+  std::vector<std::string> names;
+  const std::string start = " " + attribute + "=\"";
+  for (std::size_t at = page.find(start); at != std::string::npos; at = page.find(start, at + 1))
+    names.push_back(page.substr(at + start.size(), page.find('"', at + start.size()) - at - start.size()));
+  return names;
+}
+
+TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
+  const Ran ran = sightline({"demo", "-o", "pictures", "--no-host-times"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  std::istringstream lines(ran.out);
-  int rows = 0;
-  for (std::string line; std::getline(lines, line);) {
-    for (const char* scene : {"house ", "roberts ", "street4 ", "corridor8 ", "corridor32 "})
-      rows += line.starts_with(scene);
-  }
-  EXPECT_EQ(rows, 10 + 2 + 3 + 5) << "computed with and without the EAE, turned, in stripes, and compared\n" << ran.out;
-  EXPECT_FALSE(has(ran.out, "DIFFERS")) << ran.out;
-  for (const char* text : {"Jones 1971 on the PDP-7", "a few seconds", "Skala 1985 on the 8080", "about 2 s",
-                           "about 15 %", "CalComp 565", "A solid turning on the PDP-7", "scenes in stripes"})
+  EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 11) << ran.out;
+  EXPECT_FALSE(has(ran.out, "WRONG")) << ran.out;
+  for (const char* text :
+       {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ",
+        "Willis 1977 on the 8080: ", "Montani and Re 1985 on the 8080: ", "Skala 1985 on the 8080: ", "about 2 s", "about 15 %",
+        "CalComp 565", "This computer, exact lines: ", "pictures/index.html"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
+  const std::string page = read("pictures/index.html");
   // What the line on the paper's 15 % says of two functions is what their rows say: T-states added to a point, of those
   // of the point.
   struct {
@@ -44,24 +51,38 @@ TEST_F(DemoCommand, PrintsTheTablesAndWritesThePictures) {
       << ran.out;
   for (const auto& said : {least, most}) {
     double percent = 0;
-    const std::size_t row = ran.out.find(std::string("\n") + said.function);
+    const std::size_t row = page.find(std::string("\n") + said.function);
     ASSERT_NE(row, std::string::npos) << said.function;
-    ASSERT_EQ(std::sscanf(ran.out.c_str() + row, " %*s %*f %lf %%", &percent), 1) << ran.out;
+    ASSERT_EQ(std::sscanf(page.c_str() + row, " %*s %*f %lf %%", &percent), 1);
     EXPECT_NEAR(said.added / said.point, percent / 100, 0.015) << said.function;
   }
-  for (const char* name : {"sinc", "rogers", "peaks", "franke", "saddle", "cosr", "step", "rosen"}) {
-    EXPECT_TRUE(has(ran.out, std::string("\n") + name));
-    for (const char* picture : {"-lines.png", "-surface.png", "-contours.png"})
-      EXPECT_TRUE(exists("pictures/" + std::string(name) + picture));
-  }
-  EXPECT_TRUE(exists("pictures/rogers-calcomp.hpgl"));
+  // The page has everything it names, and names every picture but the drawings for other programs.
+  std::set<std::string> named;
+  for (const std::string& name : named_in(page, "src")) named.insert(name);
+  for (const std::string& name : named_in(page, "href")) EXPECT_TRUE(named.contains(name)) << name;
+  for (const std::string& name : named) EXPECT_TRUE(exists("pictures/" + name)) << name;
   int pictures = 0;
   for (const auto& entry : std::filesystem::directory_iterator(path("pictures"))) {
-    ++pictures;
-    EXPECT_GT(entry.file_size(), 1000U) << entry.path();
+    const std::string name = entry.path().filename().string();
+    pictures += name != "index.html";
+    EXPECT_GT(entry.file_size(), 300U) << name;
+    EXPECT_TRUE(!name.ends_with(".png") || named.contains(name)) << name;
   }
-  // Five scenes in three ways; eight functions in three ways and one plot in three; three scenes in stripes.
-  EXPECT_EQ(pictures, 5 * 3 + 8 * 3 + 3 + 3);
+  // Five scenes in four ways; eight functions in four ways and one plot in three; three scenes in stripes.
+  EXPECT_EQ(pictures, 5 * 4 + 8 * 4 + 3 + 3);
+  for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen",
+                           "turn-pdp7", "<details>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
+                           "jones-pdp7 without EAE", "A solid turning on the PDP-7"})
+    EXPECT_TRUE(has(page, text)) << text;
+  for (const char* text : {"<script", "http://www.example", "https://", "time here", " us</", "&#181;"})
+    EXPECT_FALSE(has(page, text)) << text;
+  // The same bytes again.
+  const Ran again = sightline({"demo", "-o", "pictures2", "--no-host-times"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  for (const auto& entry : std::filesystem::directory_iterator(path("pictures"))) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(read("pictures/" + name), read("pictures2/" + name)) << name;
+  }
 }
 
 TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
@@ -76,16 +97,31 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   }
   ASSERT_EQ(document.at("turns").size(), 4U);
   ASSERT_EQ(document.at("flights").size(), 4U);
-  for (const json& flight : document.at("flights")) EXPECT_GE(flight.at("frames_per_second_mean").get<double>(), flight.at("bits") == 8 ? 23 : 12);
+  for (const json& flight : document.at("flights"))
+    EXPECT_GE(flight.at("frames_per_second_mean").get<double>(), flight.at("bits") == 8 ? 23 : 12);
   for (const json& turn : document.at("turns")) EXPECT_GT(turn.at("frames_per_second_worst").get<double>(), 15);
   ASSERT_EQ(document.at("skala").size(), 8U);
-  for (const json& row : document.at("skala"))
-    EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);
+  for (const json& row : document.at("skala")) EXPECT_GT(row.at("lines").at("t_states").get<std::int64_t>(), 0);
   ASSERT_EQ(document.at("stripes").size(), 4U);
   for (const json& row : document.at("stripes")) EXPECT_GT(row.at("drawing_seconds").get<double>(), 0.1);
   EXPECT_GT(document.at("skala_plot").at("seconds").get<double>(), 10.0);
   EXPECT_EQ(document.at("compared").at("agrees"), true);
-  EXPECT_EQ(document.at("compared").at("scenes").size(), 5U + 8U);
+  EXPECT_EQ(document.at("compared").at("scenes").size(), 5U + 2U + 8U);
+  // The table has every method of the five papers, and times of both kinds.
+  std::set<std::string> methods;
+  for (const json& row : document.at("table")) {
+    methods.insert(row.at("method").get<std::string>());
+    EXPECT_TRUE(row.at("method") != "exact" || row.at("host_s").at("greatest").get<double>() > 0) << row;
+    EXPECT_TRUE(row.at("method") != "jones-pdp7" || row.at("emulated_s").at("greatest").get<double>() > 0) << row;
+  }
+  for (const char* method : {"jones-pdp7", "exact", "jones", "montani-re", "willis", "plantinga", "turn-pdp7", "willis-8080",
+                             "stripes-8080", "skala-8080", "skala"})
+    EXPECT_TRUE(methods.contains(method)) << method;
+  std::set<std::string> computers;
+  for (const json& point : document.at("plot")) computers.insert(point.at("computer").get<std::string>());
+  EXPECT_EQ(computers, (std::set<std::string>{"emulated", "this"}));
+  for (const json& verdict : document.at("verdicts")) EXPECT_EQ(verdict.at("right"), true) << verdict;
+  EXPECT_EQ(document.at("page"), "f\xEF\xBF\xBD/index.html");
 }
 
 }  // namespace

@@ -221,9 +221,8 @@ TEST(Sweep, KnowsItsOwnLines) {
 // Nearest ranks by hand: of 1 to 10 the fifth and the ninth.
 TEST(SweepTable, IsMadeOfLines) {
   const auto line = [](int view, int wrong, const std::string& more) {
-    return "{\"schema\":\"sightline/sweep/2\",\"scene\":\"a\",\"view\":" + std::to_string(view) +
-           ",\"results\":{\"jones-pdp7\":{\"method\":\"jones-pdp7\",\"picture\":\"lines\",\"rounding\":\"points\",\"unit\":\"px\",\"all\":200.0,"
-           "\"wrong\":" +
+    return R"({"schema":"sightline/sweep/2","scene":"a","view":)" + std::to_string(view) + R"(,"results":{"jones-pdp7":{)" +
+           R"("method":"jones-pdp7","picture":"lines","rounding":"points","unit":"px","all":200.0,"wrong":)" +
            std::to_string(wrong) + ".0,\"far\":0.0,\"emulated_s\":" + std::to_string(11 - wrong) + ".0" + more + "}}}\n";
   };
   SweepTable table;
@@ -261,6 +260,7 @@ TEST(SweepTable, CountsWhatDiffers) {
   EXPECT_TRUE(differs(line(R"({"jones":{)" + measures + R"(,"defect":"word 3"}})")));
   EXPECT_TRUE(differs(line(R"({"error":"no"})")));
   EXPECT_FALSE(differs(line(R"({"jones":{"not_applicable":"no"}})")));
+  EXPECT_TRUE(differs(line(R"({"jones-pdp7":{"not_applicable":"no lines","defect":"word 3"}})")));
 }
 
 // A view's measures are those that `compare` has of the same camera, whose truth is the slow oracle.
@@ -280,7 +280,8 @@ TEST(Sweep, MeasuresAsCompareDoes) {
     compared.methods = options.methods;
     compared.faces = !of_cells;  // as naming willis asks for
     const auto methods = of_cells ? SceneMethods::of(cells, compared) : SceneMethods::of(boxes, compared);
-    const auto comparison = methods->view(random_camera(of_cells ? polyhedra : boxes, of_cells ? &cells : nullptr, Directions::usual, 1, number));
+    const auto comparison =
+        methods->view(random_camera(of_cells ? polyhedra : boxes, of_cells ? &cells : nullptr, Directions::usual, 1, number));
     Answer answer;
     answer.add("test", number, method_views(*comparison));
     const auto expected = answer.rows();
@@ -303,7 +304,8 @@ TEST(Sweep, MeasuresAsCompareDoes) {
 
 TEST(Sweep, DiagnosesWhatAnExactMethodMisses) {
   const scene::PolyScene scene = generated("boxes", 3);
-  const picture::LinePicture right = (*registry::line_algorithms().front().prepare(scene)).view(random_camera(scene, nullptr, Directions::usual, 1, 0))->picture;
+  const auto exact = registry::line_algorithms().front().prepare(scene);
+  const picture::LinePicture right = exact->view(random_camera(scene, nullptr, Directions::usual, 1, 0))->picture;
   ASSERT_GT(right.pieces.size(), 2U);
   picture::LinePicture other = right;
   other.pieces.erase(other.pieces.begin() + 1);

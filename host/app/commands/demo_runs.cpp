@@ -1,0 +1,156 @@
+// See demo_runs.hpp.
+#include "host/app/commands/demo_runs.hpp"
+
+#include <fmt/core.h>
+
+#include <string_view>
+#include <utility>
+
+#include "host/app/scene_argument.hpp"
+#include "host/scene/read/builtin.hpp"
+
+namespace sightline::app {
+namespace {
+
+namespace jones = guests::jones;
+using base::Json;
+
+JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool eae, const std::string& directory) {
+  jones::ProgramOptions program_options;
+  program_options.eae = eae;
+  const jones::Session session = session_of(scene, name, program_options);
+  jones::GuestOptions options;
+  if (eae) options.photograph = photograph_time;  // the pictures are the same without
+  const jones::CheckedRun checked = session.run(options);
+  const jones::GuestRun& run = checked.guest;
+  if (run.timed_out) throw Failure(ExitCode::guest_failed, name + ": the program did not complete two views");
+  require_twin(checked, name);
+  if (eae) {
+    write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), run);
+  }
+  return {name,
+          eae,
+          session.program().scene.cell_addresses.size(),
+          session.program().words_used,
+          run.views.back(),
+          refreshes_per_second(run)};
+}
+
+}  // namespace
+
+std::vector<JonesRow> run_jones_demo(const std::string& directory) {
+  std::vector<JonesRow> rows;
+  for (const std::string_view name : scene::builtin_scene_names()) {
+    const scene::CellScene scene = load_cells(std::string(name));
+    for (const bool eae : {true, false}) rows.push_back(run_scene(std::string(name), scene, eae, directory));
+  }
+  return rows;
+}
+
+std::string jones_table(const std::vector<JonesRow>& rows) {
+  std::string text = fmt::format("{:<11}{:<5}{:>10}{:>10}{:>10}{:>16}{:>12}\n", "scene", "EAE", "seconds", "cells", "segments",
+                                 "words of core", "refreshes/s");
+  for (const JonesRow& row : rows) {
+    text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
+                        seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
+                        fmt::format("{}/{}", row.words, guests::jones::core_words), row.refreshes);
+  }
+  text += "Seconds of the emulated machine for the second view; the paper: \"a few seconds\".\n";
+  return text;
+}
+
+void add_jones_rows(Json& document, const std::vector<JonesRow>& rows) {
+  document["views"] = Json::array();
+  for (const JonesRow& row : rows) {
+    document["views"].push_back({{"scene", row.scene},
+                                 {"eae", row.eae},
+                                 {"status", jones::name(row.view.status)},
+                                 {"emulated_ns", row.view.time.count()},
+                                 {"cells_read", row.view.distinct_cells},
+                                 {"cells", row.cells},
+                                 {"segments", row.view.pieces},
+                                 {"core_words_used", row.words},
+                                 {"refreshes_per_second", row.refreshes}});
+  }
+}
+
+std::vector<TurnRow> run_turns() {
+  std::vector<TurnRow> rows;
+  for (const char* model : {"roberts", "boxes-8"}) {
+    const guests::turn::Tape tape = turn_tape(load_scene(model).scene, model, false);
+    for (const bool eae : {true, false})
+      rows.push_back({model, eae, tape.edges, measure_turn(guests::turn::Session(tape, eae), model, 0, false)});
+  }
+  return rows;
+}
+
+std::string turn_table(const std::vector<TurnRow>& rows) {
+  std::string text = fmt::format("{:<11}{:<5}{:>7}{:>14}{:>9}{:>16}{:>22}\n", "model", "EAE", "edges", "frames/s mean", "worst",
+                                 "wire frames/s", "cost against wire");
+  for (const TurnRow& row : rows) {
+    const auto& hidden = row.measure.hidden.summary;
+    text += fmt::format("{:<11}{:<5}{:>7}{:>14.1f}{:>9.1f}{:>16.1f}{:>22.2f}\n", row.model, row.eae ? "yes" : "no", row.edges,
+                        hidden.frames_per_second_mean, hidden.frames_per_second_worst,
+                        row.measure.wire.summary.frames_per_second_mean, row.measure.cost_against_wire_frame());
+  }
+  text +=
+      "One turn in 8 seconds. Jones, 1971: continuous motion \"has not been possible\"; the claim of 1990: no more than the wire "
+      "frame.\n";
+  return text;
+}
+
+void add_turns(Json& document, const std::vector<TurnRow>& rows) {
+  document["turns"] = Json::array();
+  for (const TurnRow& row : rows) {
+    const auto& hidden = row.measure.hidden.summary;
+    document["turns"].push_back({{"model", row.model},
+                                 {"eae", row.eae},
+                                 {"edges", row.edges},
+                                 {"frames_per_second_mean", hidden.frames_per_second_mean},
+                                 {"frames_per_second_worst", hidden.frames_per_second_worst},
+                                 {"wire_frames_per_second_mean", row.measure.wire.summary.frames_per_second_mean},
+                                 {"cost_against_wire_frame", row.measure.cost_against_wire_frame()}});
+  }
+}
+
+std::vector<FlightRow> run_flights() {
+  namespace flight = guests::flight;
+  std::vector<FlightRow> rows;
+  const flight::Session session;
+  for (const auto& [name, plan] : {std::pair("town-10", false), std::pair("prisms-25", true)}) {
+    const PlannedFlight planned = planned_flight(load_scene(name).scene, name, plan, 60, {});
+    for (const auto& [precision, bits] : {std::pair(flight::Precision::bits_8, 8), std::pair(flight::Precision::bits_16, 16)}) {
+      const auto run = checked_flight(session, planned, flight::pack(planned.model, planned.path, precision), name, {});
+      rows.push_back({name, bits, run.summary});
+    }
+  }
+  return rows;
+}
+
+std::string demo_flight_table(const std::vector<FlightRow>& rows) {
+  std::string text = fmt::format("{:<11}{:>5}{:>8}{:>15}{:>8}{:>16}{:>16}\n", "scene", "bits", "pieces", "frames/s mean", "worst",
+                                 "T-states mean", "wrong orders");
+  for (const FlightRow& row : rows) {
+    text += fmt::format("{:<11}{:>5}{:>8}{:>15.1f}{:>8.1f}{:>16.0f}{:>16}\n", row.scene, row.bits, row.summary.pieces,
+                        row.summary.frames_per_second_mean, row.summary.frames_per_second_worst, row.summary.t_states_mean,
+                        fmt::format("{}/{}", row.summary.wrong_orders, row.summary.pairs));
+  }
+  text += "The display takes 25 frames a second, which is what the paper wants.\n";
+  return text;
+}
+
+void add_flights(Json& document, const std::vector<FlightRow>& rows) {
+  document["flights"] = Json::array();
+  for (const FlightRow& row : rows) {
+    document["flights"].push_back({{"scene", row.scene},
+                                   {"bits", row.bits},
+                                   {"pieces", row.summary.pieces},
+                                   {"frames_per_second_mean", row.summary.frames_per_second_mean},
+                                   {"frames_per_second_worst", row.summary.frames_per_second_worst},
+                                   {"t_states_mean", row.summary.t_states_mean},
+                                   {"pairs", row.summary.pairs},
+                                   {"wrong_orders", row.summary.wrong_orders}});
+  }
+}
+
+}  // namespace sightline::app

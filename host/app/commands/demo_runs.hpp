@@ -1,0 +1,54 @@
+// What `sightline demo` runs on the old machines but for Skala's and Montani and Re's pictures: Jones's program on its scenes,
+// solids turning, flights with the priority display. Of each the table and the JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/app/commands/flight_session.hpp"
+#include "host/app/commands/jones_session.hpp"
+#include "host/app/commands/turn_session.hpp"
+#include "host/base/json.hpp"
+
+namespace sightline::app {
+
+// A built-in scene of cells, with the EAE or without.
+struct JonesRow {
+  std::string scene;
+  bool eae = false;
+  std::size_t cells = 0;
+  std::uint32_t words = 0;
+  guests::jones::GuestView view;
+  double refreshes = 0;
+};
+// Writes SCENE.png, -phosphor.png and .svg into `directory`. Failure as the session's.
+[[nodiscard]] std::vector<JonesRow> run_jones_demo(const std::string& directory);
+[[nodiscard]] std::string jones_table(const std::vector<JonesRow>& rows);
+// Adds "views".
+void add_jones_rows(base::Json& document, const std::vector<JonesRow>& rows);
+
+// A solid turning, with the EAE or without.
+struct TurnRow {
+  std::string model;
+  bool eae = false;
+  std::uint32_t edges = 0;
+  TurnMeasure measure;
+};
+[[nodiscard]] std::vector<TurnRow> run_turns();
+[[nodiscard]] std::string turn_table(const std::vector<TurnRow>& rows);
+// Adds "turns".
+void add_turns(base::Json& document, const std::vector<TurnRow>& rows);
+
+// A flight with the priority display.
+struct FlightRow {
+  std::string scene;
+  int bits = 8;
+  guests::flight::FlightSummary summary;
+};
+[[nodiscard]] std::vector<FlightRow> run_flights();
+[[nodiscard]] std::string demo_flight_table(const std::vector<FlightRow>& rows);
+// Adds "flights".
+void add_flights(base::Json& document, const std::vector<FlightRow>& rows);
+
+}  // namespace sightline::app
