@@ -1,9 +1,10 @@
-// The comparison that the paper of 1971 asks for: all methods on a variety of objects from a variety of viewpoints, and how open a scene
-// of cells may be before its method loses its advantage.
+// The comparison that the paper of 1971 asks for: all methods on a variety of objects from a variety of
+// viewpoints, and how open a scene of cells may be before its method loses its advantage.
 //
-// 24 scenes of 100 random views each: the built-in ones, ten buildings of the same rooms with ever more doors, and scenes of polyhedra.
-// Every view is drawn by the native methods of lines; fewer by the programs on machines and by the methods of faces, which take longer
-// here. The openness of a scene of cells is its portals for each wall: for each pair of cells that share a piece of a plane.
+// 24 scenes of 100 random views each: the built-in ones, ten buildings of the same rooms with ever more
+// doors, and scenes of polyhedra. Every view is drawn by the native methods of lines; fewer by the programs
+// on machines and by the methods of faces, which take longer here. The openness of a scene of cells is its
+// portals for each wall: for each pair of cells that share a piece of a plane.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +39,9 @@ struct ComparisonScene {
   std::string not_on_pdp7{};  // of scenes of cells that Jones's program cannot take: why; else empty
 
   [[nodiscard]] std::optional<double> openness() const {
-    return portals && walls && *walls > 0 ? std::optional(static_cast<double>(*portals) / static_cast<double>(*walls)) : std::nullopt;
+    return portals && walls && *walls > 0
+               ? std::optional(static_cast<double>(*portals) / static_cast<double>(*walls))
+               : std::nullopt;
   }
 };
 
@@ -51,10 +54,13 @@ struct Comparison {
   std::size_t face_views = 0;               // by methods of faces
 
   // The rooms, ascending by openness.
-  [[nodiscard]] Chosen<ComparisonScene> rooms() const { return where(scenes, is(&ComparisonScene::kind, "rooms")); }
+  [[nodiscard]] Chosen<ComparisonScene> rooms() const {
+    return where(scenes, is(&ComparisonScene::kind, "rooms"));
+  }
 };
 
-// Of values ascending by `at`, where the first is less than the second as long as it began so: the last such place, and the next.
+// Of values ascending by `at`, where the first is less than the second as long as it began so: the last such
+// place, and the next.
 struct Crossing {
   std::optional<double> last;   // nothing: nowhere
   std::optional<double> first;  // nothing: to the end

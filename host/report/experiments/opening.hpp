@@ -1,7 +1,8 @@
-// What the report opens with: how fast and how wrong every method is, on one view of each scene and function, and against what.
+// What the report opens with: how fast and how wrong every method is, on one view of each scene and function,
+// and against what.
 //
-// A sentence for each of the three, the plot of time against error, a row a method, and the whole table, a row a method and scene. The
-// measures are those of `compare` (host/compare/answer.hpp).
+// A sentence for each of the three, the plot of time against error, a row a method, and the whole table, a
+// row a method and scene. The measures are those of `compare` (host/compare/answer.hpp).
 #pragma once
 
 #include <cstddef>
@@ -16,10 +17,10 @@
 namespace sightline::report {
 
 struct OpeningAnswer {
-  std::vector<compare::AnswerRow> rows;      // by scene
-  std::vector<compare::AnswerRow> methods;   // each over all its scenes
-  std::vector<compare::PlotPoint> plotted;   // of one scene of cells, one of polyhedra and a function
-  std::string of_plot;                       // which those are, in words
+  std::vector<compare::AnswerRow> rows;     // by scene
+  std::vector<compare::AnswerRow> methods;  // each over all its scenes
+  std::vector<compare::PlotPoint> plotted;  // of one scene of cells, one of polyhedra and a function
+  std::string of_plot;                      // which those are, in words
   std::size_t scenes = 0;
   std::size_t functions = 0;
 };

@@ -18,7 +18,8 @@ constexpr std::int32_t door_width = 40;
 constexpr std::int32_t door_height = 210;
 constexpr std::size_t up = 1;
 
-// A wall between the rooms `cells`, perpendicular to `axis` (0 or 2) at `place`, from `low` along the other axis of the ground.
+// A wall between the rooms `cells`, perpendicular to `axis` (0 or 2) at `place`, from `low` along the other
+// axis of the ground.
 struct Wall {
   std::array<std::size_t, 2> cells{};
   std::size_t axis = 0;
@@ -33,7 +34,8 @@ struct Wall {
     p[up] = y;
     return p;
   }
-  // Between `from` and `to` along the wall, `bottom` and `top`; a rectangle names the lower of its two axes first.
+  // Between `from` and `to` along the wall, `bottom` and `top`; a rectangle names the lower of its two axes
+  // first.
   [[nodiscard]] geometry::Rectangle rectangle(Span at, Span y) const {
     const Span moved{low + at.low, low + at.high};
     if (axis == 0) return {axis, place, {y, moved}};
@@ -69,9 +71,13 @@ void add_wall(const Wall& wall, std::size_t count, CellScene& scene) {
     Opening opening;
     opening.cells = wall.cells;
     opening.place = wall.rectangle(door, {0, door_height});
-    opening.ring = {wall.point(door.low, 0), wall.point(door.high, 0), wall.point(door.high, door_height), wall.point(door.low, door_height)};
+    opening.ring = {wall.point(door.low, 0), wall.point(door.high, 0), wall.point(door.high, door_height),
+                    wall.point(door.low, door_height)};
     // The threshold is no line: the floor goes on.
-    opening.vectors = {{false, wall.along(), door_width}, {true, up, door_height}, {true, wall.along(), -door_width}, {true, up, -door_height}};
+    opening.vectors = {{false, wall.along(), door_width},
+                       {true, up, door_height},
+                       {true, wall.along(), -door_width},
+                       {true, up, -door_height}};
     scene.openings.push_back(std::move(opening));
   }
   // The wall's foot, seen from both rooms, is interrupted by the doors; its top is not.
@@ -96,7 +102,8 @@ std::size_t walls_between_rooms(std::size_t rooms) {
 CellScene generate_open_rooms(std::size_t rooms, std::size_t doors, std::uint64_t seed) {
   const auto n = static_cast<std::int32_t>(rooms);
   CellScene scene;
-  scene.name = "rooms " + std::to_string(rooms) + " doors " + std::to_string(doors) + " seed " + std::to_string(seed);
+  scene.name =
+      "rooms " + std::to_string(rooms) + " doors " + std::to_string(doors) + " seed " + std::to_string(seed);
   scene.outer = {{0, 0, 0}, {side * n, height, side * n}};
   scene.default_view = {side * (n / 2) + 170, 150, 30};
   std::vector<Wall> walls;

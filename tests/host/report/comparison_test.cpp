@@ -17,7 +17,8 @@ scene::CellScene built_in(const std::string& name) {
   return *std::move(scene);
 }
 
-// Cells of 2 x 2 rooms touch at four sides; those at a corner share a line alone. A corridor of 8 rooms has 7 walls with a door each.
+// Cells of 2 x 2 rooms touch at four sides; those at a corner share a line alone. A corridor of 8 rooms has 7
+// walls with a door each.
 TEST(Comparison, WallsAreCountedByHand) {
   EXPECT_EQ(walls_of(scene::generate_open_rooms(2, 5)), 4U);
   EXPECT_EQ(walls_of(scene::generate_open_rooms(2, 0)), 4U);

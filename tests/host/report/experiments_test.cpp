@@ -270,10 +270,16 @@ TEST(ReportRun, PartsAreKindsOfChapters) {
   EXPECT_EQ(titles(std::array{5}), (std::vector<std::string>{"agreement: Cross-check"}));
   const auto whole = report_of({}, results(), quiet());
   ASSERT_TRUE(whole);
-  EXPECT_EQ(whole->sections.front().id, "overview");
+  const auto& opening = whole->sections.at(0).blocks;
+  ASSERT_FALSE(opening.empty());
+  const auto* const answers = std::get_if<Opening>(&opening.front());
+  ASSERT_NE(answers, nullptr) << "the page begins with the answers";
+  EXPECT_EQ(answers->answers.size(), 3U);
+  EXPECT_EQ(answers->drawings.size(), 2U);
+  EXPECT_EQ(whole->sections.at(1).id, "overview");
   std::size_t methods = 0;
   std::size_t findings = 0;
-  for (const Block& block : whole->sections.front().blocks) {
+  for (const Block& block : whole->sections.at(1).blocks) {
     const auto* const panel = std::get_if<Panel>(&block);
     if (panel == nullptr) continue;
     EXPECT_FALSE(panel->figures.empty()) << panel->id << ": has no picture";
@@ -320,7 +326,8 @@ TEST(Comparison, Has24ScenesOf100Views) {
     std::map<std::string, std::size_t> views;
     for (const compare::AnswerRow& row : results().of<Comparison>().rows)
       if (row.scene == scene.name && row.picture == "lines") views[row.method] = row.views;
-    for (const char* const method : {"exact", "jones", "montani-re"}) EXPECT_EQ(views[method], 100U) << method << ", " << scene.name;
+    for (const char* const method : {"exact", "jones", "montani-re"})
+      EXPECT_EQ(views[method], 100U) << method << ", " << scene.name;
     EXPECT_EQ(views.contains("plantinga"), scene.kind == "polyhedra") << scene.name;
   }
   EXPECT_EQ(names.size(), 24U);

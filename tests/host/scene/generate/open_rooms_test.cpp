@@ -10,7 +10,8 @@
 namespace sightline::scene {
 namespace {
 
-// Four rooms have four walls between them. Five doors: one wall has two, the others one. A wall with n doors is a lintel and n + 1 piers.
+// Four rooms have four walls between them. Five doors: one wall has two, the others one. A wall with n doors
+// is a lintel and n + 1 piers.
 TEST(OpenRooms, FiveDoorsInFourWalls) {
   ASSERT_EQ(walls_between_rooms(2), 4U);
   const CellScene scene = generate_open_rooms(2, 5, 7);
@@ -45,7 +46,8 @@ TEST(OpenRooms, ArePossibleScenes) {
       const CellScene scene = generate_open_rooms(rooms, doors, 3);
       EXPECT_EQ(scene.openings.size(), doors);
       const auto errors = check_scene(scene);
-      EXPECT_TRUE(errors.empty()) << rooms << " rooms a side, " << doors << " doors: " << errors.front().message();
+      EXPECT_TRUE(errors.empty()) << rooms << " rooms a side, " << doors
+                                  << " doors: " << errors.front().message();
     }
   }
 }
