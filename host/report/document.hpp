@@ -88,6 +88,14 @@ struct Table {
   std::string cards_name = {};
 };
 
+// What stands in the first screen: questions with their answers, and drawings in SVG, which are part of the page and have colours for
+// light and dark grounds.
+struct Opening {
+  std::vector<std::pair<std::string, Said>> answers;
+  std::vector<std::string> drawings;
+  std::string caption;
+};
+
 struct Paragraph {
   Said text;
 };
@@ -123,7 +131,7 @@ struct Gallery {
   bool folded = false;
 };
 
-using Block = std::variant<Paragraph, Heading, Panel, Table, Figure, Gallery, Listing>;
+using Block = std::variant<Opening, Paragraph, Heading, Panel, Table, Figure, Gallery, Listing>;
 
 struct Section {
   std::string id;

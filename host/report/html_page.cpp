@@ -167,6 +167,18 @@ class HtmlWriter {
   }
   void add(const Heading&) {}  // see add(Section)
 
+  void add(const Opening& opening) {
+    html_ += "<div class=\"answers\">\n";
+    for (const auto& [question, answer] : opening.answers) {
+      html_ += fmt::format("<div><h3>{}</h3>\n", html_escaped(question));
+      add(answer, "");
+      html_ += "</div>\n";
+    }
+    html_ += "</div>\n<div class=\"answer-plots\">\n";
+    for (const std::string& drawing : opening.drawings) html_ += drawing;
+    html_ += fmt::format("</div>\n<p class=\"note\">{}</p>\n", html_escaped(opening.caption));
+  }
+
   void add(const Panel& panel) {
     html_ += fmt::format("<article class=\"panel\" id=\"{}\">\n<div>\n<h3>{}</h3>\n", html_escaped(panel.id), html_escaped(panel.title.text));
     add(Said("", panel.title.failed), "");

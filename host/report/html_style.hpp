@@ -22,7 +22,13 @@ main, footer { margin: 0 auto; padding: 1rem 1.25rem; max-width: 76rem; }
 h1, h2, h3, h4 { line-height: 1.25; font-weight: 650; }
 h2 { font-size: 1.55rem; margin: 2.4rem 0 .8rem; padding-top: .7rem; border-top: 2px solid var(--ink); }
 h3 { font-size: 1.15rem; margin: 1.6rem 0 .5rem; } h4 { font-size: 1rem; margin: 1.4rem 0 .4rem; }
+main > section:first-of-type h2 { margin-top: .5rem; border: 0; padding: 0; }
 p { max-width: 48rem; margin: .5rem 0; }
+.answers { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: .8rem; }
+.answers > div { background: var(--band); border-left: 4px solid var(--link); padding: .4rem .8rem; }
+.answers h3 { font-size: 1rem; margin: 0; } .answers p { margin: .1rem 0 0; font-size: .95rem; line-height: 1.4; }
+.answer-plots { display: grid; grid-template-columns: repeat(2, minmax(0, 27rem)); gap: .5rem 1.5rem; align-items: start; margin-top: .8rem; }
+.answer-plots svg { display: block; width: 100%; height: auto; }
 a { color: var(--link); }
 .contents ul { columns: 2; column-gap: 2.5rem; } .contents li { break-inside: avoid; }
 summary { cursor: pointer; } summary h3, summary h4 { display: inline; margin: 0; }
@@ -72,7 +78,9 @@ section:has(.show-bad:checked) .card.right, section:has(.show-good:checked) .car
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: .7rem; } .pair figure { margin: 0; } .pair img { width: 100%; }
 footer { color: var(--quiet); font-size: .86rem; border-top: 1px solid var(--rule); }
 @media (max-width: 56rem) { .panel { grid-template-columns: minmax(0, 1fr) !important; } .panel:not(:has(.facts)) img { max-width: 15rem; } }
-@media (max-width: 40rem) { .contents ul { columns: 1; } header { position: static; } main, footer { padding: 1rem .8rem; }
+@media (max-width: 40rem) { .answers, .answer-plots { grid-template-columns: minmax(0, 1fr); gap: .5rem; }
+  header nav { flex-wrap: nowrap; overflow-x: auto; max-width: 100%; white-space: nowrap; }
+  .contents ul { columns: 1; } header { position: static; } main, footer { padding: 1rem .8rem; }
   tbody th { max-width: 7.5rem; } .plots figure { overflow-x: auto; } .plots img { min-width: 34rem; } }
 @media print { html { font-size: 9.5pt; } main { max-width: none; padding: 0; } header { position: static; }
   header nav, .contents, .filter, .files { display: none; } h2, h3, h4 { break-after: avoid; } tr, figure { break-inside: avoid; }

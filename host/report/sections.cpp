@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "host/report/experiments/comparison.hpp"
 #include "host/report/experiments/cross_check.hpp"
 #include "host/report/experiments/hard_cases.hpp"
 #include "host/report/experiments/jones_accuracy.hpp"
@@ -11,6 +12,7 @@
 #include "host/report/experiments/montani_re_growth.hpp"
 #include "host/report/experiments/montani_re_stripes.hpp"
 #include "host/report/experiments/montani_re_tables.hpp"
+#include "host/report/experiments/opening.hpp"
 #include "host/report/experiments/overview.hpp"
 #include "host/report/experiments/plantinga_accuracy.hpp"
 #include "host/report/experiments/plantinga_pdp7.hpp"
@@ -40,6 +42,8 @@ const std::vector<Part>& report_parts() {
 
 const std::vector<Experiment>& report_experiments() {
   static const std::vector<Experiment> experiments{
+      experiment(&compare_all, true),
+      experiment(&opening_answer, true),
       experiment(&jones_numbers),
       experiment(&hard_cases),
       experiment(&skala_accuracy),
@@ -64,6 +68,8 @@ const std::vector<Experiment>& report_experiments() {
 
 const std::vector<SectionPlan>& report_sections() {
   static const std::vector<SectionPlan> sections{
+      {"opening", "The answer: how fast, how wrong, against what?", "",
+       {chapter("opening", 0, &opening)}},
       {"overview", "Which lines can the eye see?", "",
        {chapter("overview", 0, &overview_question),
         chapter("method-jones", 0, &method_jones),
@@ -104,6 +110,8 @@ const std::vector<SectionPlan>& report_sections() {
        {chapter("plantinga-timing", 1, &plantinga_timing),
         chapter("plantinga-pdp7", 1, &plantinga_pdp7_chapter),
         chapter("plantinga-accuracy", 2, &plantinga_accuracy_chapter)}},
+      {"comparison-of-methods", "Comparison: all methods on many objects from many viewpoints", "",
+       {chapter("comparison-chapter", 2, &comparison_chapter)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",
        {chapter("hard-cases", 3, &hard_cases_chapter)}},
       {"agreement", "Cross-check: methods compared in pairs", "",

@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <thread>
 
+#include "host/compare/scenes.hpp"
+#include "host/report/experiments/comparison.hpp"
 #include "host/report/experiments/hard_cases.hpp"
+#include "host/report/experiments/opening.hpp"
 #include "host/report/experiments/overview.hpp"
 #include "host/report/experiments/plantinga_accuracy.hpp"
 #include "host/report/experiments/willis_times.hpp"
@@ -265,10 +270,16 @@ TEST(ReportRun, PartsAreKindsOfChapters) {
   EXPECT_EQ(titles(std::array{5}), (std::vector<std::string>{"agreement: Cross-check"}));
   const auto whole = report_of({}, results(), quiet());
   ASSERT_TRUE(whole);
-  EXPECT_EQ(whole->sections.front().id, "overview");
+  const auto& opening = whole->sections.at(0).blocks;
+  ASSERT_FALSE(opening.empty());
+  const auto* const answers = std::get_if<Opening>(&opening.front());
+  ASSERT_NE(answers, nullptr) << "the page begins with the answers";
+  EXPECT_EQ(answers->answers.size(), 3U);
+  EXPECT_EQ(answers->drawings.size(), 2U);
+  EXPECT_EQ(whole->sections.at(1).id, "overview");
   std::size_t methods = 0;
   std::size_t findings = 0;
-  for (const Block& block : whole->sections.front().blocks) {
+  for (const Block& block : whole->sections.at(1).blocks) {
     const auto* const panel = std::get_if<Panel>(&block);
     if (panel == nullptr) continue;
     EXPECT_FALSE(panel->figures.empty()) << panel->id << ": has no picture";
@@ -304,6 +315,65 @@ TEST(Experiments, HardCasesHavePictures) {
     if (!row.correct && count(row.findings, [](const CaseFinding& finding) { return finding.right == true; }) > 0) ++without;
   }
   EXPECT_LE(without, 12U) << "files that must be refused";
+}
+
+TEST(Comparison, Has24ScenesOf100Views) {
+  std::set<std::string> names;
+  std::map<std::string, std::size_t> kinds;
+  for (const ComparisonScene& scene : results().of<Comparison>().scenes) {
+    names.insert(scene.name);
+    ++kinds[scene.kind];
+    std::map<std::string, std::size_t> views;
+    for (const compare::AnswerRow& row : results().of<Comparison>().rows)
+      if (row.scene == scene.name && row.picture == "lines") views[row.method] = row.views;
+    for (const char* const method : {"exact", "jones", "montani-re"})
+      EXPECT_EQ(views[method], 100U) << method << ", " << scene.name;
+    EXPECT_EQ(views.contains("plantinga"), scene.kind == "polyhedra") << scene.name;
+  }
+  EXPECT_EQ(names.size(), 24U);
+  EXPECT_EQ(kinds["built-in"], 5U);
+  EXPECT_EQ(kinds["rooms"], 10U);
+  EXPECT_EQ(kinds["polyhedra"], 9U);
+}
+
+TEST(Comparison, ExactMethodsAreExactAndProgramsAreTheirTwins) {
+  for (const compare::AnswerRow& row : results().of<Comparison>().rows) {
+    EXPECT_EQ(row.defect, "") << row.method << ", " << row.scene;
+    if (row.exact) {
+      EXPECT_EQ(row.right, row.views) << row.method << ", " << row.scene;
+    }
+    EXPECT_FALSE(row.host_seconds) << "not asked for";
+  }
+}
+
+// More doors in the same walls, and every cell of a view is seen at least once.
+TEST(Comparison, RoomsAreAscendingByOpenness) {
+  double before = 0;
+  for (const ComparisonScene& room : results().of<Comparison>().rooms()) {
+    EXPECT_EQ(room.walls, 24U);
+    EXPECT_GT(*room.openness(), before);
+    before = *room.openness();
+    EXPECT_GE(room.visits, 1);
+  }
+  EXPECT_EQ(before, 8);
+}
+
+// A row for each picture that a method has of a scene, all methods among them, and a time for every program on a machine.
+TEST(Opening, HasEveryMethod) {
+  const OpeningAnswer& answer = results().of<OpeningAnswer>();
+  std::set<std::string> methods;
+  for (const compare::AnswerRow& row : answer.rows) {
+    methods.insert(row.method);
+    EXPECT_EQ(row.views, 1U) << row.method << ", " << row.scene;
+    EXPECT_FALSE(row.host_seconds) << "not asked for";
+    const bool on_machine = row.method.find("-pdp7") != std::string::npos || row.method.find("-8080") != std::string::npos;
+    EXPECT_EQ(row.emulated_seconds.has_value(), on_machine) << row.method << ", " << row.scene;
+  }
+  for (const std::string& name : compare::method_names()) EXPECT_TRUE(methods.contains(name)) << name;
+  EXPECT_EQ(answer.scenes, 7U);
+  EXPECT_EQ(answer.functions, 2U);
+  EXPECT_TRUE(std::all_of(answer.plotted.begin(), answer.plotted.end(),
+                          [](const compare::PlotPoint& point) { return point.panel == compare::PlotPanel::emulated; }));
 }
 
 // With other experiments on all processors, and by themselves on one.
