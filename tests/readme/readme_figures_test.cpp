@@ -19,15 +19,16 @@ using nlohmann::json;
 using Figures = std::vector<std::string>;
 
 constexpr std::string_view default_views = "the default views of five scenes take # to # s with the EAE and # to # s without it";
-constexpr std::string_view default_errors = "on the screen # to # % of the visible length is wrong, none of it by more than a point";
+constexpr std::string_view default_errors =
+    "on the screen # to # % of the visible length is wrong, none of it by more than a point";
 constexpr std::string_view random_times =
     "From 1,000 random eyes in street4 a view takes # s in the median and # s at most, without the EAE # and # s";
 constexpr std::string_view random_errors = "From 4,000 eyes # views are wrong by more than a point, the worst in # of # points";
 constexpr std::string_view flight_8 =
-    "orders # pieces of a town and loads their priorities, with coordinates of 8 bits, # times a second (worst frame #) on a flight of # "
+    "orders # pieces of a town and loads their priorities, with coordinates of 8 bits, # times a second (worst frame #) on a "
+    "flight of # "
     "frames, and # times (worst #) if the same way is flown in 60 frames";
-constexpr std::string_view flight_16 =
-    "with 16 bits # times (worst #), or # times (worst #) for the 92 nearest pieces";
+constexpr std::string_view flight_16 = "with 16 bits # times (worst #), or # times (worst #) for the 92 nearest pieces";
 constexpr std::string_view normals = "wrong: # of # pairs contradict it";
 constexpr std::string_view pairs = "that product grows with the power # to # of the number of faces";
 constexpr std::string_view stripes = "sixty visible faces, on a raster board in # s, twenty touching bricks in # s";
@@ -39,7 +40,7 @@ constexpr std::string_view contour_dots = "of the # dots of sinc, # are more tha
 constexpr std::string_view events = "# to # in models made here";
 constexpr std::string_view block = "| block of # edges | #, # | # | #, # | # |";
 constexpr std::string_view star = "| star of # edges | #, # | # | #, # | # |";
-constexpr std::array sentences{default_views, default_errors, random_times, random_errors, flight_8, flight_16,
+constexpr std::array sentences{default_views, default_errors, random_times, random_errors, flight_8,   flight_16,
                                normals,       pairs,          stripes,      lines,         long_lines, surfaces,
                                contours,      contour_dots,   events,       block,         star};
 
@@ -81,7 +82,8 @@ class ReadmeFigures : public CommandLine {
     std::istringstream words(command);
     Arguments arguments;
     for (std::string word; words >> word;) {
-      EXPECT_TRUE(std::regex_search(text_, std::regex("`([^`]*[ /])?" + word + "[ `]"))) << word << " of " << command << ": not named";
+      EXPECT_TRUE(std::regex_search(text_, std::regex("`([^`]*[ /])?" + word + "[ `]")))
+          << word << " of " << command << ": not named";
       if (word.starts_with("host/")) word = std::string(SIGHTLINE_SOURCE_DIR) + '/' + word;
       arguments.push_back(word);
     }
@@ -126,7 +128,8 @@ TEST_F(ReadmeFigures, JonesFromTheDefaultViews) {
   Figures times;
   Figures errors;
   for (const std::string option : {"", " --no-eae"}) {
-    const json compared = run("compare house roberts street4 corridor8 corridor32" + option, {"--methods", "jones-pdp7", "--no-host-times"});
+    const json compared =
+        run("compare house roberts street4 corridor8 corridor32" + option, {"--methods", "jones-pdp7", "--no-host-times"});
     Range seconds;
     Range wrong;
     for (const json& row : compared.at("table")) {
@@ -264,16 +267,15 @@ TEST_F(ReadmeFigures, FromTheReport) {
   expect_figures(normals, {count(std::stoll(found[1].str())), count(std::stoll(found[2].str()))});
 }
 
-// What is left of the section without its commands, quotations, titles and the sentences above has no figure but these: settings, the
-// machines' names and what the papers say.
+// What is left of the section without its commands, quotations, titles and the sentences above has no figure but these: settings,
+// the machines' names and what the papers say.
 TEST_F(ReadmeFigures, EveryFigureIsTested) {
   std::string rest = text_;
   for (const std::string_view sentence : sentences) rest = std::regex_replace(rest, pattern_of(sentence), "");
   for (const char* part : {"`[^`]*`", "\"[^\"]*\"", "\\*\\*[^*]*\\*\\*"}) rest = replaced(rest, part, "");
-  for (const char* known :
-       {"PDP-7", "8080", "3 MHz", "2\\.45 GHz", "EF9365", "ALT-256",                        // machines
-        "25 frames a second for hundreds", "within 90 degrees", "about 2 s", "costs 15 %",  // the papers
-        "Fewer than 16\\.3 events"})
+  for (const char* known : {"PDP-7", "8080", "3 MHz", "2\\.45 GHz", "EF9365", "ALT-256",                        // machines
+                            "25 frames a second for hundreds", "within 90 degrees", "about 2 s", "costs 15 %",  // the papers
+                            "Fewer than 16\\.3 events"})
     rest = replaced(rest, known, "");
   std::smatch found;
   EXPECT_FALSE(std::regex_search(rest, found, std::regex("[^.]*[0-9][^.]*"))) << "no test of: " << found.str();

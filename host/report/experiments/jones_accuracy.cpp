@@ -250,12 +250,13 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
   const auto gain = range_of(machine.builds, &Build::eae_gain);
   const std::vector<double> of_a_bit = gains_of_a_bit(machine);
   const std::string of_bits = fmt::format(
-      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. The wrong length with 0 of "
-      "them, divided by that with 3: {}; one bit more divides it by {} to {}. A view of street4 with the EAE takes {} % longer "
-      "with 3. The EAE, which multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No display on "
-      "the machine; pieces as they leave the clip; six views of each scene.",
+      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. How many times the wrong "
+      "length with 0 of them is that with 3: {}; one bit more divides it by {} to {}. A view of street4 with the EAE takes {} % "
+      "longer with 3. The EAE, which multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No "
+      "display on the machine; pieces as they leave the clip; six views of each scene.",
       gains_by_scene(machine, &Build::computed), shown(*std::min_element(of_a_bit.begin(), of_a_bit.end()), 1),
-      shown(*std::max_element(of_a_bit.begin(), of_a_bit.end()), 1), shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1),
+      shown(*std::max_element(of_a_bit.begin(), of_a_bit.end()), 1),
+      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1),
       shown(gain.greatest, 1));
   for (std::size_t i = 0; i < 2; ++i) {
     const Measure& measure = measures()[i];
@@ -291,7 +292,8 @@ void error_table(Page& page, const JonesAccuracy& machine, std::string id, std::
   page.table(
       std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
       {{"scene", "Scene", &Build::scene}},
-      {{fmt::format("Rounded, the wrong length with 0 fraction bits, divided by that with 3: {}.", gains_by_scene(machine, which))}},
+      {{fmt::format("Rounded, how many times the wrong length with 0 fraction bits is that with 3: {}.",
+                    gains_by_scene(machine, which))}},
       Pivot<Build>{
           [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
           [](const Build& build) { return fmt::format("{}, {} fraction bits", points_of(build.rounded), build.fraction_bits); },

@@ -106,7 +106,8 @@ void paper_claims(Page& page, const SkalaPictures& skala) {
        cost_row(page, skala.curves, "lines, 30 slices of 256 points, not rotated, EF9365 board", "", true),
        cost_row(page, skala.of("lines"), "lines, 60 slices of 33 points, rotated, EF9365 board", ": lines of a few dots", false),
        cost_row(page, skala.of("surface"), "surfaces, the same board", "", true),
-       cost_row(page, skala.of("contours"), "contours, the same board", ": the edges of all triangles are walked for the masks", false),
+       cost_row(page, skala.of("contours"), "contours, the same board", ": the edges of all triangles are walked for the masks",
+                false),
        {"skala.cost",
         {as_cell(least(on_alt256, &SkalaCost::least_percent)), as_cell(greatest(on_alt256, &SkalaCost::greatest_percent))},
         1,
@@ -123,7 +124,8 @@ void paper_claims(Page& page, const SkalaPictures& skala) {
        {"skala.masks",
         {as_cell(memory(masks).lines_bytes),
          as_cell(memory(masks).surface_bytes + memory(slice_before).surface_bytes + memory(folds).contours_bytes)},
-        Real::as_needed, "pages of bytes for lines, and with surfaces and contours",
+        Real::as_needed,
+        "pages of bytes for lines, and with surfaces and contours",
         "cannot be compared: the listing is of a finer raster than the one drawn on; needs the listing of the 8080 program"}});
 }
 
@@ -199,15 +201,16 @@ void skala_timing(Page& page, const SkalaPictures& skala) {
   page.table("skala-long-slices", "Skala: the same functions in 30 slices of 256 points, not rotated", skala.curves,
              drawing_columns());
   using Cost = SkalaCost;
-  page.table("skala-costs", "Skala: what visibility costs on both boards, eight functions", skala.costs,
-             {{"picture", "Picture", &Cost::picture},
-              {"board", "Board", &Cost::board},
-              {"fastest_s", "Drawing", "s, fastest", &Cost::fastest_s, 2},
-              {"slowest_s", "Drawing", "s, slowest", &Cost::slowest_s, 2},
-              {"least_percent", "Visibility costs", "%, least", &Cost::least_percent, 1},
-              {"mean_percent", "Visibility costs", "%, mean", &Cost::mean_percent, 1},
-              {"greatest_percent", "Visibility costs", "%, greatest", &Cost::greatest_percent, 1}},
-             {{"Contours without the test are drawn alone; with it the edges of all triangles are walked as well, for the masks."}});
+  page.table(
+      "skala-costs", "Skala: what visibility costs on both boards, eight functions", skala.costs,
+      {{"picture", "Picture", &Cost::picture},
+       {"board", "Board", &Cost::board},
+       {"fastest_s", "Drawing", "s, fastest", &Cost::fastest_s, 2},
+       {"slowest_s", "Drawing", "s, slowest", &Cost::slowest_s, 2},
+       {"least_percent", "Visibility costs", "%, least", &Cost::least_percent, 1},
+       {"mean_percent", "Visibility costs", "%, mean", &Cost::mean_percent, 1},
+       {"greatest_percent", "Visibility costs", "%, greatest", &Cost::greatest_percent, 1}},
+      {{"Contours without the test are drawn alone; with it the edges of all triangles are walked as well, for the masks."}});
   page.gallery("skala-rasters", "Skala: what the raster board shows", skala.pictures, [](const SkalaPicture& row) {
     return figure(row.raster, fmt::format("raster-{}-{}", row.function, row.picture),
                   fmt::format("{}, {}", row.function, row.picture), shown(row.drawing_s, 3) + " s",
