@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -22,7 +23,7 @@ struct ReadCount {
   std::string_view of_all = {};  // the count of those in the scene
 };
 constexpr ReadCount read_counts[] = {
-    {"cells_read", "cells", "cells"}, {"relations", "pairs"}, {"facing", "faces", "pieces"}, {"faces", "faces"}};
+    {"cells_read", "cells", "cells"}, {"relations", "pairs"}, {"facing", "pieces", "pieces"}, {"distances", "distances"}, {"faces", "faces"}};
 
 template <class Counts>
 void tell_read(const Counts& counts, MethodView& view) {
@@ -91,8 +92,8 @@ MethodView method_view(const StripesPen& pen) {
   view.rounding = "pixels";
   view.unit = "steps";
   view.all = static_cast<double>(pen.raster.lit_in_truth);
-  // Two sides in one step leave their corner out, which is no error of the lines.
-  view.far = static_cast<double>(pen.raster.missing.beyond_1 + pen.raster.extra.beyond_1);
+  // Two sides in one step leave their corner out, and the rule is no nearer to the lines than a step: what is farther is wrong.
+  view.far = static_cast<double>(pen.raster.missing.beyond_2 + pen.raster.extra.beyond_2);
   view.wrong = view.far;
   view.greatest = finite(pen.raster.hausdorff.greatest);
   view.emulated_seconds = seconds_at_3_mhz(pen.time);
@@ -132,7 +133,6 @@ void tell_unrounded(const picture::DotsAndLines& unrounded, MethodView& view) {
 MethodView method_view(const ComparedRaster& row) {
   MethodView view;
   view.method = height_method_name(row.name);
-  view.picture = "dots";
   view.rounding = "dots";
   view.raster = row.from_native;
   if (row.unrounded) {
@@ -148,8 +148,8 @@ MethodView method_view(const ComparedRaster& row) {
 
 MethodView method_view(const ComparedDevice& row) {
   MethodView view;
-  view.method = fmt::format("skala-8080 {}", row.name);
-  view.picture = "dots";
+  // The EF9365 is the board of the paper's figures.
+  view.method = row.device == guests::skala::Device::ef9365 ? "skala-8080" : fmt::format("skala-8080 {}", row.name);
   view.rounding = "dots";
   view.raster = row.raster;
   view.defect = row.difference;
@@ -210,14 +210,21 @@ std::string height_method_name(std::string_view name) {
 
 std::vector<MethodView> method_views(const HeightComparison& comparison) {
   std::vector<MethodView> views;
+  const auto of_guest = std::find_if(comparison.devices.begin(), comparison.devices.end(),
+                                     [](const ComparedDevice& row) { return row.device == guests::skala::Device::ef9365; });
   for (const ComparedRaster& row : comparison.rasters) {
     // Of a native drawing of lines the lines are measured, not dots made of them.
-    const bool native = row.name.starts_with("native");
-    if (native && !comparison.vectors.empty()) continue;
-    MethodView& view = views.emplace_back(method_view(row));
+    if (row.name.starts_with("native") && !comparison.vectors.empty()) continue;
+    const bool program = row.name == "guest" || row.name == "twin";
+    // The program's dots are measured against what is not its own: as on its other devices.
+    MethodView& view = views.emplace_back(program && of_guest != comparison.devices.end() ? method_view(*of_guest) : method_view(row));
+    view.method = height_method_name(row.name);
     if (row.name == "guest") {
       view.defect = comparison.guest_difference;
       view.emulated_seconds = seconds_at_3_mhz(comparison.guest_time);
+    } else {
+      view.emulated_seconds.reset();
+      view.raster.reset();  // the guest's
     }
   }
   for (const ComparedVectors& row : comparison.vectors) {
@@ -228,12 +235,12 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
     lines.host_seconds = comparison.native_seconds;
     views.push_back(method_view(lines));
   }
-  for (const ComparedDevice& row : comparison.devices) {
-    if (row.device == guests::skala::Device::ef9365) continue;  // the guest's
-    views.push_back(method_view(row));
-  }
+  for (const ComparedDevice& row : comparison.devices)
+    if (row.device != guests::skala::Device::ef9365) views.push_back(method_view(row));
+  constexpr std::array<std::string_view, 3> pictures{"dots", "surface", "contours"};
   for (MethodView& view : views) {
     if (comparison.chord) view.chord = comparison.chord->greatest;
+    if (view.picture.empty()) view.picture = pictures[static_cast<std::size_t>(comparison.view.picture)];
   }
   return views;
 }

@@ -164,6 +164,8 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
   ComparedFaces result = compared(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
   result.counts = faces.counts;
   result.counts.insert(result.counts.end(), view->counts.begin(), view->counts.end());
+  for (const registry::FaceCount& count : result.counts)
+    if (count.name == wrong_orders_name) result.not_solved += static_cast<std::size_t>(count.value);
   const auto machine = std::find_if(result.counts.begin(), result.counts.end(), [](const auto& count) { return count.name == t_states_name; });
   if (machine != result.counts.end())
     result.emulated_seconds = static_cast<double>(machine->value) / static_cast<double>(core::ClockRate{}.hertz);

@@ -23,6 +23,8 @@ namespace sightline::compare {
 
 // The count of a program on the 8080 that is its time.
 inline constexpr std::string_view t_states_name = "t_states";
+// The count of pairs of pieces that rounding has put into another order than the exact one.
+inline constexpr std::string_view wrong_orders_name = "wrong_orders";
 
 struct ComparedFaces {
   std::string name;

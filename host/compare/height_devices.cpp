@@ -35,7 +35,7 @@ std::vector<std::uint8_t> stream_without_silhouettes(const scene::HeightGrid& gr
 }  // namespace
 
 std::vector<ComparedDevice> compare_devices(const scene::HeightGrid& grid, const skala::View& view,
-                                            const std::function<void(std::string_view)>& progress) {
+                                            const std::function<void(std::string_view)>& progress, bool ef9365_alone) {
   const skala::Session session;
   const HeightLines lines(grid, view);
   const auto seen = visible_segments(lines.lines());
@@ -49,6 +49,7 @@ std::vector<ComparedDevice> compare_devices(const scene::HeightGrid& grid, const
   }
   std::vector<ComparedDevice> compared;
   for (const auto& [device, name] : devices) {
+    if (ef9365_alone && device != skala::Device::ef9365) continue;
     progress(name);
     skala::View shown = view;
     shown.device = device;

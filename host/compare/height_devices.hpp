@@ -38,6 +38,6 @@ struct ComparedDevice {
 // The grid and the view can be compared (why_not_comparable: precondition).
 [[nodiscard]] std::vector<ComparedDevice> compare_devices(
     const scene::HeightGrid& grid, const guests::skala::View& view,
-    const std::function<void(std::string_view)>& progress = [](std::string_view) {});
+    const std::function<void(std::string_view)>& progress = [](std::string_view) {}, bool ef9365_alone = false);
 
 }  // namespace sightline::compare

@@ -32,9 +32,10 @@ std::map<std::string, std::string, std::less<>> times_of_methods() {
 
 }  // namespace
 
-std::string paper_figure(std::string_view method) {
+std::string paper_figure(std::string_view method, std::string_view picture) {
   static const auto times = times_of_methods();
-  const auto known = times.find(method.substr(0, method.find(' ')));
+  if (picture == "surface" || picture == "contours") return "";
+  const auto known = times.find(method == "skala-8080 alt256" ? std::string_view("skala-8080") : method);
   return known == times.end() ? std::string() : known->second;
 }
 

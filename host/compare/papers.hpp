@@ -13,7 +13,7 @@ namespace sightline::compare {
 [[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> papers_file();
 
 // What the paper says of the time of a program on its machine, in few words with the year: "a few seconds, 1971". Empty if no paper speaks
-// of the method. A name may have the device behind it: "skala-8080 calcomp".
-[[nodiscard]] std::string paper_figure(std::string_view method);
+// of the method in this picture (MethodView::picture): Skala's time is that of lines on a board, "skala-8080" or "skala-8080 alt256".
+[[nodiscard]] std::string paper_figure(std::string_view method, std::string_view picture);
 
 }  // namespace sightline::compare

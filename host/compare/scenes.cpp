@@ -159,6 +159,7 @@ class SceneMethods::Parts {
     comparison.camera = camera;
     comparison.eye = scene::file_point(polyhedra_, camera.eye);
     comparison.not_applicable = not_applicable_;
+    if (auto error = outside_error(camera.eye)) return *error;
     if (auto error = compare_lines(comparison, progress)) return *error;
     if (options_.faces) compare_faces(polyhedra_, options_, progress, comparison);
     if (cells_ == nullptr && chosen(options_, turn_name)) compare_turn(comparison, progress);
@@ -325,11 +326,19 @@ class SceneMethods::Parts {
     return compare_run(*session, session->run(of_guest), truth, comparison);
   }
 
+  // The truth of a scene of cells is known within its outer box.
+  [[nodiscard]] std::optional<Error> outside_error(const geometry::Point& eye) const {
+    if (cells_ == nullptr) return std::nullopt;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (eye[a] <= cells_->outer.low[a] || eye[a] >= cells_->outer.high[a])
+        return Error{"", "eye", fmt::format("{},{},{}, outside of the outer box", eye[0], eye[1], eye[2]),
+                     fmt::format("a point within {},{},{} and {},{},{}", cells_->outer.low[0], cells_->outer.low[1], cells_->outer.low[2],
+                                 cells_->outer.high[0], cells_->outer.high[1], cells_->outer.high[2])};
+    return std::nullopt;
+  }
+
   // The program cannot stand at the eye, or its core cannot hold the scene; others can, from within the outer box.
   std::optional<Error> leave_programs_out(const Error& why, SceneComparison& comparison) const {
-    const geometry::Point& eye = comparison.camera.eye;
-    for (std::size_t a = 0; a < 3; ++a)
-      if (eye[a] <= cells_->outer.low[a] || eye[a] >= cells_->outer.high[a]) return why;
     for (const std::string_view name : {jones_on_pdp7, jones_twin})
       if (chosen(options_, name)) comparison.not_applicable.emplace_back(name, why.message());
     return std::nullopt;
@@ -439,6 +448,16 @@ base::Result<SceneComparison> SceneMethods::view(const scene::PolyCamera& camera
 
 const std::vector<std::pair<std::string, std::string>>& SceneMethods::not_applicable() const {
   return parts_->not_applicable();
+}
+
+std::optional<std::string> why_never(std::string_view method, SceneKind kind) {
+  const bool skala = method.starts_with("skala");
+  if (kind == SceneKind::function)
+    return skala ? std::nullopt : std::optional<std::string>("it draws scenes, not functions of two variables");
+  if (skala) return "it draws functions of two variables, such as sinc";
+  if (method.starts_with("jones-") && kind != SceneKind::cells) return "Jones's program takes scenes of cells, looking along +z";
+  if (method == turn_name && kind == SceneKind::cells) return "it takes polyhedra; --level takes a scene of cells as polyhedra";
+  return std::nullopt;
 }
 
 std::vector<std::string> method_names() {

@@ -99,7 +99,11 @@ struct CompareOptions {
 // The names that CompareOptions::methods may have, in the order of rows.
 [[nodiscard]] std::vector<std::string> method_names();
 
-// All methods of a scene, prepared once for any number of views. Several threads may ask at once.
+// Why a method of method_names() draws nothing of that kind; empty if it may. What depends on the scene or the view is in not_applicable.
+enum class SceneKind { cells, polyhedra, function };
+[[nodiscard]] std::optional<std::string> why_never(std::string_view method, SceneKind kind);
+
+// All methods of a scene; those of lines are prepared once for any number of views. Several threads may ask at once.
 class SceneMethods {
  public:
   // Of a checked scene, which outlives this. Errors: the program cannot be assembled for it; the oracle cannot hold it; a method that

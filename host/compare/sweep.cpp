@@ -110,16 +110,6 @@ bool is_asked(const SweepOptions& options, std::string_view method) {
   return std::find(options.methods.begin(), options.methods.end(), method) != options.methods.end();
 }
 
-// A method that none of SceneMethods or compare_heights() leaves out itself.
-std::optional<std::string> why_not(std::string_view method, bool cells, bool function) {
-  const bool skala = method.starts_with("skala");
-  if (function) return skala ? std::nullopt : std::optional<std::string>("it draws scenes, not functions of two variables");
-  if (skala) return "it draws functions of two variables, such as sinc";
-  if (method.starts_with("jones-") && !cells) return "Jones's program takes scenes of cells, looking along +z";
-  if (method == turn_name && cells) return "it takes polyhedra; --level takes a scene of cells as polyhedra";
-  return std::nullopt;
-}
-
 // Those of method_names() that are among the one or the other.
 std::vector<std::string> with(const std::vector<std::string>& methods, const std::vector<std::string>& added) {
   std::vector<std::string> both;
@@ -156,7 +146,7 @@ base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene&
   sweep.options_.methods = with(options.methods, added);
   const bool as_cells = cells != nullptr && options.directions == Directions::usual;
   for (const std::string& method : options.methods)
-    if (const auto reason = why_not(method, as_cells, false)) return does_not_apply(source, method, *reason);
+    if (const auto reason = why_never(method, as_cells ? SceneKind::cells : SceneKind::polyhedra)) return does_not_apply(source, method, *reason);
   CompareOptions compared;
   compared.eae = options.eae;
   compared.methods = sweep.options_.methods;
@@ -185,7 +175,7 @@ base::Result<Sweep> Sweep::of(const std::string& source, scene::HeightGrid grid,
   sweep.truth_ = "unrounded lines between the samples";
   sweep.options_ = options;
   for (const std::string& method : options.methods)
-    if (const auto reason = why_not(method, false, true)) return does_not_apply(source, method, *reason);
+    if (const auto reason = why_never(method, SceneKind::function)) return does_not_apply(source, method, *reason);
   if (options.all_lines) sweep.options_.methods = with(options.methods, {"skala-8080", "skala-twin", "skala"});
   sweep.view_ = view;
   sweep.grid_ = std::make_shared<const scene::HeightGrid>(std::move(grid));
@@ -256,7 +246,8 @@ Json Sweep::scene_results(std::uint64_t number) const {
 
 Json Sweep::height_results(std::uint64_t number) const {
   Json results = Json::object();
-  const HeightComparison comparison = compare_heights(*grid_, height_view(number), [](std::string_view) {}, {}, options_.time);
+  HeightComparison comparison = compare_heights(*grid_, height_view(number), [](std::string_view) {}, {}, options_.time);
+  comparison.devices = compare_devices(*grid_, height_view(number), [](std::string_view) {}, true);
   for (const MethodView& view : method_views(comparison))
     if (is_asked(options_, view.method)) results[view.method] = compare::json_of(view);
   return results;

@@ -32,13 +32,12 @@ base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, con
     base::give_up(fmt::format("a priority on the 8080 is not the one its native twin computes: {}", difference));
   willis::Frames frames(*model);
   const flight::ShownOrder order = flight::shown_order(*model, camera, frames.order(camera), guest.frames.at(0).priorities);
-  if (order.wrong > 0) return base::fail(fmt::format("rounded to 16 bits, {} pairs of pieces are in another order than the exact one", order.wrong));
   const willis::ImageWindow window{shown.width, shown.height, shown.scale, shown.left, shown.top};
   willis::FrameSpans spans;
   willis::make_spans(*model, order.pieces, camera, window, spans);
   registry::FaceView view;
   view.faces = willis::resolved(spans, window);
-  view.counts = {{"pieces", model->pieces.size()}, {"facing", order.pieces.size()},
+  view.counts = {{"pieces", model->pieces.size()}, {"facing", order.pieces.size()}, {wrong_orders_name, order.wrong},
                  {t_states_name, static_cast<std::uint64_t>((guest.frames.at(1).told - guest.frames.at(0).told - guest.frames.at(1).waiting).count())}};
   return view;
 }

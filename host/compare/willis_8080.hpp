@@ -9,7 +9,8 @@
 
 namespace sightline::compare {
 
-// Coordinates have 16 bits. A view whose order is not that of exact distances is an error that says so: it may show a wrong face.
+// Coordinates have 16 bits: pairs of pieces that they put into another order than exact distances are counted (wrong_orders), and may show a
+// wrong face.
 [[nodiscard]] const registry::FaceAlgorithm& willis_on_8080();
 
 }  // namespace sightline::compare

@@ -114,7 +114,7 @@ const std::vector<SectionPlan>& report_sections() {
        {chapter("comparison-chapter", 2, &comparison_chapter)}},
       {"cases", "Hard cases: inputs that break programs of this kind", "",
        {chapter("hard-cases", 3, &hard_cases_chapter)}},
-      {"agreement", "Cross-check: every method against every other", "",
+      {"agreement", "Cross-check: methods compared in pairs", "",
        {chapter("cross-check", 5, &cross_check_chapter)}},
       {"about", "About this report", "",
        {chapter("about", 0, &about)}},

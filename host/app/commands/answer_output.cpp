@@ -56,34 +56,32 @@ AnswerCells answer_cells(const AnswerRow& row) {
           wrong_text(row),
           spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }),
           row.views > 1 ? fmt::format("{} of {}", row.right, row.views) : fmt::format("{:.4g}", row.far.greatest),
+          row.chord ? fmt::format("{:.2f}", *row.chord) : std::string(),
           read_text(row),
-          compare::paper_figure(row.method)};
+          compare::paper_figure(row.method, row.picture)};
 }
 
 std::string answer_text(const std::vector<AnswerRow>& rows) {
   bool several = false;
   bool host = false;
+  bool chord = false;
   for (const AnswerRow& row : rows) {
     several = several || row.scene != rows.front().scene;
     host = host || row.host_seconds.has_value();
+    chord = chord || row.chord.has_value();
   }
   const bool many = !rows.empty() && rows.front().views > 1;
-  // Columns begin with two blanks, so that a long cell does not touch the one before.
-  std::vector<int> widths{-20, -7, -11, many ? 21 : 12};
-  if (host) widths.push_back(many ? 21 : 12);
-  for (const int width : {many ? 21 : 20, many ? 15 : 10, many ? 13 : 9, -24, 0}) widths.push_back(width);
-  base::TextTable table(widths);
+  // Columns begin with two blanks, so that a long cell does not touch the one before. Times of this computer and chord errors are not there in
+  // every table.
+  base::TextTable table({-20, -10, -11, many ? 21 : 12, host ? (many ? 21 : 12) : 0, many ? 21 : 20, many ? 15 : 10, many ? 13 : 9,
+                         chord ? 8 : 0, -24, 0});
   std::string said;
   const auto line = [&](std::string_view method, std::string_view picture, const AnswerCells& cells) {
     const auto apart = [](std::string_view cell) { return cell.empty() ? std::string() : "  " + std::string(cell); };
-    if (host)
-      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest),
-                 apart(cells.far), apart(cells.read), apart(cells.paper)});
-    else
-      table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.wrong), apart(cells.greatest), apart(cells.far),
-                 apart(cells.read), apart(cells.paper)});
+    table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest),
+               apart(cells.far), apart(cells.chord), apart(cells.read), apart(cells.paper)});
   };
-  line("", "", {"rounded to", "emulated", "here", "wrong", "farthest", many ? "none >1 px" : ">1 px", "read", "the paper says"});
+  line("", "", {"rounded to", "emulated", host ? "here" : "", "wrong", "farthest", many ? "none >1 px" : ">1 px", chord ? "chord" : "", "read", "the paper says"});
   for (const AnswerRow& row : rows) {
     if (several && row.scene != said) table.line(said = row.scene);
     line(row.method, row.picture, answer_cells(row));
@@ -108,7 +106,7 @@ base::Json answer_json(const std::vector<AnswerRow>& rows) {
     object["exact"] = row.exact;
     if (!row.defect.empty()) object["defect"] = row.defect;
     if (row.views > 1) object["worst_view"] = row.worst_view;
-    if (const std::string paper = compare::paper_figure(row.method); !paper.empty()) object["paper"] = paper;
+    if (const std::string paper = compare::paper_figure(row.method, row.picture); !paper.empty()) object["paper"] = paper;
     list.push_back(std::move(object));
   }
   return list;

@@ -17,6 +17,7 @@ struct AnswerCells {
   std::string wrong;
   std::string greatest;
   std::string far;  // farther than a point: how much; of many views of how many it is nothing
+  std::string chord;  // of a sampled function
   std::string read;
   std::string paper;
 };

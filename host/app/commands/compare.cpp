@@ -51,7 +51,7 @@ struct CompareArguments {
   std::string picture;  // as --picture names it
   SkalaSlices slices;
   std::optional<int> levels;
-  unsigned fraction = 3;
+  std::optional<int> fraction;
   std::vector<std::string> methods;
   std::uint64_t views = 0;  // 0: the one that the camera options say
   std::optional<std::uint64_t> only_view;  // of the random views
@@ -115,7 +115,7 @@ compare::CompareOptions options_of(const CompareArguments& arguments) {
   compare::CompareOptions options;
   if (arguments.scale) options.scale = *arguments.scale;
   options.eae = !arguments.no_eae;
-  options.fraction_bits = arguments.fraction;
+  options.fraction_bits = static_cast<std::uint32_t>(arguments.fraction.value_or(3));
   options.methods = arguments.methods;
   options.host_times = !arguments.no_host_times;
   return options;
@@ -124,6 +124,48 @@ compare::CompareOptions options_of(const CompareArguments& arguments) {
 bool chosen(const CompareArguments& arguments, const std::string& method) {
   return arguments.methods.empty() || std::find(arguments.methods.begin(), arguments.methods.end(), method) != arguments.methods.end();
 }
+
+// Why methods drew nothing: the first reason of each, and in how many views.
+class LeftOut {
+ public:
+  // The methods asked for that draw nothing of this kind at all.
+  LeftOut(const CompareArguments& arguments, compare::SceneKind kind) {
+    for (const std::string& method : arguments.methods)
+      if (const auto reason = compare::why_never(method, kind)) reasons_.push_back({method, *reason, 0});
+  }
+  void add(const std::vector<std::pair<std::string, std::string>>& not_applicable) {
+    for (const auto& [method, reason] : not_applicable) {
+      const auto known = std::find_if(reasons_.begin(), reasons_.end(), [&m = method](const Reason& r) { return r.method == m; });
+      if (known == reasons_.end())
+        reasons_.push_back({method, reason, 1});
+      else
+        ++known->views;
+    }
+  }
+  // `all` views. Failure usage, if there is no row: nothing that was asked for applies.
+  [[nodiscard]] std::string text(const std::string& name, std::uint64_t all, bool any_row) const {
+    if (!any_row && !reasons_.empty())
+      throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", name, reasons_.front().method, reasons_.front().reason));
+    std::string lines;
+    for (const Reason& r : reasons_)
+      lines += r.views == 0 || all == 1 ? fmt::format("{} not compared: {}\n", r.method, r.reason)
+                                        : fmt::format("{} not compared in {} of {} views: {}\n", r.method, r.views, all, r.reason);
+    return lines;
+  }
+  [[nodiscard]] Json json() const {
+    Json list = Json::array();
+    for (const Reason& r : reasons_) list.push_back({{"name", r.method}, {"reason", r.reason}, {"views", r.views}});
+    return list;
+  }
+
+ private:
+  struct Reason {
+    std::string method;
+    std::string reason;
+    std::uint64_t views = 0;  // 0: all, whatever they are
+  };
+  std::vector<Reason> reasons_;
+};
 
 // `many` views, numbered from 0: of each what `view` makes of it goes into the table.
 template <class View>
@@ -149,6 +191,12 @@ void refuse_commands(const std::string& name) {
                                                        : "`sightline hard --list` shows the cases of such files"));
 }
 
+std::vector<compare::MethodView> chosen_rows(const CompareArguments& arguments, const compare::HeightComparison& comparison) {
+  auto views = method_views(comparison);
+  std::erase_if(views, [&](const compare::MethodView& row) { return !chosen(arguments, row.method.substr(0, row.method.find(' '))); });
+  return views;
+}
+
 // `source` is by name, from a file or an expression.
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source, OverlayNames& overlays,
                                const compare::CompareProgress& progress, compare::Answer& answer) {
@@ -156,6 +204,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   refuse_camera(arguments.camera, true, name, "--rotate and --elevate for a function");
   refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
   refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
+  refuse(arguments.fraction.has_value(), "--fraction", name, "a scene of cells");
   guests::skala::View view = arguments.function_view;
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
@@ -166,17 +215,17 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   const auto compare_view = [&](const guests::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
     auto comparison = compare::compare_heights(function.grid, of, step, function.sampled, !arguments.no_host_times);
     comparison.devices = compare::compare_devices(function.grid, of, step);
-    auto views = method_views(comparison);
-    std::erase_if(views, [&](const compare::MethodView& row) { return !chosen(arguments, row.method); });
-    answer.add(function.name, number, views);
+    answer.add(function.name, number, chosen_rows(arguments, comparison));
     return comparison;
   };
+  const LeftOut left_out(arguments, compare::SceneKind::function);
   if (arguments.random.turn || arguments.random.level)
     throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a scene", arguments.random.turn ? "--turn" : "--level", name));
   if (arguments.views == 0) {
     if (arguments.only_view) view = compare::random_height_view(function.grid, view, arguments.random.seed, *arguments.only_view);
     const auto comparison = compare_view(view, arguments.only_view.value_or(0), progress);
-    ComparedScene compared{comparison.agrees(), compare_heading(function.name, comparison), compare_notes(comparison),
+    ComparedScene compared{comparison.agrees(), compare_heading(function.name, comparison),
+                           compare_notes(comparison, chosen_rows(arguments, comparison)) + left_out.text(name, 1, !answer.rows().empty()),
                            compare_json(function.name, comparison),
                            write_overlays(arguments.directory, overlays.unused(function.stem), comparison), {}};
     if (!arguments.plot.empty()) compared.plotted = compare::variants_of(comparison);
@@ -190,6 +239,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     const auto of = compare::random_height_view(function.grid, view, arguments.random.seed, number);
     compared.agrees = compare_view(of, number, step).agrees() && compared.agrees;
   });
+  compared.notes = left_out.text(name, arguments.views, !answer.rows().empty());
   return compared;
 }
 
@@ -217,6 +267,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   } else {
     refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
     refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
+    refuse(arguments.fraction.has_value(), "--fraction", name, "a scene of cells, which the PDP-7 can draw");
   }
   const compare::CompareOptions options = options_of(arguments);
   progress("prepared");
@@ -229,6 +280,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     answer.add(shown, number, method_views(comparison));
     return comparison;
   };
+  LeftOut left_out(arguments, source.cells ? compare::SceneKind::cells : compare::SceneKind::polyhedra);
   const auto random_camera = [&](std::uint64_t number) {
     return compare::random_camera(source.scene, cells ? &*cells : nullptr, directions, arguments.random.seed, number);
   };
@@ -243,7 +295,9 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
       camera = camera_of(arguments.camera, source.scene, name);
     }
     const auto comparison = compare_view(camera, arguments.only_view.value_or(0), progress);
-    ComparedScene compared{comparison.agrees(), compare_heading(comparison), compare_notes(comparison), compare_json(comparison),
+    left_out.add(comparison.not_applicable);
+    ComparedScene compared{comparison.agrees(), compare_heading(comparison),
+                           compare_notes(comparison) + left_out.text(name, 1, !answer.rows().empty()), compare_json(comparison),
                            write_overlays(arguments.directory, overlays.unused(shown), comparison), {}};
     if (arguments.plot.empty()) return compared;
     compared.plotted = source.cells ? compare::variants_of(*source.cells, options, comparison, progress)
@@ -254,8 +308,12 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   compared.heading = views_heading(shown, arguments);
   compared.json = {{"scene", shown}, {"views", arguments.views}, {"seed", arguments.random.seed}};
   compare_views(arguments.views, progress, [&](std::uint64_t number, const compare::CompareProgress& step) {
-    compared.agrees = compare_view(random_camera(number), number, step).agrees() && compared.agrees;
+    const auto comparison = compare_view(random_camera(number), number, step);
+    left_out.add(comparison.not_applicable);
+    compared.agrees = comparison.agrees() && compared.agrees;
   });
+  compared.notes = left_out.text(name, arguments.views, !answer.rows().empty());
+  compared.json["not_compared"] = left_out.json();
   return compared;
 }
 
@@ -363,7 +421,7 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   add_picture_option(command, arguments.picture, "What is drawn of a function");
   add_slices_options(command, arguments.slices);
   add_levels_option(command, arguments.levels);
-  command.option("--fraction", arguments.fraction, "Fraction bits of the screen coordinates of Jones's program").default_value().range(0U, 3U).value("BITS");
+  command.option("--fraction", arguments.fraction, "Fraction bits of the screen coordinates of Jones's program").default_value("3").range(0, 3).value("BITS");
   command.option("--methods", arguments.methods, "Only these: " + base::joined(compare::method_names(), ", "))
       .default_value("all that apply")
       .separated_by(',')

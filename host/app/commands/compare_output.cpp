@@ -66,12 +66,6 @@ std::string turn_text(const compare::TurnCheck& turn) {
                                    : fmt::format(": FARTHER OFF THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound));
 }
 
-std::string reasons_text(const std::vector<std::pair<std::string, std::string>>& reasons) {
-  std::string text;
-  for (const auto& [name, reason] : reasons) text += fmt::format("{} not compared: {}\n", name, reason);
-  return text;
-}
-
 std::string rasters_text(const std::vector<compare::MethodView>& views) {
   std::string text;
   for (const compare::MethodView& view : views)
@@ -218,11 +212,11 @@ std::string compare_notes(const SceneComparison& comparison) {
   for (const compare::ComparedFaces& faces : comparison.faces)
     if (faces.not_solved > 0)
       text += fmt::format("{} says itself that it cannot order {} pairs of faces\n", faces.name, faces.not_solved);
-  return text + reasons_text(comparison.not_applicable);
+  return text;
 }
 
-std::string compare_notes(const HeightComparison& comparison) {
-  std::string text = rasters_text(method_views(comparison));
+std::string compare_notes(const HeightComparison& comparison, const std::vector<compare::MethodView>& rows) {
+  std::string text = rasters_text(rows);
   if (comparison.agrees()) text += "skala-8080 is its twin in every dot, mask and status\n";
   if (comparison.chord)
     text += fmt::format("the function itself is up to {:.2f} points from the straight lines between its samples\n", comparison.chord->greatest);

@@ -14,9 +14,9 @@ namespace sightline::app {
 // What was compared, before the table.
 [[nodiscard]] std::string compare_heading(const compare::SceneComparison& comparison);
 [[nodiscard]] std::string compare_heading(const std::string& name, const compare::HeightComparison& comparison);
-// What the table has no column for, after it.
+// Lines below the table: points that devices lit, checks of the programs. `rows`: those in the table.
 [[nodiscard]] std::string compare_notes(const compare::SceneComparison& comparison);
-[[nodiscard]] std::string compare_notes(const compare::HeightComparison& comparison);
+[[nodiscard]] std::string compare_notes(const compare::HeightComparison& comparison, const std::vector<compare::MethodView>& rows);
 
 [[nodiscard]] base::Json compare_json(const compare::SceneComparison& comparison);
 [[nodiscard]] base::Json compare_json(const std::string& name, const compare::HeightComparison& comparison);

@@ -380,7 +380,7 @@ void comparison_chapter(Page& page, const Comparison& comparison) {
   openness(page, comparison);
   std::vector<RowColumn<AnswerRow>> columns = answer_columns();
   columns.push_back(
-      {"paper", "The paper says", [](const AnswerRow& row) { return compare::paper_figure(row.method); }});
+      {"paper", "The paper says", [](const AnswerRow& row) { return compare::paper_figure(row.method, row.picture); }});
   const auto exact = where(comparison.methods, [](const AnswerRow& row) { return row.exact; });
   page.table("comparison-methods", "All methods over all scenes", comparison.methods, columns,
              {{"Each method over the views of the scenes that it can take. Wrong and right as in the first "

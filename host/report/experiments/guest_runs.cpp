@@ -41,6 +41,7 @@ skala::View view_of(const SkalaOrder& order, bool visibility) {
   view.picture = order.picture;
   view.rotation = order.rotation;
   view.visibility = visibility;
+  view.device = order.device;
   return view;
 }
 
@@ -120,14 +121,16 @@ SkalaRun run_skala(const skala::Session& session, const SkalaOrder& order) {
   const auto stream = skala::stream_of(grid, view_of(order, true));
   SkalaRun run;
   run.stream_bytes = stream.size();
-  skala::CheckedPicture checked = session.run(stream);
+  skala::GuestOptions machine;
+  machine.device = order.device;
+  skala::CheckedPicture checked = session.run(stream, machine);
   check(order, checked);
   run.twin = checked.twin.counts;
   run.guest = std::move(checked.guest);
   run.points_lit = skala::points_lit(run.guest);
   run.dots_busy = dot_time() * static_cast<std::int64_t>(run.twin.points_plotted);
   if (order.compare_plain) {
-    const auto plain = session.run(skala::stream_of(grid, view_of(order, false)));
+    const auto plain = session.run(skala::stream_of(grid, view_of(order, false)), machine);
     check(order, plain);
     run.plain = plain.guest.drawing;
   }

@@ -54,14 +54,15 @@ struct SkalaOrder {
   scene::GridSize size{33, 60};
   double rotation = 30;
   bool compare_plain = false;  // run again without the visibility test
+  guests::skala::Device device = guests::skala::Device::ef9365;
 };
 
 struct SkalaRun {
   std::size_t stream_bytes = 0;
-  guests::skala::GuestPicture guest;  // EF9365 board, 8080 at 3 MHz
+  guests::skala::GuestPicture guest;  // 8080 at 3 MHz
   guests::skala::TwinCounts twin;
   std::uint64_t points_lit = 0;
-  core::TStates dots_busy{};           // of the board, drawing dots; clearing comes on top
+  core::TStates dots_busy{};           // of an EF9365 board, drawing dots; clearing comes on top
   std::optional<core::TStates> plain;  // drawing without the visibility test
 };
 

@@ -166,8 +166,8 @@ bool exact_lines(const AnswerRow& row) {
 Said how_fast(const Page& page, const OpeningAnswer& answer) {
   std::string text = fmt::format(
       "A view takes Jones's program {} on the PDP-7 (the paper: {}) and Skala's {} on the 8080 ({})",
-      emulated_range(answer, "jones-pdp7"), compare::paper_figure("jones-pdp7"),
-      emulated_range(answer, "skala-8080"), compare::paper_figure("skala-8080"));
+      emulated_range(answer, "jones-pdp7"), compare::paper_figure("jones-pdp7", "lines"),
+      emulated_range(answer, "skala-8080"), compare::paper_figure("skala-8080", "dots"));
   if (page.host_times()) {
     const auto here = range_of(where(answer.rows, is(&AnswerRow::method, "exact")),
                                [](const AnswerRow& row) { return most(row.host_seconds, microseconds); });

@@ -414,7 +414,9 @@ void skala_accuracy_chapter(Page& page, const SkalaAccuracy& skala) {
       "Pictures of three functions turned by 30 degrees, compared with the native program with 16384 columns of masks, 64 to a "
       "dot of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these "
       "those without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also "
-      "without the farthest one of a thousand samples. In the plots less error is to the left and less time is below.");
+      "without the farthest one of a thousand samples. In the plots less error is to the left and less time is below. The program's "
+      "test of contours leaves a dot of slack: `sightline compare sinc --picture contours` counts the dots that are more than a "
+      "point from any visible contour.");
   raster_plots(page, skala);
   grid_plots(page, skala);
   level_plots(page, skala);

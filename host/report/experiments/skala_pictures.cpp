@@ -95,6 +95,7 @@ void paper_claims(Page& page, const SkalaPictures& skala) {
   const auto memory = [&](std::string_view what) -> const SkalaMemory& {
     return the(skala.memory, is(&SkalaMemory::what, what));
   };
+  const auto on_alt256 = where(skala.costs, is(&SkalaCost::board, "ALT-256"));
   page.claims(
       "skala-paper", "Skala 1985: every number for time and size",
       {time_row(page, skala, "lines",
@@ -102,8 +103,15 @@ void paper_claims(Page& page, const SkalaPictures& skala) {
                 "; an exact comparison needs the function, the number of slices and the raster board, none of which is named"),
        time_row(page, skala, "surface", "surface, 60 slices of 33 points, rotated 30 degrees, the same machine and functions"),
        time_row(page, skala, "contours", "contours, 8 levels on 33 by 33 points, the same machine and functions"),
-       cost_row(page, skala.curves, "lines, 30 slices of 256 points, not rotated", "", true),
-       cost_row(page, skala.of("lines"), "lines, 60 slices of 33 points, rotated", ": lines of a few dots", false),
+       cost_row(page, skala.curves, "lines, 30 slices of 256 points, not rotated, EF9365 board", "", true),
+       cost_row(page, skala.of("lines"), "lines, 60 slices of 33 points, rotated, EF9365 board", ": lines of a few dots", false),
+       cost_row(page, skala.of("surface"), "surfaces, the same board", "", true),
+       cost_row(page, skala.of("contours"), "contours, the same board", ": the edges of all triangles are walked for the masks", false),
+       {"skala.cost",
+        {as_cell(least(on_alt256, &SkalaCost::least_percent)), as_cell(greatest(on_alt256, &SkalaCost::greatest_percent))},
+        1,
+        "all of these on the ALT-256 board, which takes a dot in each line of the screen",
+        "see the table of both boards"},
        {"skala.not_included", least_and_greatest(skala.pictures, &SkalaPicture::receipt_s), 3,
         "receiving the commands from the host, parallel",
         "left out here as well, and so is the receipt; no number is given to compare: that needs the host computer and its "
@@ -117,6 +125,37 @@ void paper_claims(Page& page, const SkalaPictures& skala) {
          as_cell(memory(masks).surface_bytes + memory(slice_before).surface_bytes + memory(folds).contours_bytes)},
         Real::as_needed, "pages of bytes for lines, and with surfaces and contours",
         "cannot be compared: the listing is of a finer raster than the one drawn on; needs the listing of the 8080 program"}});
+}
+
+template <class Rows>
+SkalaCost cost_of(const Rows& rows, std::string picture, std::string board) {
+  const auto time = range_of(rows, &SkalaPicture::drawing_s);
+  const auto cost = range_of(rows, &SkalaPicture::cost_percent);
+  const double average = mean(rows, &SkalaPicture::cost_percent);
+  return {std::move(picture), std::move(board), time.least, time.greatest, cost.least, average, cost.greatest};
+}
+
+std::vector<SkalaCost> costs_on(const SkalaPictures& skala, const std::string& board) {
+  return {cost_of(skala.of("lines"), "lines, 60 slices of 33 points, rotated", board),
+          cost_of(skala.curves, "lines, 30 slices of 256 points, not rotated", board),
+          cost_of(skala.of("surface"), "surfaces, 60 slices of 33 points, rotated", board),
+          cost_of(skala.of("contours"), "contours, 8 levels on 33 by 33 points, rotated", board)};
+}
+
+// The eight functions as all kinds of picture.
+SkalaPictures pictures_on(const skala::Session& session, skala::Device board) {
+  SkalaPictures made;
+  for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
+    const std::string name(function.name);
+    for (const skala::PictureKind picture :
+         {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
+      SkalaOrder order{.function = name, .picture = picture, .compare_plain = true, .device = board};
+      if (picture == skala::PictureKind::contours) order.size = {33, 33};
+      made.pictures.push_back(picture_of(session, order));
+    }
+    made.curves.push_back(picture_of(session, {name, skala::PictureKind::lines, {256, 30}, 0, true, board}));
+  }
+  return made;
 }
 
 std::vector<RowColumn<SkalaPicture>> drawing_columns() {
@@ -140,19 +179,11 @@ std::optional<double> SkalaPicture::cost_percent() const {
 
 SkalaPictures skala_pictures(const Context& context) {
   const skala::Session session;
-  SkalaPictures made;
-  for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
-    context.progress(fmt::format("{} on the 8080", function.name));
-    const std::string name(function.name);
-    for (const skala::PictureKind picture :
-         {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
-      SkalaOrder order{name, picture};
-      if (picture == skala::PictureKind::contours) order.size = {33, 33};
-      order.compare_plain = picture != skala::PictureKind::contours;
-      made.pictures.push_back(picture_of(session, order));
-    }
-    made.curves.push_back(picture_of(session, {name, skala::PictureKind::lines, {256, 30}, 0, true}));
-  }
+  context.progress("eight functions on the 8080 with the EF9365 board");
+  SkalaPictures made = pictures_on(session, skala::Device::ef9365);
+  made.costs = costs_on(made, "EF9365");
+  context.progress("eight functions on the 8080 with the ALT-256 board");
+  for (SkalaCost& cost : costs_on(pictures_on(session, skala::Device::alt256), "ALT-256")) made.costs.push_back(std::move(cost));
   made.memory = memory_of(session.program());
   return made;
 }
@@ -167,6 +198,16 @@ void skala_timing(Page& page, const SkalaPictures& skala) {
                "with an error where a picture is not, dot for dot, the one the native twin makes."}});
   page.table("skala-long-slices", "Skala: the same functions in 30 slices of 256 points, not rotated", skala.curves,
              drawing_columns());
+  using Cost = SkalaCost;
+  page.table("skala-costs", "Skala: what visibility costs on both boards, eight functions", skala.costs,
+             {{"picture", "Picture", &Cost::picture},
+              {"board", "Board", &Cost::board},
+              {"fastest_s", "Drawing", "s, fastest", &Cost::fastest_s, 2},
+              {"slowest_s", "Drawing", "s, slowest", &Cost::slowest_s, 2},
+              {"least_percent", "Visibility costs", "%, least", &Cost::least_percent, 1},
+              {"mean_percent", "Visibility costs", "%, mean", &Cost::mean_percent, 1},
+              {"greatest_percent", "Visibility costs", "%, greatest", &Cost::greatest_percent, 1}},
+             {{"Contours without the test are drawn alone; with it the edges of all triangles are walked as well, for the masks."}});
   page.gallery("skala-rasters", "Skala: what the raster board shows", skala.pictures, [](const SkalaPicture& row) {
     return figure(row.raster, fmt::format("raster-{}-{}", row.function, row.picture),
                   fmt::format("{}, {}", row.function, row.picture), shown(row.drawing_s, 3) + " s",

@@ -1,5 +1,5 @@
 // Skala's program on the 8080: the eight functions as lines, surfaces and contours, as `sightline demo` draws them,
-// and as lines in long slices. What drawing takes with and without the visibility test, and what of the memory.
+// and as lines in long slices. What drawing takes with and without the visibility test, on both boards, and what of the memory.
 #pragma once
 
 #include <cstdint>
@@ -37,6 +37,17 @@ struct SkalaPicture {
   [[nodiscard]] double hidden_percent() const { return 100.0 * static_cast<double>(walked - dots) / static_cast<double>(walked); }
 };
 
+// A kind of picture of all functions on a board: what drawing takes, and how much longer than without the visibility test.
+struct SkalaCost {
+  std::string picture;
+  std::string board;
+  double fastest_s = 0;
+  double slowest_s = 0;
+  double least_percent = 0;
+  double mean_percent = 0;
+  double greatest_percent = 0;
+};
+
 // What the 64 KB hold, by kind of picture.
 struct SkalaMemory {
   std::string what;
@@ -50,6 +61,7 @@ struct SkalaPictures {
   // The same functions in 30 slices of 256 points, not rotated: sent as curves of dots, the picture in which the test is
   // the larger part of the work on a dot.
   std::vector<SkalaPicture> curves;
+  std::vector<SkalaCost> costs;
   std::vector<SkalaMemory> memory;
 
   [[nodiscard]] Chosen<SkalaPicture> of(std::string_view picture) const {

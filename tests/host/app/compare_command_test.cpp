@@ -85,6 +85,9 @@ TEST_F(CompareCommand, ComparesRandomViews) {
   EXPECT_TRUE(has(ran.out, "house, 3 random views of seed 5")) << ran.out;
   EXPECT_TRUE(has(ran.out, "3 of 3")) << ran.out;
   EXPECT_EQ(sightline(arguments).out, ran.out);
+  const auto left_out = sightline({"compare", "house", "--views", "2", "--no-host-times", "--methods", "exact,plantinga,skala"});
+  ASSERT_EQ(left_out.exit_code, 0) << left_out.err;
+  EXPECT_TRUE(has(left_out.out, "plantinga not compared in 2 of 2 views: ") && has(left_out.out, "skala not compared: ")) << left_out.out;
   Arguments others = arguments;
   others[5] = "6";
   EXPECT_NE(sightline(others).out, ran.out);
@@ -211,6 +214,11 @@ TEST_F(CompareCommand, NamesWhatIsWrong) {
       {{"compare", "house", "--methods", "jone-pdp7"}, 2, "--methods: found \"jone-pdp7\""},
       {{"compare", "house", "--methods", "jone-pdp7"}, 2, "did you mean \"jones-pdp7\"?"},
       {{"compare", "house", "--fraction", "4"}, 2, "--fraction"},
+      {{"compare", "boxes-2", "--fraction", "2"}, 2, "--fraction: found with boxes-2"},
+      {{"compare", "house", "--eye", "481,160,-200", "--methods", "exact"}, 4, "outside of the outer box"},
+      {{"compare", "house", "--methods", "skala"}, 2, "skala does not apply"},
+      {{"compare", "boxes-2", "--methods", "jones-pdp7"}, 2, "jones-pdp7 does not apply"},
+      {{"compare", "boxes-2", "--views", "2", "--methods", "plantinga"}, 2, "plantinga does not apply"},
       {{"compare", "house", "--views", "3", "--eye", "480,160,20"}, 2, "--eye: found with --views"},
       {{"compare", "house", "--view", "1,2"}, 2, "--view"},
       {{"compare", "house", "--view", "iso"}, 2, "--view: found with house"},

@@ -53,10 +53,11 @@ TEST_F(SkalaCommand, WritesAPictureAndSaysWhatItCost) {
   EXPECT_EQ(picture.channels, 3);
 }
 
-// A figure of the paper stands only beside the picture it was given for.
-TEST_F(SkalaCommand, ThePapersFiguresAreOfItsPicture) {
-  const std::vector<Arguments> others{{"skala", "lines", "sinc", "--slices", "20"},
-                                      {"skala", "lines", "sinc", "--no-visibility"},
+// The paper's figures are of drawings on a raster display with hidden parts removed: "all mentioned algorithms", conclusion.
+TEST_F(SkalaCommand, ThePapersFiguresAreOfRastersWithoutHiddenParts) {
+  for (const char* picture : {"lines", "surface", "contours"})
+    EXPECT_TRUE(has(sightline({"skala", picture, "sinc", "--slices", "20"}).out, "(the paper: about 2 s)")) << picture;
+  const std::vector<Arguments> others{{"skala", "lines", "sinc", "--no-visibility"},
                                       {"skala", "lines", "sinc", "--device", "minigraf"}};
   for (const Arguments& other : others) {
     const Ran ran = sightline(other);
