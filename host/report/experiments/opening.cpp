@@ -234,7 +234,7 @@ void table_of_methods(Page& page, const OpeningAnswer& answer) {
        {"greatest", "Farthest", "points", [](const Row& row) { return most(row.row->greatest); }, 2},
        {"views", "Views", [](const Row& row) { return row.row->views; }},
        {"right", "Right", "none beyond a point", [](const Row& row) { return row.row->right; }},
-       {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.row->method); }}},
+       {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.row->method, row.row->picture); }}},
       {{"One view of each scene that the method can take. Wrong: missing and extra together, of what is "
         "truly seen. A picture is right if it "
         "is exact, or none of it is farther than a point from what is seen. Twins, other devices and the "
@@ -262,7 +262,7 @@ void table_of_scenes(Page& page, const OpeningAnswer& answer) {
        {"read", "Read", [](const Row& row) { return most(row.read); }, 0},
        {"of_all", "Of all", &Row::of_all},
        {"what", "Of what", &Row::what},
-       {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.method); }}},
+       {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.method, row.picture); }}},
       {{fmt::format("Default views; boxes-{} in parallel projection along {},{},{}, as Plantinga's events "
                     "need it; functions rotated "
                     "{} degrees. `sightline compare` makes the same rows of any scene.",
