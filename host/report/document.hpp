@@ -88,7 +88,7 @@ struct Table {
   std::string cards_name = {};
 };
 
-// What stands in the first screen: questions with their answers, and drawings in SVG, which are part of the page and have colours for
+// The first screen: questions with their answers, and drawings in SVG, which are part of the page and have colours for
 // light and dark grounds.
 struct Opening {
   std::vector<std::pair<std::string, Said>> answers;

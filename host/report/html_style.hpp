@@ -18,16 +18,16 @@ body { margin: 0; background: var(--ground); color: var(--ink); overflow-wrap: b
 header { position: sticky; top: 0; z-index: 3; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; align-items: baseline;
   padding: .5rem 1.25rem; background: var(--band); border-bottom: 1px solid var(--rule); }
 header h1 { font-size: 1.1rem; margin: 0; } header nav { display: flex; flex-wrap: wrap; gap: 0 1rem; font-size: .9rem; }
-main, footer { margin: 0 auto; padding: 1rem 1.25rem; max-width: 76rem; }
+main, footer { margin: 0 auto; padding: .4rem 1.25rem 1rem; max-width: 76rem; }
 h1, h2, h3, h4 { line-height: 1.25; font-weight: 650; }
 h2 { font-size: 1.55rem; margin: 2.4rem 0 .8rem; padding-top: .7rem; border-top: 2px solid var(--ink); }
 h3 { font-size: 1.15rem; margin: 1.6rem 0 .5rem; } h4 { font-size: 1rem; margin: 1.4rem 0 .4rem; }
-main > section:first-of-type h2 { margin-top: .5rem; border: 0; padding: 0; }
+main > section:first-of-type h2 { margin: .2rem 0 .6rem; border: 0; padding: 0; }
 p { max-width: 48rem; margin: .5rem 0; }
 .answers { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: .8rem; }
 .answers > div { background: var(--band); border-left: 4px solid var(--link); padding: .4rem .8rem; }
 .answers h3 { font-size: 1rem; margin: 0; } .answers p { margin: .1rem 0 0; font-size: .95rem; line-height: 1.4; }
-.answer-plots { display: grid; grid-template-columns: repeat(2, minmax(0, 27rem)); gap: .5rem 1.5rem; align-items: start; margin-top: .8rem; }
+.answer-plots { display: grid; grid-template-columns: repeat(2, minmax(0, 26.5rem)); gap: .5rem 1.5rem; align-items: start; margin-top: .6rem; }
 .answer-plots svg { display: block; width: 100%; height: auto; }
 a { color: var(--link); }
 .contents ul { columns: 2; column-gap: 2.5rem; } .contents li { break-inside: avoid; }

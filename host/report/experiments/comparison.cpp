@@ -29,8 +29,8 @@ constexpr std::uint64_t views = 100;
 constexpr std::uint64_t full_views = 1000;
 constexpr std::uint64_t level_views =
     20;  // of each 100 of polyhedra: in parallel projection, as Plantinga's method needs it
-constexpr std::uint64_t program_views = 20;
-constexpr std::uint64_t face_views = 2;
+constexpr std::uint64_t views_by_programs = 20;
+constexpr std::uint64_t views_of_faces = 2;
 
 constexpr std::size_t rooms_a_side = 4;
 constexpr std::array<double, 10> doors_a_wall{0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6, 8};
@@ -73,8 +73,8 @@ class Comparing {
  public:
   Comparing(const Context& context, Comparison& made) : context_(context), made_(made) {
     made_.views = context.full ? full_views : views;
-    made_.program_views = made_.views * program_views / views;
-    made_.face_views = made_.views * face_views / views;
+    made_.views_by_programs = made_.views * views_by_programs / views;
+    made_.views_of_faces = made_.views * views_of_faces / views;
   }
 
   void add(const scene::CellScene& scene, std::string name, std::string kind) {
@@ -141,11 +141,11 @@ class Comparing {
       }
     };
     const auto all = [](const MethodView&) { return true; };
-    if (cells != nullptr) draw({"jones-pdp7", "jones-twin"}, false, 0, made_.program_views, all);
+    if (cells != nullptr) draw({"jones-pdp7", "jones-twin"}, false, 0, made_.views_by_programs, all);
     draw({"exact", "jones", "montani-re", "plantinga"}, false, 0, made_.views, all);
     const std::string turn(compare::turn_name);
     if (cells == nullptr) draw({turn}, false, views - level_views, views, all);
-    draw({"montani-re", "willis", "willis-8080", "stripes-8080"}, true, 0, made_.face_views,
+    draw({"montani-re", "willis", "willis-8080", "stripes-8080"}, true, 0, made_.views_of_faces,
          [](const MethodView& view) { return view.picture == "faces"; });
     if (!visits.empty()) of.visits = median_of(std::move(visits));
     if (!pairs.empty()) of.pairs = median_of(std::move(pairs));
@@ -376,7 +376,7 @@ void comparison_chapter(Page& page, const Comparison& comparison) {
                   "projection as Plantinga's method needs it. Programs on "
                   "the PDP-7 draw {} of these views, methods of faces {}.",
                   comparison.scenes.size(), comparison.views, seed, rooms_a_side * rooms_a_side,
-                  comparison.program_views, comparison.face_views));
+                  comparison.views_by_programs, comparison.views_of_faces));
   openness(page, comparison);
   std::vector<RowColumn<AnswerRow>> columns = answer_columns();
   columns.push_back(

@@ -29,7 +29,7 @@ struct ComparisonScene {
   std::optional<std::size_t> portals{};  // these two of scenes of cells
   std::optional<std::size_t> walls{};
   // Medians over views; of methods that apply.
-  std::optional<double> visits{};  // native Jones: cells entered in a view, each time anew
+  std::optional<double> visits{};  // native Jones: cells entered in a view, a cell as often as it is entered
   std::optional<double> pairs{};   // Montani and Re: pairs of faces of which one hides the other
   // As AnswerRow has them.
   std::optional<double> exact_s{};
@@ -50,8 +50,8 @@ struct Comparison {
   std::vector<compare::AnswerRow> rows;     // by scene and method
   std::vector<compare::AnswerRow> methods;  // each over all scenes
   std::size_t views = 0;                    // of a scene
-  std::size_t program_views = 0;            // of these, by the PDP-7
-  std::size_t face_views = 0;               // by methods of faces
+  std::size_t views_by_programs = 0;        // of these, by the PDP-7
+  std::size_t views_of_faces = 0;           // by methods of faces
 
   // The rooms, ascending by openness.
   [[nodiscard]] Chosen<ComparisonScene> rooms() const {

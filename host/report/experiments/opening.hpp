@@ -1,8 +1,8 @@
 // What the report opens with: how fast and how wrong every method is, on one view of each scene and function,
 // and against what.
 //
-// A sentence for each of the three, the plot of time against error, a row a method, and the whole table, a
-// row a method and scene. The measures are those of `compare` (host/compare/answer.hpp).
+// A sentence for each of the three, the plot of time against error, a table of methods, and the whole table, one row per
+// method and scene. The measures are those of `compare` (host/compare/answer.hpp).
 #pragma once
 
 #include <cstddef>
