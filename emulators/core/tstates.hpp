@@ -44,11 +44,17 @@ struct ClockRate {
   static constexpr std::int64_t longest_run = 9'200'000'000;  // seconds that fit into an Instant
 };
 
+[[nodiscard]] constexpr double in_seconds(TStates t, ClockRate clock = {}) {
+  return static_cast<double>(t.count()) / static_cast<double>(clock.hertz);
+}
+
 static_assert(ClockRate{}.to_nanoseconds(at_t_state(1)) == at_nanoseconds(333));
 static_assert(ClockRate{}.to_nanoseconds(at_t_state(3'000'003)) == at_nanoseconds(1'000'001'000));
 static_assert(ClockRate{}.to_nanoseconds(never_t) == never);
 static_assert(ClockRate{}.t_states_in(Duration(333)) == TStates(1));
 static_assert(ClockRate{}.t_states_in(Duration(334)) == TStates(2));
 static_assert(ClockRate{}.t_states_in(Duration(1'000'000'000)) == TStates(3'000'000));
+static_assert(in_seconds(TStates(1'500'000)) == 0.5);
+static_assert(in_seconds(TStates(500'000), ClockRate{2'000'000}) == 0.25);
 
 }  // namespace sightline::core

@@ -34,7 +34,7 @@ SkalaOutcome drawn(const guests::skala::Session& session, const scene::HeightFun
 }
 
 double seconds(const SkalaOutcome& outcome) {
-  return seconds_at(core::ClockRate{}, outcome.picture.drawing);
+  return core::in_seconds(outcome.picture.drawing);
 }
 
 Json json_of(const SkalaOutcome& outcome) {

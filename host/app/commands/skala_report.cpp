@@ -10,10 +10,6 @@ namespace {
 
 using base::Json;
 
-double plotter_seconds(core::Duration time) {
-  return core::in_seconds(time);
-}
-
 std::string megahertz(core::ClockRate clock) {
   return fmt::format("{:g} MHz", static_cast<double>(clock.hertz) / 1e6);
 }
@@ -32,7 +28,7 @@ std::string plotter_lines(const SkalaRequest& order, const SkalaOutcome& outcome
   const guests::skala::PlotterWork& work = outcome.plotter;
   return fmt::format(
       "pen lifts        {}\nplotter          {:.1f} s: {} steps with the pen down, {} with the pen up\n",
-      work.pen_lifts, plotter_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
+      work.pen_lifts, core::in_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
 }
 
 // The program looks once for the EF9365 board: that nobody answers is no finding.
@@ -72,7 +68,7 @@ std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome
       order.name, name_of(order.view.picture), order.view.visibility ? "" : " without the visibility test",
       order.grid.slices(), order.grid.points(), order.view.rotation, order.view.elevation,
       megahertz(order.clock), name_of(order.view.device), link_name(order.link));
-  const auto seconds_of = [&](core::TStates time) { return seconds_at(order.clock, time); };
+  const auto seconds_of = [&](core::TStates time) { return core::in_seconds(time, order.clock); };
   text += fmt::format("drawing          {} T-states, {:.3f} s at {}{}\n", picture.drawing.count(),
                       seconds_of(picture.drawing), megahertz(order.clock),
                       in_the_paper(order) ? " (the paper: about 2 s)" : "");
@@ -107,7 +103,7 @@ std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcom
                 {"machine", machine_of(order, outcome)},
                 {"status", std::string(text_of(picture.status))},
                 {"t_states", picture.drawing.count()},
-                {"seconds", seconds_at(order.clock, picture.drawing)},
+                {"seconds", core::in_seconds(picture.drawing, order.clock)},
                 {"total_t_states", picture.total.count()},
                 {"instructions", picture.instructions},
                 {"command_bytes", outcome.bytes},
@@ -117,7 +113,7 @@ std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcom
                 {"dots_not_shown", picture.dots_not_shown}};
   document["visibility_cost_per_cent"] = outcome.visibility_cost;
   if (!is_raster(order.view.device)) {
-    document["plotter"] = {{"seconds", plotter_seconds(outcome.plotter.time)},
+    document["plotter"] = {{"seconds", core::in_seconds(outcome.plotter.time)},
                            {"pen_lifts", outcome.plotter.pen_lifts},
                            {"steps_pen_down", outcome.plotter.steps_pen_down},
                            {"steps_pen_up", outcome.plotter.steps_pen_up}};

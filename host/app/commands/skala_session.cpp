@@ -39,7 +39,7 @@ void check(const SkalaRequest& order, const guests::skala::GuestPicture& picture
   if (!picture.ended) {
     fail(order, ExitCode::guest_failed,
          fmt::format("the program did not end within {:.0f} emulated seconds",
-                     seconds_at(order.clock, picture.total)));
+                     core::in_seconds(picture.total, order.clock)));
   }
   if (!picture.faults.empty()) {
     std::string text = "the program and the device do not get along";
@@ -102,10 +102,6 @@ std::string skala_title(const SkalaRequest& order) {
 }
 
 }  // namespace
-
-double seconds_at(core::ClockRate clock, core::TStates time) {
-  return static_cast<double>(time.count()) / static_cast<double>(clock.hertz);
-}
 
 std::string_view name_of(guests::skala::Device device) {
   constexpr std::array<std::string_view, 4> names{"EF9365 board", "ALT-256 board", "CalComp 565",

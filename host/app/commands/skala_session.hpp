@@ -40,8 +40,6 @@ struct SkalaOutcome {
 [[nodiscard]] SkalaOutcome run_skala_request(const guests::skala::Session& session,
                                              const SkalaRequest& order);
 
-[[nodiscard]] double seconds_at(core::ClockRate clock, core::TStates time);
-
 // "EF9365 board", "ALT-256 board", "CalComp 565", "Minigraf 0507".
 [[nodiscard]] std::string_view name_of(guests::skala::Device device);
 // "hidden lines", "shaded surface", "contours"

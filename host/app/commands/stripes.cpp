@@ -117,10 +117,10 @@ std::string summary_of(const StripesArguments& arguments, const stripes::Session
   } else {
     row("priority", fmt::format("by the host, {} cuts", drawn.scene.cuts));
   }
-  row("receiving", fmt::format("{:.2f} s", stripes_seconds(guest.receiving)));
-  row("priority list", fmt::format("{:.2f} s, with the check of the records", stripes_seconds(guest.ranking)));
-  row("drawing", fmt::format("{:.2f} s{}", stripes_seconds(guest.drawing),
-                             vector ? fmt::format(", of which the plotter moves for {:.2f} s", stripes_seconds(guest.device)) : ""));
+  row("receiving", fmt::format("{:.2f} s", core::in_seconds(guest.receiving)));
+  row("priority list", fmt::format("{:.2f} s, with the check of the records", core::in_seconds(guest.ranking)));
+  row("drawing", fmt::format("{:.2f} s{}", core::in_seconds(guest.drawing),
+                             vector ? fmt::format(", of which the plotter moves for {:.2f} s", core::in_seconds(guest.device)) : ""));
   if (vector) {
     const PenWork work = pen_work(guest.commands);
     row("pen", fmt::format("{} steps down, {} up, {} lifts", work.steps_down, work.steps_up, work.lifts));
@@ -144,10 +144,10 @@ Json document_of(const StripesArguments& arguments, const stripes::Session& sess
                 {"scene_bytes", drawn.stream.bytes.size()},
                 {"polygon_bytes", drawn.stream.polygon_bytes},
                 {"stripe_bytes", drawn.stream.stripe_bytes},
-                {"receiving_seconds", stripes_seconds(guest.receiving)},
-                {"priority_seconds", stripes_seconds(guest.ranking)},
-                {"drawing_seconds", stripes_seconds(guest.drawing)},
-                {"plotter_seconds", stripes_seconds(guest.device)},
+                {"receiving_seconds", core::in_seconds(guest.receiving)},
+                {"priority_seconds", core::in_seconds(guest.ranking)},
+                {"drawing_seconds", core::in_seconds(guest.drawing)},
+                {"plotter_seconds", core::in_seconds(guest.device)},
                 {"relations", counts.relations},
                 {"relations_deleted", counts.deleted},
                 {"cuts", arguments.priority == "8080" ? drawn.picture.twin.cuts.size() : drawn.scene.cuts},

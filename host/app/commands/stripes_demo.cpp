@@ -39,8 +39,8 @@ std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows) {
   for (const StripesDemoRow& row : rows) {
     const stripes::GuestPicture& guest = row.drawn.picture.guest;
     text += fmt::format("{:<11}{:>9}{:>7}{:>13}{:>15.2f}{:>12.2f}{:>10.2f}\n", row.scene, row.plotter ? "plotter" : "raster",
-                        row.drawn.scene.faces.size(), row.drawn.stream.bytes.size(), stripes_seconds(guest.ranking),
-                        stripes_seconds(guest.drawing), stripes_seconds(guest.receiving + guest.working()));
+                        row.drawn.scene.faces.size(), row.drawn.stream.bytes.size(), core::in_seconds(guest.ranking),
+                        core::in_seconds(guest.drawing), core::in_seconds(guest.receiving + guest.working()));
   }
   text += "Seconds at 3 MHz; the last column has the receipt, too. Stripes and priority list are made by the 8080.\n";
   return text;
@@ -54,9 +54,9 @@ void add_stripes_demo(base::Json& document, const std::vector<StripesDemoRow>& r
                                    {"device", row.plotter ? "calcomp" : "raster"},
                                    {"faces", row.drawn.scene.faces.size()},
                                    {"scene_bytes", row.drawn.stream.bytes.size()},
-                                   {"receiving_seconds", stripes_seconds(guest.receiving)},
-                                   {"priority_seconds", stripes_seconds(guest.ranking)},
-                                   {"drawing_seconds", stripes_seconds(guest.drawing)}});
+                                   {"receiving_seconds", core::in_seconds(guest.receiving)},
+                                   {"priority_seconds", core::in_seconds(guest.ranking)},
+                                   {"drawing_seconds", core::in_seconds(guest.drawing)}});
   }
 }
 

@@ -37,8 +37,4 @@ stripes::DrawnScene draw_stripes(const stripes::Session& session, const scene::P
   return std::move(*drawn);
 }
 
-double stripes_seconds(core::TStates time) {
-  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
-}
-
 }  // namespace sightline::app

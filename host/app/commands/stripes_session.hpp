@@ -19,7 +19,4 @@ namespace sightline::app {
                                                        const std::string& source, const guests::stripes::View& view,
                                                        const guests::stripes::StreamOptions& options);
 
-// Emulated, at the 8080's usual clock.
-[[nodiscard]] double stripes_seconds(core::TStates time);
-
 }  // namespace sightline::app

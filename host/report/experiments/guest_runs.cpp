@@ -146,10 +146,6 @@ std::string_view name_of(skala::PictureKind picture) {
   return "";
 }
 
-double seconds(core::TStates time) {
-  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
-}
-
 Picture raster_png(const SkalaRun& run, const SkalaOrder& order) {
   const bool surface = order.picture == skala::PictureKind::surface;
   const auto palette = surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;

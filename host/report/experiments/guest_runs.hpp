@@ -69,8 +69,6 @@ struct SkalaRun {
 // Throws as run_jones.
 [[nodiscard]] SkalaRun run_skala(const guests::skala::Session& session, const SkalaOrder& order);
 
-[[nodiscard]] double seconds(core::TStates time);
-
 [[nodiscard]] std::string_view name_of(guests::skala::PictureKind picture);  // "lines", "surface", "contours"
 
 [[nodiscard]] Picture raster_png(const SkalaRun& run, const SkalaOrder& order);

@@ -43,7 +43,7 @@ stripes::DrawnScene drawn(const stripes::Session& session, const scene::PolyScen
 }
 
 double whole_time(const stripes::GuestPicture& guest) {
-  return seconds(guest.receiving + guest.working());
+  return core::in_seconds(guest.receiving + guest.working());
 }
 
 }  // namespace
@@ -69,13 +69,13 @@ MontaniRe8080 montani_re_8080(const Context& context) {
     row.faces = raster.scene.faces.size();
     row.polygon_bytes = raster.stream.bytes.size();
     row.stripe_bytes = by_host.stream.bytes.size();
-    row.receipt_s = seconds(guest.receiving);
-    row.priority_s = seconds(guest.ranking);
-    row.drawing_s = seconds(guest.drawing);
+    row.receipt_s = core::in_seconds(guest.receiving);
+    row.priority_s = core::in_seconds(guest.ranking);
+    row.drawing_s = core::in_seconds(guest.drawing);
     row.whole_s = whole_time(guest);
     row.by_host_s = whole_time(by_host.picture.guest);
     row.plotter_s = whole_time(plotter.picture.guest);
-    row.plotter_moves_s = seconds(plotter.picture.guest.device);
+    row.plotter_moves_s = core::in_seconds(plotter.picture.guest.device);
     row.raster = png_picture(picture::raster_image(guest.raster, picture::RasterPalette::grey, 1), true);
     row.drawing = png_picture(picture::pen_image(pen, picture::calcomp_paper, 1), true);
     std::copy(counts.decided_by.begin() + 1, counts.decided_by.end(), row.decided_by.begin());

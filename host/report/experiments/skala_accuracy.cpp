@@ -104,10 +104,6 @@ skala::GuestPicture run_guest(const skala::Session& session, const std::vector<s
   return std::move(run.guest);
 }
 
-double seconds(core::TStates time) {
-  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
-}
-
 // Measures pictures, and keeps what is to be timed when all are measured.
 class Study {
  public:
@@ -161,7 +157,7 @@ class Study {
     SkalaPoint point{study_, function_, drawing ? "8080 and its twin" : "native", setting, raster, error, {}, {}, {}};
     if (drawing) {
       point.drawing_t_states = static_cast<std::uint64_t>(drawing->count());
-      point.drawing_s = seconds(*drawing);
+      point.drawing_s = core::in_seconds(*drawing);
     }
     points_.push_back(std::move(point));
   }
@@ -207,8 +203,8 @@ void add_boards(std::vector<SkalaBoard>& boards, const skala::Session& session, 
                         fmt::format("{}, {} link", device == skala::Device::ef9365 ? "EF9365" : "ALT-256",
                                     link == skala::Link::serial ? "serial" : "parallel"),
                         fine.error_of(dots_of(guest.raster, skala::raster_side)),
-                        static_cast<std::uint64_t>(guest.drawing.count()), seconds(guest.drawing),
-                        static_cast<std::uint64_t>(guest.total.count()), seconds(guest.total), guest.dots_not_shown});
+                        static_cast<std::uint64_t>(guest.drawing.count()), core::in_seconds(guest.drawing),
+                        static_cast<std::uint64_t>(guest.total.count()), core::in_seconds(guest.total), guest.dots_not_shown});
     }
   }
 }

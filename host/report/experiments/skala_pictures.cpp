@@ -30,13 +30,13 @@ SkalaPicture picture_of(const skala::Session& session, const SkalaOrder& order) 
   SkalaPicture made;
   made.function = order.function;
   made.picture = name_of(order.picture);
-  made.drawing_s = seconds(run.guest.drawing);
+  made.drawing_s = core::in_seconds(run.guest.drawing);
   made.drawing_t_states = static_cast<std::uint64_t>(run.guest.drawing.count());
   if (run.plain) made.plain_t_states = static_cast<std::uint64_t>(run.plain->count());
   made.walked = run.twin.points_walked;
   made.dots = run.twin.points_plotted;
   made.lit = run.points_lit;
-  made.receipt_s = seconds(run.guest.total - run.guest.drawing);
+  made.receipt_s = core::in_seconds(run.guest.total - run.guest.drawing);
   made.command_bytes = run.stream_bytes;
   made.blocks = run.guest.blocks;
   made.instructions = run.guest.instructions;
