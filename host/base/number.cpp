@@ -108,6 +108,20 @@ std::optional<double> fixed_number(std::string_view text, double least, double m
   return value;
 }
 
+std::string time_text(double seconds) {
+  const auto with = [](double value, std::string_view unit) {
+    // Of 1000 or more `g` has an exponent.
+    std::string text;
+    if (value >= 999.5)
+      append(text, "{:.0f} {}", value, unit);
+    else
+      append(text, "{:.3g} {}", value, unit);
+    return text;
+  };
+  if (seconds >= 0.9995) return with(seconds, "s");
+  return seconds >= 0.9995e-3 ? with(seconds * 1e3, "ms") : with(seconds * 1e6, "us");
+}
+
 std::string shortest_number(double value) {
   std::string general;
   append(general, "{}", std::abs(value));  // the digits are the shortest; the form is fmt's

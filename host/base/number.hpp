@@ -66,6 +66,9 @@ template <std::integral Number, std::size_t count>
 // std::to_chars writes it; whose tables are a fourteenth of a module for browsers.
 [[nodiscard]] std::string shortest_number(double value);
 
+// A time in seconds with three digits, in the unit that suits it: "1.5 s", "12.3 ms", "7 us".
+[[nodiscard]] std::string time_text(double seconds);
+
 // Digits in octal with leading zeros.
 [[nodiscard]] std::string octal(std::uint32_t value, unsigned digits);
 

@@ -41,5 +41,7 @@ std::string_view take_line(std::string_view& text);
 std::string_view take_word(std::string_view& text);
 // Of ASCII.
 [[nodiscard]] std::string lower_case(std::string_view text);
+// As one word of a shell's command line: in single quotes if it has to be.
+[[nodiscard]] std::string shell_word(std::string_view text);
 
 }  // namespace sightline::base

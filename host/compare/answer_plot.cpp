@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "host/base/number.hpp"
 #include "host/base/text.hpp"
 #include "host/picture/svg.hpp"
 
@@ -119,9 +120,9 @@ std::string number_text(double value) {
 
 // ASCII but for the sign of micro.
 std::string time_text(double seconds) {
-  if (seconds >= 0.9995) return number_text(seconds) + " s";
-  if (seconds >= 0.9995e-3) return number_text(seconds * 1e3) + " ms";
-  return number_text(seconds * 1e6) + " &#181;s";
+  std::string text = base::time_text(seconds);
+  if (text.ends_with(" us")) text.replace(text.size() - 2, 2, "&#181;s");
+  return text;
 }
 
 // A logarithmic axis between numbers that are 1, 2 or 5 times a power of 10.

@@ -20,6 +20,7 @@
 #include "host/base/number.hpp"
 #include "host/base/parallel.hpp"
 #include "host/base/progress.hpp"
+#include "host/base/text.hpp"
 #include "host/base/text_table.hpp"
 #include "host/compare/atlas_picture.hpp"
 
@@ -115,7 +116,7 @@ std::string atlas_eye_text(const AtlasView& view) {
 }
 
 std::string jones_command(const AtlasArguments& arguments, const AtlasView& view) {
-  return fmt::format("sightline jones {} --eye {}{}", arguments.scene, atlas_eye_text(view),
+  return fmt::format("sightline jones {} --eye {}{}", base::shell_word(arguments.scene), atlas_eye_text(view),
                      options_of(arguments));
 }
 std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes,
@@ -139,7 +140,8 @@ std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes,
   text += fmt::format("worst view    {}: {:.1f} of {:.1f} points\n", atlas_eye_text(worst),
                       worst.wrong.length(), worst.wrong.true_length);
   text += fmt::format("              {}\n", jones_command(arguments, worst));
-  text += fmt::format("              sightline compare {} --eye {}{}\n", arguments.scene, atlas_eye_text(worst), options_of(arguments));
+  text += fmt::format("              sightline compare {} --eye {}{}\n",
+                      base::shell_word(arguments.scene), atlas_eye_text(worst), options_of(arguments));
   text +=
       "clusters of wrong views, with one cause and wrong lines in common (the causes: `sightline atlas "
       "--help`)\n";

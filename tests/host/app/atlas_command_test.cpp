@@ -39,6 +39,11 @@ TEST_F(AtlasCommand, SaysWhatIsWrongAndHowToSeeIt) {
   EXPECT_TRUE(has(right.out, "slowest view  sightline jones house --eye ")) << right.out;
   EXPECT_TRUE(has(right.out, "picture out/house-atlas.png")) << right.out;
   EXPECT_FALSE(has(right.out, "worst view")) << right.out;
+  // A printed command can be pasted, whatever the scene's file is called.
+  std::filesystem::create_directory(path("a b"));
+  std::filesystem::copy_file(std::filesystem::path(SIGHTLINE_SOURCE_DIR) / "host/scene/read/builtin/house.json", path("a b/house.json"));
+  const auto named = sightline({"atlas", "a b/house.json", "--lattice", "1,1"});
+  EXPECT_TRUE(has(named.out, "slowest view  sightline jones 'a b/house.json' --eye ")) << named.out << named.err;
   // View 25 is one of those that are wrong.
   const auto wrong = sightline({"atlas", "street4", "--views", "26", "-o", "maps"});
   EXPECT_EQ(wrong.exit_code, 0) << wrong.err;

@@ -108,6 +108,18 @@ TEST(ShortestNumber, IsThatOfTheStandardLibrary) {
   }
 }
 
+TEST(TimeText, HasThreeDigitsAndTheUnitThatSuits) {
+  EXPECT_EQ(time_text(1234), "1234 s");
+  EXPECT_EQ(time_text(999.6), "1000 s");
+  EXPECT_EQ(time_text(116.23), "116 s");
+  EXPECT_EQ(time_text(1.5), "1.5 s");
+  EXPECT_EQ(time_text(0.9996), "1 s");
+  EXPECT_EQ(time_text(0.9994), "999 ms");
+  EXPECT_EQ(time_text(0.0123456), "12.3 ms");
+  EXPECT_EQ(time_text(0.00099951), "1 ms");
+  EXPECT_EQ(time_text(7e-6), "7 us");
+}
+
 TEST(Octal, HasLeadingZeros) {
   EXPECT_EQ(octal(0, 5), "00000");
   EXPECT_EQ(octal(0777776, 6), "777776");

@@ -41,5 +41,14 @@ TEST(ByteOrderMark, OfUtf16IsKnown) {
   EXPECT_FALSE(begins_as_utf_16(""));
 }
 
+TEST(ShellWord, IsQuotedWhereAShellWouldDivideIt) {
+  EXPECT_EQ(shell_word("house"), "house");
+  EXPECT_EQ(shell_word("rooms/a-1.json"), "rooms/a-1.json");
+  EXPECT_EQ(shell_word("a b/rooms.json"), "'a b/rooms.json'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word("$HOME"), "'$HOME'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
 }  // namespace
 }  // namespace sightline::base
