@@ -22,12 +22,6 @@ namespace oracle = algorithms::oracle;
 constexpr double forgiven = 1;  // points
 constexpr double usual_eyes = 4000;
 
-oracle::Window whole_screen() {
-  oracle::Window window;
-  window.near = jones::near_z;
-  return window;
-}
-
 // The middle of step `number` of `steps` from low to high.
 std::int32_t middle_of(geometry::Span span, int number, int steps) {
   return static_cast<std::int32_t>(span.low + span.length() * (2 * number + 1) / (2 * std::int64_t{steps}));
@@ -143,7 +137,7 @@ AtlasView ErrorAtlas::view(std::size_t number) const {
   view.difference = run.difference;
   if (!run.guest.views.empty()) view.emulated_ns = run.guest.views.back().time.count();
 
-  const oracle::Window window = whole_screen();
+  const oracle::Window window = type340_window();
   const auto truth = image_pieces(oracle::visible_lines(matter_, lines_, view.eye, window), view.eye, window);
   const jones::ShortWords words(jones::machine_word_bits, options_.fraction_bits);
   std::vector<ImagePiece> drawn;
@@ -180,7 +174,7 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
 
   const auto is_right = [&](const jones::PreciseView& view) {
     return view.status == jones::Status::complete &&
-           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, whole_screen())
+           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, type340_window())
                    .length() == 0;
   };
   cause.fraction_bits = options_.fraction_bits < jones::machine_fraction_bits &&
@@ -208,12 +202,6 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
 
 namespace {
 
-using LineKey = std::tuple<std::size_t, std::array<std::int32_t, 2>>;
-
-LineKey key_of(const AxisLine& line) {
-  return {line.axis, line.cross};
-}
-
 // Every view's first view of its cluster.
 class Connected {
  public:
@@ -238,35 +226,31 @@ class Connected {
 std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers,
                                 const std::vector<AtlasView>& views) {
   struct Wrong {
-    AxisLine line;
     std::size_t views = 0;
     double length = 0;
   };
-  std::map<LineKey, Wrong> lines;
+  std::map<AxisLine, Wrong> lines;
   for (const std::size_t number : numbers) {
-    std::map<LineKey, Wrong> of_view;
-    for (const ScreenStretch& stretch : views[number].wrong.stretches) {
-      Wrong& wrong = of_view[key_of(stretch.line)];
-      wrong.line = stretch.line;
-      wrong.length += stretch.length;
-    }
-    for (const auto& [key, wrong] : of_view) {
-      lines[key].line = wrong.line;
-      lines[key].length += wrong.length;
-      ++lines[key].views;
+    std::map<AxisLine, double> of_view;
+    for (const ScreenStretch& stretch : views[number].wrong.stretches) of_view[stretch.line] += stretch.length;
+    for (const auto& [line, length] : of_view) {
+      lines[line].length += length;
+      ++lines[line].views;
     }
   }
-  const Wrong* most = nullptr;
-  for (const auto& [key, wrong] : lines)
-    if (most == nullptr || std::tuple(wrong.views, wrong.length) > std::tuple(most->views, most->length))
-      most = &wrong;
-  if (most == nullptr) return std::nullopt;
-  return most->line;
+  std::optional<AxisLine> most;
+  Wrong most_wrong;
+  for (const auto& [line, wrong] : lines) {
+    if (most && std::tuple(wrong.views, wrong.length) <= std::tuple(most_wrong.views, most_wrong.length)) continue;
+    most = line;
+    most_wrong = wrong;
+  }
+  return most;
 }
 
 std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
   Connected connected(views.size());
-  std::map<std::tuple<std::string, std::optional<LineKey>>, std::size_t> seen;
+  std::map<std::tuple<std::string, std::optional<AxisLine>>, std::size_t> seen;
   for (std::size_t number = 0; number < views.size(); ++number) {
     const AtlasView& view = views[number];
     if (!view.is_wrong()) continue;
@@ -276,7 +260,7 @@ std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
     else
       for (const ScreenStretch& stretch : view.wrong.stretches)
         connected.connect(number,
-                          seen.emplace(std::tuple(cause, key_of(stretch.line)), number).first->second);
+                          seen.emplace(std::tuple(cause, stretch.line), number).first->second);
   }
   std::map<std::size_t, AtlasCluster> found;
   for (std::size_t number = 0; number < views.size(); ++number) {

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numbers>
-#include <optional>
 #include <utility>
 
 #include "host/algorithms/registry/heights.hpp"
@@ -18,7 +16,8 @@
 #include "host/compare/lines.hpp"
 #include "host/guests/jones/precision/precision.hpp"
 #include "host/guests/jones/session.hpp"
-#include "host/picture/line_metrics_near.hpp"
+#include "host/picture/dots_and_lines.hpp"
+#include "host/picture/line_metrics_parts.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -28,27 +27,6 @@ namespace skala = guests::skala;
 using picture::PixelGrid;
 using picture::PixelPoint;
 using picture::PixelSegment;
-
-constexpr double spacing = 0.25;  // of places along a line, as Hausdorff distances have it
-
-// The greatest distance of any place of `from` from `to`.
-double farthest(const std::vector<PixelSegment>& from, const std::vector<PixelSegment>& to) {
-  const picture::NearestSegment near(to);
-  std::uint32_t nearest = 0;
-  double greatest = 0;
-  for (const auto& [a, b] : from) {
-    const int steps = static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y) / spacing));
-    for (int i = 0; i <= steps; ++i) {
-      const double share = steps == 0 ? 0 : static_cast<double>(i) / steps;
-      greatest = std::max(greatest, near.distance({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}, nearest));
-    }
-  }
-  return greatest;
-}
-
-double apart(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
-  return std::max(farthest(a, b), farthest(b, a));
-}
 
 // A verdict of distances: each within its bound.
 class Distances {
@@ -86,15 +64,6 @@ std::vector<PixelSegment> on_points(const jones::View& view, int fraction_bits) 
   return lines;
 }
 
-std::vector<PixelSegment> flashes_of(const std::vector<core::Stroke>& pass) {
-  std::vector<PixelSegment> flashes;
-  for (const core::Stroke& stroke : pass) {
-    const PixelPoint place{static_cast<double>(stroke.x), static_cast<double>(stroke.y)};
-    flashes.push_back({place, place});
-  }
-  return flashes;
-}
-
 // One view by the program, assembled with that eye.
 base::Result<jones::CheckedRun> run_of(const CommonScene& scene, const geometry::Point& eye, bool eae, int fraction_bits) {
   jones::ProgramOptions options;
@@ -118,7 +87,7 @@ JonesPicture picture_of(const CommonScene& scene, const geometry::Point& eye, in
 // What a picture of the scene's wires shows on the screen of the Type 340.
 std::vector<PixelSegment> on_screen(const CommonScene& scene, const CrossCheckView& view, const picture::LinePicture& lines) {
   const auto chosen = scene.matter->lines_at(view.camera.eye);
-  return visible_segments(ImageLines(lines, scene.scene, view.camera, ScreenFrame{}, &chosen).lines());
+  return visible_segments(ImageLines(lines, scene.scene, view.camera, type340_frame(), &chosen).lines());
 }
 
 // --- Skala
@@ -151,8 +120,8 @@ class InkDistances {
     });
     const InkBounds bounds = ink_bounds(ink);
     if (known == known_.end()) {
-      const double of_ink = farthest(shows_lines(ink) ? ink.ink : border_of(ink.dots), lines);
-      known = known_.insert(known_.end(), {&ink, &lines, of_ink, bounds.of_lines ? farthest(lines, ink.ink) : 0});
+      const double of_ink = picture::one_way(shows_lines(ink) ? ink.ink : border_of(ink.dots), lines).greatest;
+      known = known_.insert(known_.end(), {&ink, &lines, of_ink, bounds.of_lines ? picture::one_way(lines, ink.ink).greatest : 0});
     }
     to.add(name_of(ink) + (shows_lines(ink) ? ": ink" : ": border"), known->of_ink, bounds.of_ink * bounds_times);
     if (bounds.of_lines) to.add(name_of(ink) + ": lines", known->of_lines, *bounds.of_lines * bounds_times);
@@ -196,7 +165,7 @@ base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, 
     JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
     made.display_file = shown.display_file;
     made.lines = on_points(run->twin, bits);
-    made.flashes = flashes_of(run->guest.pass);
+    made.flashes = picture::dot_segments(points_of(run->guest.pass));
     made.flash_bound = jones_flash_bound(made.bound);
   }
   return builds;
@@ -239,8 +208,8 @@ ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& vie
   for (const JonesPicture& build : *a.builds) {
     if (build.lines.empty()) continue;
     const std::string bits = fmt::format("f={}", build.words.fraction_bits);
-    distances.add(bits, apart(build.lines, exact), build.bound);
-    if (!build.flashes.empty() && with_flashes) distances.add(bits + " lit", apart(build.flashes, exact), build.flash_bound);
+    distances.add(bits, picture::hausdorff_distance(build.lines, exact).greatest, build.bound);
+    if (!build.flashes.empty() && with_flashes) distances.add(bits + " lit", picture::hausdorff_distance(build.flashes, exact).greatest, build.flash_bound);
   }
   return distances.take();
 }

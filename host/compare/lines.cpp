@@ -50,6 +50,20 @@ LinePart part_on(const PixelSegment& image, const PixelSegment& pixels) {
 
 }  // namespace
 
+algorithms::oracle::Window type340_window(std::int32_t scale) {
+  algorithms::oracle::Window window;
+  window.scale = scale;
+  window.near = guests::jones::near_z;
+  return window;
+}
+
+ScreenFrame type340_frame(std::int32_t scale) {
+  ScreenFrame frame;
+  frame.scale = scale;
+  frame.near = guests::jones::near_z;
+  return frame;
+}
+
 ScreenFrame fitted_frame(const LinePicture& picture, const scene::PolyScene& scene,
                          const scene::PolyCamera& camera) {
   constexpr double widest = 1.7320508075688772;  // of the image at unit focal length: 60 degrees

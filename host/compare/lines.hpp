@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/compare/matter_scene.hpp"
 #include "host/guests/jones/encode.hpp"
 #include "host/guests/jones/twin/twin.hpp"
@@ -31,6 +31,10 @@ struct ScreenFrame {
   double high = 1023;
   double near = 1;  // perspective: nothing nearer is shown, in units along the camera's axis
 };
+
+// What the Type 340 shows of a scene of cells by Jones's program: for the oracle, and as a frame.
+[[nodiscard]] algorithms::oracle::Window type340_window(std::int32_t scale = 512);
+[[nodiscard]] ScreenFrame type340_frame(std::int32_t scale = 512);
 
 // All of the picture that is within 60 degrees of the camera's axis, in 1024 pixels.
 [[nodiscard]] ScreenFrame fitted_frame(const picture::LinePicture& picture, const scene::PolyScene& scene,

@@ -16,6 +16,7 @@
 #include "host/guests/skala/projection.hpp"
 #include "host/guests/skala/session.hpp"
 #include "host/guests/skala/stream.hpp"
+#include "host/picture/dots_and_lines.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -27,17 +28,6 @@ using picture::PixelSegment;
 constexpr std::array ink_devices{skala::Device::ef9365, skala::Device::alt256, skala::Device::calcomp, skala::Device::minigraf};
 constexpr std::array<std::string_view, 4> ink_device_names{"EF9365", "ALT-256", "CalComp 565", "Minigraf"};
 constexpr std::array<std::string_view, 3> ink_kind_names{"lines", "surface", "contours"};
-
-std::vector<PixelSegment> ink_of(const picture::PixelGrid& dots) {
-  std::vector<PixelSegment> ink;
-  for (int row = 0; row < dots.height; ++row) {
-    for (int column = 0; column < dots.width; ++column) {
-      const PixelPoint place{static_cast<double>(column), static_cast<double>(row)};
-      if (dots.at(column, row) != 0) ink.push_back({place, place});
-    }
-  }
-  return ink;
-}
 
 std::vector<PixelSegment> ink_of(const std::vector<picture::PenPath>& paths) {
   std::vector<PixelSegment> ink;
@@ -117,11 +107,11 @@ std::vector<SkalaInk> skala_pictures(const scene::HeightGrid& grid, const skala:
       skala::GuestOptions options;
       options.device = device;
       const skala::CheckedPicture run = session.run(stream, options);
-      SkalaInk& made = pictures.emplace_back(SkalaInk{kind, device, {}, {}, run.guest.drawing, run.difference});
+      SkalaInk& made = pictures.emplace_back(SkalaInk{kind, device, {}, {}, run.difference});
       if (made.difference.empty() && run.guest.status != skala::Status::complete) made.difference = text_of(run.guest.status);
       const auto paths = skala::pen_paths(run.guest.moves);
       made.dots = skala::is_raster(device) ? points_of(run.guest.raster) : points_of(paths);
-      made.ink = skala::is_raster(device) ? ink_of(made.dots) : ink_of(paths);
+      made.ink = skala::is_raster(device) ? picture::dot_segments(made.dots) : ink_of(paths);
     }
   }
   return pictures;

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "emulators/core/tstates.hpp"
 #include "host/guests/skala/view.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
@@ -25,7 +24,6 @@ struct SkalaInk {
   guests::skala::Device device{};
   picture::PixelGrid dots;                 // 1 where there is ink
   std::vector<picture::PixelSegment> ink;  // a dot is a segment of no length
-  core::TStates drawing{};
   std::string difference;  // from its twin; empty: the same in every dot or movement, mask and status
 };
 

@@ -1,17 +1,22 @@
 #include "host/compare/stripes.hpp"
 
-#include <utility>
-
 #include "emulators/core/tstates.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/guests/stripes/session.hpp"
 
 namespace sightline::compare {
+namespace {
+
+const guests::stripes::Session& session() {
+  static const guests::stripes::Session once;
+  return once;
+}
+
+}  // namespace
 
 base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                          const registry::FaceWindow& window) {
   namespace stripes = guests::stripes;
-  static const stripes::Session session;
   constexpr int size = stripes::picture_size;
   StripesFaces result;
   result.faces = picture::PixelGrid(window.width, window.height);
@@ -24,11 +29,11 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
       stripes::View moved = view;
       moved.left -= right;
       moved.bottom -= up;
-      const auto drawn = session.draw(scene, moved, {stripes::Output::raster, stripes::Computer::i8080, stripes::Computer::i8080});
+      const auto drawn = session().draw(scene, moved, {stripes::Output::raster, stripes::Computer::i8080, stripes::Computer::i8080});
       if (!drawn) return drawn.error();
       if (result.difference.empty()) result.difference = drawn->picture.difference;
       if (result.seconds == 0) {
-        result.seconds = static_cast<double>(drawn->picture.guest.working().count()) / static_cast<double>(core::ClockRate{}.hertz);
+        result.seconds = core::in_seconds(drawn->picture.guest.working());
         result.faces_listed = drawn->scene.faces.size();
       }
       const picture::PixelGrid faces = drawn->faces();
@@ -42,10 +47,9 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
 base::Result<StripesPen> stripes_pen(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                      const registry::FaceWindow& window, const picture::PixelGrid& nearest) {
   namespace stripes = guests::stripes;
-  static const stripes::Session session;
   constexpr int size = stripes::picture_size;
   const stripes::View view{camera, window.scale, window.left, window.height - window.top};
-  const auto drawn = session.draw(scene, view, {stripes::Output::vector, stripes::Computer::i8080, stripes::Computer::i8080});
+  const auto drawn = session().draw(scene, view, {stripes::Output::vector, stripes::Computer::i8080, stripes::Computer::i8080});
   if (!drawn) return drawn.error();
   picture::PixelGrid faces(size, size);
   for (int y = 0; y < size; ++y)

@@ -18,7 +18,6 @@
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/compare/device_raster.hpp"
-#include "host/picture/line_metrics_parts.hpp"
 #include "host/guests/turn/guest.hpp"
 #include "host/guests/turn/precision.hpp"
 #include "host/guests/turn/screen_view.hpp"
@@ -26,7 +25,9 @@
 #include "host/guests/turn/session.hpp"
 #include "host/guests/turn/tape.hpp"
 #include "host/guests/turn/twin/twin.hpp"
+#include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_metrics.hpp"
+#include "host/picture/line_metrics_parts.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -230,10 +231,8 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
     for (turn::ShownPass& pass : picture.shown)
       if (pass.picture == number) strokes = std::move(pass.strokes);
   }
-  for (const core::Stroke& stroke : strokes) {
-    const picture::PixelPoint point{static_cast<double>(stroke.x), static_cast<double>(stroke.y)};
-    shown.flashes.push_back({point, point});
-  }
+  shown.flashes = strokes.size();
+  shown.lit = points_of(strokes);
   return shown;
 }
 
@@ -297,14 +296,11 @@ base::Result<TurnCheck> check_turn(const Turning& turning, std::uint32_t angle) 
   if (!prepared) return prepared.error();
   const auto view = prepared->view(shown->camera);
   if (!view) return view.error();
-  TurnCheck check{angle, shown->words, shown->time, shown->flashes.size(), {}, shown->flash_bound, {}, shown->difference};
+  TurnCheck check{angle, shown->words, shown->time, shown->flashes, {}, shown->flash_bound, {}, shown->difference};
   if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);
-  picture::PixelGrid flashed(picture::screen_points, picture::screen_points);
-  for (const picture::PixelSegment& flash : shown->flashes)
-    flashed.set(static_cast<int>(flash.a.x), static_cast<int>(flash.a.y), 1);
   const auto exact_lines = turning.on_screen(view->picture, angle);
-  check.distance = picture::hausdorff_distance(exact_lines, shown->flashes);
-  check.raster = picture::raster_difference(type340_points(exact_lines, LongLines::turn), flashed);
+  check.distance = picture::hausdorff_distance(exact_lines, picture::dot_segments(shown->lit));
+  check.raster = picture::raster_difference(type340_points(exact_lines, LongLines::turn), shown->lit);
   check.metrics = metrics_on_edges(turning, *shown, view->picture);
   return check;
 }

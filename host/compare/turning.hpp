@@ -18,6 +18,7 @@
 #include "host/base/result.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_picture.hpp"
+#include "host/picture/pixel_metrics.hpp"
 #include "host/picture/raster_difference.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -32,7 +33,8 @@ struct TurnPicture {
   std::size_t words = 0;     // of the display file
   core::Duration time{};     // that the machine took for the picture
   std::vector<picture::PixelSegment> lines;    // of the vector words
-  std::vector<picture::PixelSegment> flashes;  // of the first pass
+  std::size_t flashes = 0;                     // of the first pass
+  picture::PixelGrid lit;                      // by them
   double bound = 0;        // of the lines from exact ones at this angle and of those from the lines
   double view_bound = 0;   // the same of exact lines from the view's camera, if one is given
   double flash_bound = 0;  // of the flashes, likewise

@@ -6,7 +6,6 @@
 // segment it is one interval.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "host/algorithms/oracle/drawn_error.hpp"

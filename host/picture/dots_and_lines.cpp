@@ -13,18 +13,9 @@ namespace {
 
 constexpr double step = 0.25;  // points between samples of a line
 
-// The greatest, and what all but one in a thousand do not exceed.
-HausdorffDistance one_way(std::vector<double> distances) {
-  if (distances.empty()) return {};
-  const auto usual = distances.end() - 1 - static_cast<std::ptrdiff_t>(distances.size() / 1000);
-  std::nth_element(distances.begin(), usual, distances.end());
-  return {*std::max_element(usual, distances.end()), *usual};
-}
-
 }  // namespace
 
-DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegment>& lines) {
-  DotsAndLines compared;
+std::vector<PixelSegment> dot_segments(const PixelGrid& dots) {
   std::vector<PixelSegment> points;
   for (int y = 0; y < dots.height; ++y) {
     for (int x = 0; x < dots.width; ++x) {
@@ -33,6 +24,12 @@ DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegmen
       points.push_back({point, point});
     }
   }
+  return points;
+}
+
+DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegment>& lines) {
+  DotsAndLines compared;
+  const std::vector<PixelSegment> points = dot_segments(dots);
   compared.dots = points.size();
 
   const NearestSegment near_lines(lines);

@@ -24,7 +24,9 @@ struct DotsAndLines {
   HausdorffDistance hausdorff;  // of dots and lines, in points, as hausdorff_distance() has it
 };
 
-// What is not 0 is a dot.
+// What is not 0 is a dot: a segment of no length for each.
+[[nodiscard]] std::vector<PixelSegment> dot_segments(const PixelGrid& dots);
+
 [[nodiscard]] DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegment>& lines);
 
 }  // namespace sightline::picture

@@ -31,15 +31,6 @@ std::vector<double> distances(const std::vector<PixelSegment>& a, const NearestS
   return result;
 }
 
-HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
-  if (a.empty()) return {};
-  std::vector<double> all = distances(a, NearestSegment(b));
-  // The sample with at most one in a thousand beyond it.
-  const auto usual = all.end() - 1 - static_cast<std::ptrdiff_t>(all.size() / 1000);
-  std::nth_element(all.begin(), usual, all.end());
-  return {*std::max_element(usual, all.end()), *usual};
-}
-
 std::vector<PixelSegment> segments_of(const std::vector<MeasuredLine>& lines,
                                       LineParts MeasuredLine::*parts) {
   std::vector<PixelSegment> segments;
@@ -151,6 +142,17 @@ Rate rate_of(std::uint64_t wrong, std::uint64_t points) {
   rate.low = wrong == 0 ? 0 : (middle - half) / (1 + z * z / n);
   rate.high = wrong == points ? 1 : (middle + half) / (1 + z * z / n);
   return rate;
+}
+
+HausdorffDistance one_way(std::vector<double> distances) {
+  if (distances.empty()) return {};
+  const auto usual = distances.end() - 1 - static_cast<std::ptrdiff_t>(distances.size() / 1000);
+  std::nth_element(distances.begin(), usual, distances.end());
+  return {*std::max_element(usual, distances.end()), *usual};
+}
+
+HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
+  return one_way(distances(a, NearestSegment(b)));
 }
 
 HausdorffDistance hausdorff_distance(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {

@@ -23,6 +23,11 @@ using LineParts = std::vector<LinePart>;  // ascending, disjoint, each of a posi
 // Of the foot of the perpendicular; 0 on a segment of no length.
 [[nodiscard]] double place_on(const PixelSegment& segment, const PixelPoint& point);
 
+// Of distances from another picture: the greatest, and what all but one in a thousand do not exceed. Of none: 0.
+[[nodiscard]] HausdorffDistance one_way(std::vector<double> distances);
+// Of the places of `a`, a quarter of a pixel apart, from `b`.
+[[nodiscard]] HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b);
+
 // A line with what is seen of it and what is drawn of it.
 struct MeasuredLine {
   PixelSegment image;

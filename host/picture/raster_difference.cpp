@@ -119,12 +119,6 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
 
 }  // namespace
 
-double RasterDifference::share(std::uint64_t points) const {
-  if (points == 0) return 0;
-  return lit_in_truth == 0 ? std::numeric_limits<double>::infinity()
-                           : static_cast<double>(points) / static_cast<double>(lit_in_truth);
-}
-
 RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& drawn) {
   assert(truth.width == drawn.width && truth.height == drawn.height);
   const Direction there = direction_of(truth, drawn);

@@ -41,8 +41,6 @@ struct RasterDifference {
   HausdorffDistance hausdorff;
 
   [[nodiscard]] bool same() const { return missing.all == 0 && extra.all == 0; }
-  // Of a number of points, in terms of the points of the truth: 0 of nothing, infinite of something where the truth is empty.
-  [[nodiscard]] double share(std::uint64_t points) const;
 };
 
 // What is not 0 is lit. Both of the same size (precondition).

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "host/algorithms/oracle/matter.hpp"
-#include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/base/text.hpp"
+#include "host/compare/device_raster.hpp"
 #include "host/compare/lines.hpp"
 #include "host/geometry/box.hpp"
 #include "host/geometry/interval_set.hpp"
@@ -219,12 +219,6 @@ void compare_vectors(const PixelGrid& truth, const PixelGrid& drawn, bool straig
   if (metrics.missing_far + metrics.extra_far != 0)
     complaints.add(fmt::format("{} dots missing, {} too many, by more than a dot", metrics.missing_far,
                                metrics.extra_far));
-}
-
-PixelGrid lit_points(const core::Raster& raster) {
-  PixelGrid grid(skala::raster_side, skala::raster_side);
-  for (std::size_t i = 0; i < grid.values.size(); ++i) grid.values[i] = raster.points()[i] != 0 ? 1 : 0;
-  return grid;
 }
 
 // --- programs with cells
@@ -530,16 +524,11 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
   if (pictures_) {
     const auto matter = compare::MatterScene::of(scene);
     if (!matter) return {false, "beyond the oracle"};
-    oracle::Window window;
-    window.scale = options.scale;
-    window.near = jones::near_z;
-    compare::ScreenFrame frame;
-    frame.scale = options.scale;
-    frame.near = jones::near_z;
     scene::PolyCamera camera;
     camera.eye = scene.default_view;
     const auto chosen = matter->lines_at(camera.eye);
-    const compare::ImageLines reference(matter->visible(camera.eye, window), matter->scene(), camera, frame, &chosen);
+    const compare::ImageLines reference(matter->visible(camera.eye, type340_window(options.scale)), matter->scene(), camera,
+                                        type340_frame(options.scale), &chosen);
     const auto vectors = compare::lines_of_vectors(program.scene, *matter, reference);
     const auto pieces = method == "guest" ? compare::display_pieces(twin, vectors) : compare::twin_pieces(twin, vectors);
         keep(image_, [&] { return screen_image(pieces, image_side_); });
@@ -601,9 +590,9 @@ Finding CaseRun::run_commands(std::string_view method) {
       if (!run.guest.ended || run.guest.status != skala::Status::complete)
         complaints.add(fmt::format("stops: {}", skala::text_of(run.guest.status)));
       if (!run.difference.empty()) complaints.add("not its twin's picture: " + run.difference);
-      dots = lit_points(run.guest.raster);
+      dots = points_of(run.guest.raster);
     } else {
-      dots = lit_points(skala::run_twin(screen.stream).raster(skala::Device::ef9365));
+      dots = points_of(skala::run_twin(screen.stream).raster(skala::Device::ef9365));
     }
     keep(image_, [&] { return dots_image(dots); });
     compare_dots(screen.truth, dots, complaints);

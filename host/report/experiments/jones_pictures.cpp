@@ -91,17 +91,13 @@ SceneViews::SceneViews(const jones::SixViews& views) : name_(views.scene) {
   auto matter = compare::MatterScene::of(scene_);
   if (!matter) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name_, matter.error().message()));
   matter_ = std::make_unique<const compare::MatterScene>(std::move(*matter));
-  oracle::Window window;
-  window.near = jones::near_z;
-  compare::ScreenFrame frame;
-  frame.near = jones::near_z;
   for (const geometry::Point& eye : views.eyes) {
     auto in_core = jones::scene_in_core(scene_, eye);
     if (!in_core) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name_, in_core.error().message()));
     scene::PolyCamera camera;
     camera.eye = eye;
     const auto lines = matter_->lines_at(eye);
-    views_.push_back({eye, *std::move(in_core), {matter_->visible(eye, window), matter_->scene(), camera, frame, &lines}});
+    views_.push_back({eye, *std::move(in_core), {matter_->visible(eye, compare::type340_window()), matter_->scene(), camera, compare::type340_frame(), &lines}});
   }
 }
 

@@ -34,7 +34,6 @@ TEST(RasterDifference, OfALineAndOneShiftedAndShortened) {
   EXPECT_EQ(d.extra, (PointsApart{3, 2, 1}));
   EXPECT_DOUBLE_EQ(d.hausdorff.greatest, 4);
   EXPECT_DOUBLE_EQ(d.hausdorff.usual, 4) << "fewer than a thousand points: the greatest";
-  EXPECT_DOUBLE_EQ(d.share(d.missing.all), 0.4);
   EXPECT_FALSE(d.same());
 }
 
@@ -84,7 +83,6 @@ TEST(RasterDifference, OfNothing) {
   EXPECT_EQ(lost.hausdorff.usual, infinite);
   const RasterDifference invented = raster_difference(nothing, something);
   EXPECT_EQ(invented.extra, (PointsApart{2, 2, 2}));
-  EXPECT_EQ(invented.share(invented.extra.all), infinite);
   EXPECT_TRUE(raster_difference(nothing, nothing).same());
   EXPECT_EQ(raster_difference(nothing, nothing).hausdorff.greatest, 0);
 }
