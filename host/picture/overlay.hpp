@@ -14,7 +14,7 @@
 
 namespace sightline::picture {
 
-// Of every picture of a difference. The colours of Okabe and Ito (2008), but for the grey.
+// Of every picture of a difference. Missing is an orange of Okabe and Ito (2008).
 namespace difference_colours {
 inline constexpr Colour agreed{165, 165, 165};
 inline constexpr Colour missing{213, 94, 0};

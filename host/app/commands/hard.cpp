@@ -159,7 +159,7 @@ std::string summary_of(const HardCase& hard, const CaseOutcome& outcome) {
 
 std::string case_text(const GroupedCase& one, const CaseOutcome& outcome, const std::vector<std::string>& paths) {
   const HardCase& hard = one.hard;
-  base::TextTable table({-10, 0});
+  base::TextTable table({-12, 0});
   const auto add = [&](std::string_view title, const std::string& text) {
     if (!text.empty()) table.row({title, text});
   };

@@ -8,6 +8,7 @@
 
 #include "host/picture/lettering.hpp"
 #include "host/picture/line_drawing.hpp"
+#include "host/picture/overlay.hpp"
 #include "host/picture/vector_drawing.hpp"
 
 namespace sightline::compare {
@@ -71,8 +72,6 @@ picture::Image dots_image(const picture::PixelGrid& dots) {
 picture::Image side_by_side(const picture::Image& expected, const picture::Image& found, const std::string& found_by) {
   constexpr int gap = 8;
   constexpr int band = 32;  // of the text
-  constexpr picture::Colour missing{213, 94, 0};
-  constexpr picture::Colour extra{0, 114, 178};
   const int width = expected.width;
   const int height = expected.height;
   picture::VectorDrawing text;
@@ -105,7 +104,8 @@ picture::Image side_by_side(const picture::Image& expected, const picture::Image
       const auto pale = static_cast<std::uint8_t>(255 - (255 - right) / 4);
       put(0, column, row, {right, right, right});
       put(1, column, row, {wrong, wrong, wrong});
-      put(2, column, row, right == wrong ? picture::Colour{pale, pale, pale} : wrong > right ? missing : extra);
+      put(2, column, row, right == wrong ? picture::Colour{pale, pale, pale} : wrong > right ? picture::difference_colours::missing
+                                                                                     : picture::difference_colours::extra);
     }
   }
   return image;

@@ -16,7 +16,7 @@
 
 namespace sightline::scene {
 
-// Of a checked scene; `poly` is poly_scene_of(cells), from which vertices and edges come.
+// Of a checked scene; vertices and edges come from `poly`: poly_scene_of(cells), or a scene with the same matter and wires for lines.
 [[nodiscard]] CellComplex complex_of(const CellScene& cells, const PolyScene& poly);
 
 }  // namespace sightline::scene
