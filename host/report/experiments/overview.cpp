@@ -486,11 +486,6 @@ void about(Page& page) {
       "A guest is a program on its emulated machine. Its twin computes the same, to the bit, as a program of this computer. A "
       "native program solves the same problem by the paper's method without the machine's limits. An oracle is an exact program "
       "that shares no code with any of them.");
-  page.paragraph(
-      "Not shown any more: the photograph of corridor32, which is that of corridor8, since what is not seen changes nothing; "
-      "titles inside plots, which stand below them; the strips of pictures by all methods, which are pictures of their own. Hard "
-      "cases were tables and are cards; their tables are complete as CSV and JSON. Everything else of earlier reports is here, "
-      "by paper instead of by kind.");
 }
 
 }  // namespace sightline::report
