@@ -65,6 +65,31 @@ TEST(JonesBound, HoldsFromEveryCell) {
   EXPECT_GE(views, 20U);
 }
 
+// From three cells, in the machine's own words: the bound holds, and is not too large, because some line is farther off than half of it.
+TEST(JonesBound, HoldsForTheMachinesWordsAndIsNear) {
+  for (const std::string_view name : {"J1", "J4"}) {
+    const CommonScene scene = common_scene(name);
+    const auto exact = registry::find_line_algorithm("exact")->prepare(scene.scene);
+    CrossCheckView view = scene.views.front();
+    std::size_t eyes = 0;
+    double nearest = 0;  // share of the bound
+    for (const scene::Cell& cell : scene.cells->cells) {
+      if (eyes == 3) break;
+      for (std::size_t a = 0; a < 3; ++a) view.camera.eye[a] = cell.box.low[a] + (cell.box.high[a] - cell.box.low[a]) / 3;
+      const auto builds = jones_on_pdp7(scene, view, true);
+      if (!builds) continue;
+      ++eyes;
+      const auto seen = registry::view_of(*exact, view.camera, scene.matter->lines_at(view.camera.eye));
+      const ViewVerdict verdict =
+          compare_pictures(scene, view, NamedJones{jones_pdp7_name, &*builds}, NamedLines{"exact", &seen->picture, true});
+      EXPECT_TRUE(verdict.agrees) << name << ": " << verdict.text;
+      for (const auto& distance : verdict.distances) nearest = std::max(nearest, distance.found / distance.bound);
+    }
+    EXPECT_EQ(eyes, 3U) << name;
+    EXPECT_GT(nearest, 0.5) << name;
+  }
+}
+
 picture::PixelSegment moved(const picture::PixelSegment& line, double by) {
   const double length = std::hypot(line.b.x - line.a.x, line.b.y - line.a.y);
   const picture::PixelPoint across{(line.a.y - line.b.y) / length * by, (line.b.x - line.a.x) / length * by};
