@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "emulators/core/tstates.hpp"
 #include "host/compare/stripes.hpp"
@@ -44,10 +44,6 @@ void tell_read(const Counts& counts, MethodView& view) {
 
 std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-double seconds_at_3_mhz(core::TStates time) {
-  return static_cast<double>(time.count()) / static_cast<double>(core::ClockRate{}.hertz);
 }
 
 MethodView method_view(const ComparedPicture& row) {
@@ -96,7 +92,7 @@ MethodView method_view(const StripesPen& pen) {
   view.far = static_cast<double>(pen.raster.missing.beyond_2 + pen.raster.extra.beyond_2);
   view.wrong = view.far;
   view.greatest = finite(pen.raster.hausdorff.greatest);
-  view.emulated_seconds = seconds_at_3_mhz(pen.time);
+  view.emulated_seconds = core::in_seconds(pen.time);
   view.defect = pen.difference;
   view.raster = pen.raster;
   return view;
@@ -153,7 +149,7 @@ MethodView method_view(const ComparedDevice& row) {
   view.rounding = "dots";
   view.raster = row.raster;
   view.defect = row.difference;
-  view.emulated_seconds = seconds_at_3_mhz(row.time);
+  view.emulated_seconds = core::in_seconds(row.time);
   if (row.unrounded) {
     tell_unrounded(*row.unrounded, view);
   } else {
@@ -174,11 +170,6 @@ std::optional<Spread> spread_of(std::vector<double> values) {
   return Spread{values[(values.size() - 1) / 2], values[ninety_percent - 1], values.back()};
 }
 
-double wrong_percent(const MethodView& view) {
-  if (view.all > 0) return 100 * view.wrong / view.all;
-  return view.wrong > 0 ? 100 : 0;
-}
-
 template <class Value>
 std::optional<Value> at(const Json& object, std::string_view key, std::optional<Value> (Json::*as)() const) {
   const Json* const member = object.find(key);
@@ -186,6 +177,11 @@ std::optional<Value> at(const Json& object, std::string_view key, std::optional<
 }
 
 }  // namespace
+
+double wrong_percent(const MethodView& view) {
+  if (view.all > 0) return 100 * view.wrong / view.all;
+  return view.wrong > 0 ? 100 : 0;
+}
 
 std::vector<MethodView> method_views(const SceneComparison& comparison) {
   std::vector<MethodView> views;
@@ -221,7 +217,7 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
     view.method = height_method_name(row.name);
     if (row.name == "guest") {
       view.defect = comparison.guest_difference;
-      view.emulated_seconds = seconds_at_3_mhz(comparison.guest_time);
+      view.emulated_seconds = core::in_seconds(comparison.guest_time);
     } else {
       view.emulated_seconds.reset();
       view.raster.reset();  // the guest's
@@ -245,6 +241,18 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
   return views;
 }
 
+base::Json json_of(const picture::RasterDifference& difference) {
+  const auto apart = [](const picture::PointsApart& points) {
+    return Json{{"points", points.all}, {"beyond_1", points.beyond_1}, {"beyond_2", points.beyond_2}};
+  };
+  return {{"lit_in_truth", difference.lit_in_truth},
+          {"lit", difference.lit_in_drawn},
+          {"missing", apart(difference.missing)},
+          {"extra", apart(difference.extra)},
+          {"hausdorff", difference.hausdorff.greatest},
+          {"hausdorff_99_9", difference.hausdorff.usual}};
+}
+
 base::Json json_of(const MethodView& view) {
   Json object{{"method", view.method}, {"picture", view.picture}, {"rounding", view.rounding}, {"unit", view.unit},
               {"all", view.all},       {"wrong", view.wrong},     {"far", view.far}};
@@ -257,17 +265,7 @@ base::Json json_of(const MethodView& view) {
   if (view.of_all) object["of_all"] = *view.of_all;
   if (view.read) object["what"] = view.what;
   if (view.chord) object["chord"] = *view.chord;
-  if (view.raster) {
-    const auto apart = [](const picture::PointsApart& points) {
-      return Json{{"all", points.all}, {"beyond_1", points.beyond_1}, {"beyond_2", points.beyond_2}};
-    };
-    object["raster"] = {{"lit_in_truth", view.raster->lit_in_truth},
-                        {"lit_in_drawn", view.raster->lit_in_drawn},
-                        {"missing", apart(view.raster->missing)},
-                        {"extra", apart(view.raster->extra)},
-                        {"hausdorff", view.raster->hausdorff.greatest},
-                        {"hausdorff_99_9", view.raster->hausdorff.usual}};
-  }
+  if (view.raster) object["raster"] = json_of(*view.raster);
   return object;
 }
 

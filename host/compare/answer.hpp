@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "host/base/json.hpp"
@@ -49,6 +48,11 @@ struct MethodView {
 // "skala-8080" for what methods of height grids call guest, "skala-twin" for twin, "skala" for native.
 [[nodiscard]] std::string height_method_name(std::string_view name);
 
+// Of what is truly seen; of a view in which nothing is, 0, or 100 if something is drawn.
+[[nodiscard]] double wrong_percent(const MethodView& view);
+
+// As one object.
+[[nodiscard]] base::Json json_of(const picture::RasterDifference& difference);
 // As one object; without host times unless there are any. The raster difference is left out of what is read back.
 [[nodiscard]] base::Json json_of(const MethodView& view);
 // Empty if it is no such object.

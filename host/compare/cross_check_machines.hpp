@@ -16,15 +16,14 @@
 #include "host/compare/cross_check_compare.hpp"
 #include "host/compare/cross_check_scenes.hpp"
 #include "host/compare/jones_bound.hpp"
+#include "host/compare/scenes.hpp"
 #include "host/compare/skala_8080.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
 
 namespace sightline::compare {
 
-inline constexpr std::string_view jones_pdp7_name = "jones-pdp7";
 inline constexpr std::string_view jones_no_eae_name = "jones-pdp7-no-eae";
-inline constexpr std::string_view jones_twin_name = "jones-twin";
 
 // What one build of Jones's program shows of a view. Points of the Type 340.
 struct JonesPicture {

@@ -168,7 +168,7 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
     if (count.name == wrong_orders_name) result.not_solved += static_cast<std::size_t>(count.value);
   const auto machine = std::find_if(result.counts.begin(), result.counts.end(), [](const auto& count) { return count.name == t_states_name; });
   if (machine != result.counts.end())
-    result.emulated_seconds = static_cast<double>(machine->value) / static_cast<double>(core::ClockRate{}.hertz);
+    result.emulated_seconds = core::in_seconds(core::TStates(static_cast<std::int64_t>(machine->value)));
   else if (host_times)
     result.host_seconds = median_seconds([&] { static_cast<void>(faces.view(camera_, window_)); });
   return result;

@@ -18,6 +18,7 @@
 #include "host/compare/sweep_views.hpp"
 #include "host/compare/willis_8080.hpp"
 #include "host/guests/jones/session.hpp"
+#include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/check/crossings.hpp"
@@ -36,8 +37,6 @@ using picture::ReferenceLine;
 
 constexpr double least_stretch = 1;  // pixels, in a difference
 constexpr std::string_view bodies_intersect = "bodies intersect";
-constexpr std::string_view jones_on_pdp7 = "jones-pdp7";
-constexpr std::string_view jones_twin = "jones-twin";
 
 bool chosen(const CompareOptions& options, std::string_view name) {
   return options.methods.empty() || std::find(options.methods.begin(), options.methods.end(), name) != options.methods.end();
@@ -113,20 +112,6 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
   if (pen) comparison.stripes_pen = std::move(*pen);
 }
 
-// Every point that is lit in one pass.
-std::vector<PixelSegment> lit_points(const std::vector<core::Stroke>& pass) {
-  std::vector<std::pair<std::uint16_t, std::uint16_t>> places;
-  for (const core::Stroke& stroke : pass) places.emplace_back(stroke.x, stroke.y);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  std::vector<PixelSegment> points;
-  for (const auto& [x, y] : places) {
-    const picture::PixelPoint point{static_cast<double>(x), static_cast<double>(y)};
-    points.push_back({point, point});
-  }
-  return points;
-}
-
 }  // namespace
 
 class SceneMethods::Parts {
@@ -139,7 +124,7 @@ class SceneMethods::Parts {
     auto matter = MatterScene::of(scene);
     if (!matter) return matter.error();
     matter_.emplace(std::move(*matter));
-    if (chosen(options_, jones_on_pdp7) || chosen(options_, jones_twin)) {
+    if (chosen(options_, jones_pdp7_name) || chosen(options_, jones_twin_name)) {
       program_.eae = options_.eae;
       program_.fraction_bits = options_.fraction_bits;
       auto session = guests::jones::Session::of(scene, program_);
@@ -218,23 +203,13 @@ class SceneMethods::Parts {
     return std::nullopt;
   }
 
-  // Of a scene of cells what the screen of the Type 340 shows.
-  [[nodiscard]] oracle::Window window() const {
-    oracle::Window window;
-    window.scale = options_.scale;
-    window.near = guests::jones::near_z;
-    return window;
-  }
-
   [[nodiscard]] base::Result<Truth> truth_of(SceneComparison& comparison) const {
     const scene::PolyCamera& camera = comparison.camera;
     if (matter_) {
       const scene::PolyScene& scene = matter_->scene();
-      comparison.frame = {};
-      comparison.frame.scale = options_.scale;
-      comparison.frame.near = guests::jones::near_z;
+      comparison.frame = type340_frame(options_.scale);
       auto lines = matter_->lines_at(camera.eye);
-      picture::LinePicture visible = matter_->visible(camera.eye, window());
+      picture::LinePicture visible = matter_->visible(camera.eye, type340_window(options_.scale));
       ImageLines image(visible, scene, camera, comparison.frame, &lines);
       return Truth{scene, std::move(visible), std::move(lines), std::move(image)};
     }
@@ -307,10 +282,10 @@ class SceneMethods::Parts {
 
   // Jones's program on its machine, and its twin.
   std::optional<Error> compare_programs(const Truth& truth, SceneComparison& comparison, const CompareProgress& progress) const {
-    const bool guest_row = chosen(options_, jones_on_pdp7);
-    const bool twin_row = chosen(options_, jones_twin);
+    const bool guest_row = chosen(options_, jones_pdp7_name);
+    const bool twin_row = chosen(options_, jones_twin_name);
     if (!guest_row && !twin_row) return std::nullopt;
-    progress(jones_on_pdp7);
+    progress(jones_pdp7_name);
     guests::jones::GuestOptions of_guest;
     of_guest.scale = options_.scale;
     of_guest.views = 1;
@@ -339,7 +314,7 @@ class SceneMethods::Parts {
 
   // The program cannot stand at the eye, or its core cannot hold the scene; others can, from within the outer box.
   std::optional<Error> leave_programs_out(const Error& why, SceneComparison& comparison) const {
-    for (const std::string_view name : {jones_on_pdp7, jones_twin})
+    for (const std::string_view name : {jones_pdp7_name, jones_twin_name})
       if (chosen(options_, name)) comparison.not_applicable.emplace_back(name, why.message());
     return std::nullopt;
   }
@@ -351,12 +326,12 @@ class SceneMethods::Parts {
     comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference};
 
     const auto lines = lines_of_vectors(session.program().scene, *matter_, truth.lines);
-    if (chosen(options_, jones_on_pdp7)) {
+    if (chosen(options_, jones_pdp7_name)) {
       if (comparison.guest->difference.empty()) {
         const auto drawn = display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits));
-        auto row = compared(jones_on_pdp7, "points", truth.lines.lines(), drawn, options_);
+        auto row = compared(jones_pdp7_name, "points", truth.lines.lines(), drawn, options_);
         const auto seen = visible_segments(truth.lines.lines());
-        row.metrics.hausdorff = picture::hausdorff_distance(seen, lit_points(run.guest.pass));
+        row.metrics.hausdorff = picture::hausdorff_distance(seen, picture::dot_segments(points_of(run.guest.pass)));
         row.emulated = guest.time;
         row.counts = {{"cells_read", guest.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", guest.visits},
                       {"openings_tested", guest.openings_tested}, {"lines_clipped", guest.lines_clipped}};
@@ -369,12 +344,12 @@ class SceneMethods::Parts {
         comparison.pictures.push_back(std::move(row));
       } else {
         comparison.not_applicable.emplace_back(
-            jones_on_pdp7, "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
+            jones_pdp7_name, "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
       }
     }
-    if (chosen(options_, jones_twin)) {
+    if (chosen(options_, jones_twin_name)) {
       const int parts = 1 << options_.fraction_bits;
-      auto row = compared(jones_twin, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
+      auto row = compared(jones_twin_name, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
                           twin_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)), options_);
       const guests::jones::Counts& c = run.twin.counts;
       row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
@@ -461,7 +436,7 @@ std::optional<std::string> why_never(std::string_view method, SceneKind kind) {
 }
 
 std::vector<std::string> method_names() {
-  std::vector<std::string> names{std::string(jones_on_pdp7), std::string(jones_twin)};
+  std::vector<std::string> names{std::string(jones_pdp7_name), std::string(jones_twin_name)};
   const auto add = [&names](std::string_view name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
   };

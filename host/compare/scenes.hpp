@@ -33,6 +33,10 @@
 
 namespace sightline::compare {
 
+// Names of methods: Jones's program on the PDP-7, and its twin.
+inline constexpr std::string_view jones_pdp7_name = "jones-pdp7";
+inline constexpr std::string_view jones_twin_name = "jones-twin";
+
 // How the coordinates of a row's picture are rounded, in words for a reader.
 inline constexpr std::string_view not_rounded = "none";
 

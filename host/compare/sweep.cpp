@@ -202,7 +202,7 @@ std::string Sweep::head(std::uint64_t number) const {
                 {"seed", options_.seed},         {"view", number},   {"methods", methods},
                 {"truth", truth_}};
   if (with_faces()) document["faces"] = true;
-  if (is_asked(options_, "jones-pdp7") || is_asked(options_, "jones-twin")) document["eae"] = options_.eae;
+  if (is_asked(options_, jones_pdp7_name) || is_asked(options_, jones_twin_name)) document["eae"] = options_.eae;
   if (options_.directions != Directions::usual) document["directions"] = options_.directions == Directions::all ? "all" : "level";
   if (grid_) {
     const guests::skala::View view = height_view(number);
@@ -239,8 +239,8 @@ Json Sweep::scene_results(std::uint64_t number) const {
     if (is_asked(options_, method)) results[unused_name(results, method)] = {{"not_applicable", reason}};
   // A display file that is not the twin's has no lines to measure, and is a defect.
   if (comparison->guest && !comparison->guest->difference.empty())
-    for (const char* const method : {"jones-pdp7", "jones-twin"})
-      if (is_asked(options_, method)) results[method]["defect"] = comparison->guest->difference;
+    for (const std::string_view method : {jones_pdp7_name, jones_twin_name})
+      if (is_asked(options_, method)) results[std::string(method)]["defect"] = comparison->guest->difference;
   return results;
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -25,26 +24,19 @@ namespace {
 
 namespace plantinga = algorithms::plantinga;
 
-constexpr std::string_view jones_on_pdp7 = "jones-pdp7";
-constexpr std::string_view jones_twin = "jones-twin";
 constexpr std::string_view montani_re = "montani-re";
-
-double percent_of(const MethodView& view) {
-  if (view.exact && *view.exact) return 0;
-  if (view.all > 0) return 100 * view.wrong / view.all;
-  return view.wrong > 0 ? 100 : 0;
-}
 
 // A point of each time that the view has.
 void add_point(const MethodView& view, const std::string& series, const std::string& label, std::vector<PlotPoint>& points) {
-  if (view.emulated_seconds) points.push_back({PlotPanel::emulated, series, label, *view.emulated_seconds, percent_of(view)});
-  if (view.host_seconds) points.push_back({PlotPanel::host, series, label, *view.host_seconds, percent_of(view)});
+  const double shown_percent = view.exact && *view.exact ? 0 : wrong_percent(view);
+  if (view.emulated_seconds) points.push_back({PlotPanel::emulated, series, label, *view.emulated_seconds, shown_percent});
+  if (view.host_seconds) points.push_back({PlotPanel::host, series, label, *view.host_seconds, shown_percent});
 }
 
 // Methods without a setting; those with one are drawn by the functions below.
 void add_plain(const SceneComparison& comparison, std::vector<PlotPoint>& points) {
   for (const MethodView& view : method_views(comparison)) {
-    if (view.method == jones_on_pdp7 || view.method == jones_twin || (view.method == montani_re && view.picture == "faces"))
+    if (view.method == jones_pdp7_name || view.method == jones_twin_name || (view.method == montani_re && view.picture == "faces"))
       continue;
     add_point(view, view.method, "", points);
   }
@@ -58,25 +50,25 @@ bool has_lines(const SceneComparison& comparison, std::string_view method) {
 // A setting that the machine cannot hold is left out.
 void add_jones(const scene::CellScene& scene, CompareOptions options, const SceneComparison& usual,
                const CompareProgress& progress, std::vector<PlotPoint>& points) {
-  const bool guest = has_lines(usual, jones_on_pdp7);
-  const bool twin = has_lines(usual, jones_twin) && options.host_times;
+  const bool guest = has_lines(usual, jones_pdp7_name);
+  const bool twin = has_lines(usual, jones_twin_name) && options.host_times;
   options.faces = false;
   options.eye = usual.camera.eye;
   for (const bool eae : {true, false}) {
     options.eae = eae;
     options.methods.clear();
-    if (guest) options.methods.emplace_back(jones_on_pdp7);
-    if (twin && eae) options.methods.emplace_back(jones_twin);
+    if (guest) options.methods.emplace_back(jones_pdp7_name);
+    if (twin && eae) options.methods.emplace_back(jones_twin_name);
     if (options.methods.empty()) continue;
     for (std::uint32_t bits = 0; bits <= 3; ++bits) {
       options.fraction_bits = bits;
       const std::string label = fmt::format("{} bit{}", bits, bits == 1 ? "" : "s");
-      progress(fmt::format("jones-pdp7 {} EAE, {}", eae ? "with" : "without", label));
+      progress(fmt::format("{} {} EAE, {}", jones_pdp7_name, eae ? "with" : "without", label));
       const auto comparison = compare_cell_scene(scene, options);
       if (!comparison) continue;
       for (const MethodView& view : method_views(*comparison)) {
-        const bool on_machine = view.method == jones_on_pdp7;
-        add_point(view, on_machine ? fmt::format("jones-pdp7 {} EAE", eae ? "with" : "without") : view.method, label, points);
+        const bool on_machine = view.method == jones_pdp7_name;
+        add_point(view, on_machine ? fmt::format("{} {} EAE", jones_pdp7_name, eae ? "with" : "without") : view.method, label, points);
       }
     }
   }
@@ -161,8 +153,8 @@ std::vector<TurnFrame> exact_frames(const plantinga::RotationModel& model) {
 }
 
 // Of the length that is seen in all frames.
-double wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list,
-                     const std::vector<TurnFrame>& frames) {
+double events_wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list,
+                            const std::vector<TurnFrame>& frames) {
   plantinga::EdgeStructureGraph graph(list);
   plantinga::FrameMaker maker(model);
   double wrong = 0;
@@ -210,7 +202,7 @@ void add_events(const scene::PolyScene& scene, const CompareOptions& options, co
         maker.visible(graph, angle_of(i), lines);
       }
     });
-    points.push_back({PlotPanel::host, "plantinga events", label, turn / turn_frames, wrong_percent(model, *list, frames)});
+    points.push_back({PlotPanel::host, "plantinga events", label, turn / turn_frames, events_wrong_percent(model, *list, frames)});
   }
 }
 

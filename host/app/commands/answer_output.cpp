@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "host/base/number.hpp"
 #include "host/base/text_table.hpp"
 #include "host/compare/papers.hpp"
 
@@ -43,16 +43,10 @@ Json spread_json(const Spread& spread) {
 
 }  // namespace
 
-std::string time_text(double seconds) {
-  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
-  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
-  return fmt::format("{:.3g} us", seconds * 1e6);
-}
-
 AnswerCells answer_cells(const AnswerRow& row) {
   return {row.rounding == compare::not_rounded ? std::string() : row.rounding,
-          spread_text(row.emulated_seconds, row.views, time_text),
-          spread_text(row.host_seconds, row.views, time_text),
+          spread_text(row.emulated_seconds, row.views, base::time_text),
+          spread_text(row.host_seconds, row.views, base::time_text),
           wrong_text(row),
           spread_text(row.greatest, row.views, [](double points) { return fmt::format("{:.2f}", points); }),
           row.views > 1 ? fmt::format("{} of {}", row.right, row.views) : fmt::format("{:.4g}", row.far.greatest),

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -54,8 +53,8 @@ std::string raster_text(std::string_view method, const picture::RasterDifference
 }
 
 std::string guest_text(const compare::GuestCheck& guest) {
-  if (!guest.difference.empty()) return "jones-pdp7 is not its twin: " + guest.difference + "\n";
-  return fmt::format("jones-pdp7 is its twin word for word: {} display words, status {}\n", guest.words, jones::name(guest.status));
+  if (!guest.difference.empty()) return fmt::format("{} is not its twin: {}\n", compare::jones_pdp7_name, guest.difference);
+  return fmt::format("{} is its twin word for word: {} display words, status {}\n", compare::jones_pdp7_name, guest.words, jones::name(guest.status));
 }
 
 std::string turn_text(const compare::TurnCheck& turn) {
@@ -135,24 +134,11 @@ Json metrics_json(const LineMetrics& m) {
           {"pieces_different", m.pieces_different}};
 }
 
-Json apart_json(const picture::PointsApart& points) {
-  return {{"points", points.all}, {"beyond_1", points.beyond_1}, {"beyond_2", points.beyond_2}};
-}
-
-Json raster_json(const picture::RasterDifference& d) {
-  return {{"lit_in_truth", d.lit_in_truth},
-          {"lit", d.lit_in_drawn},
-          {"missing", apart_json(d.missing)},
-          {"extra", apart_json(d.extra)},
-          {"hausdorff", d.hausdorff.greatest},
-          {"hausdorff_99_9", d.hausdorff.usual}};
-}
-
 Json line_json(const ComparedPicture& compared) {
   Json row{{"name", compared.name}, {"rounding", compared.rounding}};
   if (compared.identical) row["equal_to_oracle"] = *compared.identical;
   row.update(metrics_json(compared.metrics));
-  if (compared.raster) row["raster"] = raster_json(*compared.raster);
+  if (compared.raster) row["raster"] = compare::json_of(*compared.raster);
   return row;
 }
 
@@ -257,7 +243,7 @@ Json compare_json(const SceneComparison& comparison) {
                         {"flashes", turn.flashes},
                         {"hausdorff", turn.distance.greatest},
                         {"hausdorff_bound", turn.bound},
-                        {"raster", raster_json(turn.raster)},
+                        {"raster", compare::json_of(turn.raster)},
                         {"hausdorff_99_9", turn.distance.usual}};
   }
   document["not_compared"] = reasons_json(comparison.not_applicable);
@@ -275,7 +261,7 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
     Json row = points_json(compare::height_method_name(compared.name), compared.metrics);
     row["rounding"] = compared.rounding;
     if (compared.unrounded) row["unrounded"] = unrounded_json(*compared.unrounded);
-    if (compared.from_native) row["from_native"] = raster_json(*compared.from_native);
+    if (compared.from_native) row["from_native"] = compare::json_of(*compared.from_native);
     document["pictures"].push_back(std::move(row));
   }
   document["chord_error"] = comparison.chord ? Json(comparison.chord->greatest) : Json(nullptr);
@@ -294,7 +280,7 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
              {"identical_to_twin", device.difference.empty()},
              {"difference", device.difference},
              {"t_states", device.time.count()},
-             {"raster", raster_json(device.raster)}};
+             {"raster", compare::json_of(device.raster)}};
     if (device.unrounded) row["unrounded"] = unrounded_json(*device.unrounded);
     document["devices"].push_back(std::move(row));
   }

@@ -85,7 +85,7 @@ std::vector<std::string> methods_of(const SweepArguments& arguments, bool functi
   }
   std::vector<std::string> methods;
   for (const std::string& name : compare::method_names()) {
-    const bool of_guest = name == "jones-pdp7" || name == "jones-twin";
+    const bool of_guest = name == compare::jones_pdp7_name || name == compare::jones_twin_name;
     const bool exact = name == "exact" && !function;
     if (exact || is_asked(arguments, name) || (of_guest && arguments.guest)) methods.push_back(name);
   }
@@ -253,17 +253,8 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
                   next < shard.last ? fmt::format("view {}", next) : std::string("a view")));
 }
 
-// As one word of a shell's command line.
-std::string shell_word(const std::string& text) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/+-,:=@%";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
 std::string compare_command(const SweepArguments& arguments, std::string_view method, std::uint64_t view) {
-  std::string text = fmt::format("sightline compare {} --only-view {} --seed {} --methods {}", shell_word(arguments.scene), view,
+  std::string text = fmt::format("sightline compare {} --only-view {} --seed {} --methods {}", base::shell_word(arguments.scene), view,
                                  arguments.random.seed, method);
   if (arguments.random.turn) text += " --turn";
   if (arguments.random.level) text += " --level";

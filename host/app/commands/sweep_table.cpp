@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/app/commands/answer_output.hpp"
+#include "host/base/number.hpp"
 #include "host/base/text_table.hpp"
 
 namespace sightline::app {
@@ -60,8 +61,8 @@ std::string sweep_text(const compare::SweepTable& sweep, const ViewCommand& comm
       add({"0, exact", "", ""});
     else
       add(quantiles(row.wrong_percent, percent_text));
-    if (emulated) add(quantiles(row.emulated_seconds, time_text));
-    if (host) add(quantiles(row.host_seconds, time_text));
+    if (emulated) add(quantiles(row.emulated_seconds, base::time_text));
+    if (host) add(quantiles(row.host_seconds, base::time_text));
     add({has_worst_view(row) ? std::to_string(row.worst_view) : ""});
     table.row(cells);
     if (!row.defect.empty()) table.line(fmt::format("    {}: {}", row.method, row.defect));

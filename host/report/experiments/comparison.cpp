@@ -99,7 +99,7 @@ class Comparing {
       scene.exact_s = time("exact", &AnswerRow::host_seconds);
       scene.jones_s = time("jones", &AnswerRow::host_seconds);
       scene.montani_re_s = time("montani-re", &AnswerRow::host_seconds);
-      scene.pdp7_s = time("jones-pdp7", &AnswerRow::emulated_seconds);
+      scene.pdp7_s = time(compare::jones_pdp7_name, &AnswerRow::emulated_seconds);
     }
   }
 
@@ -128,7 +128,7 @@ class Comparing {
       for (std::uint64_t number = first; number < last; ++number) {
         const compare::SceneComparison comparison = done(prepared.view(camera(number)), of.name);
         for (const auto& [method, reason] : comparison.not_applicable)
-          if (cells != nullptr && method == "jones-pdp7") of.not_on_pdp7 = reason;
+          if (cells != nullptr && method == compare::jones_pdp7_name) of.not_on_pdp7 = reason;
         if (!with_faces) {
           note_count(comparison, "jones", "visits", visits);
           note_count(comparison, "montani-re", "relations", pairs);

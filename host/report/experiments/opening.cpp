@@ -117,7 +117,7 @@ struct KnownMethod {
   std::string_view what;
 };
 constexpr std::array<KnownMethod, 12> known_methods{
-    {{"jones-pdp7", "lines", "Jones 1971 on the PDP-7"},
+    {{compare::jones_pdp7_name, "lines", "Jones 1971 on the PDP-7"},
      {"turn-pdp7", "lines", "Plantinga and others 1990 on the PDP-7"},
      {"skala-8080", "dots", "Skala 1985 on the 8080"},
      {"willis-8080", "faces", "Willis 1977 on the 8080"},
@@ -166,7 +166,7 @@ bool exact_lines(const AnswerRow& row) {
 Said how_fast(const Page& page, const OpeningAnswer& answer) {
   std::string text = fmt::format(
       "A view takes Jones's program {} on the PDP-7 (the paper: {}) and Skala's {} on the 8080 ({})",
-      emulated_range(answer, "jones-pdp7"), compare::paper_figure("jones-pdp7", "lines"),
+      emulated_range(answer, compare::jones_pdp7_name), compare::paper_figure(compare::jones_pdp7_name, "lines"),
       emulated_range(answer, "skala-8080"), compare::paper_figure("skala-8080", "dots"));
   if (page.host_times()) {
     const auto here = range_of(where(answer.rows, is(&AnswerRow::method, "exact")),
@@ -178,7 +178,7 @@ Said how_fast(const Page& page, const OpeningAnswer& answer) {
 }
 
 Said how_wrong(const Page& page, const OpeningAnswer& answer) {
-  const auto jones = where(answer.rows, is(&AnswerRow::method, "jones-pdp7"));
+  const auto jones = where(answer.rows, is(&AnswerRow::method, compare::jones_pdp7_name));
   const double farthest = greatest(jones, [](const AnswerRow& row) { return most(row.greatest); });
   const auto exact = where(answer.rows, exact_lines);
   return fmt::format(
