@@ -67,7 +67,7 @@ void compare_functions(bool host_times, DemoAnswer& answer) {
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const scene::HeightGrid grid = sample(function, {33, 60});
     auto comparison = compare::compare_heights(
-        grid, view, [](std::string_view) {}, {}, host_times);
+        grid, view, [](std::string_view) {}, [&](scene::GridSize size) { return sample(function, size); }, host_times);
     comparison.devices = compare::compare_devices(grid, view);
     if (function.name == function_in_plot) add_plotted(compare::variants_of(comparison), answer);
     answer.functions.emplace_back(function.name, std::move(comparison));
@@ -79,12 +79,6 @@ void compare_functions(bool host_times, DemoAnswer& answer) {
 bool DemoAnswer::agrees() const {
   return std::all_of(scenes.begin(), scenes.end(), [](const auto& scene) { return scene.agrees(); }) &&
          std::all_of(functions.begin(), functions.end(), [](const auto& function) { return function.second.agrees(); });
-}
-
-const compare::AnswerRow* DemoAnswer::method(std::string_view name, std::string_view picture) const {
-  for (const compare::AnswerRow& row : methods)
-    if (row.method == name && row.picture == picture) return &row;
-  return nullptr;
 }
 
 DemoAnswer answer_for_demo(bool host_times) {

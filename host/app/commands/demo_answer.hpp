@@ -27,8 +27,6 @@ struct DemoAnswer {
 
   // No guest differs from its twin, no exact algorithm from the oracle.
   [[nodiscard]] bool agrees() const;
-  // Null if it is not there.
-  [[nodiscard]] const compare::AnswerRow* method(std::string_view name, std::string_view picture) const;
 };
 
 // Failure guest_failed: a scene cannot be compared.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <optional>
 #include <string_view>
 
 #include "host/app/commands/answer_output.hpp"
@@ -65,8 +64,8 @@ std::string_view method_text(std::string_view method) {
     std::string_view method;
     std::string_view text;
   };
-  constexpr Known known[] = {{"jones-pdp7", "Jones 1971, PDP-7"},
-                             {"jones-twin", "its twin on this computer"},
+  constexpr Known known[] = {{compare::jones_pdp7_name, "Jones 1971, PDP-7"},
+                             {compare::jones_twin_name, "its twin on this computer"},
                              {"exact", "of today, exact"},
                              {"jones", "Jones 1971, exact"},
                              {"montani-re", "Montani and Re 1985"},
@@ -83,7 +82,7 @@ std::string_view method_text(std::string_view method) {
   return {};
 }
 
-// Escaped, with the sign of micro. Line ends stay.
+// Escaped. Line ends stay.
 std::string html(std::string_view text) {
   std::string escaped;
   while (!text.empty()) {
@@ -93,34 +92,51 @@ std::string html(std::string_view text) {
     escaped += '\n';
     text.remove_prefix(end + 1);
   }
+  return escaped;
+}
+
+// Escaped text with times (base::time_text): microseconds with their sign.
+std::string html_with_times(std::string_view text) {
+  std::string escaped = html(text);
   for (std::size_t at = 0; (at = escaped.find(" us", at)) != std::string::npos; at += 3) {
-    const bool whole = at + 3 == escaped.size() || !std::isalnum(static_cast<unsigned char>(escaped[at + 3]));
-    if (whole) escaped.replace(at, 3, " &#181;s");
+    const auto is = [&](std::size_t place, int (*kind)(int)) {
+      return place < escaped.size() && kind(static_cast<unsigned char>(escaped[place])) != 0;
+    };
+    if (at > 0 && is(at - 1, std::isdigit) && !is(at + 3, std::isalnum)) escaped.replace(at, 3, " &#181;s");
   }
   return escaped;
 }
 
+std::string element(std::string_view tag, std::string_view classes, const std::string& escaped) {
+  return fmt::format("<{}{}>{}</{}>", tag, classes.empty() ? std::string() : fmt::format(" class=\"{}\"", classes), escaped, tag);
+}
+
 std::string cell(std::string_view tag, std::string_view classes, std::string_view text) {
-  return fmt::format("<{}{}>{}</{}>", tag, classes.empty() ? std::string() : fmt::format(" class=\"{}\"", classes), html(text),
-                     tag);
+  return element(tag, classes, html(text));
+}
+
+std::string time_cell(std::string_view text) {
+  return element("td", "n", html_with_times(text));
 }
 
 bool timed_here(const std::vector<AnswerRow>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const AnswerRow& row) { return row.host_seconds.has_value(); });
 }
 
-std::string defect_row(const AnswerRow& row) {
-  return row.defect.empty() ? std::string()
-                            : fmt::format("<tr><th></th><td class=\"bad\" colspan=\"8\">{}</td></tr>\n", html(row.defect));
+std::string defect_row(const AnswerRow& row, int columns) {
+  return row.defect.empty()
+             ? std::string()
+             : fmt::format("<tr><th></th><td class=\"bad\" colspan=\"{}\">{}</td></tr>\n", columns - 1, html(row.defect));
 }
 
 // One row per method, over all scenes: first those of the old machines.
 std::string methods_html(const std::vector<AnswerRow>& methods) {
+  constexpr int columns = 6;
   std::string text = "<div class=\"wide\" tabindex=\"0\">\n<table class=\"methods\">\n<thead><tr>" + cell("th", "", "method") +
                      cell("th", "n", "time") + cell("th", "n", "wrong, %") + cell("th", "n", "farthest, points") +
                      cell("th", "n", "none beyond 1") + cell("th", "p", "the paper says") + "</tr></thead>\n<tbody>\n";
   for (const bool emulated : {true, false}) {
-    base::append(text, "<tr class=\"scene\"><th colspan=\"6\">{}</th></tr>\n",
+    base::append(text, "<tr class=\"scene\"><th colspan=\"{}\">{}</th></tr>\n", columns,
                  emulated ? "Old machines, emulated time" : "This computer, measured time");
     for (const AnswerRow& row : methods) {
       if (row.emulated_seconds.has_value() != emulated) continue;
@@ -132,9 +148,9 @@ std::string methods_html(const std::vector<AnswerRow>& methods) {
       const std::string_view who = method_text(row.method);
       base::append(text, "<tr><th>{} <small>{}{}{}</small></th>", html(row.method), html(who), who.empty() ? "" : ", ",
                    html(row.picture));
-      text += cell("td", "n", emulated ? cells.emulated : cells.host) + cell("td", "n", exact ? "0, exact" : wrong) +
+      text += time_cell(emulated ? cells.emulated : cells.host) + cell("td", "n", exact ? "0, exact" : wrong) +
               cell("td", "n", cells.greatest) + cell("td", "n", fmt::format("{} of {}", row.right, row.views)) +
-              cell("td", "p", cells.paper) + "</tr>\n" + defect_row(row);
+              cell("td", "p", cells.paper) + "</tr>\n" + defect_row(row, columns);
     }
   }
   return text + "</tbody>\n</table>\n</div>\n";
@@ -143,6 +159,7 @@ std::string methods_html(const std::vector<AnswerRow>& methods) {
 // One row per scene and method.
 std::string table_html(const std::vector<AnswerRow>& rows) {
   const bool host = timed_here(rows);
+  const int columns = host ? 9 : 8;
   std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n<thead><tr>" + cell("th", "", "method") +
                      cell("th", "", "draws") + cell("th", "", "rounded to") + cell("th", "n", "emulated time");
   if (host) text += cell("th", "n", "time here");
@@ -150,13 +167,20 @@ std::string table_html(const std::vector<AnswerRow>& rows) {
           "</tr></thead>\n<tbody>\n";
   std::string scene;
   for (const AnswerRow& row : rows) {
-    if (row.scene != scene) base::append(text, "<tr class=\"scene\"><th colspan=\"9\">{}</th></tr>\n", html(scene = row.scene));
+    if (row.scene != scene) {
+      scene = row.scene;
+      // No method's error: all draw the lines between the samples.
+      const std::string chord =
+          row.chord ? fmt::format(" <small>between its samples the function is up to {:.2f} dots off these lines</small>", *row.chord)
+                    : std::string();
+      base::append(text, "<tr class=\"scene\"><th colspan=\"{}\">{}{}</th></tr>\n", columns, html(scene), chord);
+    }
     const AnswerCells cells = answer_cells(row);
     text += "<tr>" + cell("th", "", row.method) + cell("td", "", row.picture) + cell("td", "", cells.rounding) +
-            cell("td", "n", cells.emulated);
-    if (host) text += cell("td", "n", cells.host);
+            time_cell(cells.emulated);
+    if (host) text += time_cell(cells.host);
     text += cell("td", "n", cells.wrong) + cell("td", "n", cells.greatest) + cell("td", "n", cells.far) +
-            cell("td", "", cells.read) + "</tr>\n" + defect_row(row);
+            cell("td", "", cells.read) + "</tr>\n" + defect_row(row, columns);
   }
   return text + "</tbody>\n</table>\n</div>\n";
 }
@@ -241,7 +265,7 @@ PageGallery jones_gallery(const std::string& directory, const DemoResults& resul
     if (!row.eae) continue;
     const std::string stem = file_stem(row.scene);
     gallery.figures.push_back(
-        {stem + "-phosphor.png", fmt::format("{}, photographed: {:.2f} s a view", row.scene, seconds(row.view.time))});
+        {stem + "-phosphor.png", fmt::format("{}, photographed: {:.2f} s a view", row.scene, core::in_seconds(row.view.time))});
     gallery.figures.push_back({stem + ".png", fmt::format("{}, point by point: {} of {} cells read, {} lines", row.scene,
                                                           row.view.distinct_cells, row.cells, row.view.pieces)});
     for (const compare::SceneComparison& scene : results.answer.scenes) {
@@ -269,7 +293,7 @@ PageGallery skala_gallery(const std::string& directory, const DemoResults& resul
     const auto add = [&](const char* suffix, const char* what, const SkalaOutcome& outcome) {
       gallery.figures.push_back(
           {fmt::format("{}-{}.png", row.function, suffix),
-           fmt::format("{}, {}: {:.2f} s", row.function, what, seconds_at(core::ClockRate{}, outcome.picture.drawing)), true});
+           fmt::format("{}, {}: {:.2f} s", row.function, what, core::in_seconds(outcome.picture.drawing)), true});
     };
     add("lines", "lines", row.lines);
     add("surface", "surface", row.surface);
@@ -298,7 +322,7 @@ PageGallery stripes_gallery(const DemoResults& results) {
     const auto& guest = row.drawn.picture.guest;
     gallery.figures.push_back({row.scene + "-stripes.png",
                                fmt::format("{}: {} faces in {:.2f} s", row.scene, row.drawn.scene.faces.size(),
-                                           stripes_seconds(guest.receiving + guest.working())),
+                                           core::in_seconds(guest.receiving + guest.working())),
                                true});
   }
   return gallery;
@@ -320,7 +344,7 @@ std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {
       "</style>\n</head>\n<body>\n<main>\n<h1>Hidden lines on old machines and on this computer</h1>\n<dl class=\"answers\">\n";
   for (const auto& [question, said] : {std::pair("How fast?", &page.answers.fast), std::pair("How wrong?", &page.answers.wrong),
                                        std::pair("Against what?", &page.answers.against)})
-    base::append(text, "<div><dt>{}</dt><dd>{}</dd></div>\n", question, html(*said));
+    base::append(text, "<div><dt>{}</dt><dd>{}</dd></div>\n", question, html_with_times(*said));
   text += "</dl>\n<h2>Every method</h2>\n";
   text += methods_html(answer.methods);
   base::append(
@@ -340,8 +364,8 @@ std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {
   for (const PageGallery& gallery : page.galleries) text += gallery_html(gallery);
   text += "<h2>In one line each</h2>\n<div class=\"wide\" tabindex=\"0\">\n<table>\n<tbody>\n";
   for (const Verdict& verdict : page.verdicts)
-    base::append(text, "<tr><th>{}</th><td>{}</td><td class=\"{}\">{}</td></tr>\n", html(verdict.subject), html(verdict.text),
-                 verdict.right ? "good" : "bad", html(verdict.verdict));
+    base::append(text, "<tr><th>{}</th><td>{}</td><td class=\"{}\">{}</td></tr>\n", html(verdict.subject),
+                 html_with_times(verdict.text), !verdict.right ? "" : *verdict.right ? "good" : "bad", html(verdict.verdict));
   text += "</tbody>\n</table>\n</div>\n<h2>In numbers</h2>\n<details><summary>Every scene and method</summary>\n";
   text += table_html(answer.rows) + "</details>\n";
   for (const auto& [title, table] : page.tables)

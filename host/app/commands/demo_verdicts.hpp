@@ -2,6 +2,7 @@
 // the paper says.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,10 @@ struct DemoResults {
 struct Verdict {
   std::string subject;  // "Jones 1971 on the PDP-7"
   std::string text;     // what was measured, without a full stop at the end
-  std::string verdict;  // "right in 5 of 5, no slower than the paper"; empty: none
-  bool right = true;    // no picture is farther from the truth than a point, or than the method's words explain
+  std::string verdict;  // "right in 5 of 5"; empty: none
+  // No program differs from its twin, and no picture is farther from the truth than a point, or than the dots and steps of its device
+  // explain; absent where no picture is judged.
+  std::optional<bool> right{};
 };
 [[nodiscard]] std::vector<Verdict> verdicts_of(const DemoResults& results);
 

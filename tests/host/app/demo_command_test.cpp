@@ -72,7 +72,7 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
   EXPECT_EQ(pictures, 5 * 4 + 8 * 4 + 3 + 3);
   for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen",
                            "turn-pdp7", "<details>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
-                           "jones-pdp7 without EAE", "A solid turning on the PDP-7"})
+                           "jones-pdp7 without EAE", "A solid turning on the PDP-7", "between its samples the function is up to"})
     EXPECT_TRUE(has(page, text)) << text;
   for (const char* text : {"<script", "http://www.example", "https://", "time here", " us</", "&#181;"})
     EXPECT_FALSE(has(page, text)) << text;
@@ -120,7 +120,17 @@ TEST_F(DemoCommand, AsJsonInAFolderOfAnyName) {
   std::set<std::string> computers;
   for (const json& point : document.at("plot")) computers.insert(point.at("computer").get<std::string>());
   EXPECT_EQ(computers, (std::set<std::string>{"emulated", "this"}));
-  for (const json& verdict : document.at("verdicts")) EXPECT_EQ(verdict.at("right"), true) << verdict;
+  // Of two lines no picture is judged.
+  std::size_t judged = 0;
+  for (const json& verdict : document.at("verdicts")) {
+    judged += !verdict.at("right").is_null();
+    EXPECT_NE(verdict.at("right"), false) << verdict;
+    EXPECT_LE(verdict.at("text").get<std::string>().size() + verdict.at("verdict").get<std::string>().size(), 160U) << verdict;
+  }
+  EXPECT_EQ(judged, document.at("verdicts").size() - 2);
+  // How far a function is from the lines between its samples is known of every function.
+  for (const json& row : document.at("table"))
+    EXPECT_EQ(row.contains("chord"), row.at("method").get<std::string>().starts_with("skala")) << row;
   EXPECT_EQ(document.at("page"), "f\xEF\xBF\xBD/index.html");
 }
 
