@@ -94,7 +94,6 @@ MethodView method_view(const StripesPen& pen) {
   view.greatest = finite(pen.raster.hausdorff.greatest);
   view.emulated_seconds = core::in_seconds(pen.time);
   view.defect = pen.difference;
-  view.raster = pen.raster;
   return view;
 }
 
@@ -314,6 +313,7 @@ void Answer::add(const std::string& scene, std::uint64_t number, const std::vect
       known = gathered_.end() - 1;
     }
     Gathered& all = *known;
+    if (all.row.of_all != view.of_all) all.row.of_all.reset();  // of views that do not have the same whole, no whole is said
     const double percent = wrong_percent(view);
     all.wrong.push_back(view.wrong);
     all.wrong_percent.push_back(percent);

@@ -245,7 +245,7 @@ class Panel {
       for (Series& series : series_)
         for (std::size_t i = 0; i < series.points.size(); ++i)
           if (!in_strip(series.points[i])) series.places[i].y = up.place(series.points[i].wrong_percent);
-      axes += fmt::format("<text class=\"q\" x=\"8\" y=\"{:.1f}\">wrong, % of what is truly seen</text>\n", top_end - 14);
+      axes += fmt::format("<text class=\"q\" x=\"8\" y=\"{:.1f}\">wrong, % of the length seen, of faces of the picture</text>\n", top_end - 14);
       for (const double value : up.marks(7)) {
         const double y = up.place(value);
         base::append(axes,

@@ -267,8 +267,8 @@ std::vector<std::string> notes_on(const std::vector<AtlasCluster>& clusters) {
         "lines far from it");
   if (any("rounding"))
     notes.push_back(
-        "rounding: the line runs along a side of a mask; rounded, it falls outside of the mask and is cut "
-        "off");
+        "rounding: the line runs along a side of a mask; rounded, it falls on the wrong side: cut off, or drawn "
+        "though hidden");
   if (any("not a rounding")) notes.push_back("not a rounding: still wrong with 8 fraction bits");
   if (any("fraction bits"))
     notes.push_back("fraction bits: the view is right with the 3 fraction bits that the program can have");

@@ -1,6 +1,8 @@
 // See heights.hpp.
 #include "host/compare/heights.hpp"
 
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
 #include "host/compare/host_time.hpp"
+#include "host/compare/work_bounds.hpp"
 #include "host/guests/skala/projection.hpp"
 
 namespace sightline::compare {
@@ -51,6 +54,8 @@ std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const g
 
 std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
                                               const guests::skala::View& view) {
+  if (const std::size_t points = grid.points() * grid.slices(); points > most_grid_points)
+    return fmt::format("{} points of the grid are too many for the truth of its lines, which takes {}", points, most_grid_points);
   return registry::find_height_method(oracle)->why_not(grid, registry::height_view(view));
 }
 

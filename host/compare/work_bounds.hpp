@@ -10,4 +10,7 @@ namespace sightline::compare {
 // half a million is long surfaces beside each other, of which every cut makes more pairs (about 0.3 s until then).
 inline constexpr std::size_t most_willis_pairs = 500'000;
 
+// Functions: points of the grid. The truth of its lines is found pair by pair in every column of the screen; these take about 3 s.
+inline constexpr std::size_t most_grid_points = 32'768;
+
 }  // namespace sightline::compare

@@ -429,7 +429,7 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   command.option("--views", arguments.views, "So many random views instead of one: median and greatest")
       .range(std::uint64_t{1}, std::uint64_t{100'000})
       .value("N");
-  command.option("--only-view", arguments.only_view, "One of the random views by its number, from 0, as sweeps number them").value("K");
+  command.option("--only-view", arguments.only_view, "One of the random views by its number, from 0, as sweeps number them").check(why_no_whole_number).value("K");
   add_random_view_options(command, arguments.random);
   command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
   command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");

@@ -45,8 +45,8 @@ std::string sweep_text(const compare::SweepTable& sweep, const ViewCommand& comm
     emulated = emulated || row.emulated_seconds.has_value();
     host = host || row.host_seconds.has_value();
   }
-  std::vector<int> widths{-20, -8, 8, 8, 14, 10, 10};
-  for (int times = (emulated ? 1 : 0) + (host ? 1 : 0); times > 0; --times) widths.insert(widths.end(), {17, 10, 10});
+  std::vector<int> widths{-20, -10, 7, 8, 15, 13, 13};
+  for (int times = (emulated ? 1 : 0) + (host ? 1 : 0); times > 0; --times) widths.insert(widths.end(), {18, 12, 12});
   widths.push_back(12);
   base::TextTable table(widths);
   std::vector<std::string> cells{"", "", "views", "right", "wrong: median", "90 %", "greatest"};
