@@ -32,7 +32,7 @@ JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool 
           eae,
           session.program().scene.cell_addresses.size(),
           session.program().words_used,
-          run.views.back(),
+          run.views.front(),
           refreshes_per_second(run)};
 }
 
@@ -55,7 +55,7 @@ std::string jones_table(const std::vector<JonesRow>& rows) {
                         seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
                         fmt::format("{}/{}", row.words, guests::jones::core_words), row.refreshes);
   }
-  text += "Seconds of the emulated machine for the second view; the paper: \"a few seconds\".\n";
+  text += "Seconds of the emulated machine for the first view, while the display does not yet take cycles; the paper: \"a few seconds\".\n";
   return text;
 }
 

@@ -187,9 +187,9 @@ Verdict skala_verdict(const DemoResults& results) {
   const MethodRange range = range_of(results.answer, "skala-8080", "dots");
   const bool right = within_dots(range, guests::skala::Device::ef9365);
   return {"Skala 1985 on the 8080",
-          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; up to {:.2f} % farther off than a dot, at most {:.1f}",
+          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; of lines up to {:.2f} % farther off than a dot, at most {:.1f}",
                       lines.text(2), others.text(1), range.wrong.high(), range.farthest),
-          fmt::format("{}{} than the paper", right ? "" : "WRONG, ", lines.high() <= about_two_seconds ? "faster" : "slower"), right};
+          fmt::format("{}lines {} than the paper", right ? "" : "WRONG, ", lines.high() <= about_two_seconds ? "faster" : "slower"), right};
 }
 
 Verdict visibility_verdict(const DemoResults& results) {
@@ -282,13 +282,13 @@ ThreeAnswers answers_of(const DemoResults& results) {
   answers.fast += exact.host.any() ? fmt::format("; the exact program of today takes {} on this computer.", exact.host.times())
                                    : std::string(".");
   answers.wrong = fmt::format(
-      "The PDP-7 has {} % of the visible length wrong and no point farther than {:.1f} of its 1024; the 8080 has {} % farther "
+      "The PDP-7 has {} % of the visible length wrong and no point farther than {:.1f} of its 1024; of lines of the 8080 {} % are farther "
       "than a dot, none farther than {:.1f} of its 256; the exact programs {}.",
       pdp7.wrong.text(2), pdp7.farthest, dots.wrong.text(2), dots.farthest,
       all_exact.all_right() ? std::string("have nothing wrong")
                             : fmt::format("are wrong in {} of {} views", all_exact.views - all_exact.right, all_exact.views));
   answers.against =
-      "All draw the same view of the same scene, and each is compared with the exact visible lines or faces of an oracle that "
+      "In each scene all draw the same view, and each is compared with the exact visible lines or faces of an oracle that "
       "shares no "
       "visibility code with it; what a machine's rounding moves counts as wrong.";
   return answers;
