@@ -244,7 +244,7 @@ TEST(HardCasePictures, MarkWhatDiffers) {
     return std::vector<int>{image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]};
   };
   EXPECT_EQ(colour(0), (std::vector<int>{213, 94, 0}));
-  EXPECT_EQ(colour(1), (std::vector<int>{0, 114, 178}));
+  EXPECT_EQ(colour(1), (std::vector<int>{0, 90, 200}));
   EXPECT_EQ(colour(2), (std::vector<int>{192, 192, 192}));
   EXPECT_EQ(colour(3), (std::vector<int>{255, 255, 255}));
 }
