@@ -57,6 +57,7 @@ struct CompareArguments {
   std::optional<std::uint64_t> only_view;  // of the random views
   RandomViewOptions random;
   bool no_host_times = false;
+  bool all = false;  // pictures, those without a difference too
   std::string plot;  // empty: none
   std::string directory = "out";
   bool json = false;
@@ -227,7 +228,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     ComparedScene compared{comparison.agrees(), compare_heading(function.name, comparison),
                            compare_notes(comparison, chosen_rows(arguments, comparison)) + left_out.text(name, 1, !answer.rows().empty()),
                            compare_json(function.name, comparison),
-                           write_overlays(arguments.directory, overlays.unused(function.stem), comparison), {}};
+                           write_overlays(arguments.directory, overlays.unused(function.stem), comparison, arguments.all), {}};
     if (!arguments.plot.empty()) compared.plotted = compare::variants_of(comparison);
     std::erase_if(compared.plotted, [&](const compare::PlotPoint& point) { return !chosen(arguments, point.series); });
     return compared;
@@ -298,7 +299,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     left_out.add(comparison.not_applicable);
     ComparedScene compared{comparison.agrees(), compare_heading(comparison),
                            compare_notes(comparison) + left_out.text(name, 1, !answer.rows().empty()), compare_json(comparison),
-                           write_overlays(arguments.directory, overlays.unused(shown), comparison), {}};
+                           write_overlays(arguments.directory, overlays.unused(shown), comparison, arguments.all), {}};
     if (arguments.plot.empty()) return compared;
     compared.plotted = source.cells ? compare::variants_of(*source.cells, options, comparison, progress)
                                     : compare::variants_of(source.scene, options, comparison, progress);
@@ -433,7 +434,8 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   add_random_view_options(command, arguments.random);
   command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
   command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");
-  command.option("-o,--output", arguments.directory, "Folder for the overlays").default_value().value("DIR");
+  command.flag("--all", arguments.all, "Write the pictures in which nothing differs, too");
+  command.option("-o,--output", arguments.directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--json", arguments.json, "One JSON document instead of the tables");
 }
 

@@ -84,6 +84,11 @@ void write_overlay(const std::string& base, const picture::Overlay& overlay, con
   paths.push_back(base + ".svg");
 }
 
+// By more than lengths in floating point do.
+bool differs(const LineMetrics& m) {
+  return m.symmetric() > 1e-6;
+}
+
 picture::OverlayCaption lines_caption(const std::string& title, const LineMetrics& m) {
   return {title, fmt::format("agreed {:.1f} px", m.true_length - m.missing),
           fmt::format("missing {:.2f} px", m.missing), fmt::format("extra {:.2f} px", m.extra)};
@@ -291,11 +296,12 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
 }
 
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
-                                        const SceneComparison& comparison) {
+                                        const SceneComparison& comparison, bool all) {
   std::vector<std::string> paths;
   const compare::ScreenFrame& frame = comparison.frame;
   for (const ComparedPicture& compared : comparison.pictures) {
     const LineMetrics& m = compared.metrics;
+    if (!all && !differs(m)) continue;
     const std::string title =
         fmt::format("{}: {} against the oracle, {}", comparison.scene, compared.name, view_text(comparison));
     const picture::OverlayCaption caption = lines_caption(title, m);
@@ -311,6 +317,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
     paths.push_back(points);
   }
   for (const compare::ComparedFaces& compared : comparison.faces) {
+    if (!all && compared.metrics.different() == 0) continue;
     const std::string title = fmt::format("{}: faces by {} against the nearest ones, {}", comparison.scene,
                                           compared.name, view_text(comparison));
     write_overlay(overlay_base(directory, name, compared.name + " faces"),
@@ -321,12 +328,13 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
 }
 
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
-                                        const HeightComparison& comparison) {
+                                        const HeightComparison& comparison, bool all) {
   std::vector<std::string> paths;
   for (const ComparedRaster& compared : comparison.rasters) {
     // The programs' dots are shown below against what is not rounded as they are.
     if (!comparison.devices.empty() && (compared.name == "guest" || compared.name == "twin")) continue;
     const PixelMetrics& m = compared.metrics;
+    if (!all && m.different() == 0) continue;
     const std::string title =
         fmt::format("{}, {}: {} against {}", name, picture_name(comparison.view.picture), compared.name,
                     compared.against);
@@ -342,6 +350,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
         [&](const compare::ComparedDevice& other) { return other.dots == device.dots && other.truth == device.truth; });
     if (&first != &device) continue;
     const picture::RasterDifference& d = device.raster;
+    if (!all && d.same()) continue;
     const std::string title = fmt::format("{}, {}: dots of the guest, {}, against exact lines by its rule", name,
                                           picture_name(comparison.view.picture), device.name);
     const picture::OverlayCaption caption{title, fmt::format("agreed {} points", d.lit_in_truth - d.missing.all),
@@ -350,6 +359,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
                   picture::overlay_of(lit_only(device.truth), device.dots, caption), title, paths);
   }
   for (const ComparedVectors& vectors : comparison.vectors) {
+    if (!all && !differs(vectors.metrics)) continue;
     const std::string title = fmt::format("{}, {}: {} against what is truly seen of them", name,
                                           picture_name(comparison.view.picture), vectors.name);
     write_overlay(

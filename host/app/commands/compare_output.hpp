@@ -21,12 +21,12 @@ namespace sightline::app {
 [[nodiscard]] base::Json compare_json(const compare::SceneComparison& comparison);
 [[nodiscard]] base::Json compare_json(const std::string& name, const compare::HeightComparison& comparison);
 
-// DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture, and NAME-compare-MACHINE_points.png, the points that a device lit
+// DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture that differs from the truth, or `all`, and NAME-compare-MACHINE_points.png, the points that a device lit
 // beside those that exact lines light; the directory is made. Returns the paths.
 // Failure io.
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
-                                        const compare::SceneComparison& comparison);
+                                        const compare::SceneComparison& comparison, bool all);
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
-                                        const compare::HeightComparison& comparison);
+                                        const compare::HeightComparison& comparison, bool all);
 
 }  // namespace sightline::app

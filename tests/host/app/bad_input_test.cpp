@@ -209,7 +209,7 @@ TEST_F(FullDisk, LeavesNothing) {
   for (const char* file : {"to/out.svg", "to/out.png", "to/out.plt"})
     expect_full({"draw", "exact", "boxes-100", "-o", file});
   // The folder for the overlays is made before them.
-  const Ran compare = sightline({"compare", "boxes-3", "-o", "to/compare"});
+  const Ran compare = sightline({"compare", "boxes-3", "--all", "-o", "to/compare"});
   EXPECT_EQ(compare.exit_code, 5);
   EXPECT_TRUE(has(compare.err, "to/compare/boxes-3-compare-exact.png: cannot write: File too large"))
       << compare.err;
