@@ -4,18 +4,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string_view>
 #include <utility>
 
-#include "host/algorithms/plantinga/edge_structure.hpp"
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/registry/faces.hpp"
 #include "host/compare/answer.hpp"
 #include "host/compare/host_time.hpp"
+#include "host/compare/turn_error.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
@@ -102,82 +101,17 @@ void add_stripes(const scene::PolyScene& scene, const CompareOptions& options, c
 
 // --- Plantinga's events
 
-// Visible parts of an edge, from 0 to 1.
-using Parts = std::vector<std::pair<double, double>>;
-
-Parts parts_of(const plantinga::FrameMaker& frame, plantinga::EdgeIndex edge, const plantinga::EdgeStructure& structure) {
-  Parts parts;
-  for (const plantinga::Piece& piece : structure) {
-    const double low = frame.parameter_of(edge, piece.low);
-    const double high = frame.parameter_of(edge, piece.high);
-    if (low < high) parts.emplace_back(low, high);
-  }
-  return parts;
-}
-
-double length_of(const Parts& parts) {
-  double sum = 0;
-  for (const auto& [low, high] : parts) sum += high - low;
-  return sum;
-}
-
-double in_both(const Parts& a, const Parts& b) {
-  double sum = 0;
-  for (const auto& [low, high] : a)
-    for (const auto& [other_low, other_high] : b) sum += std::max(0.0, std::min(high, other_high) - std::max(low, other_low));
-  return sum;
-}
-
 // A turn in even steps, that no event falls on but by chance.
 constexpr int turn_frames = 180;
 double angle_of(int frame) {
   return -std::numbers::pi + (frame + 0.37) * 2 * std::numbers::pi / turn_frames;
 }
 
-struct TurnFrame {
-  double angle = 0;
-  std::vector<plantinga::EdgeStructure> edges;  // exactly
-};
-
-std::vector<TurnFrame> exact_frames(const plantinga::RotationModel& model) {
-  std::vector<std::vector<plantinga::Occluder>> occluders;
-  for (plantinga::EdgeIndex edge = 0; edge < model.edges().size(); ++edge) occluders.push_back(model.occluders_of(edge));
-  std::vector<TurnFrame> frames;
-  for (int i = 0; i < turn_frames; ++i) {
-    constexpr double scale = 0x1p20;
-    const plantinga::Sight sight{std::llround(scale * std::sin(angle_of(i))), std::llround(scale * std::cos(angle_of(i)))};
-    TurnFrame& frame = frames.emplace_back();
-    frame.angle = std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
-    for (plantinga::EdgeIndex edge = 0; edge < model.edges().size(); ++edge)
-      frame.edges.push_back(plantinga::structure_at(model, edge, occluders[edge], sight));
-  }
-  return frames;
-}
-
 // Of the length that is seen in all frames.
-double events_wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list,
-                            const std::vector<TurnFrame>& frames) {
-  plantinga::EdgeStructureGraph graph(list);
-  plantinga::FrameMaker maker(model);
-  double wrong = 0;
-  double seen = 0;
-  for (const TurnFrame& frame : frames) {
-    static_cast<void>(graph.turn_to(frame.angle));
-    maker.place(frame.angle);
-    for (plantinga::EdgeIndex edge = 0; edge < model.edges().size(); ++edge) {
-      const plantinga::Segment s = model.segment(edge);
-      const auto across = [&](const plantinga::Vector3& p) {
-        return static_cast<double>(p[0]) * std::cos(frame.angle) - static_cast<double>(p[2]) * std::sin(frame.angle);
-      };
-      const double length = std::hypot(across(s.to) - across(s.from), static_cast<double>(s.to[1] - s.from[1]));
-      const Parts drawn = parts_of(maker, edge, graph.structure_of(edge));
-      const Parts exact = parts_of(maker, edge, frame.edges[edge]);
-      wrong += length * (length_of(drawn) + length_of(exact) - 2 * in_both(drawn, exact));
-      seen += length * length_of(exact);
-    }
-  }
+double events_wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list, const std::vector<ExactFrame>& frames) {
+  const TurnError error = turn_error(model, list, frames);
   // Equal places from different sums differ in their last bits.
-  return wrong > seen * 1e-12 ? 100 * wrong / seen : 0;
+  return error.wrong_length > error.seen_length * 1e-12 ? 100 * error.wrong_length / error.seen_length : 0;
 }
 
 void add_events(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual,
@@ -186,7 +120,9 @@ void add_events(const scene::PolyScene& scene, const CompareOptions& options, co
   if (!options.host_times || !has_lines(usual, "plantinga")) return;
   const plantinga::RotationModel model(scene);
   if (model.edges().size() > most_edges) return;
-  const std::vector<TurnFrame> frames = exact_frames(model);
+  std::vector<double> angles;
+  for (int i = 0; i < turn_frames; ++i) angles.push_back(angle_of(i));
+  const std::vector<ExactFrame> frames = exact_frames(model, angles);
   for (const double degrees : {0.0, 0.1, 1.0, 5.0, 10.0}) {
     const std::string label = degrees == 0 ? "0 degrees" : fmt::format("{} degree{}", degrees, degrees == 1 ? "" : "s");
     progress("plantinga, events within " + label);

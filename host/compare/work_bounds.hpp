@@ -6,7 +6,7 @@
 
 namespace sightline::compare {
 
-// Willis: pairs of pieces whose boundaries are looked at while surfaces are cut. Twenty boxes need 1,000 and a hundred 4,000; what needs
+// Willis: pairs of pieces whose boundaries are compared while surfaces are cut. Twenty boxes need 1,000 and a hundred 4,000; what needs
 // half a million is long surfaces beside each other, of which every cut makes more pairs (about 0.3 s until then).
 inline constexpr std::size_t most_willis_pairs = 500'000;
 

@@ -27,7 +27,7 @@ struct Limits {
   int touching_depth = 4;     // of surfaces that touch their partner: no number of cuts would do
   std::int32_t smallest = 0;  // surfaces of at most this diameter, in scene units, are not cut
   std::size_t pieces = 1'000'000;
-  // Of a scene: pairs of pieces whose boundaries are looked at, counted after each round of cuts. Beyond it the scene is refused.
+  // Of a scene: pairs of pieces whose boundaries are compared, counted after each round of cuts. Beyond it the scene is refused.
   std::size_t tests = std::numeric_limits<std::size_t>::max();
 };
 
