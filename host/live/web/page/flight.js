@@ -13,11 +13,12 @@ export class Flight {
     const o = this.options;
     const set = name => value => { o[name] = value; again(); };
     const number = name => value => { if (value !== '' && Number.isFinite(Number(value))) { o[name] = Number(value); again(); } };
-    this.scene = choice('Scene', SCENES, o.scene, set('scene'));
-    this.bits = choice('Coordinates', [[8, '8 bits'], [12, '12 bits'], [16, '16 bits']], o.bits, number('bits'));
-    this.plan = check('Measured in plan', o.plan, set('plan'));
-    this.pieces = field('Pieces at most', o.pieces, number('pieces'), {type: 'number', min: 1, max: 255});
-    this.controls = [this.scene, this.bits, this.pieces, this.plan];
+    this.scene = choice('Scene', SCENES, o.scene, set('scene'), 'The houses that are flown through');
+    this.bits = choice('Coordinates', [[8, '8 bits'], [12, '12 bits'], [16, '16 bits']], o.bits, number('bits'), 'Bits of a coordinate: with more, distances are more exact and frames slower');
+    this.plan = check('Distances without the height', o.plan, set('plan'), 'Distances are measured in plan, seen from above, as in the paper');
+    this.pieces = field('Most pieces', o.pieces, number('pieces'), {type: 'number', min: 1, max: 255},
+      'The scene is cut into pieces, each with one place in the order. The machine holds up to 255; of more, the nearest are shown.');
+    this.controls = [this.bits, this.pieces, this.plan];
     this.colours = new Int32Array(1);
     this.image = new ImageData(SIDE, SIDE);
     this.pixels = new Int32Array(this.image.data.buffer);
@@ -59,13 +60,13 @@ export class Flight {
     this.before = {frames: state.frames, ms: frame.shown_ms};
     return [
       ['Frames', `${state.frames} of ${this.made.frames}; ${this.rate.toFixed(1)} a second, on average ${state.frames_per_second_mean.toFixed(1)}, at worst ${state.frames_per_second_worst.toFixed(1)}`],
-      ['Computing', `${count(frame.t_states)} T-states for this frame, then ${count(frame.waiting)} waiting for the display`],
-      ['Pieces', `${this.made.pieces}, of ${this.made.surfaces} surfaces; ${frame.facing} turned to the eye`],
-      ['Order', `${count(frame.moved)} pieces moved, ${count(frame.exchanges)} pairs exchanged since the last frame`],
-      ['Wrong orders', `${count(frame.wrong_orders)} in this frame, ${count(state.wrong_orders)} of ${count(state.pairs)} pairs so far`],
-      ['Wrong points', `${count(frame.wrong_points)} in this picture, ${count(state.wrong_points)} in ${state.frames_with_wrong_points} pictures so far`],
-      ['Coordinates', `a step is ${this.made.coordinate_step.toPrecision(3)} of the scene's units; distances that differ by more than ${this.made.distance_error.toPrecision(3)} are in order`],
-      ['Native twin', state.difference || 'the same priorities']];
+      ['Computing', `${count(frame.t_states)} clock cycles for this frame, then ${count(frame.waiting)} waiting for the display`],
+      ['Pieces', `${this.made.pieces}, cut from ${this.made.surfaces} surfaces; ${frame.facing} turned to the eye`],
+      ['Order', `${count(frame.moved)} pieces moved, ${count(frame.exchanges)} pairs exchanged since the last frame`, 'The order of the pieces by distance: the nearest has the highest priority'],
+      ['Pairs in wrong order', `${count(frame.wrong_orders)} in this frame, ${count(state.wrong_orders)} of ${count(state.pairs)} so far`, 'Pairs of pieces that exact distances put in the other order'],
+      ['Wrong pixels', `${count(frame.wrong_points)} in this picture, ${count(state.wrong_points)} in ${state.frames_with_wrong_points} pictures so far`, 'Pixels that show another face than the exact picture'],
+      ['Precision', `one step of a coordinate is ${this.made.coordinate_step.toPrecision(3)} of the scene's units; distances that differ by more than ${this.made.distance_error.toPrecision(3)} are in the right order`],
+      ['Check', state.difference || 'the same priorities as the same algorithm on this computer', 'Every frame is also computed by the same algorithm as a program of this computer']];
   }
 
   link() {

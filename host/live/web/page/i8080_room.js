@@ -1,7 +1,7 @@
 // Programs of the 8080: Skala's pictures of functions, scenes in the stripes of Montani and Re, a flight with Willis's priorities. A picture grows
 // on the raster board, under a pen, or is shown by the priority display, at the machine's own speed.
 
-import {Clock, button, check, choice, download, element, factList, field, fileTaker, group, notice, runFor} from './ui.js';
+import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
 import {sampled} from './expression.js';
 import {camera} from './camera.js';
 import {Flight} from './flight.js';
@@ -37,32 +37,34 @@ export class I8080Room {
       o.function = value;
       this.words.hidden = value !== '';
       if (value !== '' || o.text) this.restart();
-    });
-    this.program = choice('Program', [['skala', "Skala: functions of two variables"], ['stripes', 'Montani and Re: scenes in stripes'], ['flight', 'Willis: a flight by priorities']], o.program, value => { o.program = value; this.offer(); this.restart(); });
-    this.scene = choice('Scene', SCENES, o.scene, again('scene'));
-    this.words = field('f(x, z), x and z from -6 to 6', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28});
+    }, 'The function of x and z whose surface is drawn');
+    this.program = choice('Program', [['skala', "Skala: functions of two variables"], ['stripes', 'Montani and Re: scenes in stripes'], ['flight', 'Willis: a flight by priorities']], o.program, value => { o.program = value; this.offer(); this.restart(); }, 'The program that the 8080 runs');
+    this.scene = choice('Scene', SCENES, o.scene, again('scene'), 'The solids that are drawn');
+    this.words = field('f(x, z), x and z from -6 to 6', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28}, 'Height of the surface: an expression in x and z');
     this.words.hidden = true;
     o.text = 'sin(x) * cos(z)';
-    this.turn = field('Rotation', o.rotation, number('rotation'), {type: 'number', step: 5});
-    this.tilt = field('Elevation', o.elevation, number('elevation'), {type: 'number', min: -90, max: 90, step: 5});
+    this.turn = field('Rotation', o.rotation, number('rotation'), {type: 'number', step: 5}, 'Degrees by which the picture is turned about the upright axis');
+    this.tilt = field('Elevation', o.elevation, number('elevation'), {type: 'number', min: -90, max: 90, step: 5}, 'Degrees from which the picture is seen from above');
     this.running = button('Pause', () => this.go(!this.on), 'Run or pause');
-    const screen = element('div', {className: 'screen'}, this.canvas);
+    const screen = this.screen = element('div', {className: 'screen board'}, this.canvas);
     this.drag();
-    return element('div', {className: 'room'},
-      element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, this.hint = element('span', {textContent: 'Drag the picture to turn it.'}), this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
+    return element('div', {className: 'room'}, this.intro = introduction(),
+      element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, this.hint = element('span', {className: 'wide', textContent: 'Drag the picture to turn it.'}), this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
       element('div', {className: 'desk'}, this.message,
-        group('Picture', this.program, this.scene, this.pick, this.words, ...this.flight.controls,
-          this.kind = choice('Drawn as', ['lines', 'surface', 'contours'], o.picture, again('picture')),
-          this.device = choice('Device', [['ef9365', 'EF9365 raster board'], ['alt256', 'ALT-256 raster board'], ['calcomp', PENS.calcomp], ['minigraf', PENS.minigraf]], o.device, again('device')),
-          this.turn, this.tilt, ...this.ofSkala = [field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}),
-          field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}), field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}),
-          field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}),
-          check('Hidden lines removed', o.visibility, again('visibility'))],
-          choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); })),
-        this.cost8080 = group('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw it with and without hidden lines, and compare the T-states')), this.costs = element('p', {role: 'status'})),
-        group('State', this.facts,
+        group('Program', this.program, this.scene, this.pick, this.words, this.flight.scene),
+        this.look = group('Picture', this.kind = choice('Drawn as', ['lines', 'surface', 'contours'], o.picture, again('picture'), 'Lines of the surface, shaded surface, or lines of equal height'),
+          this.device = choice('Device', [['ef9365', 'EF9365 raster board'], ['alt256', 'ALT-256 raster board'], ['calcomp', `${PENS.calcomp} plotter`], ['minigraf', `${PENS.minigraf} plotter`]], o.device, again('device'), 'What the 8080 draws on'),
+          this.turn, this.tilt),
+        fold('Options', ...this.flight.controls, ...this.ofSkala = [field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}, 'Size of the picture; 1 fills the device'),
+          field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}, 'Points of the grid in each slice; more are finer and slower'),
+          field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}, 'Rows of the grid, from the foreground to the background'),
+          field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}, 'How many heights have a line in a picture of contours'),
+          check('Hidden lines removed', o.visibility, again('visibility'), 'Otherwise all lines are drawn whole')],
+          choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); }, 'How fast the machine runs, compared with an 8080 at 3 MHz')),
+        this.cost8080 = fold('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw the picture with and without its hidden lines, and compare the times')), this.costs = element('p', {role: 'status'})),
+        fold('State', this.facts,
           element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${this.name}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
-            this.saver = button('Save state', () => this.saveState(), 'Save a snapshot of the machine'), ' ',
+            this.saver = button('Save state', () => this.saveState(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker(screen, 'Open a grid (CSV), a scene or a snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
   }
 
@@ -112,8 +114,13 @@ export class I8080Room {
     for (const each of [this.pick, this.kind, this.cost8080, ...this.ofSkala]) each.hidden = !skala;
     this.words.hidden = !skala || this.options.function !== '';
     this.scene.hidden = program !== 'stripes';
-    for (const each of this.flight.controls) each.hidden = !this.flies;
-    for (const each of [this.device, this.turn, this.tilt, this.hint, this.saver]) each.hidden = this.flies;
+    for (const each of [this.flight.scene, ...this.flight.controls]) each.hidden = !this.flies;
+    for (const each of [this.look, this.hint, this.saver]) each.hidden = this.flies;
+    this.intro.say({
+      skala: "An 8080 [of 1974, at 3 MHz,] draws a function of two variables[ by Skala's algorithm of 1985, its hidden lines removed]. Drag the picture to turn it.",
+      stripes: 'An 8080 [of 1974, at 3 MHz,] draws solids in stripes[ after Montani and Re (1985), hidden parts removed]. Drag the picture to turn it.',
+      flight: 'An 8080 [of 1974, at 3 MHz,] flies through houses: the nearer face hides the other[ (Willis 1977)]. Choose another scene.',
+    }[program]);
     for (const option of this.device.select.options) option.hidden = option.disabled = program === 'stripes' && !['ef9365', 'calcomp'].includes(option.value);
     if (program === 'stripes' && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';
   }
@@ -168,7 +175,7 @@ export class I8080Room {
     try { answer = this.module.ask(this.request('cost')); } catch (error) { answer = {error: error.message}; }
     if (answer.error) return this.message.say(answer.error, true);
     const ms = states => `${(states / CLOCK * 1000).toFixed(0)} ms`;
-    this.costs.textContent = `With hidden lines removed ${ms(answer.with)} (${answer.with.toLocaleString('en')} T-states), all lines plainly ${ms(answer.without)}: ${(answer.with / answer.without).toFixed(2)} times as long.`;
+    this.costs.textContent = `With hidden lines removed ${ms(answer.with)} (${answer.with.toLocaleString('en')} clock cycles), all lines whole ${ms(answer.without)}: ${(answer.with / answer.without).toFixed(2)} times as long.`;
   }
 
   go(on) {
@@ -183,6 +190,7 @@ export class I8080Room {
     const plotter = !this.flies && this.options.device in PENS;
     this.canvas.width = this.canvas.height = plotter ? 768 : this.flies ? this.flight.side : 256;
     this.canvas.classList.toggle('plotter', plotter);
+    this.screen.classList.toggle('sheeted', plotter);
     this.penDown = false;
     if (plotter) { this.context.fillStyle = '#fbfaf4'; this.context.fillRect(0, 0, 768, 768); }
   }
@@ -232,10 +240,10 @@ export class I8080Room {
   }
   showState() {
     const states = this.flies ? this.flight.ticks() : this.module.ticks(this.id);
-    const rows = [['Emulated time', `${(states / CLOCK).toFixed(3)} s`], ['T-states', states.toLocaleString('en')]];
+    const rows = [['Emulated time', `${(states / CLOCK).toFixed(3)} s`], ['Clock cycles', states.toLocaleString('en'), 'T-states of the 8080: 3 million a second']];
     if (this.flies) rows.push(...this.flight.facts()); else rows.push(['Instructions', this.module.instructions(this.id).toLocaleString('en')]);
-    rows.push(['From the host computer', `${this.stream.toLocaleString('en')} bytes`]);
-    if (this.made.faces) rows.push(['Faces', String(this.made.faces)]);
+    rows.push(['Data received', `${this.stream.toLocaleString('en')} bytes`, 'What the 8080 reads: the heights of the function or the scene, as the computer beside it sends them']);
+    if (this.made.faces) rows.push(['Faces', String(this.made.faces), 'Faces of the solids that the 8080 received']);
     if (this.ended) rows.push(['Done', this.reason]);
     this.facts.show(rows);
   }

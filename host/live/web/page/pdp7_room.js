@@ -1,6 +1,6 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
-import {Clock, button, check, choice, download, element, factList, field, fileTaker, group, notice, runFor} from './ui.js';
+import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
 import {Turning} from './turning.js';
 import {SIDE, PHOSPHOR} from './phosphor.js';
 import {makeTube} from './tube.js';
@@ -13,6 +13,12 @@ const WALK = [
   ['left', 'ArrowLeft'], ['right', 'ArrowRight'], ['up', 'PageUp'], ['down', 'PageDown'],
   ['in', 'ArrowUp'], ['out', 'ArrowDown'], ['bigger', '+'], ['smaller', '-'],
 ];
+
+// What to try of an example.
+const TRY = {
+  'pen.s': 'Press the pointer on the picture: it is the light pen.',
+  'echo.s': 'Type in the box of the teletype.',
+};
 
 export const PROGRAMS = ['house', 'roberts', 'street4', 'corridor8', 'corridor32'];
 
@@ -61,30 +67,39 @@ export class Pdp7Room {
     screen.addEventListener('pointercancel', event => pen(event, false));
 
     this.programs = choice('Program', [...PROGRAMS.map(name => [name, `Jones: ${name}`]), ...this.turning.programs, ...this.examples.map(each => [each.name, each.title])], o.program,
-      value => { o.program = value; o.switches = 0; this.restart(); });
-    const speed = choice('Speed', [[1, 'real time'], [2, '2 times'], [10, '10 times'], [0, 'as fast as possible'], [0.1, 'a tenth']], o.speed, value => { o.speed = Number(value); });
+      value => { o.program = value; o.switches = 0; this.restart(); }, 'The program that the PDP-7 runs');
+    const speed = choice('Speed', [[1, 'real time'], [2, '2 times'], [10, '10 times'], [0, 'as fast as possible'], [0.1, 'a tenth']], o.speed, value => { o.speed = Number(value); }, 'How fast the machine runs, compared with a PDP-7');
     const set = name => value => { o[name] = value; this.restart(); };
     this.running = button('Pause', () => this.toggle(), 'Run or pause');
     this.lamp = element('span', {className: 'lamp', role: 'img', 'aria-label': 'computing a view'});
     this.facts = factList();
 
-    return element('div', {className: 'room'},
+    return element('div', {className: 'room'}, this.intro = introduction(),
       element('div', {className: 'stage'}, screen,
         element('p', {className: 'under'}, element('span', {}, this.lamp, ' a view is being computed '), this.running)),
       element('div', {className: 'desk'},
         this.message,
-        group('Program', this.programs, speed,
-          this.eae = check('EAE (extended arithmetic element)', o.eae, set('eae')), this.stereo = check('Stereo pair', o.stereo, set('stereo')),
-          this.redCyan = check('Pair as red and cyan', o.redCyan, value => { o.redCyan = value; this.drawGlass(); }),
-          this.immediate = check('Lines at once', o.immediate, set('immediate')),
-          this.scale = field('Scale at the start', o.scale, value => { o.scale = Math.max(64, Math.min(4096, Number(value) || 512)); this.restart(); }, {type: 'number', min: 64, max: 4096, step: 64}),
-          this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); })),
+        group('Program', this.programs),
         this.walk = group('Walk: hold a switch, or its key', this.walkPad()), this.turning.group,
-        group('Panel', this.panel()),
-        group('Teletype', this.teletype()),
-        group('State', this.facts,
-          element('p', {}, button('Save', () => this.save(), 'Save a snapshot'), ' ',
+        fold('Options', speed,
+          this.eae = check('EAE: multiply and divide in hardware', o.eae, set('eae'), 'The extended arithmetic element, an option of the PDP-7. Without it the program multiplies and divides by subroutines, and is slower.'),
+          this.stereo = check('Stereo pair', o.stereo, set('stereo'), 'Two pictures side by side, one for each eye'),
+          this.redCyan = check('Pair as red and cyan', o.redCyan, value => { o.redCyan = value; this.drawGlass(); }, 'The two pictures of a stereo pair over each other, for red and cyan glasses'),
+          this.immediate = check('Lines at once', o.immediate, set('immediate'), 'Each line is shown as soon as it is computed, not the whole view when it is complete'),
+          this.scale = field('Scale at the start', o.scale, value => { o.scale = Math.max(64, Math.min(4096, Number(value) || 512)); this.restart(); }, {type: 'number', min: 64, max: 4096, step: 64}, 'Size of the picture when the walk begins, 64 to 4096; at 512 the field of view is 90 degrees'),
+          this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); }, 'Draws the visible lines as a program of today computes them over the picture, and marks where it differs')),
+        fold('Panel', this.panel()),
+        fold('Teletype', this.teletype()),
+        fold('State', this.facts,
+          element('p', {}, button('Save', () => this.save(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker(screen, 'Open tape, program or snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+  }
+
+  introduce() {
+    const {program} = this.options;
+    this.intro.say(PROGRAMS.includes(program) ? "A PDP-7 of 1965 [with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
+      : this.turns ? 'A PDP-7 of 1965 turns a solid [on its Type 340 display], its hidden lines removed. Press “wire frame”[: every edge is shown].'
+      : `A PDP-7 of 1965 [with its Type 340 display] runs an example. ${TRY[program] ?? 'Press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
   }
 
   walkPad() {
@@ -175,6 +190,7 @@ export class Pdp7Room {
     const jones = PROGRAMS.includes(o.program);
     this.turns = this.turning.owns(o.program);
     this.walk.hidden = !jones;
+    this.introduce();
     this.turning.group.hidden = !this.turns;
     for (const each of [this.stereo, this.redCyan, this.immediate, this.scale, this.lamp.parentElement]) each.hidden = !jones;
     let made;

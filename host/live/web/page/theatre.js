@@ -1,6 +1,6 @@
 // The theatre: each algorithm at work on a small scene that can be turned.
 
-import {choice, element, field, fileTaker, group, notice, button} from './ui.js';
+import {choice, element, field, fileTaker, introduction, notice} from './ui.js';
 import {makePlayer} from './player.js';
 import {camera} from './camera.js';
 
@@ -13,17 +13,20 @@ export class Theatre {
     this.lessons = lessons;
     this.remember = remember;
     this.options = {algorithm: lessons[0]?.algorithm, scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
-    this.stage = element('div', {});
+    this.stage = element('div', {className: 'stage'});
     this.message = notice();
     const o = this.options;
-    this.pick = choice('Algorithm', lessons.map(each => [each.algorithm, each.algorithm]), o.algorithm, value => { o.algorithm = value; this.play(); });
-    this.scene = choice('Scene', SCENES, o.scene, value => { o.scene = value; this.play(); });
-    this.function = choice('Function', FUNCTIONS, o.function, value => { o.function = value; this.play(); });
-    this.view = choice('View', [['own', "the scene's own"], ['turned', 'parallel, turned']], o.view, value => { o.view = value; this.play(); });
-    this.turn = field('Rotation', o.rotation, value => { o.rotation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: -180, max: 180, step: 5});
-    this.tilt = field('Elevation', o.elevation, value => { o.elevation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: 0, max: 60, step: 5});
-    this.root = element('div', {className: 'theatre'},
-      element('p', {className: 'bar'}, this.pick, this.scene, this.function, this.view, this.turn, this.tilt,
+    this.pick = choice('Algorithm', lessons.map(each => [each.algorithm, each.algorithm]), o.algorithm, value => { o.algorithm = value; this.play(); }, 'The algorithm that is shown');
+    this.scene = choice('Scene', SCENES, o.scene, value => { o.scene = value; this.play(); }, 'The solids that it draws');
+    this.function = choice('Function', FUNCTIONS, o.function, value => { o.function = value; this.play(); }, 'The function of two variables that it draws');
+    this.view = choice('View', [['own', "the scene's own"], ['turned', 'parallel, turned']], o.view, value => { o.view = value; this.play(); }, 'From where the scene is seen: from its own eye, or turned, in parallel projection');
+    this.turn = field('Rotation', o.rotation, value => { o.rotation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: -180, max: 180, step: 5}, 'Turns the scene about the upright axis');
+    this.tilt = field('Elevation', o.elevation, value => { o.elevation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: 0, max: 60, step: 5}, 'Tilts the scene: how far it is seen from above');
+    const intro = introduction();
+    intro.say('Hidden-line algorithms at work[ on small scenes], one step at a time. Press Play, or > for the next step.');
+    this.root = element('div', {className: 'theatre'}, intro,
+      element('p', {className: 'bar'}, this.pick, this.scene, this.function),
+      element('p', {className: 'bar seen'}, this.view, this.turn, this.tilt,
         fileTaker(this.stage, 'Open a scene', (name, bytes) => {
           module.putFile(name, bytes);
           if (![...this.scene.select.options].some(each => each.value === name)) this.scene.select.append(element('option', {value: name, textContent: name}));

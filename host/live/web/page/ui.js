@@ -14,31 +14,45 @@ export function button(label, act, title = label) {
   return element('button', {type: 'button', textContent: label, title, 'aria-label': title, onclick: act});
 }
 
-// A named choice; `entries`: texts, or [value, text].
-export function choice(label, entries, value, act) {
+// A named choice; `entries`: texts, or [value, text]. `title`, here and below: what the control does, shown to a pointer that rests on it.
+export function choice(label, entries, value, act, title = '') {
   const select = element('select', {onchange: () => act(select.value)},
     ...entries.map(entry => {
       const [each, text] = Array.isArray(entry) ? entry : [entry, entry];
       return element('option', {value: each, textContent: text, selected: String(each) === String(value)});
     }));
-  return Object.assign(element('label', {className: 'field'}, element('span', {textContent: label}), select), {select});
+  return Object.assign(element('label', {className: 'field', title}, element('span', {textContent: label}), select), {select});
 }
 
-export function check(label, value, act) {
+export function check(label, value, act, title = '') {
   const box = element('input', {type: 'checkbox', checked: value, onchange: () => act(box.checked)});
-  return Object.assign(element('label', {className: 'field check'}, box, element('span', {textContent: label})), {box});
+  return Object.assign(element('label', {className: 'field check', title}, box, element('span', {textContent: label})), {box});
 }
 
-export function field(label, value, act, properties = {}) {
+export function field(label, value, act, properties = {}, title = '') {
   const input = element('input', {value, ...properties, onchange: () => act(input.value)});
-  return Object.assign(element('label', {className: 'field'}, element('span', {textContent: label}), input), {input});
+  return Object.assign(element('label', {className: 'field', title}, element('span', {textContent: label}), input), {input});
 }
 
 export function group(title, ...children) {
   return element('section', {className: 'group', 'aria-label': title}, element('h3', {textContent: title}), ...children);
 }
 
-// Names and values that change a few times a second: `show` writes rows of both, and keeps the elements that are there.
+// A group that can be folded away. On a narrow page it is folded at first.
+export function fold(title, ...children) {
+  const open = !matchMedia('(max-width: 700px)').matches;
+  return element('details', {className: 'group', open, 'aria-label': title}, element('summary', {textContent: title}), ...children);
+}
+
+// The first sentences of a room: what it is, and one thing to try. `say`: a narrow page leaves out what stands in [brackets].
+export function introduction() {
+  const box = element('p', {className: 'intro'});
+  box.say = text => box.replaceChildren(...text.split(/[[\]]/).map((part, i) => i % 2 ? element('span', {className: 'wide', textContent: part}) : part));
+  return box;
+}
+
+// Names, values and, where a name needs it, an explanation, which a pointer shows. They change a few times a second: `show` writes the rows, and
+// keeps the elements that are there.
 export function factList() {
   const box = element('dl', {className: 'facts'});
   box.show = rows => {
@@ -49,6 +63,8 @@ export function factList() {
         const shown = box.children[2 * i + part];
         if (shown.textContent !== rows[i][part]) shown.textContent = rows[i][part];
       }
+      const name = box.children[2 * i];
+      if (name.title !== (rows[i][2] ?? '')) name.title = rows[i][2] ?? '';
     }
   };
   return box;

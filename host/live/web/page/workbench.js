@@ -1,6 +1,6 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
-import {Clock, button, choice, download, element, field, fileTaker, group, notice, runFor} from './ui.js';
+import {Clock, button, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
 import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 
@@ -26,9 +26,9 @@ export class Workbench {
 
   build() {
     this.message = notice();
-    this.shelf = choice('Example', this.examples.map(each => [each.name, each.title]), this.current?.name, value => this.show(this.examples.find(each => each.name === value)));
-    this.machine = choice('Machine', Object.entries(MACHINES).map(([name, {title}]) => [name, title]), 'pdp7', () => this.offerDialects());
-    this.dialect = choice('Dialect', ['dec'], 'dec', () => {});
+    this.shelf = choice('Example', this.examples.map(each => [each.name, each.title]), this.current?.name, value => this.show(this.examples.find(each => each.name === value)), 'A program to begin with');
+    this.machine = choice('Machine', Object.entries(MACHINES).map(([name, {title}]) => [name, title]), 'pdp7', () => this.offerDialects(), 'The machine that the source is for');
+    this.dialect = choice('Dialect', ['dec'], 'dec', () => {}, 'The assembly language: whose assembler the source was written for');
     this.editor = element('textarea', {className: 'editor', spellcheck: false, 'aria-label': 'Source', wrap: 'off'});
     this.numbers = element('pre', {className: 'numbers', 'aria-hidden': 'true'});
     this.editor.addEventListener('input', () => this.countLines());
@@ -39,9 +39,9 @@ export class Workbench {
     });
     this.errors = element('ul', {className: 'errors', 'aria-live': 'polite'});
     this.listing = element('pre', {className: 'listing', tabIndex: 0, 'aria-label': 'Listing'});
-    this.code = element('table', {className: 'code'}, element('caption', {textContent: 'Instructions; click the dot for a breakpoint'}));
+    this.code = element('table', {className: 'code'}, element('caption', {textContent: 'The next instruction is marked; a dot sets a breakpoint'}));
     this.registerBox = element('dl', {className: 'registers'});
-    this.memoryAt = field('Memory at', '0', () => this.showMemory(), {size: 8, spellcheck: false});
+    this.memoryAt = field('Memory at', '0', () => this.showMemory(), {size: 8, spellcheck: false}, 'Shows memory from this address on: a number or a name of the program');
     this.memory = element('pre', {className: 'memory', tabIndex: 0, 'aria-label': 'Memory'});
     this.past = element('pre', {className: 'history', tabIndex: 0, 'aria-label': 'Last instructions'});
     this.symbols = element('pre', {className: 'listing', tabIndex: 0, 'aria-label': 'Symbols'});
@@ -54,36 +54,37 @@ export class Workbench {
       this.module.type(this.id, code);
       if (this.waits) { this.waits = false; this.go(true); }
     });
-    this.canvas = element('canvas', {className: 'small', role: 'img', 'aria-label': 'Screen of the program'});
+    this.canvas = element('canvas');
+    this.screen = element('div', {className: 'screen'}, this.canvas);
     this.status = element('p', {className: 'status', role: 'status'});
-    this.question = field('Value of', '', () => this.evaluate(), {placeholder: 'begin+3, AC, time', spellcheck: false});
+    this.question = field('Value of', '', () => this.evaluate(), {placeholder: 'begin+3, AC, time', spellcheck: false}, 'An expression of names of the program, registers and numbers');
     this.answer = element('output', {});
     const desk = act => () => this.act(act);
-    return element('div', {className: 'bench'},
-      element('div', {className: 'write'},
-        element('p', {className: 'bar'}, this.shelf, this.machine, this.dialect,
-          button('Assemble', () => this.assemble(), 'Assemble and load (Ctrl-Enter)'),
-          fileTaker(this.editor, 'Open', (name, bytes) => this.open1(name, bytes), text => this.message.say(text, true)),
-          button('Save', () => download(this.current?.name ?? 'program.s', this.editor.value, 'text/plain'), 'Save the source')),
-        this.message, this.errors,
-        element('div', {className: 'sheet'}, this.numbers, this.editor),
-        element('details', {}, element('summary', {textContent: 'Listing'}), this.listing),
-        element('details', {}, element('summary', {textContent: 'Symbols'}), this.symbols)),
-      element('div', {className: 'look'},
-        element('p', {className: 'bar'},
-          this.running = button('Run', () => this.go(!this.on), 'Run or pause (F5)'),
-          button('Step', desk({do: 'step'}), 'One instruction (F11)'), button('Over', desk({do: 'over'}), 'Over a call (F10)'), button('Out', desk({do: 'out'}), 'Out of a subroutine'),
-          button('Back', desk({do: 'back'}), 'One instruction back in time'), button('Back 100', desk({do: 'back', count: 100}), 'A hundred instructions back'),
-          button('Back to break', desk({do: 'back_to_breakpoint'}), 'Back to the last breakpoint'),
-          button('Reset', () => this.load(), 'Load the program again'),
-          button('Save state', () => this.saveState(), 'Save a snapshot of the machine'),
-          fileTaker(this.code, 'Open state', (name, bytes) => this.openState(name, bytes), text => this.message.say(text, true))),
-        this.status,
-        element('div', {className: 'panes'}, element('div', {className: 'scroll'}, this.code), element('div', {}, this.registerBox, this.canvas)),
-        group('Console', this.output, this.keys),
-        group('Memory', this.memoryAt, this.memory),
-        group('Look', this.question, this.answer),
-        element('details', {open: true}, element('summary', {textContent: 'Last instructions'}), this.past)));
+    return element('div', {className: 'bench'}, this.intro = introduction(),
+      element('p', {className: 'bar pick'}, this.shelf),
+      element('p', {className: 'bar tools'}, this.machine, this.dialect,
+        button('Assemble', () => this.assemble(), 'Assemble and load (Ctrl-Enter)'),
+        fileTaker(this.editor, 'Open', (name, bytes) => this.open1(name, bytes), text => this.message.say(text, true)),
+        button('Save', () => download(this.current?.name ?? 'program.s', this.editor.value, 'text/plain'), 'Save the source')),
+      this.message,
+      element('p', {className: 'bar run'},
+        this.running = button('Run', () => this.go(!this.on), 'Run or pause (F5)'),
+        button('Step', desk({do: 'step'}), 'One instruction (F11)'), button('Over', desk({do: 'over'}), 'One instruction; a call with all of its subroutine (F10)'), button('Out', desk({do: 'out'}), 'To the end of the subroutine'),
+        button('Back', desk({do: 'back'}), 'One instruction back in time'), button('Back 100', desk({do: 'back', count: 100}), 'A hundred instructions back'),
+        button('Back to break', desk({do: 'back_to_breakpoint'}), 'Back to the last breakpoint'),
+        button('Reset', () => this.load(), 'Load the program again')),
+      element('div', {className: 'source'}, this.errors, element('div', {className: 'sheet'}, this.numbers, this.editor)),
+      element('div', {className: 'view'}, this.screen, group('Console', this.output, this.keys)),
+      element('div', {className: 'state'}, this.registerBox, element('div', {className: 'scroll'}, this.code), this.status),
+      element('div', {className: 'more'},
+        fold('Memory', this.memoryAt, this.memory),
+        fold('Last instructions', this.past),
+        fold('Value of an expression', this.question, this.answer),
+        fold('Snapshot: the whole state of the machine as a file', element('p', {},
+          button('Save state', () => this.saveState(), 'Save a snapshot of the machine'), ' ',
+          fileTaker(this.code, 'Open state', (name, bytes) => this.openState(name, bytes), text => this.message.say(text, true)))),
+        element('details', {className: 'group'}, element('summary', {textContent: 'Listing'}), this.listing),
+        element('details', {className: 'group'}, element('summary', {textContent: 'Symbols'}), this.symbols)));
   }
 
   offerDialects() {
@@ -158,12 +159,17 @@ export class Workbench {
     this.registers.clear();
     this.words.clear();
     this.output.textContent = '';
-    const fresh = element('canvas', {className: 'small', role: 'img', 'aria-label': 'Screen of the program'});
+    const fresh = element('canvas', {role: 'img', 'aria-label': 'Screen of the program'});
     this.canvas.replaceWith(fresh);
     this.canvas = fresh;
     this.context = null;
     this.tube = machine === 'pdp7' ? makeTube(fresh) : null;
-    if (!this.tube) { fresh.width = fresh.height = 256; fresh.hidden = !options['--board']; }
+    if (!this.tube) fresh.width = fresh.height = 256;
+    fresh.className = this.tube ? 'tube' : 'raster';
+    this.screen.className = this.tube ? this.tube.kind === 'plain' ? 'screen' : 'screen framed' : 'screen board';
+    // A program without a screen has its console in that place.
+    this.root.classList.toggle('printing', !this.tube && !options['--board']);
+    this.intro.say(`A program for the ${machine === 'pdp7' ? 'PDP-7' : '8080'}[ in its assembly language], run forward and back[, one instruction at a time if you like]. Press Run, then Back.`);
     this.memoryAt.input.value = (this.made.lines[0]?.at ?? 0).toString(machine === 'pdp7' ? 8 : 16);
     this.go(false);
     this.refresh();
@@ -238,7 +244,6 @@ export class Workbench {
   showRaster() {
     const dots = this.module.raster(this.id);
     if (!dots) return;
-    this.canvas.hidden = false;
     this.raster ??= new RasterImage();
     this.raster.draw(this.context ??= this.canvas.getContext('2d'), dots);
   }
@@ -250,11 +255,11 @@ export class Workbench {
   refresh() {
     if (!this.id) return;
     const state = this.module.ask({do: 'state', id: this.id});
-    this.status.textContent = `${state.time}, ${state.instructions.toLocaleString('en')} instructions; ${state.status.split('\n')[0]}`;
-    this.registerBox.replaceChildren(...state.registers.flatMap(each => {
+    this.status.textContent = `${state.time}, ${state.instructions.toLocaleString('en')} instructions`;
+    this.registerBox.replaceChildren(...state.registers.map(each => {
       const changed = this.registers.has(each.name) && this.registers.get(each.name) !== each.value;
       this.registers.set(each.name, each.value);
-      return [element('dt', {textContent: each.name}), element('dd', {className: changed ? 'changed' : '', textContent: each.text})];
+      return element('div', {}, element('dt', {textContent: each.name}), element('dd', {className: changed ? 'changed' : '', textContent: each.text}));
     }));
     const {rows} = this.module.ask({do: 'rows', id: this.id, at: state.pc, before: 6, count: 18});
     this.code.tBodies[0]?.remove();
