@@ -117,9 +117,9 @@ export class I8080Room {
     for (const each of [this.flight.scene, ...this.flight.controls]) each.hidden = !this.flies;
     for (const each of [this.look, this.hint, this.saver]) each.hidden = this.flies;
     this.intro.say({
-      skala: "An 8080 [of 1974, at 3 MHz,] draws a function of two variables[ by Skala's algorithm of 1985, its hidden lines removed]. Drag the picture to turn it.",
-      stripes: 'An 8080 [of 1974, at 3 MHz,] draws solids in stripes[ after Montani and Re (1985), hidden parts removed]. Drag the picture to turn it.',
-      flight: 'An 8080 [of 1974, at 3 MHz,] flies through houses: the nearer face hides the other[ (Willis 1977)]. Choose another scene.',
+      skala: "An 8080[ of 1974, at 3 MHz,] draws a function of two variables[ by Skala's algorithm of 1985, its hidden lines removed]. Drag the picture to turn it.",
+      stripes: 'An 8080[ of 1974, at 3 MHz,] draws solids in stripes[ after Montani and Re (1985), hidden parts removed]. Drag the picture to turn it.',
+      flight: 'An 8080[ of 1974, at 3 MHz,] flies through houses: the nearer face hides the other[ (Willis 1977)]. Choose another scene.',
     }[program]);
     for (const option of this.device.select.options) option.hidden = option.disabled = program === 'stripes' && !['ef9365', 'calcomp'].includes(option.value);
     if (program === 'stripes' && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';

@@ -97,9 +97,9 @@ export class Pdp7Room {
 
   introduce() {
     const {program} = this.options;
-    this.intro.say(PROGRAMS.includes(program) ? "A PDP-7 of 1965 [with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
-      : this.turns ? 'A PDP-7 of 1965 turns a solid [on its Type 340 display], its hidden lines removed. Press “wire frame”[: every edge is shown].'
-      : `A PDP-7 of 1965 [with its Type 340 display] runs an example. ${TRY[program] ?? 'Press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
+    this.intro.say(PROGRAMS.includes(program) ? "A PDP-7 of 1965[ with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
+      : this.turns ? 'A PDP-7 of 1965 turns a solid[ on its Type 340 display], its hidden lines removed. Press “wire frame”[: every edge is shown].'
+      : `A PDP-7 of 1965[ with its Type 340 display] runs an example. ${TRY[program] ?? 'Press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
   }
 
   walkPad() {

@@ -75,7 +75,7 @@ export class Workbench {
         button('Reset', () => this.load(), 'Load the program again')),
       element('div', {className: 'source'}, this.errors, element('div', {className: 'sheet'}, this.numbers, this.editor)),
       element('div', {className: 'view'}, this.screen, group('Console', this.output, this.keys)),
-      element('div', {className: 'state'}, this.registerBox, element('div', {className: 'scroll'}, this.code), this.status),
+      element('div', {className: 'state'}, this.status, this.registerBox, element('div', {className: 'scroll'}, this.code)),
       element('div', {className: 'more'},
         fold('Memory', this.memoryAt, this.memory),
         fold('Last instructions', this.past),

@@ -349,6 +349,89 @@ check(js("return sightline.room.player && sightline.room.player.length > 5"), "a
 fits("the theatre")
 console_is_clean("the theatre")
 
+# --- Each room begins with what it is and one thing to try, in one line or two; the screen, with its frame, keeps a distance from everything; what
+# belongs together is in one window.
+SIZES_JS = """
+const box = e => e.getBoundingClientRect(), shown = e => e && e.getClientRects().length > 0;
+const inside = e => { const b = box(e); return shown(e) && b.top >= 0 && b.left >= 0 && b.right <= innerWidth && b.bottom <= innerHeight; };
+"""
+
+
+def first_lines(where):
+    lines = js(SIZES_JS + """const intro = document.querySelector('.intro'); if (!shown(intro)) return [0, ''];
+      return [Math.round(box(intro).height / parseFloat(getComputedStyle(intro).lineHeight)), intro.innerText];""")
+    check(1 <= lines[0] <= 2, f"{where}: {lines[0]} lines at the beginning, expected one or two: {lines[1]}")
+    check(not any(part in lines[1] for part in ["[", "]", " ,", "  "]), f"{where}: the sentence at the beginning: {lines[1]}")
+
+
+def frame_is_free(where):
+    near = js(SIZES_JS + """const screen = document.querySelector('.screen'); if (!shown(screen)) return ['no screen'];
+      const style = getComputedStyle(screen), shadow = Math.max(0, ...(style.boxShadow.match(/-?[\\d.]+px/g) ?? []).map(parseFloat)), b = box(screen);
+      const frame = {left: b.left - shadow, right: b.right + shadow, top: b.top - shadow, bottom: b.bottom + shadow};
+      const gaps = [['left edge', frame.left], ['right edge', document.documentElement.clientWidth - frame.right]];
+      for (const e of document.querySelectorAll('header, .intro, .group, button, .notice, .field, .sheet, .registers, .under > *')) {
+        if (!shown(e) || screen.contains(e)) continue;
+        const o = box(e), dx = Math.max(o.left - frame.right, frame.left - o.right), dy = Math.max(o.top - frame.bottom, frame.top - o.bottom);
+        gaps.push([e.className || e.textContent || e.tagName, Math.max(dx, dy)]);
+      }
+      return gaps.filter(([, gap]) => gap < 6).map(([name, gap]) => name + ': ' + gap.toFixed(1) + ' px');""")
+    check(not near, f"{where}: nearer than 6 px to the frame of the screen: {near}")
+
+
+def in_sight(where, **parts):
+    scroll_to_top = "scrollTo(0, 0);"
+    for name, part in parts.items():
+        right = js(SIZES_JS + scroll_to_top + f"const found = {part}; return !!found && [found].flat().every(inside);")
+        check(right, f"{where}: {name} is not whole in the window")
+
+
+def one_window(name, width, height, mobile, places):
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
+    for place, parts in places.items():
+        go(place)
+        where = f"{width} by {height}, {place}"
+        first_lines(where)
+        in_sight(where, **parts)
+        if "screen" in parts:
+            frame_is_free(where)
+
+
+SCREEN, PROGRAM, RUN = "document.querySelector('.screen')", "sightline.room.programs ?? sightline.room.program", "sightline.room.running"
+PADS = "[...document.querySelectorAll('.pad button')].filter(shown)"
+STATE = "[document.querySelector('.registers'), document.querySelector('tr.now'), ...[...document.querySelectorAll('tr.now ~ tr')].slice(0, 4)]"
+PLAYER = "[...document.querySelectorAll('.player canvas, .player .controls > *, .player .caption')]"
+walk = {"screen": SCREEN, "program": PROGRAM, "run": RUN, "pads": PADS}
+picture = {"screen": SCREEN, "program": PROGRAM, "run": RUN}
+bench = {"screen": SCREEN, "program": "sightline.room.shelf", "run": RUN}
+whole_bench = {**bench, "source": "sightline.room.editor", "state": STATE}
+lesson = {"lesson": PLAYER, "algorithm": "sightline.room.pick"}
+turned = {**picture, "angles": "[sightline.room.turn, sightline.room.tilt]"}
+one_window("wide", 1280, 800, False, {
+    "jones/house": walk, "jones/turn roberts": walk, "jones/pen.s": picture, "skala/sinc": turned, "skala/peaks?device=calcomp": turned,
+    "skala/stripes boxes-5": turned, "skala/flight town-9": picture, "theatre/jones/house": lesson, "theatre/skala/sinc": lesson, "theatre/plantinga/house": lesson,
+    "bench/hello.asm": {"run": RUN, "source": "sightline.room.editor", "state": STATE, "console": "[sightline.room.output, sightline.room.keys]"},
+    "bench/ef9365.asm": whole_bench, "bench/square.s": whole_bench})
+side = js(SIZES_JS + "const b = box(sightline.room.canvas.closest('.screen') ?? sightline.room.canvas); return Math.min(b.width, b.height);")
+check(side >= 400, f"the workbench's screen is {side} CSS pixels, expected at least 400")
+go("bench/hello.asm")
+check(js(SIZES_JS + "return !shown(document.querySelector('.screen')) && box(sightline.room.output).height > 300;"), "a program without a screen has its console in that place")
+one_window("narrow", 390, 844, True, {
+    "jones/house": walk, "jones/turn roberts": walk, "jones/pen.s": picture, "skala/sinc": turned, "skala/peaks?device=calcomp": turned,
+    "skala/stripes boxes-5": turned, "skala/flight town-9": picture, "bench/square.s": bench, "bench/ef9365.asm": bench,
+    "bench/hello.asm": {"run": RUN, "program": "sightline.room.shelf", "console": "[sightline.room.output, sightline.room.keys]"},
+    **{f"theatre/{algorithm}/{'sinc' if algorithm == 'skala' else 'house'}": lesson for algorithm in ["exact", "jones", "skala", "montani-re", "willis", "plantinga"]}})
+for algorithm in ["exact", "jones", "skala", "montani-re", "willis", "plantinga"]:
+    go(f"theatre/{algorithm}/{'sinc' if algorithm == 'skala' else 'house'}")
+    lowest = js(SIZES_JS + """const {player} = sightline.room; let lowest = 0;
+      for (let i = 0; i < player.length; ++i) { player.show(i); lowest = Math.max(lowest, box(document.querySelector('.player .caption')).bottom); }
+      return lowest;""")
+    check(lowest <= 844, f"theatre, {algorithm}: a caption reaches down to {lowest:.0f} of 844 pixels")
+rows, tall = js(SIZES_JS + "const names = [...document.querySelectorAll('nav a')].map(box); return [new Set(names.map(b => Math.round(b.top))).size, Math.max(...names.map(b => b.height))];")
+check(rows == 1 and tall < 45, f"the names of the rooms at 390 pixels stand in {rows} lines, one of them {tall} pixels high")
+one_window("large", 3840, 2160, False, {"jones/house": walk, "skala/sinc": turned, "bench/square.s": whole_bench, "theatre/jones/house": lesson})
+driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+console_is_clean("sizes")
+
 # --- Bad days: no WebGL, a lost context, rubbish.
 go("jones/house", "?plain")
 time.sleep(1)
