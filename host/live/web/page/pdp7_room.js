@@ -131,9 +131,9 @@ export class Pdp7Room {
   switchWord() { return this.turns ? this.options.switches : this.options.switches | (this.options.stereo ? 1 : 0) | (this.options.immediate ? 2 : 0); }
 
   panel() {
-    const row = (name, bits) => {
+    const row = (name, bits, title) => {
       const lamps = Array.from({length: bits}, () => element('i'));
-      const line = element('div', {className: 'lights', role: 'img', 'aria-label': name}, element('b', {textContent: name}), element('span', {className: 'bulbs'}, ...lamps));
+      const line = element('div', {className: 'lights', role: 'img', 'aria-label': name, title}, element('b', {textContent: name}), element('span', {className: 'bulbs'}, ...lamps));
       this.lights.push({name, line, lamps, bits, shown: -1});
       return line;
     };
@@ -149,16 +149,17 @@ export class Pdp7Room {
       this.showState();
     };
     return element('div', {className: 'panel'},
-      row('AC', 18), row('MQ', 18), row('L', 1), row('PC', 15), row('MB', 18), row('RUN', 1),
+      row('AC', 18, 'Accumulator'), row('MQ', 18, 'Multiplier-quotient register of the EAE'), row('L', 1, 'Link: carry of the accumulator'), row('PC', 15, 'Program counter: address of the next instruction'),
+      row('MB', 18, 'Memory buffer: the word at that address'), row('RUN', 1, 'Lit while the machine runs'),
       element('div', {className: 'switches', role: 'group', 'aria-label': 'Accumulator switches'}, ...this.toggles),
       element('p', {className: 'keys'},
         element('label', {}, 'address ', this.address), ' ',
-        button('START', () => ask({do: 'start', at: at()}, () => this.go(true)), 'START at the address'),
-        button('STOP', () => this.go(false), 'STOP'), button('CONTINUE', () => this.go(true), 'CONTINUE'),
+        button('START', () => ask({do: 'start', at: at()}, () => this.go(true)), 'START the program at the address'),
+        button('STOP', () => this.go(false), 'STOP the machine'), button('CONTINUE', () => this.go(true), 'CONTINUE where it stopped'),
         button('STEP', () => { this.go(false); ask({do: 'step'}); }, 'One instruction'),
         button('BACK', () => { this.go(false); ask({do: 'back'}); }, 'One instruction back in time'),
-        button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE the address'),
-        button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT the switches at the address'),
+        button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE: show the word at the address, and go on to the next address'),
+        button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT: put the word of the switches into the address, and go on to the next address'),
         button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.go(true)) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
   }
 
