@@ -40,7 +40,7 @@ export class I8080Room {
     }, 'The function of x and z whose surface is drawn');
     this.program = choice('Program', [['skala', "Skala: functions of two variables"], ['stripes', 'Montani and Re: scenes in stripes'], ['flight', 'Willis: a flight by priorities']], o.program, value => { o.program = value; this.offer(); this.restart(); }, 'The program that the 8080 runs');
     this.scene = choice('Scene', SCENES, o.scene, again('scene'), 'The solids that are drawn');
-    this.words = field('f(x, z), x and z from -6 to 6', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28}, 'Height of the surface: an expression in x and z');
+    this.words = field('f(x, z)', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28}, 'Height of the surface: an expression in x and z, which go from -6 to 6');
     this.words.hidden = true;
     o.text = 'sin(x) * cos(z)';
     this.turn = field('Rotation', o.rotation, number('rotation'), {type: 'number', step: 5}, 'Degrees by which the picture is turned about the upright axis');
