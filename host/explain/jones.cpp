@@ -64,7 +64,7 @@ class JonesTeller final : public algorithms::jones::Trace {
     std::vector<Mark> here;
     label_in_image_.clear();
     if (auto outline = stage_.region(mask); outline.size() > 2) {
-      stage_.add_label(label_in_image_, Look::now, outline, name_of(cell));
+      stage_.add_label(label_in_image_, Look::now, outline, name_of(cell), 0.92);  // above its portals
       here.push_back(area(Look::mask, std::move(outline)));
     }
     const auto openings = complex_.openings_of(complex_.cells[cell]);
@@ -155,6 +155,18 @@ class JonesTeller final : public algorithms::jones::Trace {
   }
 
   [[nodiscard]] std::vector<Mark> all_numbers() const { return numbers({}); }
+  // The cells that have a number from the beginning, in plan.
+  [[nodiscard]] std::vector<Mark> outlines() const {
+    std::vector<Mark> marks;
+    if (complex_.cells.size() > most_numbered_cells) return marks;
+    for (scene::CellNumber cell = 0; cell < complex_.cells.size(); ++cell) {
+      auto outline = outline_in_plan(cell);
+      if (outline.empty()) continue;
+      outline.push_back(outline.front());
+      marks.push_back(explain::line(Look::faint, std::move(outline)));
+    }
+    return marks;
+  }
 
  private:
   [[nodiscard]] std::array<double, 4> plane_of(std::uint32_t number, bool turned = false) const {
@@ -258,7 +270,7 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
                         "its lines of sight, from cell to cell.",
                         given->cells.size(), portals),
-            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()}, {plan, "wire", ground.wire_frame()}, {plan, "numbers", teller.all_numbers()}});
+            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()}, {plan, "wire", ground.wire_frame()}, {plan, "outlines", teller.outlines()}, {plan, "numbers", teller.all_numbers()}});
   auto view = algorithms::jones::visible_edges(*given, camera, teller);
   if (!view) return std::move(view.error());
   teller.flush_lines();

@@ -125,12 +125,12 @@ void ImageStage::add_names(std::vector<Mark>& marks, Look look, const picture::L
   }
 }
 
-void ImageStage::add_label(std::vector<Mark>& marks, Look look, const std::vector<Point>& outline, std::string words) const {
+void ImageStage::add_label(std::vector<Mark>& marks, Look look, const std::vector<Point>& outline, std::string words, double height) const {
   std::vector<Point> shown = cut_outline(outline, 1, 0, low_[0]);
   shown = cut_outline(shown, -1, 0, -high_[0]);
   shown = cut_outline(shown, 0, 1, low_[1]);
   shown = cut_outline(shown, 0, -1, -high_[1]);
-  if (!shown.empty()) marks.push_back(label(look, label_point(shown), std::move(words)));
+  if (!shown.empty()) marks.push_back(label(look, label_point(shown, height), std::move(words)));
 }
 
 std::vector<Mark> ImageStage::wire_frame(Look look) const {
@@ -169,10 +169,10 @@ std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, doub
   return left;
 }
 
-Point label_point(const std::vector<Point>& outline) {
+Point label_point(const std::vector<Point>& outline, double height) {
   const auto [lowest, highest] =
       std::minmax_element(outline.begin(), outline.end(), [](const Point& p, const Point& q) { return p[1] < q[1]; });
-  const double y = ((*lowest)[1] + (*highest)[1]) / 2;
+  const double y = (*lowest)[1] + ((*highest)[1] - (*lowest)[1]) * height;
   std::vector<double> crossings;
   Point mean{};
   for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -47,7 +47,7 @@ class ImageStage {
   // The number of the edge's two vertices beside them.
   void add_names(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const;
   // A label on what the sheet shows of an outline in the image; nothing where it shows nothing.
-  void add_label(std::vector<Mark>& marks, Look look, const std::vector<Point>& outline, std::string words) const;
+  void add_label(std::vector<Mark>& marks, Look look, const std::vector<Point>& outline, std::string words, double height = 0.5) const;
   void add_label(std::vector<Mark>& marks, Look look, std::span<const Space> corners, std::string words) const {
     add_label(marks, look, outline_in_image(corners), std::move(words));
   }
@@ -97,9 +97,9 @@ class PlanStage {
 // What is left of a convex outline where a x + b y >= c.
 [[nodiscard]] std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, double b, double c);
 
-// Where a label of an outline stands: halfway up, in the middle of the longest part of that row that is within the outline. So it is
+// Where a label of an outline stands: at a part of its height, 0.5 halfway up, in the middle of the longest part of that row that is within the outline. So it is
 // within an outline that is not convex, too. Of an outline without an area the mean of its points. Not empty (precondition).
-[[nodiscard]] Point label_point(const std::vector<Point>& outline);
+[[nodiscard]] Point label_point(const std::vector<Point>& outline, double height = 0.5);
 
 // The steps of a lesson while it is made: fills in the counts and ends at most_steps.
 class Steps {

@@ -131,11 +131,13 @@ class WillisTeller final : public wl::Trace {
       std::vector<Mark> in_ground;
       add_plan(in_ground, Look::now, surface);
       Numbers numbers;
-      add_number(numbers, Look::now, surface, order[i], fmt::format(", cell {}", surface.cell));
+      const bool in_cells = model.cells.cells > 1;
+      add_number(numbers, Look::now, surface, order[i], in_cells ? fmt::format(", cell {}", surface.cell) : std::string());
+      const std::string where = in_cells ? fmt::format(", in cell {}", surface.cell) : std::string();
       if (camera.perspective) in_ground.push_back(line(Look::now, {plan_.at(eye), plan_.at(place_of(surface.points[0]))}));
-      steps_.add(camera.perspective ? fmt::format("Priority {}: surface {}, {:.5g} from the eye, in cell {}. It covers what has a lower priority.", i + 1, order[i] + 1,
-                                                  unit_ * distance(eye, place_of(surface.points[0])), surface.cell)
-                                    : fmt::format("Priority {}: surface {}, in cell {}. It covers what has a lower priority.", i + 1, order[i] + 1, surface.cell),
+      steps_.add(camera.perspective ? fmt::format("Priority {}: surface {}, {:.5g} from the eye{}. It covers what has a lower priority.", i + 1, order[i] + 1,
+                                                  unit_ * distance(eye, place_of(surface.points[0])), where)
+                                    : fmt::format("Priority {}: surface {}{}. It covers what has a lower priority.", i + 1, order[i] + 1, where),
                  "The Sussex approach", {{image, "pair", std::move(now)}, {image, "painted", painted}, {ground, "pair", std::move(in_ground)},
                   {image, "numbers", std::move(numbers.image)}, {ground, "numbers", std::move(numbers.ground)}});
     }

@@ -1,7 +1,7 @@
 // The theatre: each algorithm at work on a small scene that can be turned.
 
 import {choice, element, field, fileTaker, group, notice, button} from './ui.js';
-import {makePlayer} from './player.js';
+import {makePlayer, releaseKeys} from './player.js';
 import {camera} from './camera.js';
 
 const SCENES = ['house', 'roberts', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
@@ -12,8 +12,8 @@ export class Theatre {
     this.module = module;
     this.lessons = lessons;
     this.remember = remember;
-    this.options = {algorithm: lessons[0]?.algorithm, scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
-    this.stage = element('div', {});
+    this.options = {algorithm: 'jones', scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
+    this.stage = element('div', {className: 'stage'});
     this.message = notice();
     const o = this.options;
     this.pick = choice('Algorithm', lessons.map(each => [each.algorithm, each.algorithm]), o.algorithm, value => { o.algorithm = value; this.play(); });
@@ -31,6 +31,7 @@ export class Theatre {
           this.play();
         }, text => this.message.say(text, true))),
       this.message, this.stage);
+    releaseKeys(this.root);
   }
   play() {
     const o = this.options;
@@ -49,8 +50,8 @@ export class Theatre {
     this.remember();
   }
   enter() { if (!this.player) this.play(); }
-  leave() {}
-  key() { return false; }
+  leave() { this.player?.pause(); }
+  key(event, down) { return down && Boolean(this.player?.key(event)); }
   link() {
     const o = this.options;
     const parts = new URLSearchParams();
