@@ -149,7 +149,7 @@ class JonesTeller final : public algorithms::jones::Trace {
     count();
     const bool any = pieces_here_ != 0;
     steps_.add(fmt::format("The lines of cell {} are clipped to the mask: {}.", cell_,
-                           any ? fmt::format("{} of them are seen at least in part, and drawn", pieces_here_) : std::string("none is seen")),
+                           any ? fmt::format("{} of them {} seen at least in part, and drawn", pieces_here_, pieces_here_ == 1 ? "is" : "are") : std::string("none is seen")),
                "Fig. 4 and 5, avenues of sight", {{image, "line", std::exchange(now_, {})}, {image, "seen", seen_}});
     pieces_here_ = 0;
   }

@@ -546,9 +546,9 @@ class PlantingaTeller final : public pl::Trace {
   }
 
   static std::vector<Mark> legend() {
-    return {text(look_of(Group::edge_on), {-1.24, 1.18}, "plane edge-on"),
-            text(look_of(Group::vertex_and_edge), {-1.24, 1.08}, "EV: a vertex, an edge"),
-            text(look_of(Group::three_edges), {-1.24, 0.98}, "EEE: three edges")};
+    return {text(look_of(Group::edge_on), {-1.24, 1.2}, "plane edge-on"),
+            text(look_of(Group::vertex_and_edge), {-1.24, 1.07}, "EV: a vertex, an edge"),
+            text(look_of(Group::three_edges), {-1.24, 0.94}, "EEE: three edges")};
   }
 
   [[nodiscard]] std::string name_of(pl::EdgeIndex edge, bool begins) const {

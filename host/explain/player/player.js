@@ -115,7 +115,7 @@ export function makePlayer(root, lesson) {
       button('>', 'Forward (right arrow)', () => show(at + 1)), button('>|', 'Last step (End)', () => show(last)),
       slider, place, pace),
     make('div', {className: 'words'}, caption, room),
-    make('div', {className: 'sheets'}, ...lesson.sheets.map((sheet, i) => make('figure', {}, canvases[i], make('figcaption', {textContent: sheet.title})))),
+    make('div', {className: 'sheets'}, ...lesson.sheets.map((sheet, i) => make('figure', {}, make('div', {className: 'canvas'}, canvases[i]), make('figcaption', {textContent: sheet.title})))),
     counts,
     make('ul', {className: 'legend'}, ...Object.keys(LOOKS).filter(look => used.has(look)).map(look => {
       const sample = make('i');
@@ -161,7 +161,7 @@ export function makePlayer(root, lesson) {
     player.style.setProperty('--above', `${player.getBoundingClientRect().top + scrollY}px`);
     const style = getComputedStyle(player);
     const colours = Object.fromEntries(Object.keys(LOOKS).map(look => [look, style.getPropertyValue('--' + look)]));
-    lesson.sheets.forEach((sheet, i) => drawSheet(canvases[i], sheet, order[i].map(name => state[i][name] ?? []), colours));
+    lesson.sheets.forEach((sheet, i) => drawSheet(canvases[i], sheet, order[i].map(name => state[i][name] ?? []), colours, i === 0));
   }
 
   // A key that goes down anywhere on the page. True if it is the player's; lists, fields, other sliders and the browser keep theirs. The page
@@ -189,7 +189,8 @@ export function makePlayer(root, lesson) {
   };
 }
 
-function drawSheet(canvas, sheet, layers, colours) {
+// `cut`: what is beyond the sheet's box is left out, as it is beyond the edges of the image.
+function drawSheet(canvas, sheet, layers, colours, cut) {
   const ratio = window.devicePixelRatio || 1;
   const width = canvas.clientWidth;
   const height = canvas.clientHeight;
@@ -213,6 +214,10 @@ function drawSheet(canvas, sheet, layers, colours) {
   const style = getComputedStyle(canvas);
   const scale = parseFloat(style.fontSize) / 16;
   const words = [];
+  context.save();
+  context.beginPath();
+  context.rect(X(sheet.low[0]) - margin, Y(sheet.high[1]) - margin, sx * (sheet.high[0] - sheet.low[0]) + 2 * margin, sy * (sheet.high[1] - sheet.low[1]) + 2 * margin);
+  if (cut) context.clip();
   for (const look of ORDER) {
     const [, thickness, dashes] = LOOKS[look];
     context.strokeStyle = context.fillStyle = colours[look];
@@ -242,7 +247,7 @@ function drawSheet(canvas, sheet, layers, colours) {
       }
     }
   }
-  context.setLineDash([]);
+  context.restore();
   context.font = `600 ${Math.max(11, Math.min(14 * scale, width / 22))}px system-ui, sans-serif`;
   drawWords(context, words, width, height, colours, style.backgroundColor);
 }

@@ -4,7 +4,7 @@ import {choice, element, field, fileTaker, group, notice, button} from './ui.js'
 import {makePlayer, releaseKeys} from './player.js';
 import {camera} from './camera.js';
 
-const SCENES = ['house', 'roberts', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
+const SCENES = ['house', 'roberts', 'street4', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
 const FUNCTIONS = ['sinc', 'peaks', 'rogers', 'franke'];
 
 export class Theatre {
