@@ -50,7 +50,8 @@ class JonesTeller final : public algorithms::jones::Trace {
     outside_ = outside;
     if (perspective_) steps_.add(outside ? "The eye is outside all cells: the search begins with the portals in the outer walls."
                                          : fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front()),
-                                 "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}}, {plan, "numbers", outside ? numbers({}) : numbers({cells.front()})}});
+                                 "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}},
+                                  {plan, "numbers", outside ? numbers({}) : numbers({cells.front()})}});
   }
 
   void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) override {
@@ -74,7 +75,13 @@ class JonesTeller final : public algorithms::jones::Trace {
                                          : fmt::format("It is {} portal{} from the eye and is seen through the mask only", passed, passed == 1 ? "" : "s");
     steps_.add(fmt::format("Cell {} is entered. {}. It has {} lines and {} portals to other cells.", cell, seen,
                            complex_.lines_of(complex_.cells[cell]).size(), portals),
-               "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)}, {image, "portal", {}}, {image, "line", {}}, {image, "numbers", label_in_image_}, {plan, "portal", {}}, {plan, "cells", cells()}, {plan, "numbers", numbers({cell})}});
+               "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)},
+                                                     {image, "portal", {}},
+                                                     {image, "line", {}},
+                                                     {image, "numbers", label_in_image_},
+                                                     {plan, "portal", {}},
+                                                     {plan, "cells", cells()},
+                                                     {plan, "numbers", numbers({cell})}});
   }
 
   void line(scene::VertexIndex from, scene::VertexIndex to, bool seen, double low, double high) override {
@@ -270,14 +277,23 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
                         "its lines of sight, from cell to cell.",
                         given->cells.size(), portals),
-            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()}, {plan, "wire", ground.wire_frame()}, {plan, "outlines", teller.outlines()}, {plan, "numbers", teller.all_numbers()}});
+            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()},
+                                               {plan, "wire", ground.wire_frame()},
+                                               {plan, "outlines", teller.outlines()},
+                                               {plan, "numbers", teller.all_numbers()}});
   auto view = algorithms::jones::visible_edges(*given, camera, teller);
   if (!view) return std::move(view.error());
   teller.flush_lines();
   std::vector<Mark> seen;
   for (const auto& piece : view->picture.pieces) stage.add_piece(seen, Look::seen, piece);
   steps.add("No cell waits: the picture is complete. Cells that cannot be seen were never entered, so their number costs nothing.", "Fig. 5, avenues of sight",
-            {{image, "mask", {}}, {image, "portal", {}}, {image, "line", {}}, {image, "numbers", {}}, {plan, "portal", {}}, {image, "seen", std::move(seen)}, {plan, "numbers", teller.all_numbers()}});
+            {{image, "mask", {}},
+             {image, "portal", {}},
+             {image, "line", {}},
+             {image, "numbers", {}},
+             {plan, "portal", {}},
+             {image, "seen", std::move(seen)},
+             {plan, "numbers", teller.all_numbers()}});
   return lesson;
 }
 

@@ -52,7 +52,7 @@ struct Mark {
 [[nodiscard]] inline Mark text(Look look, Point at, std::string words) {
   return {Mark::Kind::text, look, {at}, std::move(words)};
 }
-// The name of an area: words centred on a point of it. A text stands beside its point instead.
+// The name of an area: words centred on a point of it. A text is next to its point instead.
 [[nodiscard]] inline Mark label(Look look, Point at, std::string words) {
   return {Mark::Kind::label, look, {at}, std::move(words)};
 }

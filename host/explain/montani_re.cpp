@@ -55,7 +55,10 @@ class MontaniReTeller final : public mr::Trace {
       add_region(marks, Look::now, set.faces[face].pcs);
       steps_.add(fmt::format("Face {} as a region of {} stripe{}: each ends where the outline has a corner, and lies between a west and an east side.", face + 1,
                              set.faces[face].pcs.bands.size(), set.faces[face].pcs.bands.size() == 1 ? "" : "s"),
-                 "section 2", {{image, "face", std::move(marks)}, {image, "numbers", names({{face, Look::now}})}, {chart, "faces", dots(Look::plain)}, {chart, "numbers", names_on_chart({face})}});
+                 "section 2", {{image, "face", std::move(marks)},
+                              {image, "numbers", names({{face, Look::now}})},
+                              {chart, "faces", dots(Look::plain)},
+                              {chart, "numbers", names_on_chart({face})}});
     }
     if (set.faces.size() > 12) steps_.add(fmt::format("The other {} faces are made into stripes likewise.", set.faces.size() - 12), "section 2",
                                             {{image, "face", {}}, {image, "numbers", {}}, {chart, "faces", dots(Look::plain)}, {chart, "numbers", {}}});
@@ -84,7 +87,8 @@ class MontaniReTeller final : public mr::Trace {
       add_region(marks, Look::other, set_->faces[relation.far].pcs);
       steps_.add(fmt::format("Face {} has priority over face {}, by {}.", relation.near + 1, relation.far + 1, tests[relation.test]), "section 3, Table 2",
                  {{image, "face", std::move(marks)}, {chart, "relations", arrows_}, {chart, "pair", {line(Look::now, {place(relation.near), place(relation.far)})}},
-                  {image, "numbers", names({{relation.near, Look::now}, {relation.far, Look::other}})}, {chart, "numbers", names_on_chart({relation.near, relation.far})}});
+                  {image, "numbers", names({{relation.near, Look::now}, {relation.far, Look::other}})},
+                  {chart, "numbers", names_on_chart({relation.near, relation.far})}});
     }
     count();
     if (shown > most_pairs) steps_.add(fmt::format("{} more relations are found.", shown - most_pairs), "section 3, Table 2", {{image, "face", {}}, {image, "numbers", {}}, {chart, "relations", arrows_}, {chart, "pair", {}}, {chart, "numbers", {}}});

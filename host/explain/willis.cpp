@@ -60,7 +60,8 @@ class WillisTeller final : public wl::Trace {
     count();
     if (pairs.empty()) {
       steps_.add("No two surfaces are a cluster any more: whichever is farther from the eye is behind, from wherever one looks.", "The cluster algorithm",
-                 {{image, "pair", {}}, {ground, "pair", {}}, {image, "surfaces", outlines(pieces)}, {ground, "surfaces", in_plan(pieces)}, {image, "numbers", {}}, {ground, "numbers", {}}});
+                 {{image, "pair", {}}, {ground, "pair", {}}, {image, "surfaces", outlines(pieces)}, {ground, "surfaces", in_plan(pieces)},
+                  {image, "numbers", {}}, {ground, "numbers", {}}});
       return;
     }
     std::size_t shown = 0;

@@ -252,7 +252,7 @@ function drawSheet(canvas, sheet, layers, colours, cut) {
   drawWords(context, words, width, height, colours, style.backgroundColor);
 }
 
-// Texts stand beside their points and labels on theirs, or as near as they find room. What the step is about comes first; words that only
+// Texts are next to their points and labels on theirs, or as near as there is room. What the step is about comes first; words that only
 // accompany it are left out where there is no room.
 function drawWords(context, words, width, height, colours, paper) {
   const line = parseFloat(context.font.split(' ')[1]) * 1.15;
