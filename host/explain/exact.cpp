@@ -27,10 +27,12 @@ class ExactTeller final : public algorithms::exact::Trace {
     count();
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::now, edge);
+    std::vector<Mark> names;
+    stage_.add_names(names, Look::now, edge);
     steps_.add(fmt::format("The next edge runs from vertex {} to vertex {}. It is compared with the faces that meet it in the image, "
                            "the nearest first.",
                            edge.from, edge.to),
-               {}, {{0, "edge", std::move(marks)}, {0, "face", {}}});
+               {}, {{0, "edge", std::move(marks)}, {0, "face", {}}, {0, "numbers", std::move(names)}});
   }
 
   void compared(const LineEdge& edge, std::uint32_t face, std::span<const LinePiece> left) override {
@@ -38,6 +40,9 @@ class ExactTeller final : public algorithms::exact::Trace {
     count();
     std::vector<Mark> outline;
     stage_.add_face(outline, Look::other, *faces_[face]);
+    std::vector<Mark> names;
+    stage_.add_names(names, Look::now, edge);
+    stage_.add_label(names, Look::other, *faces_[face], fmt::format("face {}", face + 1));
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::hidden, edge);
     for (const LinePiece& piece : left) stage_.add_piece(marks, Look::now, piece);
@@ -50,7 +55,7 @@ class ExactTeller final : public algorithms::exact::Trace {
       what = fmt::format("{} {} of the edge may still be visible.", left.size(), left.size() == 1 ? "piece" : "pieces");
     }
     steps_.add(fmt::format("Face {} is compared with the edge. {}", face + 1, what), {},
-               {{0, "edge", std::move(marks)}, {0, "face", std::move(outline)}});
+               {{0, "edge", std::move(marks)}, {0, "face", std::move(outline)}, {0, "numbers", std::move(names)}});
   }
 
   void result(const LineEdge& edge, bool searched, std::span<const LinePiece> seen) override {
@@ -62,10 +67,12 @@ class ExactTeller final : public algorithms::exact::Trace {
     for (const LinePiece& piece : seen) stage_.add_piece(seen_, Look::seen, piece);
     pieces_ += seen.size();
     count();
+    std::vector<Mark> names;
+    stage_.add_names(names, Look::now, edge);
     steps_.add(seen.empty() ? fmt::format("The edge from {} to {} is hidden.", edge.from, edge.to)
                             : fmt::format("No other face can hide it. {} visible {} of the edge from {} to {}: drawn.", seen.size(),
                                           seen.size() == 1 ? "piece" : "pieces", edge.from, edge.to),
-               {}, {{0, "edge", {}}, {0, "face", {}}, {0, "seen", seen_}});
+               {}, {{0, "edge", {}}, {0, "face", {}}, {0, "numbers", std::move(names)}, {0, "seen", seen_}});
   }
 
  private:
@@ -100,7 +107,7 @@ base::Result<Lesson> explain_exact(const scene::PolyScene& scene, const scene::P
   const picture::LinePicture picture = algorithms::exact::visible_edges(scene, camera, teller);
   std::vector<Mark> seen;
   for (const LinePiece& piece : picture.pieces) stage.add_piece(seen, Look::seen, piece);
-  steps.add("Every edge has been compared with the faces before it. What is drawn is exactly what is visible.", {}, {{0, "edge", {}}, {0, "face", {}}, {0, "seen", std::move(seen)}});
+  steps.add("Every edge has been compared with the faces before it. What is drawn is exactly what is visible.", {}, {{0, "edge", {}}, {0, "face", {}}, {0, "numbers", {}}, {0, "seen", std::move(seen)}});
   return lesson;
 }
 

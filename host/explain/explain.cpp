@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 
+#include "host/algorithms/oracle/matter.hpp"
+#include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/explain/exact.hpp"
 #include "host/explain/jones.hpp"
 #include "host/explain/montani_re.hpp"
 #include "host/explain/plantinga.hpp"
 #include "host/explain/skala.hpp"
 #include "host/explain/willis.hpp"
+#include "host/scene/cells/from_cell_scene.hpp"
+#include "host/scene/model/eye_place.hpp"
 
 namespace sightline::explain {
 namespace {
@@ -22,7 +28,38 @@ constexpr std::array<Explainer, 6> rows{{
     {"plantinga", "Plantinga, Seales and Dyer 1990: the events of a full turn", explain_plantinga, nullptr},
 }};
 
+// The real lines for this eye as wires, and nothing else: in Jones's search walls hide because no portal leads through them. Empty
+// if the oracle cannot hold the scene.
+std::optional<scene::PolyScene> real_lines(const scene::CellScene& cells, const scene::PolyCamera& camera) {
+  namespace oracle = algorithms::oracle;
+  const auto matter = oracle::Matter::of(cells);
+  if (!matter) return std::nullopt;
+  scene::PolyScene lines;
+  lines.name = cells.name;
+  lines.camera = camera;
+  std::map<scene::PolyPoint, scene::VertexIndex> numbers;
+  const auto vertex = [&](const scene::PolyPoint& p) {
+    const auto [known, fresh] = numbers.try_emplace(p, static_cast<scene::VertexIndex>(lines.vertices.size()));
+    if (fresh) lines.vertices.push_back(p);
+    return known->second;
+  };
+  for (const oracle::RealLine& line : matter->real_lines())
+    if (oracle::is_line_for(line, camera.eye)) lines.wires.push_back({vertex(line.from), vertex(line.to)});
+  return lines;
+}
+
 }  // namespace
+
+base::Result<Lesson> explain_scene(const Explainer& explainer, const scene::LoadedScene& source, const scene::PolyCamera& camera) {
+  if (explainer.algorithm == "jones" && source.cells && camera.perspective && scene::locate(*source.cells, camera.eye)) {
+    if (const auto lines = real_lines(*source.cells, camera)) {
+      const scene::CellComplex cells = scene::complex_of(*source.cells, *lines);
+      return explainer.scene(*lines, camera, &cells);
+    }
+  }
+  const std::optional<scene::CellComplex> cells = scene::own_cells(source);
+  return explainer.scene(source.scene, camera, cells ? &*cells : nullptr);
+}
 
 std::span<const Explainer> explainers() { return rows; }
 

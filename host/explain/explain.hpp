@@ -9,6 +9,7 @@
 #include "host/scene/heights/grid.hpp"
 #include "host/scene/model/cell_complex.hpp"
 #include "host/scene/model/poly_scene.hpp"
+#include "host/scene/read/load.hpp"
 
 namespace sightline::explain {
 
@@ -25,6 +26,10 @@ struct Explainer {
 
 // One of the two functions is there.
 [[nodiscard]] std::span<const Explainer> explainers();
+// The lesson of a scene as it was read, with the cells it came with. Jones's of a scene of cells, with the eye in one of them, is of the
+// real lines of its matter, which the program on the PDP-7 draws: those of the outer box are among them, joints of solids are not. Same
+// preconditions as Explainer::scene, which `explainer` has.
+[[nodiscard]] base::Result<Lesson> explain_scene(const Explainer& explainer, const scene::LoadedScene& source, const scene::PolyCamera& camera);
 // Null if there is none of that name.
 [[nodiscard]] const Explainer* find_explainer(std::string_view algorithm);
 

@@ -19,6 +19,8 @@ using algorithms::jones::PortalTest;
 using Planes = std::vector<std::array<double, 4>>;
 
 constexpr std::size_t plan = 1;
+// Of a scene with more cells than this most have no number in plan.
+constexpr std::size_t most_numbered_cells = 40;
 
 // Where three planes meet; false if they do not meet in one point.
 bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
@@ -48,18 +50,24 @@ class JonesTeller final : public algorithms::jones::Trace {
     outside_ = outside;
     if (perspective_) steps_.add(outside ? "The eye is outside all cells: the search begins with the portals in the outer walls."
                                          : fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front()),
-                                 "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}}});
+                                 "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}},
+                                  {plan, "numbers", outside ? numbers({}) : numbers({cells.front()})}});
   }
 
   void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) override {
     flush_lines();
     waiting_.erase(std::remove(waiting_.begin(), waiting_.end(), cell), waiting_.end());
     cell_ = cell;
+    in_cell_ = true;
     visited_.insert(cell);
     ++visits_;
     count();
     std::vector<Mark> here;
-    if (auto outline = stage_.region(mask); outline.size() > 2) here.push_back(area(Look::mask, std::move(outline)));
+    label_in_image_.clear();
+    if (auto outline = stage_.region(mask); outline.size() > 2) {
+      stage_.add_label(label_in_image_, Look::now, outline, name_of(cell), 0.92);  // above its portals
+      here.push_back(area(Look::mask, std::move(outline)));
+    }
     const auto openings = complex_.openings_of(complex_.cells[cell]);
     const auto portals = std::count_if(openings.begin(), openings.end(), [&](std::uint32_t n) { return !leads_outside(complex_.openings[n]); });
     const std::uint32_t passed = outside_ ? depth : depth - 1;
@@ -67,7 +75,13 @@ class JonesTeller final : public algorithms::jones::Trace {
                                          : fmt::format("It is {} portal{} from the eye and is seen through the mask only", passed, passed == 1 ? "" : "s");
     steps_.add(fmt::format("Cell {} is entered. {}. It has {} lines and {} portals to other cells.", cell, seen,
                            complex_.lines_of(complex_.cells[cell]).size(), portals),
-               "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)}, {image, "portal", {}}, {image, "line", {}}, {plan, "portal", {}}, {plan, "cells", cells()}});
+               "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)},
+                                                     {image, "portal", {}},
+                                                     {image, "line", {}},
+                                                     {image, "numbers", label_in_image_},
+                                                     {plan, "portal", {}},
+                                                     {plan, "cells", cells()},
+                                                     {plan, "numbers", numbers({cell})}});
   }
 
   void line(scene::VertexIndex from, scene::VertexIndex to, bool seen, double low, double high) override {
@@ -97,12 +111,17 @@ class JonesTeller final : public algorithms::jones::Trace {
     ++portals_;
     count();
     const std::vector<Space> corners = corners_of(number);
+    const std::string name = fmt::format("portal {}", number);
     std::vector<Mark> in_image;
     stage_.add_area(in_image, Look::other, corners);
+    std::vector<Mark> image_numbers = label_in_image_;
+    stage_.add_label(image_numbers, Look::other, corners, name);
     std::vector<Mark> in_plan;
+    std::vector<Mark> plan_numbers = in_cell_ ? numbers({cell_, beyond}) : numbers({beyond});
     std::vector<Point> outline;
     for (const Space& corner : corners) outline.push_back(ground_.at(corner));
     if (!outline.empty()) {
+      plan_numbers.push_back(label(Look::other, label_point(outline), name));
       outline.push_back(outline.front());
       in_plan.push_back(explain::line(Look::other, std::move(outline)));
     }
@@ -115,12 +134,20 @@ class JonesTeller final : public algorithms::jones::Trace {
         waiting_.push_back(beyond);
         ++masks_;
         count();
-        if (auto left = stage_.region(mask); left.size() > 2) in_image.push_back(area(Look::waiting, std::move(left)));
+        if (auto left = stage_.region(mask); left.size() > 2) {
+          stage_.add_label(image_numbers, Look::waiting, left, name_of(beyond));
+          in_image.push_back(area(Look::waiting, std::move(left)));
+        }
         break;
       }
     }
-    steps_.add(fmt::format("Portal {} leads from cell {} to cell {}. {}", number, cell_, beyond, what), "Fig. 4 and 5, avenues of sight",
-               {{image, "portal", std::move(in_image)}, {plan, "portal", std::move(in_plan)}, {plan, "cells", cells()}});
+    const std::string from = in_cell_ ? name_of(cell_) : "outside";
+    steps_.add(fmt::format("Portal {} leads from {} to cell {}. {}", number, from, beyond, what), "Fig. 4 and 5, avenues of sight",
+               {{image, "portal", std::move(in_image)},
+                {image, "numbers", std::move(image_numbers)},
+                {plan, "portal", std::move(in_plan)},
+                {plan, "cells", cells()},
+                {plan, "numbers", std::move(plan_numbers)}});
   }
 
   // The lines of a cell are one step.
@@ -129,9 +156,23 @@ class JonesTeller final : public algorithms::jones::Trace {
     count();
     const bool any = pieces_here_ != 0;
     steps_.add(fmt::format("The lines of cell {} are clipped to the mask: {}.", cell_,
-                           any ? fmt::format("{} of them are seen at least in part, and drawn", pieces_here_) : std::string("none is seen")),
+                           any ? fmt::format("{} of them {} seen at least in part, and drawn", pieces_here_, pieces_here_ == 1 ? "is" : "are") : std::string("none is seen")),
                "Fig. 4 and 5, avenues of sight", {{image, "line", std::exchange(now_, {})}, {image, "seen", seen_}});
     pieces_here_ = 0;
+  }
+
+  [[nodiscard]] std::vector<Mark> all_numbers() const { return numbers({}); }
+  // The cells that have a number from the beginning, in plan.
+  [[nodiscard]] std::vector<Mark> outlines() const {
+    std::vector<Mark> marks;
+    if (complex_.cells.size() > most_numbered_cells) return marks;
+    for (scene::CellNumber cell = 0; cell < complex_.cells.size(); ++cell) {
+      auto outline = outline_in_plan(cell);
+      if (outline.empty()) continue;
+      outline.push_back(outline.front());
+      marks.push_back(explain::line(Look::faint, std::move(outline)));
+    }
+    return marks;
   }
 
  private:
@@ -151,18 +192,39 @@ class JonesTeller final : public algorithms::jones::Trace {
     }
     return corners;
   }
+  static std::string name_of(scene::CellNumber cell) { return fmt::format("cell {}", cell); }
+  [[nodiscard]] std::vector<Point> outline_in_plan(scene::CellNumber cell) const {
+    Planes planes;
+    for (const scene::HalfSpace& bound : complex_.bounds_of(complex_.cells[cell])) planes.push_back(plane_of(bound.plane, bound.turned));
+    return ground_.region(planes);
+  }
   // All cells in plan: entered, waiting, and this one.
   [[nodiscard]] std::vector<Mark> cells() const {
     std::vector<Mark> marks;
     const auto add = [&](scene::CellNumber cell, Look look) {
-      Planes planes;
-      for (const scene::HalfSpace& bound : complex_.bounds_of(complex_.cells[cell])) planes.push_back(plane_of(bound.plane, bound.turned));
-      if (auto outline = ground_.region(planes); outline.size() > 2) marks.push_back(area(look, std::move(outline)));
+      if (auto outline = outline_in_plan(cell); outline.size() > 2) marks.push_back(area(look, std::move(outline)));
     };
     for (const scene::CellNumber cell : visited_)
-      if (cell != cell_) add(cell, Look::seen);
+      if (!in_cell_ || cell != cell_) add(cell, Look::seen);
     for (const scene::CellNumber cell : waiting_) add(cell, Look::waiting);
-    add(cell_, Look::now);
+    if (in_cell_) add(cell_, Look::now);
+    return marks;
+  }
+  // The cells' numbers in plan, those that the caption names in words. Of a scene of many cells only these and those that were entered.
+  [[nodiscard]] std::vector<Mark> numbers(const std::vector<scene::CellNumber>& in_words) const {
+    std::vector<Mark> marks;
+    const auto add = [&](scene::CellNumber cell, Look look, std::string words) {
+      if (const auto outline = outline_in_plan(cell); !outline.empty()) marks.push_back(label(look, label_point(outline), std::move(words)));
+    };
+    const auto named = [&](scene::CellNumber cell) { return std::find(in_words.begin(), in_words.end(), cell) != in_words.end(); };
+    if (complex_.cells.size() <= most_numbered_cells) {
+      for (scene::CellNumber cell = 0; cell < complex_.cells.size(); ++cell)
+        if (!named(cell)) add(cell, Look::plain, std::to_string(cell));
+    } else {
+      for (const scene::CellNumber cell : visited_)
+        if (!named(cell)) add(cell, Look::plain, std::to_string(cell));
+    }
+    for (const scene::CellNumber cell : in_words) add(cell, in_cell_ && cell == cell_ ? Look::now : Look::waiting, name_of(cell));
     return marks;
   }
   void count() {
@@ -184,7 +246,9 @@ class JonesTeller final : public algorithms::jones::Trace {
   Space eye_;
   bool perspective_;
   bool outside_ = false;  // the search began with the portals in the outer walls
+  bool in_cell_ = false;   // the search is in cell_; else it has not entered any yet
   scene::CellNumber cell_ = 0;
+  std::vector<Mark> label_in_image_;  // of cell_
   std::set<scene::CellNumber> visited_;
   std::vector<scene::CellNumber> waiting_;
   std::vector<Mark> now_;
@@ -213,14 +277,23 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
                         "its lines of sight, from cell to cell.",
                         given->cells.size(), portals),
-            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()}, {plan, "wire", ground.wire_frame()}});
+            "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()},
+                                               {plan, "wire", ground.wire_frame()},
+                                               {plan, "outlines", teller.outlines()},
+                                               {plan, "numbers", teller.all_numbers()}});
   auto view = algorithms::jones::visible_edges(*given, camera, teller);
   if (!view) return std::move(view.error());
   teller.flush_lines();
   std::vector<Mark> seen;
   for (const auto& piece : view->picture.pieces) stage.add_piece(seen, Look::seen, piece);
   steps.add("No cell waits: the picture is complete. Cells that cannot be seen were never entered, so their number costs nothing.", "Fig. 5, avenues of sight",
-            {{image, "mask", {}}, {image, "portal", {}}, {image, "line", {}}, {plan, "portal", {}}, {image, "seen", std::move(seen)}});
+            {{image, "mask", {}},
+             {image, "portal", {}},
+             {image, "line", {}},
+             {image, "numbers", {}},
+             {plan, "portal", {}},
+             {image, "seen", std::move(seen)},
+             {plan, "numbers", teller.all_numbers()}});
   return lesson;
 }
 

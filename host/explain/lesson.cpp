@@ -19,6 +19,7 @@ std::string_view name_of(Mark::Kind kind) {
     case Mark::Kind::area: return "area";
     case Mark::Kind::dot: return "dot";
     case Mark::Kind::text: return "text";
+    case Mark::Kind::label: return "label";
   }
   return "";
 }
@@ -31,14 +32,14 @@ Json number(double value) {
 
 Json pair_of(const Point& point) { return Json::array({number(point[0]), number(point[1])}); }
 
-// ["line", "seen", x, y, x, y], and of a text the words last.
+// ["line", "seen", x, y, x, y], and of a text or a label the words last.
 Json mark_of(const Mark& mark) {
   Json json = Json::array({name_of(mark.kind), name_of(mark.look)});
   for (const Point& point : mark.points) {
     json.push_back(number(point[0]));
     json.push_back(number(point[1]));
   }
-  if (mark.kind == Mark::Kind::text) json.push_back(mark.text);
+  if (mark.kind == Mark::Kind::text || mark.kind == Mark::Kind::label) json.push_back(mark.text);
   return json;
 }
 

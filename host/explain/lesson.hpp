@@ -36,10 +36,10 @@ enum class Look : std::uint8_t {
 using Point = std::array<double, 2>;  // on a sheet, y upwards
 
 struct Mark {
-  enum class Kind : std::uint8_t { line, area, dot, text };
+  enum class Kind : std::uint8_t { line, area, dot, text, label };
   Kind kind = Kind::line;
   Look look = Look::plain;
-  std::vector<Point> points;  // line: two or more, joined; area: a corner each; dot and text: one
+  std::vector<Point> points;  // line: two or more, joined; area: a corner each; dot, text and label: one
   std::string text = {};
 };
 [[nodiscard]] inline Mark line(Look look, std::vector<Point> points) {
@@ -51,6 +51,10 @@ struct Mark {
 [[nodiscard]] inline Mark dot(Look look, Point at) { return {Mark::Kind::dot, look, {at}}; }
 [[nodiscard]] inline Mark text(Look look, Point at, std::string words) {
   return {Mark::Kind::text, look, {at}, std::move(words)};
+}
+// The name of an area: words centred on a point of it. A text is next to its point instead.
+[[nodiscard]] inline Mark label(Look look, Point at, std::string words) {
+  return {Mark::Kind::label, look, {at}, std::move(words)};
 }
 
 // A sheet shows the box from `low` to `high`, both axes to the same scale unless `stretched`.

@@ -21,6 +21,9 @@ namespace mr = algorithms::montani_re;
 constexpr std::size_t chart = 1;
 // Pairs beyond these are summed up.
 constexpr std::size_t most_pairs = 150;
+// On a chart of more faces only those that the caption names have a number, and in the image at most so many have one in a step.
+constexpr std::size_t most_numbered_faces = 60;
+constexpr std::size_t most_named = 12;
 
 // What decided a pair: section 3 and Table 2 of the paper.
 constexpr std::array<std::string_view, 7> tests{
@@ -52,9 +55,13 @@ class MontaniReTeller final : public mr::Trace {
       add_region(marks, Look::now, set.faces[face].pcs);
       steps_.add(fmt::format("Face {} as a region of {} stripe{}: each ends where the outline has a corner, and lies between a west and an east side.", face + 1,
                              set.faces[face].pcs.bands.size(), set.faces[face].pcs.bands.size() == 1 ? "" : "s"),
-                 "section 2", {{image, "face", std::move(marks)}, {chart, "faces", dots(Look::plain)}});
+                 "section 2", {{image, "face", std::move(marks)},
+                              {image, "numbers", names({{face, Look::now}})},
+                              {chart, "faces", dots(Look::plain)},
+                              {chart, "numbers", names_on_chart({face})}});
     }
-    if (set.faces.size() > 12) steps_.add(fmt::format("The other {} faces are made into stripes likewise.", set.faces.size() - 12), "section 2", {{image, "face", {}}, {chart, "faces", dots(Look::plain)}});
+    if (set.faces.size() > 12) steps_.add(fmt::format("The other {} faces are made into stripes likewise.", set.faces.size() - 12), "section 2",
+                                            {{image, "face", {}}, {image, "numbers", {}}, {chart, "faces", dots(Look::plain)}, {chart, "numbers", {}}});
   }
 
   void related(const mr::DepthRelations& found) override {
@@ -68,7 +75,7 @@ class MontaniReTeller final : public mr::Trace {
     steps_.add(fmt::format("Which of two faces hides the other is asked of every pair, by six tests of increasing cost. {} pairs: {}. Tests 1 and 2 find that "
                            "two faces have nothing to do with each other; the others give a relation.",
                            pairs, decided),
-               "section 3, Table 2", {{image, "face", {}}});
+               "section 3, Table 2", {{image, "face", {}}, {image, "numbers", {}}, {chart, "numbers", {}}});
     std::size_t shown = 0;
     for (const mr::Relation& relation : found.relations) {
       arrows_.push_back(line(Look::plain, {place(relation.near), place(relation.far)}));
@@ -79,26 +86,32 @@ class MontaniReTeller final : public mr::Trace {
       add_region(marks, Look::now, set_->faces[relation.near].pcs);
       add_region(marks, Look::other, set_->faces[relation.far].pcs);
       steps_.add(fmt::format("Face {} has priority over face {}, by {}.", relation.near + 1, relation.far + 1, tests[relation.test]), "section 3, Table 2",
-                 {{image, "face", std::move(marks)}, {chart, "relations", arrows_}, {chart, "pair", {line(Look::now, {place(relation.near), place(relation.far)})}}});
+                 {{image, "face", std::move(marks)}, {chart, "relations", arrows_}, {chart, "pair", {line(Look::now, {place(relation.near), place(relation.far)})}},
+                  {image, "numbers", names({{relation.near, Look::now}, {relation.far, Look::other}})},
+                  {chart, "numbers", names_on_chart({relation.near, relation.far})}});
     }
     count();
-    if (shown > most_pairs) steps_.add(fmt::format("{} more relations are found.", shown - most_pairs), "section 3, Table 2", {{image, "face", {}}, {chart, "relations", arrows_}, {chart, "pair", {}}});
+    if (shown > most_pairs) steps_.add(fmt::format("{} more relations are found.", shown - most_pairs), "section 3, Table 2", {{image, "face", {}}, {image, "numbers", {}}, {chart, "relations", arrows_}, {chart, "pair", {}}, {chart, "numbers", {}}});
   }
 
   void ranked(const mr::PriorityClass& front, const mr::PriorityClass& back) override {
     std::vector<Mark> marks;
+    std::vector<std::pair<std::uint32_t, Look>> named;
     for (const std::uint32_t face : front) {
       front_.push_back(face);
+      named.emplace_back(face, Look::now);
       add_region(marks, Look::now, set_->faces[face].pcs);
     }
     for (const std::uint32_t face : back) {
       back_.insert(back_.begin(), face);
+      named.emplace_back(face, Look::other);
       add_region(marks, Look::other, set_->faces[face].pcs);
     }
     count();
     steps_.add(fmt::format("{} {} hidden by none of those left: behind the FRONT list. {} hide{} none of them: before the BACK list. All of them are taken out.",
                            front.size(), front.size() == 1 ? "face is" : "faces are", back.size(), back.size() == 1 ? "s" : ""),
-               "section 3, Tables 3 and 4", {{image, "face", std::move(marks)}, {chart, "faces", dots(Look::plain)}, {chart, "relations", {}}, {chart, "pair", {}}});
+               "section 3, Tables 3 and 4", {{image, "face", std::move(marks)}, {image, "numbers", named.size() <= most_named ? names(named) : std::vector<Mark>()},
+                {chart, "faces", dots(Look::plain)}, {chart, "relations", {}}, {chart, "pair", {}}, {chart, "numbers", {}}});
   }
 
   void cycle(const mr::Relation& deleted, bool cut) override {
@@ -112,7 +125,8 @@ class MontaniReTeller final : public mr::Trace {
                                  deleted.far + 1, deleted.near + 1)
                    : fmt::format("A cycle is met. Faces {} and {} have a relation by their planes, but do not overlap in the image: it is deleted.", deleted.near + 1,
                                  deleted.far + 1),
-               "section 5", {{image, "face", std::move(marks)}});
+               "section 5", {{image, "face", std::move(marks)}, {image, "numbers", names({{deleted.near, Look::now}, {deleted.far, Look::other}})},
+                             {chart, "numbers", names_on_chart({deleted.near, deleted.far})}});
   }
 
   void subtracted(std::uint32_t face, std::uint32_t near, const mr::TrapezoidPcs& left) override {
@@ -124,7 +138,8 @@ class MontaniReTeller final : public mr::Trace {
     add_region(marks, Look::now, left);
     steps_.add(left.empty() ? fmt::format("Face {} is taken away from face {}: nothing is left of it.", near + 1, face + 1)
                             : fmt::format("Face {}, which comes before it in the list, is taken away from face {}: {} stripes are left.", near + 1, face + 1, left.bands.size()),
-               "section 3", {{image, "face", std::move(marks)}});
+               "section 3", {{image, "face", std::move(marks)}, {image, "numbers", names({{face, Look::now}, {near, Look::other}})},
+                             {chart, "numbers", names_on_chart({face, near})}});
   }
 
  private:
@@ -139,11 +154,37 @@ class MontaniReTeller final : public mr::Trace {
     const double angle = 6.283185307179586 * face / static_cast<double>(set_->faces.size());
     return {0.5 + 0.28 * std::cos(angle), 0.5 + 0.42 * std::sin(angle)};
   }
+  // On the image, as the captions name them; each once.
+  [[nodiscard]] std::vector<Mark> names(const std::vector<std::pair<std::uint32_t, Look>>& faces) const {
+    std::vector<Mark> marks;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto [face, look] = faces[i];
+      if (i != 0 && face == faces[0].first) continue;
+      std::vector<Mark> region;
+      add_region(region, look, set_->faces[face].pcs);
+      // The largest of its stripes has most room.
+      const auto widest = std::max_element(region.begin(), region.end(), [](const Mark& a, const Mark& b) { return extent(a) < extent(b); });
+      if (widest != region.end()) marks.push_back(label(look, label_point(widest->points), fmt::format("face {}", face + 1)));
+    }
+    return marks;
+  }
+  // The area of a stripe.
+  static double extent(const Mark& mark) {
+    const auto& p = mark.points;
+    return (p[1][0] - p[0][0] + p[2][0] - p[3][0]) * (p[2][1] - p[1][1]);
+  }
+  // Where the chart has no number at every face.
+  [[nodiscard]] std::vector<Mark> names_on_chart(const std::vector<std::uint32_t>& faces) const {
+    std::vector<Mark> marks;
+    if (set_->faces.size() > most_numbered_faces)
+      for (const std::uint32_t face : faces) marks.push_back(text(Look::now, place(face), std::to_string(face + 1)));
+    return marks;
+  }
   [[nodiscard]] std::vector<Mark> dots(Look look) const {
     std::vector<Mark> marks{text(Look::plain, {0.05, 1.02}, "FRONT"), text(Look::plain, {0.85, 1.02}, "BACK")};
     for (std::uint32_t face = 0; face < set_->faces.size(); ++face) {
       marks.push_back(dot(look, place(face)));
-      if (set_->faces.size() <= 60) marks.push_back(text(Look::plain, place(face), std::to_string(face + 1)));
+      if (set_->faces.size() <= most_numbered_faces) marks.push_back(text(Look::plain, place(face), std::to_string(face + 1)));
     }
     return marks;
   }
@@ -197,7 +238,7 @@ base::Result<Lesson> explain_montani_re(const scene::PolyScene& scene, const sce
   std::vector<Mark> seen;
   for (const auto& piece : view->picture.pieces) stage.add_piece(seen, Look::seen, piece);
   steps.add("What is left of each face is what is seen of it. Its own sides are the lines of the picture.", "section 4",
-            {{image, "face", {}}, {image, "seen", std::move(seen)}});
+            {{image, "face", {}}, {image, "numbers", {}}, {image, "seen", std::move(seen)}, {chart, "numbers", {}}});
   return lesson;
 }
 

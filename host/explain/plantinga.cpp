@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -67,6 +68,44 @@ Look look_of(Group group) {
   return Look::plain;
 }
 
+// The things that a caption names: "vertex 3", "edge 4-5" with its vertices, "face 7", "faces 7, 8".
+struct Named {
+  std::set<std::uint32_t> vertices;
+  std::set<std::uint32_t> faces;  // from 0
+};
+Named named_in(std::string_view caption) {
+  Named named;
+  std::size_t at = 0;
+  const auto number = [&]() -> std::optional<std::uint32_t> {
+    std::uint32_t value = 0;
+    const std::size_t begin = at;
+    while (at < caption.size() && caption[at] >= '0' && caption[at] <= '9') value = value * 10 + static_cast<std::uint32_t>(caption[at++] - '0');
+    return at == begin ? std::nullopt : std::optional(value);
+  };
+  const auto passes = [&](std::string_view word) {
+    if (caption.substr(at, word.size()) != word) return false;
+    at += word.size();
+    return true;
+  };
+  while (at < caption.size()) {
+    if (passes("dge ")) {  // an edge that begins a sentence, too
+      const auto from = number();
+      if (!from || !passes("-")) continue;
+      named.vertices.insert(*from);
+      if (const auto to = number()) named.vertices.insert(*to);
+    } else if (passes("vertex ")) {
+      if (const auto vertex = number()) named.vertices.insert(*vertex);
+    } else if (passes("face ") || passes("faces ")) {
+      do {
+        if (const auto face = number()) named.faces.insert(*face - 1);
+      } while (passes(", ") && at < caption.size() && caption[at] >= '0' && caption[at] <= '9');
+    } else {
+      ++at;
+    }
+  }
+  return named;
+}
+
 class PlantingaTeller final : public pl::Trace {
  public:
   PlantingaTeller(const pl::RotationModel& model, TurnStage& stage, double angle, Steps& steps)
@@ -116,9 +155,8 @@ class PlantingaTeller final : public pl::Trace {
     }
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::hidden, edge, angle_);
-    stage_.add_names(marks, Look::now, edge, angle_);
     for (const pl::Piece& piece : left) stage_.add_piece(marks, Look::now, edge, piece, angle_);
-    steps_.add(fmt::format(
+    tell(angle_, fmt::format(
                    "{} is compared with the {} that may hide some of it from some direction. From here face{} {} cover{} some of "
                    "it; what is covered on both sides of its line in the image is hidden. {}",
                    name_of(edge, true), counted(occluder_count_, "face"), covering_.size() == 1 ? "" : "s", names,
@@ -129,7 +167,7 @@ class PlantingaTeller final : public pl::Trace {
   void initial_picture(const picture::LinePicture& drawn) {
     pieces_ = drawn.pieces.size();
     count();
-    steps_.add(
+    tell(angle_,
         fmt::format("The initial picture, made by hidden-line removal from scratch: {}.{} Of "
                     "each piece the graph stores what it ends in: a vertex, or a T-junction and the edge that hides the rest.",
                     counted(pieces_, "visible piece"),
@@ -187,7 +225,7 @@ class PlantingaTeller final : public pl::Trace {
     }
     count();
     const std::string which = summary_.size() == 1 ? name_of(summary_.front(), true) : fmt::format("{} edges", summary_.size());
-    steps_.add(fmt::format("{} {} studied{}: {} compared, {} kept.", which, summary_.size() == 1 ? "is" : "are",
+    tell(angle_, fmt::format("{} {} studied{}: {} compared, {} kept.", which, summary_.size() == 1 ? "is" : "are",
                            detailed_ == 0 ? "" : " in the same way", counted(summary_directions_, "direction"),
                            counted(summary_changes_, "change")),
                "section 3",
@@ -215,7 +253,7 @@ class PlantingaTeller final : public pl::Trace {
       ++of[static_cast<std::size_t>(group)];
       dots.push_back(dot(look_of(group), stage_.on_circle(event.direction.angle)));
     }
-    steps_.add(
+    tell(angle_,
         fmt::format(
             "The event list of a full turn, sorted by angle: at {} a face or a plane of two edges is edge-on (the paper "
             "leaves these out), at {} a vertex and an edge meet in the image (EV), at {} three edges meet (EEE). From now on no "
@@ -241,7 +279,7 @@ class PlantingaTeller final : public pl::Trace {
       if (with_views) tell_view(list, at, graph);
     }
     if (list.events.size() > most_events_shown)
-      steps_.add(
+      tell(angle_,
           fmt::format("The turn goes on in the same way over {}.", counted(list.events.size() - most_events_shown, "more event")),
           "section 4", {{image, "cause", {}}, {circle, "cause", {}}});
   }
@@ -250,7 +288,7 @@ class PlantingaTeller final : public pl::Trace {
     pieces_ = drawn.pieces.size();
     passed_ = events_;
     count();
-    steps_.add(
+    tell(angle_,
         events_ == 0
             ? "Nothing changes in a whole turn: the picture from every direction has the same structure."
             : "The turn is complete, and the picture is the initial one again. Each step touched only the edges that change, "
@@ -265,6 +303,18 @@ class PlantingaTeller final : public pl::Trace {
   }
 
  private:
+  // A step whose image is seen from a direction, with the numbers of all that its caption names.
+  void tell(double angle, std::string caption, std::string section, std::vector<Layer> changes) {
+    const Named named = named_in(caption);
+    Layer in_image{image, "numbers", {}};
+    Layer in_plan{circle, "numbers", {}};
+    for (const std::uint32_t face : named.faces) stage_.add_face_number(in_image.marks, in_plan.marks, face, angle);
+    for (const std::uint32_t vertex : named.vertices) stage_.add_vertex_number(in_image.marks, in_plan.marks, vertex, angle);
+    changes.push_back(std::move(in_image));
+    changes.push_back(std::move(in_plan));
+    steps_.add(std::move(caption), std::move(section), std::move(changes));
+  }
+
   struct Comparison {
     pl::Direction direction;
     pl::EdgeStructure before;
@@ -294,7 +344,6 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> faces;
     std::vector<Mark> plan;
     stage_.add_edge(edge_marks, Look::now, edge, angle_);
-    stage_.add_names(edge_marks, Look::now, edge, angle_);
     for (const pl::Occluder& occluder : occluders_) {
       stage_.add_face(faces, Look::other, occluder.face, angle_);
       for (const pl::Corner& corner : model_.corners(occluder.face)) stage_.add_edge_to_plan(plan, Look::other, corner.side);
@@ -304,7 +353,7 @@ class PlantingaTeller final : public pl::Trace {
     for (const Comparison& each : comparisons_)
       candidates.push_back(line(Look::now, {stage_.on_circle(each.direction.angle, 0.92), stage_.on_circle(each.direction.angle, 1.04)}));
     count();
-    steps_.add(
+    tell(angle_,
         fmt::format(
             "{}: {} may hide some of it in a turn, as some of it is behind their planes. Its potential events are at {}.{} The "
             "structure of the edge is made from scratch between each two of them.",
@@ -339,7 +388,7 @@ class PlantingaTeller final : public pl::Trace {
     count();
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::now, edge, angle_);
-    steps_.add(fmt::format("{}The list keeps {} of {} for {}.",
+    tell(angle_, fmt::format("{}The list keeps {} of {} for {}.",
                            shown < comparisons_.size() ? "The other directions are compared in the same way. " : "",
                            history.changes.size(), counted(comparisons_.size(), "direction"), name_of(edge, false)),
                "section 3",
@@ -365,12 +414,11 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> marks;
     stage_.place(angle);
     stage_.add_edge(marks, Look::hidden, edge, angle);
-    stage_.add_names(marks, Look::now, edge, angle);
     for (const pl::Piece& piece : each.after) stage_.add_piece(marks, Look::now, edge, piece, angle);
     std::vector<Mark> in_image;
     std::vector<Mark> in_plan;
     stage_.add_cause(in_image, in_plan, cause, angle);
-    steps_.add(fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
+    tell(angle, fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
                            name_of(edge, true), structure_in_words(each.before), structure_in_words(each.after),
                            changed ? "They differ: it is an event." : "They are equal: it is no event of this edge."),
                "section 3",
@@ -411,7 +459,7 @@ class PlantingaTeller final : public pl::Trace {
       what += fmt::format("{}{}", i == 0 ? "" : ", and ", what_of(causes[i]));
     }
     if (causes.size() > 2) what += fmt::format(", and {} more in the same direction", causes.size() - 2);
-    steps_.add(fmt::format("Event {} of {} at {:.2f} degrees: {}. {} change{}: {} removed from the graph and {} added.", passed_,
+    tell(angle, fmt::format("Event {} of {} at {:.2f} degrees: {}. {} change{}: {} removed from the graph and {} added.", passed_,
                            events_, degrees(angle), what, counted(edges.size(), "edge"), edges.size() == 1 ? "s" : "",
                            removed == 1 ? "1 piece is" : fmt::format("{} pieces are", removed), added),
                "section 4",
@@ -429,7 +477,7 @@ class PlantingaTeller final : public pl::Trace {
     const double ahead = next > here ? next - here : next - here + 2 * std::numbers::pi;
     double angle = here + ahead / 2;
     if (angle > std::numbers::pi) angle -= 2 * std::numbers::pi;
-    steps_.add(
+    tell(angle,
         fmt::format(
             "The structure stays the same up to {:.2f} degrees. A frame between, here at {:.2f}, draws the {} of the graph; only "
             "the vertices and the T-junctions are placed again.",
@@ -498,9 +546,9 @@ class PlantingaTeller final : public pl::Trace {
   }
 
   static std::vector<Mark> legend() {
-    return {text(look_of(Group::edge_on), {-1.24, 1.18}, "plane edge-on"),
-            text(look_of(Group::vertex_and_edge), {-1.24, 1.08}, "EV: a vertex, an edge"),
-            text(look_of(Group::three_edges), {-1.24, 0.98}, "EEE: three edges")};
+    return {text(look_of(Group::edge_on), {-1.24, 1.2}, "plane edge-on"),
+            text(look_of(Group::vertex_and_edge), {-1.24, 1.07}, "EV: a vertex, an edge"),
+            text(look_of(Group::three_edges), {-1.24, 0.94}, "EEE: three edges")};
   }
 
   [[nodiscard]] std::string name_of(pl::EdgeIndex edge, bool begins) const {

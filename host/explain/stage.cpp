@@ -106,10 +106,31 @@ void ImageStage::add_piece(std::vector<Mark>& marks, Look look, const picture::L
   add_line(marks, look, between(from, to, piece.low.to_double()), between(from, to, piece.high.to_double()));
 }
 
-void ImageStage::add_face(std::vector<Mark>& marks, Look look, const scene::PolyFace& face) const {
+std::vector<Space> ImageStage::corners_of(const scene::PolyFace& face) const {
   std::vector<Space> corners;
   for (const scene::VertexIndex v : face.outline) corners.push_back(space(scene_.vertices[v]));
-  add_area(marks, look, corners);
+  return corners;
+}
+
+void ImageStage::add_face(std::vector<Mark>& marks, Look look, const scene::PolyFace& face) const {
+  add_area(marks, look, corners_of(face));
+}
+
+void ImageStage::add_names(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const {
+  for (const scene::VertexIndex end : {edge.from, edge.to}) {
+    const Space p = seen_from_eye(space(scene_.vertices[end]));
+    if (camera_.perspective && p[2] < nearest_) continue;
+    const Point at = projected(p);
+    if (at[0] >= low_[0] && at[0] <= high_[0] && at[1] >= low_[1] && at[1] <= high_[1]) marks.push_back(text(look, at, std::to_string(end)));
+  }
+}
+
+void ImageStage::add_label(std::vector<Mark>& marks, Look look, const std::vector<Point>& outline, std::string words, double height) const {
+  std::vector<Point> shown = cut_outline(outline, 1, 0, low_[0]);
+  shown = cut_outline(shown, -1, 0, -high_[0]);
+  shown = cut_outline(shown, 0, 1, low_[1]);
+  shown = cut_outline(shown, 0, -1, -high_[1]);
+  if (!shown.empty()) marks.push_back(label(look, label_point(shown, height), std::move(words)));
 }
 
 std::vector<Mark> ImageStage::wire_frame(Look look) const {
@@ -146,6 +167,26 @@ std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, doub
     }
   }
   return left;
+}
+
+Point label_point(const std::vector<Point>& outline, double height) {
+  const auto [lowest, highest] =
+      std::minmax_element(outline.begin(), outline.end(), [](const Point& p, const Point& q) { return p[1] < q[1]; });
+  const double y = (*lowest)[1] + ((*highest)[1] - (*lowest)[1]) * height;
+  std::vector<double> crossings;
+  Point mean{};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point& p = outline[i];
+    const Point& q = outline[(i + 1) % outline.size()];
+    if ((p[1] < y) != (q[1] < y)) crossings.push_back(p[0] + (q[0] - p[0]) * (y - p[1]) / (q[1] - p[1]));
+    for (std::size_t a = 0; a < 2; ++a) mean[a] += p[a] / static_cast<double>(outline.size());
+  }
+  if (crossings.empty()) return mean;
+  std::sort(crossings.begin(), crossings.end());
+  std::size_t longest = 0;
+  for (std::size_t i = 2; i + 1 < crossings.size(); i += 2)
+    if (crossings[i + 1] - crossings[i] > crossings[longest + 1] - crossings[longest]) longest = i;
+  return {(crossings[longest] + crossings[longest + 1]) / 2, y};
 }
 
 PlanStage::PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene) {

@@ -44,10 +44,21 @@ class ImageStage {
   void add_face(std::vector<Mark>& marks, Look look, const scene::PolyFace& face) const;
   // What of the sheet lies within the planes a x + b y + c z >= d, each seen as a line: through the eye, or along the line of sight.
   [[nodiscard]] std::vector<Point> region(std::span<const std::array<double, 4>> planes) const;
+  // The number of the edge's two vertices beside them.
+  void add_names(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const;
+  // A label on what the sheet shows of an outline in the image; nothing where it shows nothing.
+  void add_label(std::vector<Mark>& marks, Look look, const std::vector<Point>& outline, std::string words, double height = 0.5) const;
+  void add_label(std::vector<Mark>& marks, Look look, std::span<const Space> corners, std::string words) const {
+    add_label(marks, look, outline_in_image(corners), std::move(words));
+  }
+  void add_label(std::vector<Mark>& marks, Look look, const scene::PolyFace& face, std::string words) const {
+    add_label(marks, look, corners_of(face), std::move(words));
+  }
   // Every edge.
   [[nodiscard]] std::vector<Mark> wire_frame(Look look = Look::faint) const;
 
  private:
+  [[nodiscard]] std::vector<Space> corners_of(const scene::PolyFace& face) const;
   [[nodiscard]] Space seen_from_eye(const Space& p) const;  // right, up, forward
   [[nodiscard]] Point projected(const Space& of_eye) const;
   [[nodiscard]] bool cut(Space& from, Space& to) const;
@@ -85,6 +96,10 @@ class PlanStage {
 
 // What is left of a convex outline where a x + b y >= c.
 [[nodiscard]] std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, double b, double c);
+
+// Where a label of an outline stands: at a part of its height, 0.5 halfway up, in the middle of the longest part of that row that is within the outline. So it is
+// within an outline that is not convex, too. Of an outline without an area the mean of its points. Not empty (precondition).
+[[nodiscard]] Point label_point(const std::vector<Point>& outline, double height = 0.5);
 
 // The steps of a lesson while it is made: fills in the counts and ends at most_steps.
 class Steps {

@@ -99,7 +99,6 @@ std::vector<Mark> TurnStage::radius(double angle) const {
 void TurnStage::add_cause(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, const pl::PotentialEvent& cause, double angle) {
   const auto both = [&](Look look, pl::EdgeIndex edge) {
     add_edge(image_marks, look, edge, angle);
-    add_names(image_marks, look, edge, angle);
     add_edge_to_plan(plan_marks, look, edge);
   };
   const auto face_of = [&](pl::FaceIndex face) {
@@ -119,7 +118,6 @@ void TurnStage::add_cause(std::vector<Mark>& image_marks, std::vector<Mark>& pla
       const pl::Vector3& p = model_.vertices()[cause.first];
       through = space_of(p);
       image_marks.push_back(dot(Look::now, at(p, angle)));
-      image_marks.push_back(text(Look::now, at(p, angle), fmt::format("{}", cause.first)));
       plan_marks.push_back(dot(Look::now, in_plan(through)));
       break;
     }
@@ -170,10 +168,22 @@ void TurnStage::add_edge(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge
   marks.push_back(line(look, {at(segment.from, angle), at(segment.to, angle)}));
 }
 
-void TurnStage::add_names(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const {
-  const picture::LineEdge& ends = model_.edges()[edge];
-  for (const scene::VertexIndex end : {ends.from, ends.to})
-    marks.push_back(text(look, at(model_.vertices()[end], angle), fmt::format("{}", end)));
+void TurnStage::add_vertex_number(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, scene::VertexIndex vertex, double angle) const {
+  const pl::Vector3& p = model_.vertices()[vertex];
+  image_marks.push_back(text(Look::now, at(p, angle), std::to_string(vertex)));
+  plan_marks.push_back(text(Look::now, in_plan(space_of(p)), std::to_string(vertex)));
+}
+
+void TurnStage::add_face_number(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, pl::FaceIndex face, double angle) const {
+  std::vector<Point> outline;
+  std::vector<Point> from_above;
+  for (const pl::Corner& corner : model_.corners(face)) {
+    outline.push_back(at(model_.vertices()[corner.vertex], angle));
+    from_above.push_back(in_plan(space_of(model_.vertices()[corner.vertex])));
+  }
+  const std::string name = fmt::format("face {}", face + 1);
+  image_marks.push_back(label(Look::other, label_point(outline), name));
+  plan_marks.push_back(label(Look::other, label_point(from_above), name));
 }
 
 void TurnStage::add_edge_to_plan(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge) const {

@@ -31,8 +31,6 @@ class TurnStage {
   // The image, seen from a direction.
   [[nodiscard]] std::vector<Mark> wire(double angle) const;
   void add_edge(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const;
-  // The numbers of its vertices.
-  void add_names(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const;
   void add_face(std::vector<Mark>& marks, Look look, pl::FaceIndex face, double angle) const;
   // After place() at the same angle.
   void add_piece(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, const pl::Piece& piece, double angle) const;
@@ -44,6 +42,9 @@ class TurnStage {
   // The circle.
   [[nodiscard]] std::vector<Mark> plan() const;
   void add_edge_to_plan(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge) const;
+  // Beside a vertex its number, on a face "face 7", counted from 1; in both sheets.
+  void add_vertex_number(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, scene::VertexIndex vertex, double angle) const;
+  void add_face_number(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, pl::FaceIndex face, double angle) const;
   // Where the viewer is.
   [[nodiscard]] std::vector<Mark> radius(double angle) const;
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,7 +60,8 @@ class WillisTeller final : public wl::Trace {
     count();
     if (pairs.empty()) {
       steps_.add("No two surfaces are a cluster any more: whichever is farther from the eye is behind, from wherever one looks.", "The cluster algorithm",
-                 {{image, "pair", {}}, {ground, "pair", {}}, {image, "surfaces", outlines(pieces)}, {ground, "surfaces", in_plan(pieces)}});
+                 {{image, "pair", {}}, {ground, "pair", {}}, {image, "surfaces", outlines(pieces)}, {ground, "surfaces", in_plan(pieces)},
+                  {image, "numbers", {}}, {ground, "numbers", {}}});
       return;
     }
     std::size_t shown = 0;
@@ -70,13 +73,18 @@ class WillisTeller final : public wl::Trace {
       std::vector<Mark> in_ground = boundary(pieces[a], Look::mask);
       add_plan(in_ground, Look::now, pieces[a]);
       add_plan(in_ground, Look::other, pieces[b]);
+      Numbers numbers;
+      add_number(numbers, Look::now, pieces[a], a);
+      add_number(numbers, Look::other, pieces[b], b);
       steps_.add(fmt::format("Surfaces {} and {} are a cluster: one can hide the other, and one has a point within the boundary of the other, where distance may give the wrong "
                              "order. On the ground the boundary of surface {}: about each corner a ball that reaches its farthest corner.",
                              a + 1, b + 1, a + 1),
                  "Determining the boundary; Clustering",
-                 {{image, "pair", std::move(in_image)}, {ground, "pair", std::move(in_ground)}, {image, "surfaces", outlines(pieces)}, {ground, "surfaces", in_plan(pieces)}});
+                 {{image, "pair", std::move(in_image)}, {ground, "pair", std::move(in_ground)}, {image, "surfaces", outlines(pieces)}, {ground, "surfaces", in_plan(pieces)},
+                  {image, "numbers", std::move(numbers.image)}, {ground, "numbers", std::move(numbers.ground)}});
     }
-    if (pairs.size() > most_shown) steps_.add(fmt::format("{} more clusters are found in this round.", pairs.size() - most_shown), "Clustering", {{image, "pair", {}}, {ground, "pair", {}}});
+    if (pairs.size() > most_shown) steps_.add(fmt::format("{} more clusters are found in this round.", pairs.size() - most_shown), "Clustering",
+                 {{image, "pair", {}}, {ground, "pair", {}}, {image, "numbers", {}}, {ground, "numbers", {}}});
   }
 
   void cut(std::uint32_t piece, const std::array<wl::Surface, 2>& halves, std::uint32_t second) override {
@@ -89,9 +97,13 @@ class WillisTeller final : public wl::Trace {
     std::vector<Mark> in_ground = boundary(halves[0], Look::mask);
     add_plan(in_ground, Look::now, halves[0]);
     add_plan(in_ground, Look::waiting, halves[1]);
+    Numbers numbers;
+    add_number(numbers, Look::now, halves[0], piece);
+    add_number(numbers, Look::waiting, halves[1], second);
     steps_.add(fmt::format("Surface {} is the larger of its cluster. It is cut in two; its other half is surface {}. The boundaries of the halves are smaller than that of the whole.",
                            piece + 1, second + 1),
-               "Properties of the boundary oval", {{image, "pair", std::move(in_image)}, {ground, "pair", std::move(in_ground)}});
+               "Properties of the boundary oval", {{image, "pair", std::move(in_image)}, {ground, "pair", std::move(in_ground)},
+                {image, "numbers", std::move(numbers.image)}, {ground, "numbers", std::move(numbers.ground)}});
   }
 
   void in_flight(const wl::Model& model, const scene::PolyCamera& camera) {
@@ -105,7 +117,7 @@ class WillisTeller final : public wl::Trace {
     steps_.add(fmt::format("In flight. {} of {} surfaces are turned to the eye. Each gets one distance, from the eye to its first corner; within a cell the nearer one has the "
                            "higher priority.",
                            order.size(), model.pieces.size()),
-               "The cluster algorithm", {{image, "pair", {}}, {ground, "pair", std::move(here)}});
+               "The cluster algorithm", {{image, "pair", {}}, {ground, "pair", std::move(here)}, {image, "numbers", {}}, {ground, "numbers", {}}});
     std::vector<Mark> painted;
     const std::size_t at_once = std::max<std::size_t>(1, (order.size() + most_painted - 1) / most_painted);
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -119,17 +131,34 @@ class WillisTeller final : public wl::Trace {
       stage_.add_area(now, Look::now, corners_of(surface));
       std::vector<Mark> in_ground;
       add_plan(in_ground, Look::now, surface);
+      Numbers numbers;
+      const bool in_cells = model.cells.cells > 1;
+      add_number(numbers, Look::now, surface, order[i], in_cells ? fmt::format(", cell {}", surface.cell) : std::string());
+      const std::string where = in_cells ? fmt::format(", in cell {}", surface.cell) : std::string();
       if (camera.perspective) in_ground.push_back(line(Look::now, {plan_.at(eye), plan_.at(place_of(surface.points[0]))}));
-      steps_.add(camera.perspective ? fmt::format("Priority {}: surface {}, {:.5g} from the eye, in cell {}. It covers what has a lower priority.", i + 1, order[i] + 1,
-                                                  unit_ * distance(eye, place_of(surface.points[0])), surface.cell)
-                                    : fmt::format("Priority {}: surface {}, in cell {}. It covers what has a lower priority.", i + 1, order[i] + 1, surface.cell),
-                 "The Sussex approach", {{image, "pair", std::move(now)}, {image, "painted", painted}, {ground, "pair", std::move(in_ground)}});
+      steps_.add(camera.perspective ? fmt::format("Priority {}: surface {}, {:.5g} from the eye{}. It covers what has a lower priority.", i + 1, order[i] + 1,
+                                                  unit_ * distance(eye, place_of(surface.points[0])), where)
+                                    : fmt::format("Priority {}: surface {}{}. It covers what has a lower priority.", i + 1, order[i] + 1, where),
+                 "The Sussex approach", {{image, "pair", std::move(now)}, {image, "painted", painted}, {ground, "pair", std::move(in_ground)},
+                  {image, "numbers", std::move(numbers.image)}, {ground, "numbers", std::move(numbers.ground)}});
     }
     steps_.add(fmt::format("The frame is complete: in the priority display the highest priority at each point of a line is shown. {} pairs could not be separated.", model.residual.size()),
-               "Concluding remarks", {{image, "pair", {}}, {ground, "pair", {}}});
+               "Concluding remarks", {{image, "pair", {}}, {ground, "pair", {}}, {image, "numbers", {}}, {ground, "numbers", {}}});
   }
 
  private:
+  struct Numbers {
+    std::vector<Mark> image;
+    std::vector<Mark> ground;
+  };
+  // As the captions name it.
+  void add_number(Numbers& numbers, Look look, const wl::Surface& surface, std::uint32_t number, std::string_view more = {}) const {
+    const std::string words = fmt::format("surface {}{}", number + 1, more);
+    stage_.add_label(numbers.image, look, corners_of(surface), words);
+    std::vector<Point> outline;
+    for (const Space& corner : corners_of(surface)) outline.push_back(plan_.at(corner));
+    numbers.ground.push_back(label(look, label_point(outline), words));
+  }
   std::vector<Mark> outlines(std::span<const wl::Surface> pieces) const {
     std::vector<Mark> marks;
     for (const wl::Surface& surface : pieces) {

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -45,8 +44,7 @@ ExitCode explain_scene(const explain::Explainer& explainer, const ExplainArgumen
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   Output output(arguments.file);
-  const std::optional<scene::CellComplex> cells = scene::own_cells(source);
-  explain::Lesson lesson = value_of(explainer.scene(source.scene, camera, cells ? &*cells : nullptr), source.name);
+  explain::Lesson lesson = value_of(explain::explain_scene(explainer, source, camera), source.name);
   lesson.scene = source.name;
   write_lesson(lesson, arguments.file, output);
   return ExitCode::ok;

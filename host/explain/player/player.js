@@ -1,6 +1,9 @@
 // Plays a lesson (schema sightline/explain/1): sheets, a caption, counts, and controls to go forward and back.
 //
 // The state of a step is the contents of all layers. States are built from the nearest kept one: every 64th is kept.
+//
+// In the address of the page, behind ? or #: step=5, the step shown first; embed=1, the player without the rest of the page, for a frame of
+// another page, and with it from=3 and to=12, the only steps shown.
 
 const LOOKS = {
   faint: ['there for comparison', 1, []], plain: ['of the matter at hand', 1.5, []], now: ['this step', 2.5, []],
@@ -12,7 +15,39 @@ const KEPT = 64;
 // Drawn in this order, so that what a step is about is not under what was there before.
 const ORDER = ['faint', 'mask', 'plain', 'hidden', 'waiting', 'seen', 'other', 'now'];
 
+const asked = name => new URLSearchParams(location.search).get(name) ?? new RegExp(`[#&?]${name}=([^&]*)`).exec(location.hash)?.[1] ?? null;
+
+// Whether the page is a frame of another one. The style sheet leaves out all but the player.
+const embedded = asked('embed') === '1';
+document.documentElement.classList.toggle('embed', embedded);
+
+// A step that the address asks for, counted from 0; a sentence in `notes` if it cannot be had.
+function stepAsked(name, otherwise, length, notes) {
+  const text = embedded ? asked(name) : null;
+  if (text === null) return otherwise;
+  if (!/^\d+$/.test(text)) {
+    notes.push(`${name}=${text.slice(0, 20)} is ignored: expected the number of a step, from 1 to ${length}.`);
+    return otherwise;
+  }
+  const step = Math.max(1, Math.min(length, Number(text)));
+  if (step !== Number(text)) notes.push(`${name}=${text.slice(0, 20)}: the lesson has steps 1 to ${length}, and ${step} is taken.`);
+  return step - 1;
+}
+
+// Gives the keys back to the player when something has been chosen from a list, or a slider has been let go.
+export function releaseKeys(element) {
+  element.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement) event.target.blur(); });
+  element.addEventListener('pointerup', event => { if (event.target.type === 'range') event.target.blur(); });
+}
+
 export function makePlayer(root, lesson) {
+  const notes = [];
+  let first = stepAsked('from', 0, lesson.steps.length, notes);
+  let last = stepAsked('to', lesson.steps.length - 1, lesson.steps.length, notes);
+  if (first > last) {
+    [first, last] = [last, first];
+    notes.push(`from comes after to: steps ${first + 1} to ${last + 1} are shown.`);
+  }
   const states = new Map();
   const order = lesson.sheets.map(() => []);
   for (const step of lesson.steps)
@@ -48,7 +83,7 @@ export function makePlayer(root, lesson) {
   const caption = make('p', {className: 'caption'});
   caption.setAttribute('aria-live', 'polite');
   const counts = make('ul', {className: 'counts'});
-  const slider = make('input', {type: 'range', min: 0, max: lesson.steps.length - 1, value: 0});
+  const slider = make('input', {type: 'range', min: first, max: last, value: first});
   slider.setAttribute('aria-label', 'Step');
   const place = make('span', {className: 'place'});
   const button = (label, title, act) => {
@@ -65,15 +100,23 @@ export function makePlayer(root, lesson) {
     canvas.setAttribute('aria-label', sheet.title);
     return canvas;
   });
-  const used = new Set(lesson.steps.flatMap(step => step.layers.flatMap(layer => layer.marks.map(mark => mark[1]))));
-  const player = make('section', {className: 'player', tabIndex: 0},
+  const longest = lesson.steps.reduce((text, step) => {
+    const words = step.section ? `${step.caption} (${step.section})` : step.caption;
+    return words.length > text.length ? words : text;
+  }, '');
+  const room = make('p', {className: 'longest', textContent: longest});  // keeps the sheets in place when the caption changes
+  room.setAttribute('aria-hidden', 'true');
+  const used = new Set(lesson.steps.flatMap(step => step.layers.flatMap(layer => layer.marks.filter(mark => mark[0] !== 'text' && mark[0] !== 'label').map(mark => mark[1]))));
+  const player = make('section', {className: 'player'},
     make('h1', {textContent: lesson.title}),
+    ...notes.map(note => make('p', {className: 'note', textContent: note})),
     make('div', {className: 'controls'},
-      button('|<', 'First step (Home)', () => show(0)), button('<', 'Back (left arrow)', () => show(at - 1)), play,
-      button('>', 'Forward (right arrow)', () => show(at + 1)), button('>|', 'Last step (End)', () => show(lesson.steps.length - 1)),
+      button('|<', 'First step (Home)', () => show(first)), button('<', 'Back (left arrow)', () => show(at - 1)), play,
+      button('>', 'Forward (right arrow)', () => show(at + 1)), button('>|', 'Last step (End)', () => show(last)),
       slider, place, pace),
-    caption, counts,
-    make('div', {className: 'sheets'}, ...lesson.sheets.map((sheet, i) => make('figure', {}, canvases[i], make('figcaption', {textContent: sheet.title})))),
+    make('div', {className: 'words'}, caption, room),
+    make('div', {className: 'sheets'}, ...lesson.sheets.map((sheet, i) => make('figure', {}, make('div', {className: 'canvas'}, canvases[i]), make('figcaption', {textContent: sheet.title})))),
+    counts,
     make('ul', {className: 'legend'}, ...Object.keys(LOOKS).filter(look => used.has(look)).map(look => {
       const sample = make('i');
       sample.style.background = `var(--${look})`;
@@ -81,27 +124,33 @@ export function makePlayer(root, lesson) {
     })));
   player.setAttribute('aria-label', lesson.title);
   root.replaceChildren(player);
+  releaseKeys(player);
 
-  let at = 0;
+  let at = first;
   let timer = 0;
-  let stopped = false;
 
+  function pause() {
+    clearTimeout(timer);
+    timer = 0;
+    play.textContent = 'Play';
+  }
   function toggle() {
-    if (timer) { clearTimeout(timer); timer = 0; } else { if (at === lesson.steps.length - 1) show(0); tick(); }
-    play.textContent = timer ? 'Pause' : 'Play';
+    if (timer) return pause();
+    if (at === last) show(first);
+    tick();
+    play.textContent = 'Pause';
   }
   function tick() {
     timer = setTimeout(() => {
-      if (stopped) return;
       show(at + 1);
-      if (at < lesson.steps.length - 1) tick(); else { timer = 0; play.textContent = 'Play'; }
+      if (at < last) tick(); else pause();
     }, 1000 / Number(pace.value));
   }
   function show(n) {
-    at = Math.max(0, Math.min(lesson.steps.length - 1, n));
+    at = Math.max(first, Math.min(last, n));
     const step = lesson.steps[at];
     slider.value = at;
-    place.textContent = `${at + 1} of ${lesson.steps.length}`;
+    place.textContent = last - first + 1 === lesson.steps.length ? `${at + 1} of ${lesson.steps.length}` : `${at + 1} (${first + 1} to ${last + 1} of ${lesson.steps.length})`;
     caption.replaceChildren(step.caption);
     if (step.section) caption.append(' ', make('span', {className: 'section', textContent: `(${step.section})`}));
     counts.replaceChildren(...Object.entries(step.counts).map(([name, value]) => make('li', {}, `${name} `, make('b', {textContent: value}))));
@@ -109,28 +158,39 @@ export function makePlayer(root, lesson) {
   }
   function draw() {
     const state = stateOf(at);
+    player.style.setProperty('--above', `${player.getBoundingClientRect().top + scrollY}px`);
     const style = getComputedStyle(player);
     const colours = Object.fromEntries(Object.keys(LOOKS).map(look => [look, style.getPropertyValue('--' + look)]));
-    lesson.sheets.forEach((sheet, i) => drawSheet(canvases[i], sheet, order[i].map(name => state[i][name] ?? []), colours));
+    lesson.sheets.forEach((sheet, i) => drawSheet(canvases[i], sheet, order[i].map(name => state[i][name] ?? []), colours, i === 0));
   }
 
-  player.addEventListener('keydown', event => {
-    if (event.target instanceof HTMLSelectElement || event.target === slider) return;
-    const act = {ArrowRight: () => show(at + 1), ArrowLeft: () => show(at - 1), Home: () => show(0), End: () => show(lesson.steps.length - 1)}[event.key];
-    if (act) act(); else if (event.key === ' ' && !(event.target instanceof HTMLButtonElement)) toggle(); else return;
-    event.preventDefault();
-  });
+  // A key that goes down anywhere on the page. True if it is the player's; lists, fields, other sliders and the browser keep theirs. The page
+  // keys, which presenters' remotes send, scroll where there is something to scroll, and step where there is not.
+  function key(event) {
+    const target = event.target;
+    if (event.ctrlKey || event.altKey || event.metaKey || !player.isConnected) return false;
+    if (target !== slider && target.matches?.('select, textarea, input:not([type=checkbox], [type=file])')) return false;
+    const whole = document.documentElement.scrollHeight <= innerHeight + 1;
+    const forward = () => show(at + 1);
+    const back = () => show(at - 1);
+    const act = {ArrowRight: forward, ArrowLeft: back, Home: () => show(first), End: () => show(last), ...(whole ? {PageDown: forward, PageUp: back} : {}),
+      ...(target.matches?.('button, summary, input[type=checkbox]') ? {} : {' ': toggle})}[event.key];
+    act?.();
+    return Boolean(act);
+  }
   slider.oninput = () => show(Number(slider.value));
   const observer = new ResizeObserver(draw);
   canvases.forEach(canvas => observer.observe(canvas));
-  show(Number(/[#&?]step=(\d+)/.exec(location.hash)?.[1] ?? 1) - 1);
+  const wanted = asked('step');
+  show(wanted === null ? first : parseInt(wanted, 10) - 1 || 0);
   return {
-    show, get step() { return at; }, length: lesson.steps.length,
-    stop() { stopped = true; clearTimeout(timer); observer.disconnect(); },
+    show, key, pause, get step() { return at; }, length: lesson.steps.length,
+    stop() { pause(); observer.disconnect(); },
   };
 }
 
-function drawSheet(canvas, sheet, layers, colours) {
+// `cut`: what is beyond the sheet's box is left out, as it is beyond the edges of the image.
+function drawSheet(canvas, sheet, layers, colours, cut) {
   const ratio = window.devicePixelRatio || 1;
   const width = canvas.clientWidth;
   const height = canvas.clientHeight;
@@ -151,19 +211,28 @@ function drawSheet(canvas, sheet, layers, colours) {
   const X = x => ox + sx * x;
   const Y = y => oy - sy * y;
   context.lineJoin = context.lineCap = 'round';
-  context.font = '12px system-ui, sans-serif';
+  const style = getComputedStyle(canvas);
+  const scale = parseFloat(style.fontSize) / 16;
+  const words = [];
+  context.save();
+  context.beginPath();
+  context.rect(X(sheet.low[0]) - margin, Y(sheet.high[1]) - margin, sx * (sheet.high[0] - sheet.low[0]) + 2 * margin, sy * (sheet.high[1] - sheet.low[1]) + 2 * margin);
+  if (cut) context.clip();
   for (const look of ORDER) {
     const [, thickness, dashes] = LOOKS[look];
     context.strokeStyle = context.fillStyle = colours[look];
-    context.lineWidth = thickness;
-    context.setLineDash(dashes);
+    context.lineWidth = thickness * scale;
+    context.setLineDash(dashes.map(dash => dash * scale));
     for (const marks of layers) {
       for (const mark of marks) {
         if (mark[1] !== look) continue;
-        if (mark[0] === 'text') { context.fillText(mark[4], X(mark[2]) + 4, Y(mark[3]) - 4); continue; }
+        if (mark[0] === 'text' || mark[0] === 'label') {
+          words.unshift({text: mark[4], look, centred: mark[0] === 'label', x: X(mark[2]), y: Y(mark[3])});
+          continue;
+        }
         context.beginPath();
         if (mark[0] === 'dot') {
-          context.arc(X(mark[2]), Y(mark[3]), 3 + thickness / 2, 0, 2 * Math.PI);
+          context.arc(X(mark[2]), Y(mark[3]), (3 + thickness / 2) * scale, 0, 2 * Math.PI);
           context.fill();
           continue;
         }
@@ -177,5 +246,33 @@ function drawSheet(canvas, sheet, layers, colours) {
         context.stroke();
       }
     }
+  }
+  context.restore();
+  context.font = `600 ${Math.max(11, Math.min(14 * scale, width / 22))}px system-ui, sans-serif`;
+  drawWords(context, words, width, height, colours, style.backgroundColor);
+}
+
+// Texts are next to their points and labels on theirs, or as near as there is room. What the step is about comes first; words that only
+// accompany it are left out where there is no room.
+function drawWords(context, words, width, height, colours, paper) {
+  const line = parseFloat(context.font.split(' ')[1]) * 1.15;
+  const taken = [];
+  context.textBaseline = 'middle';
+  for (const {text, look, centred, x, y} of words) {
+    const wide = context.measureText(text).width;
+    const places = (centred ? [0, 1, -1, 2, -2].map(n => [x - wide / 2, y + n * line])
+      : [[x + 5, y - line / 2], [x - 5 - wide, y - line / 2], [x + 5, y + line / 2], [x - 5 - wide, y + line / 2]])
+      .map(([left, middle]) => [Math.max(2, Math.min(width - wide - 2, left)), Math.max(line / 2, Math.min(height - line / 2, middle))]);
+    if (taken.some(other => other.text === text && other.x === x && other.y === y)) continue;
+    const free = places.find(([left, middle]) => !taken.some(other =>
+      left < other.left + other.wide + 3 && other.left < left + wide + 3 && Math.abs(middle - other.middle) < line));
+    if (!free && (look === 'plain' || look === 'faint')) continue;
+    const [left, middle] = free ?? places[0];
+    taken.push({text, x, y, left, middle, wide});
+    context.strokeStyle = paper;
+    context.lineWidth = line / 4;
+    context.strokeText(text, left, middle);
+    context.fillStyle = colours[look];
+    context.fillText(text, left, middle);
   }
 }

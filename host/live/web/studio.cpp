@@ -260,8 +260,7 @@ Json explain(Workbench& workbench, const Json& request) {
     if (!loaded) return refusal(loaded.error().message());
     const auto camera = camera_of(loaded->scene, request);
     if (!camera) return refusal(camera.error().message());
-    const std::optional<scene::CellComplex> cells = scene::own_cells(*loaded);
-    lesson = explainer->scene(loaded->scene, *camera, cells ? &*cells : nullptr);
+    lesson = explain::explain_scene(*explainer, *loaded, *camera);
   }
   if (!lesson) return refusal(lesson.error().message());
   lesson->scene = name;

@@ -20,7 +20,7 @@ Lesson small_lesson(const std::string& scene) {
   Steps steps(lesson);
   steps.count("lines", 1);
   steps.add("First.", "section 2",
-            {{0, "a", {line(Look::seen, {{0.123456, 1}, {-0.00001, 2.5}}), text(Look::now, {1, 2}, "x < y")}}});
+            {{0, "a", {line(Look::seen, {{0.123456, 1}, {-0.00001, 2.5}}), text(Look::now, {1, 2}, "x < y"), label(Look::other, {3, 4}, "face 5")}}});
   steps.count("lines", 2);
   steps.add("Second.", "", {{0, "a", {}}, {0, "b", {area(Look::mask, {{0, 0}, {1, 0}, {0, 1}}), dot(Look::plain, {5, 6})}}});
   return lesson;
@@ -41,6 +41,7 @@ TEST(LessonJson, HasAllThatTheLessonHas) {
   const auto& mark = (*(*first.find("layers"))[0].find("marks"))[0];
   EXPECT_EQ(mark.dump(), R"(["line","seen",0.1235,1,0,2.5])");
   EXPECT_EQ((*(*first.find("layers"))[0].find("marks"))[1].dump(), R"(["text","now",1,2,"x < y"])");
+  EXPECT_EQ((*(*first.find("layers"))[0].find("marks"))[2].dump(), R"(["label","other",3,4,"face 5"])");
 }
 
 TEST(LessonPage, NothingInALessonEndsItsScript) {

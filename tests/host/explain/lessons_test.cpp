@@ -48,7 +48,7 @@ void expect_lawful(const Lesson& lesson, const std::string& what) {
       ASSERT_LT(layer.sheet, lesson.sheets.size()) << what << ": " << layer.name;
       EXPECT_FALSE(layer.name.empty());
       for (const Mark& mark : layer.marks) {
-        const bool one = mark.kind == Mark::Kind::dot || mark.kind == Mark::Kind::text;
+        const bool one = mark.kind == Mark::Kind::dot || mark.kind == Mark::Kind::text || mark.kind == Mark::Kind::label;
         EXPECT_TRUE(one ? mark.points.size() == 1 : mark.points.size() >= 2) << what << ", step " << n << ", " << layer.name;
         for (const Point& p : mark.points) EXPECT_TRUE(p[0] == p[0] && p[1] == p[1]) << what << ", step " << n << ", " << layer.name;
       }

@@ -1,10 +1,10 @@
 // The theatre: each algorithm at work on a small scene that can be turned.
 
 import {choice, element, field, fileTaker, introduction, notice} from './ui.js';
-import {makePlayer} from './player.js';
+import {makePlayer, releaseKeys} from './player.js';
 import {camera} from './camera.js';
 
-const SCENES = ['house', 'roberts', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
+const SCENES = ['house', 'roberts', 'street4', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
 const FUNCTIONS = ['sinc', 'peaks', 'rogers', 'franke'];
 
 export class Theatre {
@@ -12,7 +12,7 @@ export class Theatre {
     this.module = module;
     this.lessons = lessons;
     this.remember = remember;
-    this.options = {algorithm: lessons[0]?.algorithm, scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
+    this.options = {algorithm: 'jones', scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
     this.stage = element('div', {className: 'stage'});
     this.message = notice();
     const o = this.options;
@@ -34,6 +34,7 @@ export class Theatre {
           this.play();
         }, text => this.message.say(text, true))),
       this.message, this.stage);
+    releaseKeys(this.root);
   }
   play() {
     const o = this.options;
@@ -52,8 +53,8 @@ export class Theatre {
     this.remember();
   }
   enter() { if (!this.player) this.play(); }
-  leave() {}
-  key() { return false; }
+  leave() { this.player?.pause(); }
+  key(event, down) { return down && Boolean(this.player?.key(event)); }
   link() {
     const o = this.options;
     const parts = new URLSearchParams();

@@ -4,11 +4,12 @@
   check_page.py PAGE.html SIGHTLINE [FOLDER]
 
 Opens the page from disk, walks through the scenes by keys, throws switches, presses the panel's keys, points the light pen, types, drops tapes, grids and
-rubbish, assembles, breaks and steps back, turns the surface, flies through the town, plays every lesson to its end, at 390, 1280 and 3840 pixels, light and
+rubbish, assembles, breaks and steps back, turns the surface, flies through the town, plays every lesson to its end, in a frame, too, at 390, 1280 and 3840 pixels, light and
 dark, and compares the tube with the photograph of the command. Any error in the browser's console is a failure. With FOLDER, screenshots go there.
 """
 import base64
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -431,6 +432,171 @@ check(rows == 1 and tall < 45, f"the names of the rooms at 390 pixels stand in {
 one_window("large", 3840, 2160, False, {"jones/house": walk, "skala/sinc": turned, "bench/square.s": whole_bench, "theatre/jones/house": lesson})
 driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 console_is_clean("sizes")
+
+# --- Lessons: numbers, keys without a click, frames of other pages.
+def step():
+    return js("return sightline.room.player.step + 1")
+
+
+def type_key(*keys):
+    actions = ActionChains(driver)
+    for key in keys:
+        actions.send_keys(key)
+    actions.perform()
+
+
+def resize(width, height, mobile=False):
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
+
+
+def in_window(selectors):
+    return js("""return arguments[0].filter(each => { const e = document.querySelector(each), b = e?.getBoundingClientRect();
+      return !b || !b.height || b.top < 0 || b.bottom > innerHeight + 1 || b.right > innerWidth + 1; });""", selectors)
+
+
+go("theatre")
+check("#theatre/jones/house" in driver.current_url, "the theatre opens on Jones's house: " + driver.current_url)
+check(js("return document.querySelector('.player h1').textContent").startswith("Jones"), "with Jones's lesson")
+# Nothing has been clicked.
+type_key(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+check(step() == 3, f"Right steps: {step()}")
+type_key(Keys.ARROW_LEFT)
+check(step() == 2, f"Left steps back: {step()}")
+type_key(Keys.END)
+length = js("return sightline.room.player.length")
+check(step() == length, f"End: {step()} of {length}")
+type_key(Keys.HOME)
+check(step() == 1, f"Home: {step()}")
+type_key(Keys.SPACE)
+check(js("return [...document.querySelectorAll('.player button')].some(b => b.textContent === 'Pause')"), "Space plays")
+type_key(Keys.SPACE)
+check(not js("return [...document.querySelectorAll('.player button')].some(b => b.textContent === 'Pause')"), "and stops")
+type_key(Keys.HOME)
+ActionChains(driver).key_down(Keys.CONTROL).send_keys(Keys.ARROW_RIGHT).key_up(Keys.CONTROL).perform()
+check(step() == 1, "Ctrl with Right is the browser's")
+# The slider's own keys step once; a list gives the focus back; fields keep their keys.
+js("document.querySelector('.player input[type=range]').focus()")
+type_key(Keys.ARROW_RIGHT)
+check(step() == 2, f"Right on the slider steps once: {step()}")
+js("const s = document.querySelector('.theatre select'); s.focus(); s.value = 'exact'; s.dispatchEvent(new Event('change', {bubbles: true}))")
+type_key(Keys.ARROW_RIGHT)
+check("theatre/exact/" in driver.current_url and step() == 2, f"after choosing an algorithm Right steps: {driver.current_url}, {step()}")
+js("const s = document.querySelector('.player select'); s.focus(); s.value = '5'; s.dispatchEvent(new Event('change', {bubbles: true}))")
+type_key(Keys.ARROW_RIGHT)
+check(step() == 3, f"after choosing the pace, too: {step()}")
+js("document.querySelector('.theatre select').focus()")
+type_key(Keys.ARROW_LEFT)
+check(step() in (1, 3), "a list that has the focus keeps its keys")
+# In another room the keys are that room's, and the lesson rests.
+go("theatre/jones/house")
+type_key(Keys.SPACE)
+js("globalThis.theatre = sightline.room; location.hash = '#about'")
+wait(lambda: js("return sightline.room !== globalThis.theatre"), "another room")
+left = js("return globalThis.theatre.player.step")
+type_key(Keys.ARROW_RIGHT)
+time.sleep(0.8)
+check(js("return globalThis.theatre.player.step") == left, "keys in another room leave the lesson alone, and it rests")
+# What the player has drawn: in the plan each cell has its number, and a step names what it is about.
+go("theatre/jones/house")
+js("""globalThis.drawn = []; const fill = CanvasRenderingContext2D.prototype.fillText;
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y) { const w = this.measureText(text).width;
+    globalThis.drawn.push({text, sheet: this.canvas.getAttribute('aria-label'), x, y, w, line: parseFloat(this.font.split(' ')[1]), inside: x >= 0 && x + w <= this.canvas.clientWidth && y > 0 && y < this.canvas.clientHeight});
+    fill.apply(this, arguments); };""")
+for scene in ["jones/house", "jones/street4", "montani-re/boxes-3", "willis/town-2", "plantinga/house"]:
+    js("location.hash = '#theatre/' + arguments[0]", scene)
+    wait(lambda: js("return sightline.room.link() === 'theatre/' + arguments[0]", scene), scene)
+    for n in range(3, 40, 4):
+        drawn = js("globalThis.drawn = []; sightline.room.player.show(arguments[0]); return {words: globalThis.drawn, caption: document.querySelector('.caption').textContent}", n)
+        words = drawn["words"]
+        check(all(each["inside"] for each in words), f"{scene}, step {n + 1}: words beside the sheet: {[each['text'] for each in words if not each['inside']]}")
+        lying = [(a["text"], b["text"]) for i, a in enumerate(words) for b in words[:i] if a["sheet"] == b["sheet"] and abs(a["y"] - b["y"]) < 0.7 * a["line"] and a["x"] < b["x"] + b["w"] and b["x"] < a["x"] + a["w"]]
+        check(not lying, f"{scene}, step {n + 1}: words on each other: {lying[:3]}")
+        for kind, number in re.findall(r"(Portal|Face) (\d+)", drawn["caption"]):
+            check(any(number in each["text"].split() for each in words), f"{scene}, step {n + 1}: no number {number} for: {drawn['caption']}")
+# A projector: one window, and large enough to be read from the last row.
+resize(1920, 1080)
+go("theatre/jones/house")
+js("sightline.room.player.show(4)")
+check(not in_window([".player h1", ".player .controls", ".player .caption", ".player figure", ".player .legend"]), "1920 by 1080: one window")
+size = js("return parseFloat(getComputedStyle(document.querySelector('.player .caption')).fontSize)")
+check(size >= 22, f"1920 by 1080: the caption has {size} pixels")
+shot("theatre-projector")
+# Page keys step where there is nothing to scroll, and scroll where there is.
+type_key(Keys.HOME, Keys.PAGE_DOWN)
+check(js("return document.documentElement.scrollHeight <= innerHeight + 1") and step() == 2, f"Page Down steps in one window: {step()}")
+resize(1000, 420)
+wait(lambda: js("return document.documentElement.scrollHeight > innerHeight + 100"), "a low window")
+wait(lambda: type_key(Keys.PAGE_DOWN) or js("return scrollY > 0"), "Page Down scrolls where there is something to scroll")
+check(step() == 2, f"and does not step: {step()}")
+# In a frame of another page.
+resize(400, 300)
+go("theatre/jones/house", "?embed=1&from=3&to=12")
+shot("embed")
+check(not in_window([".player .controls", ".player figure", ".player figure:last-child"]), f"400 by 300: {in_window(['.player .controls', '.player figure', '.player figure:last-child'])} is outside the frame")
+check(js("return [...document.querySelectorAll('header, .theatre > .bar')].every(e => e.offsetHeight === 0)"), "no header and no controls of the room")
+check(js("return document.documentElement.scrollHeight <= innerHeight"), "nothing to scroll in the frame")
+fits("400 by 300")
+named("400 by 300")
+check(step() == 3 and "3 to 12 of" in js("return document.querySelector('.place').textContent"), f"the first step is 3: {step()}")
+type_key(Keys.ARROW_LEFT)
+check(step() == 3, "not before it")
+type_key(Keys.END, Keys.ARROW_RIGHT)
+check(step() == 12, f"the last is 12: {step()}")
+type_key(Keys.PAGE_UP)
+check(step() == 11, f"Page Up steps back in a frame: {step()}")
+type_key(Keys.HOME)
+check(step() == 3, f"Home is 3: {step()}")
+go("theatre/jones/house", "?embed=1")
+for query, first, last, sentence in [("from=12&to=3", 3, 12, "from comes after to"), ("from=x&to=5", 1, 5, "from=x is ignored"), ("from=2&to=99999", 2, length, "to=99999"),
+                                     ("from=0", 1, length, "from=0"), ("from=-1&to=1e1", 1, length, "to=1e1 is ignored"), ("from=4&to=4", 4, 4, "")]:
+    js("location.hash = '#theatre/jones/house?' + arguments[0]", query)
+    wait(lambda: not js("return location.hash.includes('?')"), query)
+    said_there = js("return [...document.querySelectorAll('.player .note')].map(e => e.textContent).join(' ')")
+    type_key(Keys.END)
+    end = step()
+    type_key(Keys.HOME)
+    check((step(), end) == (first, last), f"{query}: steps {step()} to {end}, expected {first} to {last}")
+    check(sentence in said_there and bool(sentence) == bool(said_there), f"{query}: it says {said_there!r}")
+go("jones/house", "?embed=1")
+check(js("return document.querySelector('header').offsetHeight") == 0, "another room is shown without the header")
+resize(1280, 800)
+go("theatre/jones/house", "?embed=1&from=3&to=12")
+check(not in_window([".player h1", ".player .controls", ".player .caption", ".player figure:last-child", ".player .legend"]), "a larger frame has the title and the legend, too")
+# The pages that `explain` writes: the same player.
+with tempfile.TemporaryDirectory() as folder:
+    for algorithm in ["jones", "plantinga"]:
+        subprocess.run([sightline, "explain", algorithm, "house", "-o", algorithm + ".html"], cwd=folder, check=True, capture_output=True)
+    place = lambda: js("return document.querySelector('.place').textContent")
+    for name in ["jones.html", "plantinga.html"]:
+        for width, height in [(1920, 1080), (1280, 800)]:
+            resize(width, height)
+            driver.get("file://" + os.path.join(folder, name))
+            type_key(Keys.ARROW_RIGHT, Keys.PAGE_DOWN, Keys.PAGE_DOWN, Keys.PAGE_UP)
+            check(place().startswith("3 of "), f"{name}, {width} pixels: keys step without a click: {place()}")
+            check(not in_window([".player h1", ".player .controls", ".player figure", ".player .legend"]), f"{name}, {width} pixels: one window")
+        type_key(Keys.END, Keys.HOME)
+        check(place().startswith("1 of "), f"{name}: End and Home: {place()}")
+    resize(390, 844, True)
+    driver.get("file://" + os.path.join(folder, "jones.html"))
+    check(not in_window([".player h1", ".player .controls", ".player .caption", ".player figure"]), "390 pixels: title, controls, caption and first sheet on one screen")
+    fits("390 pixels, a page of explain")
+    for query in ["?embed=1&from=3&to=12", "#embed=1&from=3&to=12"]:
+        resize(400, 300)
+        driver.get("about:blank")
+        driver.get("file://" + os.path.join(folder, "jones.html") + query)
+        type_key(Keys.ARROW_LEFT)
+        check(place() == "3 (3 to 12 of " + str(length) + ")", f"explain in a frame, {query}: {place()}")
+        check(js("return document.documentElement.scrollHeight <= innerHeight"), "nothing to scroll in the frame of explain")
+    # As a teacher's page has it.
+    with open(os.path.join(folder, "lecture.html"), "w") as file:
+        file.write('<!doctype html><h1>Lecture</h1><iframe src="jones.html?embed=1&from=3&to=12" width="400" height="300" title="Jones"></iframe>')
+    resize(1280, 800)
+    driver.get("file://" + os.path.join(folder, "lecture.html"))
+    driver.switch_to.frame(0)
+    check(place().startswith("3 (3 to 12"), "in an iframe: " + place())
+    driver.switch_to.default_content()
+driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+console_is_clean("lessons")
 
 # --- Bad days: no WebGL, a lost context, rubbish.
 go("jones/house", "?plain")
