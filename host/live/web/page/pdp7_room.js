@@ -152,7 +152,7 @@ export class Pdp7Room {
         button('BACK', () => { this.go(false); ask({do: 'back'}); }, 'One instruction back in time'),
         button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE the address'),
         button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT the switches at the address'),
-        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => { this.begin(); this.go(true); }) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
+        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.readIn()) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
   }
 
   teletype() {
@@ -222,6 +222,14 @@ export class Pdp7Room {
     this.remember();
   }
 
+  // A tape has been read in: what was known of the program that was chosen does not hold for that of the tape.
+  readIn() {
+    this.labels = this.view = this.lines = null;
+    this.turns = false;
+    this.walk.hidden = this.turning.group.hidden = this.lamp.parentElement.hidden = true;
+    this.begin();
+    this.go(true);
+  }
   // Another program begins: nothing of the one before is left on the screen and in the figures.
   begin() {
     this.tube.clear(this.time);
@@ -447,10 +455,8 @@ export class Pdp7Room {
     const times = state.times;
     const now = this.passes(state);
     const elapsed = now.time - this.before.time;
-    if (elapsed > 0.2) {
-      this.refresh = (now.count - this.before.count) / elapsed;
-      this.before = now;
-    }
+    if (elapsed > 0.2) this.refresh = (now.count - this.before.count) / elapsed;
+    if (elapsed > 0.2 || elapsed < 0) this.before = now;  // BACK goes back in time
     const drawn = now.count - this.first.count;
     const rate = this.refresh ? `${this.refresh.toFixed(1)} a second${this.refresh < 30 ? ', it flickers' : ''}` : this.refresh === null && this.on ? 'not measured yet' : 'none';
     const refresh = drawn > 1 ? rate : drawn === 1 ? 'none: the program has drawn once' : 'none';
@@ -492,7 +498,7 @@ export class Pdp7Room {
     o.switches = parseInt(query.get('switches') ?? '0', 8) & 0o777777;
     o.eae = query.get('eae') !== '0';
     for (const name of ['stereo', 'immediate', 'exact']) o[name] = query.get(name) === '1';
-    o.glow = Object.hasOwn(AFTERGLOWS, query.get('glow')) ? query.get('glow') : 'p7';
+    o.glow = Object.keys(AFTERGLOWS).includes(query.get('glow')) ? query.get('glow') : 'p7';
     o.scale = Math.max(64, Math.min(4096, parseInt(query.get('scale') ?? '512', 10) || 512));
     this.scale.input.value = o.scale;
     this.programs.select.value = o.program;

@@ -287,7 +287,7 @@ class GlowTube extends Tube {
     const before = this.states[this.now], after = this.states[1 - this.now];
     const {places} = this.glow;
     const {times} = this.afterglow, eye = Math.exp(-seconds / this.afterglow.eye);
-    const keep = seconds => [TAU_0, TAU_1, TAU_2].map(each => Math.exp(-seconds / each / times));
+    const aged = seconds / times, half = aged / 2;
     gl.useProgram(this.glow.made);
     gl.viewport(0, 0, this.side, this.side);
     gl.bindFramebuffer(gl.FRAMEBUFFER, after.target);
@@ -295,8 +295,8 @@ class GlowTube extends Tube {
     this.use(0, this.fresh, places.fresh);
     this.use(1, before.glow, places.glow);
     this.use(2, before.film, places.film);
-    gl.uniform3f(places.keep, ...keep(seconds));
-    gl.uniform3f(places.keepHalf, ...keep(seconds / 2));
+    gl.uniform3f(places.keep, Math.exp(-aged / TAU_0), Math.exp(-aged / TAU_1), Math.exp(-aged / TAU_2));
+    gl.uniform3f(places.keepHalf, Math.exp(-half / TAU_0), Math.exp(-half / TAU_1), Math.exp(-half / TAU_2));
     gl.uniform3f(places.share, SHARE_0, SHARE_1, SHARE_2);
     gl.uniform1f(places.eye, eye);
     gl.uniform1f(places.weight, PHOSPHOR.shutter * (1 - eye) / seconds);
@@ -359,6 +359,7 @@ class PlainTube extends Tube {
     canvas.width = canvas.height = this.side;
     this.context = canvas.getContext('2d');
     this.light = new Float32Array(this.side * this.side);
+    this.row = new Float32Array(this.side);
     this.image = this.context?.createImageData(this.side, this.side);
     if (this.image) this.pixels = new Uint32Array(this.image.data.buffer);
   }
@@ -387,7 +388,7 @@ class PlainTube extends Tube {
     }
     if (this.pair) {
       // As the other tube's.
-      const row = new Float32Array(side), aside = POINTS / 8;
+      const {row} = this, aside = POINTS / 8;
       for (let y = 0; y < side; ++y) {
         row.set(light.subarray(y * side, (y + 1) * side));
         for (let x = 0; x < side; ++x) {

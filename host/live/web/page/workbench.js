@@ -237,7 +237,10 @@ export class Workbench {
     this.hear();
   }
   // Before the state is shown: to list the last instructions the machine runs again from an earlier time, and forgets what it has drawn.
-  drawTube(held) { this.tube?.show(this.module.flashes(this.id), this.module.ticks(this.id) / this.second, held); }
+  drawTube(held) {
+    const flashes = this.module.flashes(this.id);
+    this.tube?.show(flashes, this.module.ticks(this.id) / this.second, held);
+  }
   showProgress() {
     this.status.textContent = `${(this.module.ticks(this.id) / this.second).toFixed(3)} s, ${this.module.instructions(this.id).toLocaleString('en')} instructions`;
   }
