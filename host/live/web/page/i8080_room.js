@@ -48,7 +48,7 @@ export class I8080Room {
     this.running = button('Pause', () => this.go(!this.on), 'Run or pause');
     const screen = this.screen = element('div', {className: 'screen board'}, this.canvas);
     this.drag();
-    return element('div', {className: 'room'}, this.intro = introduction(),
+    const room = element('div', {className: 'room'}, this.intro = introduction(),
       element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, this.hint = element('span', {className: 'wide', textContent: 'Drag the picture to turn it.'}), this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
       element('div', {className: 'desk'}, this.message,
         group('Program', this.program, this.scene, this.pick, this.words, this.flight.scene),
@@ -66,6 +66,9 @@ export class I8080Room {
           element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${this.name}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
             this.saver = button('Save state', () => this.saveState(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker(screen, 'Open a grid (CSV), a scene or a snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+    // The arrows turn the picture when something has been chosen from a list, too.
+    room.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement) this.canvas.focus({preventScroll: true}); });
+    return room;
   }
 
   drag() {

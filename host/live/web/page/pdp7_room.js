@@ -1,16 +1,20 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
-import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
+import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
 import {Turning} from './turning.js';
-import {SIDE, PHOSPHOR} from './phosphor.js';
+import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
 import {makeTube} from './tube.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
 
+// Colours of the exact lines: drawn, or missing in the picture; and of what is lit where no line is. Of a pair in red and cyan the left eye's lines are red,
+// as its picture, and what is missing is yellow.
+const RIGHT = '#4cc9f0', MISSING = '#ff4d4d', EXTRA = '#ff4dd2', PAIR_LEFT = '#ff8080', PAIR_MISSING = '#ffd43b';
+
 // AC switches 0 to 7 of Jones's program (firmware/pdp7/jones/SPECIFICATION.md, section 6), with their keys.
 const WALK = [
-  ['left', 'ArrowLeft'], ['right', 'ArrowRight'], ['up', 'PageUp'], ['down', 'PageDown'],
+  ['left', 'ArrowLeft'], ['right', 'ArrowRight'], ['up', 'u'], ['down', 'd'],
   ['in', 'ArrowUp'], ['out', 'ArrowDown'], ['bigger', '+'], ['smaller', '-'],
 ];
 
@@ -29,11 +33,13 @@ export class Pdp7Room {
     this.turning = new Turning(module, solids, this);
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
-    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, scale: 512, speed: 1, switches: 0};
+    this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
     this.lights = [];
+    this.heldKeys = new Map();  // what to do when a key that is down is let go, by its code
+    addEventListener('blur', () => this.releaseKeys());
     this.next = [0, 0, 0, 0];
     this.covered = new Uint8Array(65536);
     this.root = this.build();
@@ -49,7 +55,8 @@ export class Pdp7Room {
     this.tube = makeTube(this.canvas, {plain: address.has('plain'), fine: address.has('frames'), coarse: address.has('coarse')});
     this.message = notice();
     this.note = this.tube.kind !== 'plain' ? '' : 'This browser has no WebGL2 with float targets: the screen is drawn without its phosphor.';
-    const screen = element('div', {className: this.tube.kind === 'plain' ? 'screen' : 'screen framed'}, this.canvas, this.glass);
+    const screen = element('div', {className: this.tube.kind === 'plain' ? 'screen' : 'screen framed'}, this.canvas, this.glass,
+      this.stopped = element('p', {className: 'stopped', role: 'status', hidden: true}));
     const point = event => {
       const box = screen.getBoundingClientRect();
       const x = Math.round((event.clientX - box.left) / box.width * SIDE - PHOSPHOR.margin);
@@ -69,6 +76,7 @@ export class Pdp7Room {
     this.programs = choice('Program', [...PROGRAMS.map(name => [name, `Jones: ${name}`]), ...this.turning.programs, ...this.examples.map(each => [each.name, each.title])], o.program,
       value => { o.program = value; o.switches = 0; this.restart(); }, 'The program that the PDP-7 runs');
     const speed = choice('Speed', [[1, 'real time'], [2, '2 times'], [10, '10 times'], [0, 'as fast as possible'], [0.1, 'a tenth']], o.speed, value => { o.speed = Number(value); }, 'How fast the machine runs, compared with a PDP-7');
+    this.glow = choice('Afterglow', Object.entries(AFTERGLOWS).map(([name, {title}]) => [name, title]), o.glow, value => { o.glow = value; this.setGlow(); this.remember(); }, 'How long the screen glows after the beam has passed');
     const set = name => value => { o[name] = value; this.restart(); };
     this.running = button('Pause', () => this.toggle(), 'Run or pause');
     this.lamp = element('span', {className: 'lamp', role: 'img', 'aria-label': 'computing a view'});
@@ -81,7 +89,7 @@ export class Pdp7Room {
         this.message,
         group('Program', this.programs),
         this.walk = group('Walk: hold a switch, or its key', this.walkPad()), this.turning.group,
-        fold('Options', speed,
+        fold('Options', speed, this.glow,
           this.eae = check('EAE: multiply and divide in hardware', o.eae, set('eae'), 'The extended arithmetic element, an option of the PDP-7. Without it the program multiplies and divides by subroutines, and is slower.'),
           this.stereo = check('Stereo pair', o.stereo, set('stereo'), 'Two pictures side by side, one for each eye'),
           this.redCyan = check('Pair as red and cyan', o.redCyan, value => { o.redCyan = value; this.drawGlass(); }, 'The two pictures of a stereo pair over each other, for red and cyan glasses'),
@@ -160,7 +168,7 @@ export class Pdp7Room {
         button('BACK', () => { this.go(false); ask({do: 'back'}); }, 'One instruction back in time'),
         button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE: show the word at the address, and go on to the next address'),
         button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT: put the word of the switches into the address, and go on to the next address'),
-        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.go(true)) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
+        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.readIn()) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
   }
 
   teletype() {
@@ -185,8 +193,12 @@ export class Pdp7Room {
     this.view = null;
     this.lastViews = -1;
     this.begun = false;
-    this.litAt.fill(-1e18);
+    this.lines = null;
+    this.facts.show([]);
     this.paper.textContent = '';
+    this.begin();
+    this.go(false);
+    this.stopped.hidden = true;
     const o = this.options;
     const jones = PROGRAMS.includes(o.program);
     this.turns = this.turning.owns(o.program);
@@ -221,11 +233,34 @@ export class Pdp7Room {
       if (done.error) this.message.say(done.error, true);
     }
     this.setSwitches(o.switches);
-    this.before = {time: 0, passes: 0};
+    this.begin();
     this.go(true);
     this.sight();
     this.remember();
   }
+
+  // A tape has been read in: what was known of the program that was chosen does not hold for that of the tape.
+  readIn() {
+    this.labels = this.view = this.lines = null;
+    this.turns = false;
+    this.walk.hidden = this.turning.group.hidden = this.lamp.parentElement.hidden = true;
+    this.begin();
+    this.go(true);
+  }
+  // Another program begins: nothing of the one before is left on the screen and in the figures.
+  begin() {
+    this.tube.clear(this.time);
+    this.litAt.fill(-1e18);
+    this.watchedFrom = this.time;
+    this.refresh = null;
+    if (this.id) this.before = this.first = this.passes();
+    this.drawGlass();
+  }
+  // Of the machine, in seconds.
+  get time() { return this.id ? this.module.ticks(this.id) / 1e9 : 0; }
+  passes(state = this.module.ask({do: 'state', id: this.id})) { return {time: state.ticks / 1e9, count: state.times.passes}; }
+
+  setGlow() { this.tube.afterglow = AFTERGLOWS[this.options.glow]; }
 
   take(name, bytes) {
     this.module.putFile(name, bytes);
@@ -245,44 +280,62 @@ export class Pdp7Room {
     download(`${this.options.program}.snap`, this.module.made());
   }
 
-  go(on) {
+  // `why`: the reason for which the machine stands still.
+  go(on, why = 'paused') {
     this.on = on;
     this.running.textContent = on ? 'Pause' : 'Run';
+    this.stopped.textContent = on ? '' : why;
+    this.stopped.hidden = on;
     this.showState();
   }
   toggle() { this.go(!this.on); }
   enter() { if (!this.id) this.restart(); this.clock.start(); }
-  leave() { this.clock.stop(); }
+  leave() {
+    this.releaseKeys();
+    this.clock.stop();
+  }
 
   key(event, down) {
-    if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement || event.target instanceof HTMLTextAreaElement) return false;
-    const bit = WALK.findIndex(([, key]) => key === event.key);
-    if (this.turns && this.id) return this.turning.key(event, down);
-    if (bit < 0 || !this.labels) return false;
-    if (!event.repeat) this.hold(bit, down);
+    if (!down) return this.releaseKey(event.code);
+    if (!this.id || event.ctrlKey || event.altKey || event.metaKey || takesKeys(event.target)) return false;
+    if (this.turns) return this.turning.key(event);
+    const bit = WALK.findIndex(([, key]) => key === event.key || key === event.key.toLowerCase());
+    return bit >= 0 && Boolean(this.labels) && this.holdKey(event, down => this.hold(bit, down));
+  }
+  // A key that acts as long as it is down. It is known by its code: the character of a key may be another one when it is let go.
+  holdKey(event, act) {
+    if (event.repeat || this.heldKeys.has(event.code)) return true;
+    this.heldKeys.set(event.code, () => act(false));
+    act(true);
     return true;
   }
+  releaseKey(code) {
+    const release = this.heldKeys.get(code);
+    this.heldKeys.delete(code);
+    release?.();
+    return Boolean(release);
+  }
+  // The window that loses the focus is not told of the keys that are let go.
+  releaseKeys() { for (const code of [...this.heldKeys.keys()]) this.releaseKey(code); }
 
   // --- Pictures
 
   picture(seconds) {
     if (!this.id) return;
-    const from = this.module.ticks(this.id);
     if (this.on) {
       const wanted = this.options.speed ? seconds * 1e9 * this.options.speed : 1e12;
       const result = runFor(this.module, this.id, wanted, this.options.speed && this.options.speed < 3 ? MILLISECOND : 4 * MILLISECOND, this.clock.frames ? 1e9 : 12);
       if (result) {
         const reason = this.module.reason();
-        this.go(false);
-        this.message.say(`Stopped: ${reason}`);
+        this.go(false, stopName(result, reason));
+        this.message.say(reason);
       }
     }
-    const passed = (this.module.ticks(this.id) - from) / 1e9;
     const flashes = this.module.flashes(this.id);
     if (this.lines) {
       for (let i = 0; i < flashes.count; ++i) this.litAt[256 * (flashes.y(i) >> 2) + (flashes.x(i) >> 2)] = flashes.time(i);
     }
-    this.tube.picture(flashes, this.on ? passed : seconds);
+    this.tube.show(flashes, this.time, !this.on);
     const printed = this.module.printed(this.id);
     if (printed) this.paper.textContent = (this.paper.textContent + [...printed].map(c => String.fromCharCode(c.charCodeAt(0) & 127)).join('').replace(/\r|\0|\x7f/g, '')).slice(-8000);
     // Fifteen times a second is more than an eye can read from lamps.
@@ -298,7 +351,7 @@ export class Pdp7Room {
     }
     // Pictures that come too slowly are drawn with fewer pixels.
     this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
-    if (this.slow > 6 && !this.clock.frames && this.tube.coarser()) this.slow = 0;
+    if (this.slow > 6 && !this.clock.frames && this.on && this.tube.coarser()) this.slow = 0;
   }
 
   showLights() {
@@ -346,27 +399,31 @@ export class Pdp7Room {
   }
 
   sight() {
+    const watched = this.lines !== null;
     this.lines = null;
     if (this.options.exact && this.turns && this.id) this.lines = this.turning.lines();
     if (this.options.exact && this.labels && this.view) {
       const answer = this.module.ask({do: 'sight', scene: this.options.program, eye: this.view.eye, scale: this.view.scale, stereo: this.options.stereo});
       if (answer.lines) this.lines = answer.lines;
     }
+    if (!watched) this.watchedFrom = this.time;
     this.drawGlass();
   }
   drawGlass() {
     const context = this.glassContext ??= this.glass.getContext('2d');
     if (!this.glass.hidden) context.clearRect(0, 0, SIDE, SIDE);
-    this.tube.pair = this.options.redCyan && this.options.stereo;
+    this.tube.pair = Boolean(this.labels) && this.options.redCyan && this.options.stereo;
     this.glass.hidden = !this.lines;
     if (this.lines) this.drawLines(context);
   }
   drawLines(context) {
     // By blocks of 4 by 4 points: what a line should light and nothing did, and what is lit where no line is.
     // Of what moves, other places were lit a moment ago than are to be lit now: there the lines alone are drawn.
-    const now = this.module.ticks(this.id) - (this.turns ? 1e8 : 3e8);
-    const moves = this.turns && this.turning.moves;
-    const lit = block => moves || this.litAt[block] > now;
+    // What was lit before the lines were asked for is not known.
+    const span = this.turns ? 0.1 : 0.3;
+    const now = 1e9 * (this.time - span);
+    const compared = this.compared = !(this.turns && this.turning.moves) && this.time >= this.watchedFrom + span;
+    const lit = block => !compared || this.litAt[block] > now;
     const near = (x, y, test) => {
       for (let dy = -1; dy <= 1; ++dy) for (let dx = -1; dx <= 1; ++dx) {
         const bx = (x >> 2) + dx, by = (y >> 2) + dy;
@@ -375,30 +432,37 @@ export class Pdp7Room {
       return false;
     };
     const covered = this.covered.fill(0);
-    const X = x => x + PHOSPHOR.margin, Y = y => SIDE - (y + PHOSPHOR.margin);
+    const {pair} = this.tube;
+    const quarter = POINTS / 4;
+    // Of a pair in red and cyan either half lies in the middle, where the tube shows it.
+    const X = (x, left) => x + PHOSPHOR.margin + (!pair ? 0 : left ? quarter : -quarter), Y = y => SIDE - (y + PHOSPHOR.margin);
     context.lineWidth = 2;
-    this.missing = this.extra = 0;
+    this.missing = this.extra = compared ? 0 : null;
     for (const [x0, y0, x1, y1] of this.lines) {
+      const left = x0 + x1 < POINTS;
+      const colour = pair && left ? PAIR_LEFT : RIGHT, wrong = pair ? PAIR_MISSING : MISSING;
       const parts = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 4));
       const at = t => [x0 + (x1 - x0) * t, y0 + (y1 - y0) * t];
+      // A point of the screen has its place in its middle.
+      const spot = ([x, y]) => [X(x + 0.5, left), Y(y + 0.5)];
       for (let i = 0; i < parts; ++i) {
         const [x, y] = at((i + 0.5) / parts);
         near(x, y, block => { covered[block] = 1; return false; });
         const right = near(x, y, lit);
         if (!right) ++this.missing;
-        context.strokeStyle = right ? '#4cc9f0' : '#ff4d4d';
+        context.strokeStyle = right ? colour : wrong;
         context.beginPath();
-        context.moveTo(...(([a, b]) => [X(a), Y(b)])(at(i / parts)));
-        context.lineTo(...(([a, b]) => [X(a), Y(b)])(at((i + 1) / parts)));
+        context.moveTo(...spot(at(i / parts)));
+        context.lineTo(...spot(at((i + 1) / parts)));
         context.stroke();
       }
     }
-    if (moves) return;
-    context.fillStyle = '#ff4dd2';
+    if (!compared) return;
+    context.fillStyle = EXTRA;
     for (let block = 0; block < 65536; ++block) {
       if (covered[block] || !lit(block)) continue;
       ++this.extra;
-      context.fillRect(X(4 * (block & 255)), Y(4 * (block >> 8)) - 4, 4, 4);
+      context.fillRect(X(4 * (block & 255), (block & 255) < 128), Y(4 * (block >> 8)) - 4, 4, 4);
     }
   }
 
@@ -406,19 +470,28 @@ export class Pdp7Room {
     if (!this.id) return;
     const state = this.module.ask({do: 'state', id: this.id});
     const times = state.times;
-    const now = {time: state.ticks / 1e9, passes: times.passes};
+    const now = this.passes(state);
     const elapsed = now.time - this.before.time;
-    if (elapsed > 0.2) {
-      this.refresh = (now.passes - this.before.passes) / elapsed;
-      this.before = now;
-    }
-    const refresh = this.refresh ? `${this.refresh.toFixed(1)} a second${this.refresh < 30 ? ', it flickers' : ''}` : 'none';
+    if (elapsed > 0.2) this.refresh = (now.count - this.before.count) / elapsed;
+    if (elapsed > 0.2 || elapsed < 0) this.before = now;  // BACK goes back in time
+    const drawn = now.count - this.first.count;
+    const rate = this.refresh ? `${this.refresh.toFixed(1)} a second${this.refresh < 30 ? ', it flickers' : ''}` : this.refresh === null && this.on ? 'not measured yet' : 'none';
+    const refresh = drawn > 1 ? rate : drawn === 1 ? 'none: the program has drawn once' : 'none';
     const rows = [['Emulated time', state.time], ['Instructions', state.instructions.toLocaleString('en')], ['Stolen cycles', times.stolen_cycles.toLocaleString('en')],
       ['Refresh', refresh], ['Next', state.status.split('\n')[0]]];
     if (this.turns) rows.push(...this.turning.facts(now.time));
-    if (this.lines) rows.push(['Exact lines', this.turns && this.turning.moves ? 'of this angle; where they differ is shown when it stands still' : `${this.missing ?? 0} places of 4 points missing (red), ${this.extra ?? 0} lit beside them (magenta)`]);
+    if (this.lines) rows.push(['Exact lines', this.differences()]);
     if (this.view) rows.push(['View', `${this.view.views}, eye ${this.view.eye.join(' ')}, scale ${this.view.scale}`]);
     this.facts.show(rows);
+  }
+
+  // What the exact lines say of the picture.
+  differences() {
+    if (!this.compared) return this.turns && this.turning.moves ? 'of this angle; they are compared with the picture when the solid stands still' : 'compared with the picture when the machine has run for a moment';
+    const {missing, extra} = this;
+    if (!missing && !extra) return 'the picture shows all of them, and nothing else';
+    const lengths = `${missing} ${missing === 1 ? 'piece' : 'pieces'} of a line, 4 points long each, ${missing === 1 ? 'is' : 'are'} not in the picture (drawn ${this.tube.pair ? 'yellow' : 'red'})`;
+    return `${lengths}; ${extra} ${extra === 1 ? 'square' : 'squares'} of 4 by 4 points ${extra === 1 ? 'is' : 'are'} lit where no line is (magenta)`;
   }
 
   // --- Links: #jones/street4?switches=400000&eae=0
@@ -431,6 +504,7 @@ export class Pdp7Room {
     if (o.stereo) parts.set('stereo', '1');
     if (o.immediate) parts.set('immediate', '1');
     if (o.exact) parts.set('exact', '1');
+    if (o.glow !== 'p7') parts.set('glow', o.glow);
     if (o.scale !== 512) parts.set('scale', o.scale);
     const text = parts.toString();
     return `jones/${encodeURIComponent(o.program)}${text ? '?' + text : ''}`;
@@ -441,12 +515,15 @@ export class Pdp7Room {
     o.switches = parseInt(query.get('switches') ?? '0', 8) & 0o777777;
     o.eae = query.get('eae') !== '0';
     for (const name of ['stereo', 'immediate', 'exact']) o[name] = query.get(name) === '1';
+    o.glow = Object.keys(AFTERGLOWS).includes(query.get('glow')) ? query.get('glow') : 'p7';
     o.scale = Math.max(64, Math.min(4096, parseInt(query.get('scale') ?? '512', 10) || 512));
     this.scale.input.value = o.scale;
     this.programs.select.value = o.program;
     this.eae.box.checked = o.eae;
     this.stereo.box.checked = o.stereo;
     this.exact.box.checked = o.exact;
+    this.glow.select.value = o.glow;
+    this.setGlow();
     this.restart();
   }
 }

@@ -8,8 +8,17 @@ export const PHOSPHOR = {
   blueColour: [0.10, 0.22, 1.0], yellowColour: [0.55, 0.80, 0.10], haloShare: 0.03,
   ambient: [0.011, 0.017, 0.012], exposure: 3.5, shutter: 0.2, eye: 0.06,
 };
+// What may be left of the afterglow: by what its times are multiplied, the share of the yellow layer that is seen, and the eye's persistence in seconds.
+// Without the yellow layer the picture is that of the blue one, as behind a blue filter. Then the eye's persistence alone smears what moves. It is as
+// short as a steady picture allows: with 0.03 s, 50 refreshes a second and 60 pictures a second of the browser the light of a point stays within a third of
+// its mean; with 0.02 s it would fall to half of it and flicker.
+export const AFTERGLOWS = {
+  p7: {title: 'P7 as it was', times: 1, yellow: 1, eye: PHOSPHOR.eye},
+  short: {title: 'shorter: a twentieth', times: 0.05, yellow: 1, eye: PHOSPHOR.eye},
+  off: {title: 'off: the blue layer alone', times: 1, yellow: 0, eye: 0.03},
+};
 export const [[SHARE_0, TAU_0], [SHARE_1, TAU_1], [SHARE_2, TAU_2]] = PHOSPHOR.yellow;
-const POINTS = 1024;
+export const POINTS = 1024;
 export const SIDE = POINTS + 2 * PHOSPHOR.margin;
 const LEVELS = Array.from({length: 8}, (_, i) => PHOSPHOR.floor + (1 - PHOSPHOR.floor) * (i / 7) ** 1.5);
 
@@ -27,6 +36,9 @@ export class CoarsePhosphor {
     this.glow = [floats(), floats(), floats()];
     this.blue = floats();  // what the eye has of either layer
     this.yellow = floats();
+    this.held = floats();  // the yellow layer of a picture that is held
+    this.seen = this.yellow;
+    this.afterglow = AFTERGLOWS.p7;
     this.lit = new Uint8Array(side * side);
     this.blocks = Math.ceil(side / 16);
     this.means = new Float32Array(2 * this.blocks * this.blocks);
@@ -41,9 +53,15 @@ export class CoarsePhosphor {
     this.part = Float32Array.from({length: side}, (_, i) => Math.max(0, Math.min(1, (i + 0.5) / side * this.blocks - 0.5 - this.block[i])));
   }
 
+  clear() {
+    for (const each of [this.sums, ...this.glow, this.blue, this.yellow, this.held, this.lit]) each.fill(0);
+    this.seen = this.yellow;
+  }
   // As GlowTube's shaders, in its words.
   picture(flashes, seconds) {
     const {side, sums, lit, blue, yellow} = this;
+    const {times, eye: persistence} = this.afterglow;
+    this.seen = yellow;
     const [glow0, glow1, glow2] = this.glow;
     const scale = side / SIDE;
     for (let i = 0; i < flashes.count; ++i) {
@@ -51,9 +69,9 @@ export class CoarsePhosphor {
       sums[at] += LEVELS[flashes.level(i) & 7] * scale * scale;
       lit[at] = 1;
     }
-    const keep0 = Math.exp(-seconds / TAU_0), keep1 = Math.exp(-seconds / TAU_1), keep2 = Math.exp(-seconds / TAU_2);
+    const keep0 = Math.exp(-seconds / TAU_0 / times), keep1 = Math.exp(-seconds / TAU_1 / times), keep2 = Math.exp(-seconds / TAU_2 / times);
     const half0 = Math.sqrt(keep0), half1 = Math.sqrt(keep1), half2 = Math.sqrt(keep2);
-    const eye = Math.exp(-seconds / PHOSPHOR.eye), weight = PHOSPHOR.shutter * (1 - eye) / seconds;
+    const eye = Math.exp(-seconds / persistence), weight = PHOSPHOR.shutter * (1 - eye) / seconds;
     for (let i = 0; i < lit.length; ++i) {
       if (!lit[i]) continue;
       const fresh = sums[i], come = fresh * (1 - PHOSPHOR.blueShare);
@@ -69,9 +87,18 @@ export class CoarsePhosphor {
     }
   }
 
+  // The picture of a machine that stands still: of each point what a photograph of so many seconds would get from its afterglow, if the eye has not more.
+  hold(seconds) {
+    const {lit, yellow, held} = this;
+    const [glow0, glow1, glow2] = this.glow;
+    const [given0, given1, given2] = [TAU_0, TAU_1, TAU_2].map(each => 1 - Math.exp(-seconds / each / this.afterglow.times));
+    for (let i = 0; i < lit.length; ++i) held[i] = lit[i] ? Math.max(yellow[i], glow0[i] * given0 + glow1[i] * given1 + glow2[i] * given2) : 0;
+    this.seen = held;
+  }
+
   // The light around a place: the mean of its block of 16 by 16 points, and of those beside it.
   gather() {
-    const {side, blocks, means, around, blue, yellow, lit} = this;
+    const {side, blocks, means, around, blue, seen: yellow, lit} = this;
     for (let by = 0; by < blocks; ++by) {
       for (let bx = 0; bx < blocks; ++bx) {
         const left = Math.max(0, Math.round((bx + 0.5) / blocks * side) - 8), low = Math.max(0, Math.round((by + 0.5) / blocks * side) - 8);
@@ -96,22 +123,23 @@ export class CoarsePhosphor {
   // `bytes`: red, green, blue and 255 of each point, the bottom row first. `pair`: the two pictures of a stereo pair, one over the other in red and cyan.
   develop(pair) {
     this.gather();
-    const {side, blocks, around, rowBlue, rowYellow, blue, yellow, block, part, pixels, green} = this;
+    const {side, blocks, around, rowBlue, rowYellow, blue, seen: yellow, block, part, pixels, green} = this;
     const [blueRed, blueGreen, blueBlue] = PHOSPHOR.blueColour, [yellowRed, yellowGreen, yellowBlue] = PHOSPHOR.yellowColour;
     const [ambientRed, ambientGreen, ambientBlue] = PHOSPHOR.ambient;
     const own = PHOSPHOR.exposure * (1 - PHOSPHOR.haloShare), others = PHOSPHOR.exposure * PHOSPHOR.haloShare;
+    const {yellow: share} = this.afterglow, ownYellow = share * own, othersYellow = share * others;
     const aside = Math.round(256 / SIDE * side);
     for (let y = 0; y < side; ++y) {
       const from = 2 * block[y] * blocks, up = part[y];
       for (let bx = 0; bx < blocks; ++bx) {
         const here = from + 2 * bx, above = here + 2 * blocks;
         rowBlue[bx] = others * (around[here] + (around[above] - around[here]) * up);
-        rowYellow[bx] = others * (around[here + 1] + (around[above + 1] - around[here + 1]) * up);
+        rowYellow[bx] = othersYellow * (around[here + 1] + (around[above + 1] - around[here + 1]) * up);
       }
       for (let x = 0; x < side; ++x) {
         const i = y * side + x, bx = block[x], on = part[x];
         const b = own * blue[i] + rowBlue[bx] + (rowBlue[bx + 1] - rowBlue[bx]) * on;
-        const g = own * yellow[i] + rowYellow[bx] + (rowYellow[bx + 1] - rowYellow[bx]) * on;
+        const g = ownYellow * yellow[i] + rowYellow[bx] + (rowYellow[bx + 1] - rowYellow[bx]) * on;
         if (pair) green[x] = ambientGreen + blueGreen * b + yellowGreen * g;
         else pixels[i] = 0xff000000 | shown(ambientBlue + blueBlue * b + yellowBlue * g) << 16 | shown(ambientGreen + blueGreen * b + yellowGreen * g) << 8 | shown(ambientRed + blueRed * b + yellowRed * g);
       }

@@ -4,7 +4,7 @@
 // as the sum of three exponentials. What is seen is the light of the last moments, weighted as an eye with some persistence has it;
 // in a steady picture that is the photograph's exposure of 0.2 s.
 
-import {CoarsePhosphor, PHOSPHOR, SHARE_0, SHARE_1, SHARE_2, SIDE, TAU_0, TAU_1, TAU_2} from './phosphor.js';
+import {AFTERGLOWS, CoarsePhosphor, PHOSPHOR, POINTS, SHARE_0, SHARE_1, SHARE_2, SIDE, TAU_0, TAU_1, TAU_2} from './phosphor.js';
 
 // The corners of the glass are round: what is outside has the colour of the frame (page.css). To clip the canvas would cost another layer in each picture.
 const ROUND = `
@@ -36,14 +36,15 @@ const WHOLE_VERTEX = `#version 300 es
 out vec2 at; void main() { vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0; at = p; gl_Position = vec4(p * 2.0 - 1.0, 0, 1); }`;
 const GLOW_FRAGMENT = `#version 300 es
 precision highp float;
-in vec2 at; uniform sampler2D fresh, glow, film; uniform vec3 keep, keepHalf, share; uniform float eye, weight;
+in vec2 at; uniform sampler2D fresh, glow, film; uniform vec3 keep, keepHalf, share; uniform float eye, weight; uniform bool hold;
 layout(location=0) out vec4 glowNext; layout(location=1) out vec4 filmNext;
 void main() {
   vec2 f = texture(fresh, at).rg; vec3 g = texture(glow, at).rgb; vec2 seen = texture(film, at).rg;
   vec3 come = f.g * ${1 - PHOSPHOR.blueShare} * share;
   float yellow = dot(g, 1.0 - keep) + dot(come, 1.0 - keepHalf);
   glowNext = vec4(g * keep + come * keepHalf, 0);
-  filmNext = vec4(seen * eye + weight * vec2(f.r * ${PHOSPHOR.blueShare}, yellow), 0, 0);
+  // Held: the light that the glow would give to a film, where that is more than what the eye has.
+  filmNext = hold ? vec4(seen.r, max(seen.g, dot(g, 1.0 - keep)), 0, 0) : vec4(seen * eye + weight * vec2(f.r * ${PHOSPHOR.blueShare}, yellow), 0, 0);
 }`;
 // The mean of each block of 16 by 16 points: four of them at once by 8 by 8 filtered looks.
 const HALO_FRAGMENT = `#version 300 es
@@ -56,13 +57,14 @@ void main() {
 }`;
 const SHOW_FRAGMENT = `#version 300 es
 precision highp float;
-in vec2 at; uniform sampler2D film, halo; uniform vec2 block; uniform bool pair; out vec4 colour;${ROUND}
+in vec2 at; uniform sampler2D film, halo; uniform vec2 block; uniform bool pair; uniform float yellow; out vec4 colour;${ROUND}
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
 // The light of a place, as the film answers it.
 vec3 answer(vec2 at) {
   vec2 around = 0.4 * texture(halo, at).rg + 0.15 * (texture(halo, at + vec2(block.x, 0)).rg + texture(halo, at - vec2(block.x, 0)).rg
     + texture(halo, at + vec2(0, block.y)).rg + texture(halo, at - vec2(0, block.y)).rg);
   vec2 light = texture(film, at).rg * ${1 - PHOSPHOR.haloShare} + around * ${PHOSPHOR.haloShare};
+  light.g *= yellow;
   vec3 v = vec3(${PHOSPHOR.ambient}) + ${PHOSPHOR.exposure.toFixed(2)} * (vec3(${PHOSPHOR.blueColour.map(c => c.toFixed(2))}) * light.r + vec3(${PHOSPHOR.yellowColour.map(c => c.toFixed(2))}) * light.g);
   return v / (1.0 + v);
 }
@@ -98,15 +100,42 @@ function bySoftware(gl) {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
 }
 
-class GlowTube {
+// What both kinds of tube have. `pair`: the two pictures of a stereo pair are shown one over the other, in red and cyan. `afterglow`: of AFTERGLOWS.
+class Tube {
+  pair = false;
+  afterglow = AFTERGLOWS.p7;
+  time = 0;
+  began = 0;
+  held = false;
+
+  // The dark screen, at a time of the machine in seconds.
+  clear(time) {
+    this.time = this.began = time;
+    this.held = false;
+    this.darken();
+  }
+  // The flashes (of module.js) up to a time of the machine in seconds. `held`: the machine stands still, and the picture stays as it is. One that was drawn
+  // in less than the shutter's time is photographed with all of its afterglow.
+  show(flashes, time, held) {
+    const passed = time - this.time;
+    this.time = time;
+    if (passed > 0) this.picture(flashes, passed);
+    if (held && (passed > 0 || !this.held)) this.hold(time - this.began < PHOSPHOR.shutter ? Infinity : PHOSPHOR.shutter);
+    this.held = held;
+    this.develop();
+  }
+}
+
+class GlowTube extends Tube {
   constructor(canvas, gl, side) {
+    super();
     this.canvas = canvas;
     this.gl = gl;
     this.kind = 'phosphor';
     this.room = new Float32Array(3 * 65536);
     this.lost = false;
     canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.lost = true; });
-    canvas.addEventListener('webglcontextrestored', () => { this.lost = false; this.build(); });
+    canvas.addEventListener('webglcontextrestored', () => { this.lost = false; this.held = false; this.build(); });
     this.side = side;
     this.build();
   }
@@ -171,7 +200,7 @@ class GlowTube {
     }
     this.flash = program(FLASH_VERTEX, FLASH_FRAGMENT);
     this.glow = program(WHOLE_VERTEX, GLOW_FRAGMENT);
-    this.show = program(WHOLE_VERTEX, SHOW_FRAGMENT);
+    this.shown = program(WHOLE_VERTEX, SHOW_FRAGMENT);
     this.halo = program(WHOLE_VERTEX, HALO_FRAGMENT);
     this.blocks = Math.ceil(this.side / 16);
     this.wide = texture(this.blocks, gl.LINEAR);
@@ -184,6 +213,7 @@ class GlowTube {
       return {glow, film, target: target(glow, film)};
     });
     this.now = 0;
+    this.film = this.states[0].film;
     this.vertices = gl.createVertexArray();
     gl.bindVertexArray(this.vertices);
     this.buffer = gl.createBuffer();
@@ -195,16 +225,35 @@ class GlowTube {
     gl.vertexAttribPointer(1, 1, gl.FLOAT, false, 12, 8);
   }
 
-  // What was drawn in the last `seconds` of emulated time: the flashes of module.js.
-  picture(flashes, seconds) {
-    if (this.lost || seconds <= 0) return;
+  darken() {
+    if (this.lost) return;
+    const gl = this.gl;
     if (this.coarse) {
+      this.coarse.clear();
+    } else {
+      for (const {target} of this.states) {
+        gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+        for (const layer of [0, 1]) gl.clearBufferfv(gl.COLOR, layer, [0, 0, 0, 0]);
+      }
+    }
+    this.develop();
+  }
+  // What was drawn in the last `seconds` of emulated time.
+  picture(flashes, seconds) {
+    if (this.lost) return;
+    if (this.coarse) {
+      this.coarse.afterglow = this.afterglow;
       this.coarse.picture(flashes, seconds);
     } else {
       this.spread(flashes);
       this.fade(seconds);
+      this.now = 1 - this.now;
     }
-    this.develop();
+  }
+  // Into the other state, which the next picture overwrites.
+  hold(seconds) {
+    if (this.lost) return;
+    if (this.coarse) this.coarse.hold(seconds); else this.fade(seconds, true);
   }
   spread(flashes) {
     const gl = this.gl;
@@ -233,12 +282,12 @@ class GlowTube {
     }
     gl.disable(gl.BLEND);
   }
-  fade(seconds) {
+  fade(seconds, hold = false) {
     const gl = this.gl;
-    const before = this.states[this.now];
-    const after = this.states[this.now = 1 - this.now];
+    const before = this.states[this.now], after = this.states[1 - this.now];
     const {places} = this.glow;
-    const eye = Math.exp(-seconds / PHOSPHOR.eye);
+    const {times} = this.afterglow, eye = Math.exp(-seconds / this.afterglow.eye);
+    const aged = seconds / times, half = aged / 2;
     gl.useProgram(this.glow.made);
     gl.viewport(0, 0, this.side, this.side);
     gl.bindFramebuffer(gl.FRAMEBUFFER, after.target);
@@ -246,14 +295,17 @@ class GlowTube {
     this.use(0, this.fresh, places.fresh);
     this.use(1, before.glow, places.glow);
     this.use(2, before.film, places.film);
-    gl.uniform3f(places.keep, Math.exp(-seconds / TAU_0), Math.exp(-seconds / TAU_1), Math.exp(-seconds / TAU_2));
-    gl.uniform3f(places.keepHalf, Math.exp(-seconds / 2 / TAU_0), Math.exp(-seconds / 2 / TAU_1), Math.exp(-seconds / 2 / TAU_2));
+    gl.uniform3f(places.keep, Math.exp(-aged / TAU_0), Math.exp(-aged / TAU_1), Math.exp(-aged / TAU_2));
+    gl.uniform3f(places.keepHalf, Math.exp(-half / TAU_0), Math.exp(-half / TAU_1), Math.exp(-half / TAU_2));
     gl.uniform3f(places.share, SHARE_0, SHARE_1, SHARE_2);
     gl.uniform1f(places.eye, eye);
     gl.uniform1f(places.weight, PHOSPHOR.shutter * (1 - eye) / seconds);
+    gl.uniform1i(places.hold, hold ? 1 : 0);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.film = after.film;
   }
   develop() {
+    if (this.lost) return;
     const gl = this.gl;
     // As many pixels as the page shows: no more are worth their work.
     const shown = Math.max(64, Math.min(this.side, Math.round(this.canvas.clientWidth * (globalThis.devicePixelRatio || 1)) || this.side));
@@ -263,6 +315,7 @@ class GlowTube {
   }
   showCoarse(shown) {
     const {gl, coarse} = this;
+    coarse.afterglow = this.afterglow;
     coarse.develop(this.pair);
     gl.useProgram(this.copy.made);
     this.use(0, this.copied, this.copy.places.picture);
@@ -272,21 +325,21 @@ class GlowTube {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
   showFilm(shown) {
-    const gl = this.gl;
-    const {film} = this.states[this.now];
+    const {gl, film} = this;
     gl.useProgram(this.halo.made);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.wideTarget);
     gl.viewport(0, 0, this.blocks, this.blocks);
     this.use(0, film, this.halo.places.film);
     gl.uniform2f(this.halo.places.step, 2 / this.side, 2 / this.side);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.useProgram(this.show.made);
+    gl.useProgram(this.shown.made);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, shown, shown);
-    this.use(0, film, this.show.places.film);
-    this.use(1, this.wide, this.show.places.halo);
-    gl.uniform2f(this.show.places.block, 1 / this.blocks, 1 / this.blocks);
-    gl.uniform1i(this.show.places.pair, this.pair ? 1 : 0);
+    this.use(0, film, this.shown.places.film);
+    this.use(1, this.wide, this.shown.places.halo);
+    gl.uniform2f(this.shown.places.block, 1 / this.blocks, 1 / this.blocks);
+    gl.uniform1i(this.shown.places.pair, this.pair ? 1 : 0);
+    gl.uniform1f(this.shown.places.yellow, this.afterglow.yellow);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
   use(unit, texture, place) {
@@ -298,31 +351,52 @@ class GlowTube {
 }
 
 // Dots that fade, for browsers without WebGL2.
-class PlainTube {
+class PlainTube extends Tube {
   constructor(canvas) {
+    super();
     this.kind = 'plain';
     this.side = SIDE / 2;
     canvas.width = canvas.height = this.side;
     this.context = canvas.getContext('2d');
     this.light = new Float32Array(this.side * this.side);
+    this.row = new Float32Array(this.side);
     this.image = this.context?.createImageData(this.side, this.side);
     if (this.image) this.pixels = new Uint32Array(this.image.data.buffer);
   }
   coarser() { return false; }
+  darken() {
+    this.light.fill(0);
+    this.develop();
+  }
+  hold() {}
   picture(flashes, seconds) {
-    if (!this.context || seconds <= 0) return;
     const {side, light} = this;
-    const keep = Math.exp(-seconds / 0.12);
+    const keep = Math.exp(-seconds / (this.afterglow === AFTERGLOWS.p7 ? 0.12 : this.afterglow.eye));
     for (let i = 0; i < light.length; ++i) light[i] *= keep;
     for (let i = 0; i < flashes.count; ++i) {
       const x = flashes.x(i) + PHOSPHOR.margin >> 1;
       const y = flashes.y(i) + PHOSPHOR.margin >> 1;
       light[(side - 1 - y) * side + x] += 0.4;
     }
-    const {pixels} = this;
+  }
+  develop() {
+    if (!this.context) return;
+    const {side, light, pixels} = this;
     for (let i = 0; i < light.length; ++i) {
       const v = light[i] > 1 ? 1 : light[i];
       pixels[i] = 0xff000000 | 21 + 119 * v << 16 | 26 + 214 * v << 8 | 20 + 193 * v;
+    }
+    if (this.pair) {
+      // As the other tube's.
+      const {row} = this, aside = POINTS / 8;
+      for (let y = 0; y < side; ++y) {
+        row.set(light.subarray(y * side, (y + 1) * side));
+        for (let x = 0; x < side; ++x) {
+          const inside = Math.abs(x + 0.5 - side / 2) < aside;
+          const left = inside ? 255 * Math.min(1, row[x - aside]) : 0, right = inside ? 255 * Math.min(1, row[x + aside]) : 0;
+          pixels[y * side + x] = 0xff000000 | right << 16 | right << 8 | left;
+        }
+      }
     }
     this.context.putImageData(this.image, 0, 0);
   }

@@ -67,12 +67,13 @@ export class Turning {
   setSpeed() { if (this.made) this.put(this.word & ~SPEED | this.step()); }
   faster(times) { this.put(this.word & ~SPEED | Math.max(1, Math.min(SPEED, Math.round((this.word & SPEED || this.step()) * times)))); }
 
-  key(event, down) {
-    if (event.key === 'e') { if (!event.repeat) this.hold(down); return true; }
+  // Whether a key that goes down is one of this program.
+  key(event) {
+    if (event.key === 'e') return this.room.holdKey(event, down => this.hold(down));
     const act = {ArrowLeft: () => this.put(this.word | BACKWARDS), ArrowRight: () => this.put(this.word & ~BACKWARDS), ArrowUp: () => this.faster(1.25), ArrowDown: () => this.faster(0.8),
       w: () => this.flip(WIRE), s: () => this.standStill()}[event.key];
     if (!act) return false;
-    if (down) act();
+    act();
     return true;
   }
   showSwitches() {
@@ -95,7 +96,7 @@ export class Turning {
     const step = this.word & SPEED;
     const moved = this.before ? Math.abs((angle - this.before.angle + 1.5 * ANGLES) % ANGLES - ANGLES / 2) : 0;
     if (this.before && time > this.before.time && step) this.rate = moved / step / (time - this.before.time);
-    this.moves = moved > 0;
+    if (!this.before || time > this.before.time) this.moves = moved > 0;  // a machine that is paused shows what it was doing
     this.before = {angle, time};
     const status = module.word(room.id, made.labels.status);
     return [['Angle', `${(angle / ANGLES * 360).toFixed(1)} degrees`], ['Pictures', this.moves ? `${this.rate.toFixed(1)} a second${this.word & WIRE ? ', wire frames' : ''}` : 'stands still'],

@@ -14,9 +14,10 @@ export function button(label, act, title = label) {
   return element('button', {type: 'button', textContent: label, title, 'aria-label': title, onclick: act});
 }
 
-// A named choice; `entries`: texts, or [value, text]. `title`, here and below: what the control does, shown to a pointer that rests on it.
+// A named choice; `entries`: texts, or [value, text]. It gives the focus back when something is chosen, so that the keys are the room's again.
+// `title`, here and below: what the control does, shown to a pointer that rests on it.
 export function choice(label, entries, value, act, title = '') {
-  const select = element('select', {onchange: () => act(select.value)},
+  const select = element('select', {onchange: () => { act(select.value); select.blur(); }},
     ...entries.map(entry => {
       const [each, text] = Array.isArray(entry) ? entry : [entry, entry];
       return element('option', {value: each, textContent: text, selected: String(each) === String(value)});
@@ -79,6 +80,17 @@ export function notice() {
     box.classList.toggle('wrong', wrong);
   };
   return box;
+}
+
+// Whether an element uses the keys that are typed: text fields and lists do, boxes to tick and buttons do not.
+export function takesKeys(target) {
+  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && !['checkbox', 'file'].includes(target.type));
+}
+
+// Why a machine stands still, in a word or two for its screen. `result` and `reason`: of module.run and module.reason.
+export function stopName(result, reason) {
+  if (result === 1) return 'stopped at a breakpoint';
+  return reason === 'stopped by halt' ? 'halted' : reason;
 }
 
 export function download(name, bytes, type = 'application/octet-stream') {

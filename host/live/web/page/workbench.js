@@ -1,6 +1,6 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
-import {Clock, button, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
+import {Clock, button, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
 import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 
@@ -55,7 +55,8 @@ export class Workbench {
       if (this.waits) { this.waits = false; this.go(true); }
     });
     this.canvas = element('canvas');
-    this.screen = element('div', {className: 'screen'}, this.canvas);
+    this.stopped = element('p', {className: 'stopped', role: 'status', hidden: true});
+    this.screen = element('div', {className: 'screen'}, this.canvas, this.stopped);
     this.status = element('p', {className: 'status', role: 'status'});
     this.question = field('Value of', '', () => this.evaluate(), {placeholder: 'begin+3, AC, time', spellcheck: false}, 'An expression of names of the program, registers and numbers');
     this.answer = element('output', {});
@@ -164,6 +165,7 @@ export class Workbench {
     this.canvas = fresh;
     this.context = null;
     this.tube = machine === 'pdp7' ? makeTube(fresh) : null;
+    this.tube?.clear(0);
     if (!this.tube) fresh.width = fresh.height = 256;
     fresh.className = this.tube ? 'tube' : 'raster';
     this.screen.className = this.tube ? this.tube.kind === 'plain' ? 'screen' : 'screen framed' : 'screen board';
@@ -171,7 +173,7 @@ export class Workbench {
     this.root.classList.toggle('printing', !this.tube && !options['--board']);
     this.intro.say(`A program for the ${machine === 'pdp7' ? 'PDP-7' : '8080'}[ in its assembly language], run forward and back[, one instruction at a time if you like]. Press Run, then Back.`);
     this.memoryAt.input.value = (this.made.lines[0]?.at ?? 0).toString(machine === 'pdp7' ? 8 : 16);
-    this.go(false);
+    this.go(false, '');
     this.refresh();
   }
 
@@ -193,6 +195,7 @@ export class Workbench {
     const answer = this.module.ask({id: this.id, ...request});
     if (answer.error) this.message.say(answer.error, true);
     else this.message.say(answer.reason ?? '');
+    this.drawTube(true);
     this.hear();
     this.refresh();
   }
@@ -202,9 +205,12 @@ export class Workbench {
     this.answer.textContent = answer.error ?? `${answer.value} decimal, ${answer.value.toString(8)} octal, ${answer.value.toString(16)} hexadecimal`;
   }
 
-  go(on) {
+  // `why`: the reason for which the machine stands still.
+  go(on, why = 'paused') {
     if (on && !this.id) return;
     this.on = on;
+    this.stopped.textContent = on ? '' : why;
+    this.stopped.hidden = !this.stopped.textContent;
     this.running.textContent = on ? 'Pause' : 'Run';
     if (!on && this.id) this.refresh();
   }
@@ -221,22 +227,26 @@ export class Workbench {
 
   picture(seconds) {
     if (!this.id) return;
-    const from = this.module.ticks(this.id);
+    let result = 0;
+    if (this.on) result = runFor(this.module, this.id, seconds * this.second, this.second / 1000, this.clock.frames ? 1e9 : 10);
+    const reason = result ? this.module.reason() : '';
+    this.drawTube(!this.on || result !== 0);
     if (this.on) {
-      const result = runFor(this.module, this.id, seconds * this.second, this.second / 1000, this.clock.frames ? 1e9 : 10);
       if (result) {
-        const reason = this.module.reason();
         this.waits = reason === 'waits for a key';
-        this.message.say(this.waits ? 'The program waits for a key.' : `Stopped: ${reason}`);
-        this.go(false);
+        this.message.say(this.waits ? 'The program waits for a key.' : reason);
+        this.go(false, this.waits ? 'waits for a key' : stopName(result, reason));
       }
       this.sinceStatus = (this.sinceStatus ?? 1) + seconds;
       if (this.on && this.sinceStatus > 0.2) { this.sinceStatus = 0; this.showProgress(); }
     }
-    const flashes = this.module.flashes(this.id);
-    if (this.tube) this.tube.picture(flashes, this.on ? (this.module.ticks(this.id) - from) / this.second : seconds);
-    else this.showRaster();
+    if (!this.tube) this.showRaster();
     this.hear();
+  }
+  // Before the state is shown: to list the last instructions the machine runs again from an earlier time, and forgets what it has drawn.
+  drawTube(held) {
+    const flashes = this.module.flashes(this.id);
+    this.tube?.show(flashes, this.module.ticks(this.id) / this.second, held);
   }
   showProgress() {
     this.status.textContent = `${(this.module.ticks(this.id) / this.second).toFixed(3)} s, ${this.module.instructions(this.id).toLocaleString('en')} instructions`;

@@ -21,6 +21,7 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select
 
 page, sightline = "file://" + os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 shots = sys.argv[3] if len(sys.argv) > 3 else None
@@ -187,7 +188,7 @@ for scene in ["roberts", "street4", "corridor8", "corridor32"]:
     go("jones/" + scene)
     js("sightline.room.options.speed = 10")
     wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), scene + ": a first view")
-    for key in [Keys.ARROW_LEFT, Keys.ARROW_RIGHT, Keys.PAGE_UP, Keys.PAGE_DOWN, Keys.ARROW_UP, Keys.ARROW_DOWN, "+", "-"]:
+    for key in [Keys.ARROW_LEFT, Keys.ARROW_RIGHT, "u", "d", Keys.ARROW_UP, Keys.ARROW_DOWN, "+", "-"]:
         place = js("return [...sightline.room.where()]")
         ActionChains(driver).key_down(key).perform()
         wait(lambda: js("return [...sightline.room.where()]") != place, f"{scene}: a key moves the eye", 20)
@@ -246,6 +247,168 @@ button("wire frame").click()
 check("switches=300000" in driver.current_url or "switches=200000" in driver.current_url, "the wire frame is a switch: " + driver.current_url)
 fits("a solid that turns")
 console_is_clean("examples of the PDP-7")
+
+# --- The tube in each of its kinds: with few points, in shaders, without WebGL.
+# The picture of the tube as rows of red, green, blue, 268 by 268, which is a place for 4 by 4 points of the screen.
+PICTURE = """const picture = () => { const {room} = sightline; room.tube.develop?.(); const c = document.createElement('canvas'); c.width = c.height = 268;
+    const x = c.getContext('2d'); x.drawImage(room.canvas, 0, 0, 268, 268); return x.getImageData(0, 0, 268, 268).data; };
+  const bright = (low, high) => { const d = picture(); let within = 0, outside = 0;
+    for (let i = 0; i < d.length; i += 4) if (d[i + 1] > 60) { const x = i / 4 % 268, y = 267 - Math.floor(i / 4 / 268); if (x >= low && x <= high && y >= low && y <= high) ++within; else ++outside; }
+    return [within, outside]; };
+"""
+
+
+def bright(low=0, high=267):
+    return js(PICTURE + "return bright(arguments[0], arguments[1]);", low, high)
+
+
+def choose(label, value):
+    Select(driver.find_element(By.XPATH, f"//main//label[span[text()='{label}']]/select")).select_by_value(value)
+
+
+def shown_label():
+    label = driver.find_element(By.CSS_SELECTOR, ".screen .stopped")
+    return label.text if label.is_displayed() else ""
+
+
+def refresh():
+    return js("sightline.room.showState(); const rows = [...sightline.room.facts.children]; return rows[rows.findIndex(e => e.textContent === 'Refresh') + 1].textContent")
+
+
+def switches():
+    return js("return sightline.room.options.switches")
+
+
+# square.s draws 4 sides of 254 points and one diagonal once, from 385, 385: places 102 to 166, more than 300 of them.
+SQUARE = (101, 167)
+for kind in ["few points", "shaders", "plain"]:
+    def enter(place):
+        go(place, "?plain" if kind == "plain" else "")
+        if kind == "shaders":  # half of the points, and no fewer when the computer is slow
+            js("const {tube} = sightline.room; tube.side = 536; tube.build(); tube.coarser = () => false")
+    enter("jones/house")
+    wait(lambda: bright()[0] > 300, f"{kind}: the house is shown", 90)
+    wait(lambda: "a second" in refresh(), f"{kind}: its refresh rate")
+    choose("Program", "echo.s")
+    check(bright() == [0, 0], f"{kind}: another program begins with a dark screen, found {bright()} bright places")
+    check(refresh() == "none", f"{kind}: a program that draws nothing has no refresh rate: {refresh()}")
+    choose("Program", "house")
+    wait(lambda: bright()[0] > 300, f"{kind}: the house again", 90)
+    choose("Program", "square.s")
+    wait(lambda: not js("return sightline.room.on"), f"{kind}: the square's program halts")
+    check(shown_label() == "halted", f"{kind}: the screen says so: {shown_label()}")
+    time.sleep(2)
+    within, outside = bright(*SQUARE)
+    check(within > 280 and outside == 0, f"{kind}: the square stays, alone: {within} bright places, {outside} beside it")
+    check(refresh() == "none: the program has drawn once", f"{kind}: it has no refresh rate: {refresh()}")
+    choose("Program", "turning.s")
+    wait(lambda: bright()[0] > 200, f"{kind}: a square turns", 90)
+    check(shown_label() == "", f"{kind}: a machine that runs has no label: {shown_label()}")
+    press("Pause")
+    wait(lambda: js("return sightline.room.tube.held"), f"{kind}: the picture is held")
+    check(shown_label() == "paused", f"{kind}: paused: {shown_label()}")
+    check(js(PICTURE + "globalThis.before = picture(); return true"), "a picture")
+    time.sleep(1)
+    check(js(PICTURE + "return picture().every((v, i) => v === before[i]) && bright(0, 267)[0] > 200"), f"{kind}: what is paused stays as it is")
+    press("Run")
+    wait(lambda: js(PICTURE + "return picture().some((v, i) => v !== before[i])"), f"{kind}: and goes on", 30)
+    # Ten times a row of 256 points in a hundredth of a second, and then the dark: of P7, which gives half of its light in 1.4 s, something is left.
+    # Fifteen times the time constant of a twentieth leave one part in a million, without the yellow layer it is the eye's.
+    press("Pause")
+    for glow, left in [("p7", True), ("short", False), ("off", False)]:
+        choose("Afterglow", glow)
+        lit, later = js(PICTURE + """const {tube} = sightline.room, row = {count: 2560, x: i => 256 + i % 256, y: () => 512, level: () => 7}, none = {count: 0};
+          sightline.room.clock.stop(); tube.clear(0); tube.show(row, 0.01, false); const lit = bright(0, 267)[0];
+          for (let i = 1; i <= 9; ++i) tube.show(none, 0.01 + i * arguments[0], false); return [lit, bright(0, 267)[0]];""", 0.03 if kind == "plain" else 0.2)
+        check(lit >= 64 and (later >= 50 if left else later == 0), f"{kind}: afterglow {glow}: {lit} bright places, later {later}")
+        js("sightline.room.clock.start()")
+    # The exact lines of a pair in red and cyan lie on its pictures.
+    enter("jones/house?stereo=1&exact=1")
+    js("sightline.room.redCyan.box.click()")
+    wait(lambda: js("return sightline.room.missing === 0 && sightline.room.extra === 0"), f"{kind}: a pair and its exact lines", 90)
+    press("Pause")
+    wait(lambda: js("return sightline.room.tube.held"), f"{kind}: the pair is held")
+    on = js(PICTURE + """const d = picture(), c = document.createElement('canvas'); c.width = c.height = 268; const x = c.getContext('2d'); x.drawImage(sightline.room.glass, 0, 0, 268, 268);
+      const g = x.getImageData(0, 0, 268, 268).data, found = {red: [0, 0], cyan: [0, 0]};
+      for (let i = 0; i < g.length; i += 4) if (g[i + 3] > 100) {
+        const red = g[i] > g[i + 2], count = found[red ? 'red' : 'cyan']; ++count[1];
+        if ([0, -4, 4, -1072, 1072].some(by => d[i + by + (red ? 0 : 2)] > 100)) ++count[0]; }
+      return found;""")
+    check(all(total > 200 and hit > 0.95 * total for hit, total in on.values()), f"{kind}: places of the exact lines that are on the picture of their colour: {on}")
+    shot("pair-" + kind.replace(" ", "-"))
+console_is_clean("the tube")
+go("jones/turn star.off?glow=off")
+check(js("return sightline.room.options.glow === 'off' && sightline.room.glow.select.value === 'off'") and "glow=off" in driver.current_url, "the afterglow is in the link: " + driver.current_url)
+go("jones/turn star.off?glow=rubbish")
+check(js("return sightline.room.options.glow") == "p7" and "glow" not in driver.current_url, "an unknown afterglow is P7's: " + driver.current_url)
+# Exact lines that are moved by 40 points are not in the picture.
+go("jones/house?exact=1")
+wait(lambda: "the picture shows all of them, and nothing else" in js("return sightline.room.facts.textContent"), "the exact lines are the picture's, in words", 30)
+press("Pause")
+js("const {room} = sightline; room.lines = room.lines.map(([a, b, c, d]) => [a, b + 40, c, d + 40]); room.drawGlass(); room.showState()")
+check(all(word in js("return sightline.room.facts.textContent") for word in ["pieces of a line, 4 points long each, are not in the picture (drawn red)", "squares of 4 by 4 points are lit where no line is (magenta)"]),
+      "what differs is said in words: " + js("return sightline.room.facts.textContent"))
+driver.find_element(By.XPATH, "//main//label[contains(., 'Exact visible lines')]").click()
+driver.find_element(By.XPATH, "//main//label[contains(., 'Exact visible lines')]").click()
+check("when the machine has run for a moment" in js("sightline.room.showState(); return sightline.room.facts.textContent") and js("return sightline.room.missing") is None, "nothing is called missing that was drawn before the lines were asked for")
+
+# --- Keys: what has the focus does not keep those that walk.
+go("jones/house")
+wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a view to walk from")
+speed = driver.find_element(By.XPATH, "//main//label[span[text()='Speed']]/select")
+speed.click()
+choose("Speed", "2")
+speed.send_keys(Keys.ESCAPE) if js("return document.activeElement === arguments[0]", speed) else None
+for focus, what in [(None, "a choice from a list"), ("//main//label[contains(., 'Lines at once')]/input", "a box"), ("//main//button[@aria-label='AC switch 17']", "a button")]:
+    if focus:
+        driver.find_element(By.XPATH, focus).click()
+    for key, bit in [(Keys.ARROW_LEFT, 0), (Keys.ARROW_DOWN, 5), ("u", 2), ("d", 3)]:
+        up = switches()
+        ActionChains(driver).key_down(key).perform()
+        check(switches() == up | 1 << (17 - bit), f"after {what} a key walks: AC switch {bit}, found {switches():o}")
+        ActionChains(driver).key_up(key).perform()
+        check(switches() == up, f"after {what} the key is let go: {switches():o}")
+check(js("return sightline.room.options.speed") == 2, "the walk keys leave the list alone")
+js("sightline.room.setSwitches(0)")
+driver.find_element(By.XPATH, "//main//label[contains(., 'Scale at the start')]/input").click()
+ActionChains(driver).key_down(Keys.ARROW_UP).perform()
+check(switches() == 0, f"a number field keeps its keys: {switches():o}")
+ActionChains(driver).key_up(Keys.ARROW_UP).perform()
+js("document.activeElement.blur(); scrollTo(0, 0)")
+ActionChains(driver).send_keys(Keys.PAGE_DOWN).perform()
+wait(lambda: js("return scrollY") > 100, "Page Down scrolls the page", 5)
+time.sleep(0.5)
+lower = js("return scrollY")
+ActionChains(driver).send_keys(Keys.PAGE_UP).perform()
+wait(lambda: js("return scrollY") < lower, "Page Up scrolls it back", 5)
+check(switches() == 0, "and neither walks")
+for modifier in ["ctrlKey", "altKey", "metaKey"]:
+    kept = js("const e = new KeyboardEvent('keydown', {key: 'ArrowLeft', code: 'ArrowLeft', bubbles: true, cancelable: true, [arguments[0]]: true}); document.body.dispatchEvent(e); return e.defaultPrevented", modifier)
+    check(not kept and switches() == 0, f"a key with {modifier} is the browser's")
+ActionChains(driver).key_down(Keys.ARROW_UP).perform()
+check(switches() == 1 << 13, "a key is held")
+js("dispatchEvent(new Event('blur'))")
+check(switches() == 0, f"the window that loses the focus lets it go: {switches():o}")
+ActionChains(driver).key_up(Keys.ARROW_UP).perform()
+js("""for (const [kind, key] of [['keydown', '+'], ['keyup', '=']]) document.body.dispatchEvent(new KeyboardEvent(kind, {key, code: 'Equal', bubbles: true}));""")
+check(switches() == 0, f"a plus is let go when the shift key was let go before it: {switches():o}")
+go("skala/sinc?rotation=30")
+choose("Drawn as", "surface")
+ActionChains(driver).send_keys(Keys.ARROW_RIGHT).perform()
+check(js("return sightline.room.options.rotation") == 35 and js("return sightline.room.options.picture") == "surface", f"after a choice from a list the arrows turn the surface: {js('return sightline.room.options.rotation')}")
+go("bench/hello.asm")
+choose("Example", "square.s")
+ActionChains(driver).send_keys(Keys.F11).perform()
+check(js("return sightline.module.instructions(sightline.room.id)") == 1, "after a choice from a list F11 steps")
+ActionChains(driver).send_keys(Keys.F10).perform()
+check(js("return sightline.module.instructions(sightline.room.id)") == 2, "F10 steps over")
+ActionChains(driver).send_keys(Keys.F5).perform()
+wait(lambda: driver.find_element(By.CSS_SELECTOR, ".bench .stopped").text == "halted", "F5 runs to the halt, and the screen says so", 20)
+time.sleep(1)
+check(bright(*SQUARE)[0] > 150 and bright(*SQUARE)[1] == 0, f"the workbench's screen keeps the picture: {bright(*SQUARE)}")
+choose("Example", "echo.s")
+check(bright() == [0, 0], f"and is dark for another program: {bright()}")
+console_is_clean("keys")
 
 # --- The 8080 room.
 go("skala/sinc?rotation=30")
