@@ -1,5 +1,6 @@
 #include "host/live/web/rooms.hpp"
 
+#include "host/live/web/kinds.hpp"
 #include "host/live/web/stripes.hpp"
 #include "host/live/web/studio.hpp"
 #include "host/live/web/turning.hpp"
@@ -11,7 +12,7 @@ Json Rooms::answer(std::string_view text) {
   if (!request) return refusal(request.error().message());
   const Json* const what = request->find("do");
   if (what != nullptr && what->text() != nullptr) {
-    for (const auto answers : {studio_answer, stripes_answer, turning_answer}) {
+    for (const auto answers : {studio_answer, stripes_answer, turning_answer, kinds_answer}) {
       Json answer = answers(workbench, *what->text(), *request);
       if (!answer.is_null()) return answer;
     }

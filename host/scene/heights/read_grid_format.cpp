@@ -205,13 +205,13 @@ GridFormatReader grid_format_of(std::string_view text) {
   return nullptr;
 }
 
-std::string_view unread_format_of(std::string_view text) {
+std::string_view foreign_format_of(std::string_view text) {
   using namespace std::string_view_literals;
   struct Format {
     std::string_view beginning;
     std::string_view name;
   };
-  constexpr std::array<Format, 12> formats{{{"DSBB"sv, "a binary Surfer grid"sv},
+  constexpr std::array<Format, 16> formats{{{"DSBB"sv, "a binary Surfer grid"sv},
                                             {"DSRB"sv, "a binary Surfer grid"sv},
                                             {"CDF\x01"sv, "a NetCDF file"sv},
                                             {"CDF\x02"sv, "a NetCDF file"sv},
@@ -219,12 +219,21 @@ std::string_view unread_format_of(std::string_view text) {
                                             {"II*\0"sv, "a TIFF image"sv},
                                             {"MM\0*"sv, "a TIFF image"sv},
                                             {"\x89PNG"sv, "a PNG image"sv},
+                                            {"\xFF\xD8\xFF"sv, "a JPEG image"sv},
+                                            {"GIF8"sv, "a GIF image"sv},
+                                            {"%PDF"sv, "a PDF document"sv},
+                                            {"\x1F\x8B"sv, "a file compressed by gzip"sv},
                                             {"PK\x03\x04"sv, "a zip archive, such as a spreadsheet"sv},
                                             {"\xFF\xFE"sv, "text in UTF-16"sv},
                                             {"\xFE\xFF"sv, "text in UTF-16"sv},
                                             {"north:"sv, "a GRASS ASCII grid"sv}}};
   for (const Format& format : formats)
     if (text.substr(0, format.beginning.size()) == format.beginning) return format.name;
+  return {};
+}
+
+std::string_view unread_format_of(std::string_view text) {
+  if (const std::string_view format = foreign_format_of(text); !format.empty()) return format;
   const std::string_view first = base::without_blanks(text).substr(0, 1);
   if (first == "{" || first == "[") return "a list in brackets, such as JSON";
   if (text.find('\0') != std::string_view::npos) return "binary data";

@@ -14,7 +14,9 @@ using GridFormatReader = base::Result<HeightGrid> (*)(std::string_view text, std
 // How the format that the text begins as is read; null: it begins as none. A grid has no range yet.
 [[nodiscard]] GridFormatReader grid_format_of(std::string_view text);
 
-// "a TIFF image": a kind of file that is known and not read. Empty: none of them.
+// "a TIFF image": a known format by its first bytes that no reader of grids takes. Empty: none of them.
+[[nodiscard]] std::string_view foreign_format_of(std::string_view text);
+// The same, or "binary data" or a list in brackets: anything that is no text of numbers.
 [[nodiscard]] std::string_view unread_format_of(std::string_view text);
 
 }  // namespace sightline::scene

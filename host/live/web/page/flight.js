@@ -1,5 +1,6 @@
 // A flight on the 8080 with Willis's priority display (firmware/i8080/flight): its scenes, its picture, and what can be said of it.
 
+import {among, flag, named, number as numeric, optionsOf} from './links.js';
 import {check, choice, field} from './ui.js';
 
 const SCENES = [['prisms-9', 'nine turned houses'], ['prisms-25', '25 turned houses'], ['town-4', 'four houses of a town'], ['town-9', 'nine houses'], ['town-20', 'twenty houses'], ['town-60', 'sixty houses, the nearest pieces']];
@@ -24,9 +25,9 @@ export class Flight {
     this.pixels = new Int32Array(this.image.data.buffer);
   }
 
+  request(scene = this.options.scene) { return {do: 'flight', ...this.options, scene}; }
   make() {
-    const o = this.options;
-    const made = this.module.ask({do: 'flight', scene: o.scene, bits: o.bits, plan: o.plan, pieces: o.pieces, frames: o.frames});
+    const made = this.module.ask(this.request());
     this.made = made.error ? null : made;
     if (!this.made) return made;
     // Red is the lowest byte of a pixel; with a sign, because a number as small as that needs no room of its own.
@@ -69,17 +70,15 @@ export class Flight {
       ['Check', state.difference || 'the same priorities as the same algorithm on this computer', 'Every frame is also computed by the same algorithm as a program of this computer']];
   }
 
-  link() {
+  // `local`: what a link has of a file of the person's.
+  link(local) {
     const o = this.options;
-    return `flight ${o.scene}?${new URLSearchParams({bits: o.bits, plan: o.plan ? 1 : 0, pieces: o.pieces})}`;
+    return `${encodeURIComponent(`flight ${o.scene}`)}?${new URLSearchParams({bits: o.bits, plan: o.plan ? 1 : 0, pieces: o.pieces, ...local(o.scene)})}`;
   }
   open(scene, query) {
     const o = this.options;
-    if (SCENES.some(([name]) => name === scene)) o.scene = scene;
-    if (['8', '12', '16'].includes(query.get('bits'))) o.bits = Number(query.get('bits'));
-    if (query.has('plan')) o.plan = query.get('plan') === '1';
-    const pieces = parseInt(query.get('pieces'));
-    if (pieces >= 1 && pieces <= 255) o.pieces = pieces;
+    const known = scene ? {scene: named('scene', scene, [...this.scene.select.options].map(each => each.value), query)} : {};
+    Object.assign(o, optionsOf(query, {bits: among([8, 12, 16]), plan: flag, pieces: numeric(1, 255)}), known);
     this.scene.select.value = o.scene;
     this.bits.select.value = o.bits;
     this.plan.box.checked = o.plan;

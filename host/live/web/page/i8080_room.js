@@ -5,6 +5,7 @@ import {Clock, button, check, choice, download, element, factList, field, fileTa
 import {sampled} from './expression.js';
 import {camera} from './camera.js';
 import {Flight} from './flight.js';
+import {among, anything, named, number as numeric, optionsOf} from './links.js';
 import {COLOURS, GREYS, RasterImage} from './raster.js';
 
 const CLOCK = 3e6;  // T-states a second
@@ -19,6 +20,7 @@ export class I8080Room {
     this.options = {program: 'skala', scene: 'boxes-5', function: functions[0]?.name ?? 'sinc', text: '', picture: 'lines', device: 'ef9365', rotation: 30, elevation: 30, zoom: 1,
       points: 33, slices: 33, levels: 8, visibility: true, speed: 1};
     this.flight = new Flight(module, () => this.restart());
+    this.own = new Set();  // grids and scenes that are files of the person's
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.root = this.build();
@@ -65,7 +67,7 @@ export class I8080Room {
         fold('State', this.facts,
           element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${this.name}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
             this.saver = button('Save state', () => this.saveState(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
-            fileTaker(screen, 'Open a grid (CSV), a scene or a snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+            fileTaker('Open a file')))));
     // The arrows turn the picture when something has been chosen from a list, too.
     room.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement) this.canvas.focus({preventScroll: true}); });
     return room;
@@ -159,19 +161,36 @@ export class I8080Room {
     if (done.error) return this.message.say(done.error, true);
     download(`${this.name}.snap`, this.module.made());
   }
-  take(name, bytes) {
-    this.module.putFile(name, bytes);
-    if (bytes[0] === 0x89 && bytes[1] === 0x53) {
-      if (this.flies) return this.message.say(`${name}: a snapshot of a machine; a flight has none. Choose another program first.`, true);
-      if (!this.id) return this.message.say(`${name}: a snapshot, and there is no machine to take it: choose the program that it was saved from.`, true);
+  // A file (files.js); false: not one for this room. `way` of a scene: stripes.
+  take(file, way) {
+    const o = this.options;
+    const {name, kind} = file;
+    if (kind === 'snapshot' && file.machine === 'i8080') {
+      const refuse = text => { this.message.say(text, true); return true; };
+      if (this.flies) return refuse(`${name}: a snapshot of a machine; a flight has none. Choose another program first.`);
+      if (!this.id) return refuse(`${name}: a snapshot, and there is no machine to take it: choose the program that it was saved from.`);
       const done = this.module.ask({do: 'restore', id: this.id, file: name});
-      this.message.say(done.error ?? '', Boolean(done.error));
+      if (done.error) return refuse(done.error);
+      this.message.say('');
       this.ended = this.shown = false;
-      return this.go(true);
+      this.go(true);
+      return true;
     }
-    const add = (box, value) => { if (![...box.select.options].some(each => each.value === value)) box.select.append(element('option', {value, textContent: value})); box.select.value = value; };
-    if (this.flies) { this.flight.options.scene = name; add(this.flight.scene, name); } else if (this.options.program === 'stripes') { this.options.scene = name; add(this.scene, name); } else { this.options.function = name; add(this.pick, name); }
+    if (kind !== 'grid' && kind !== 'scene') return false;
+    const program = kind === 'grid' ? 'skala' : this.flies && !way ? 'flight' : 'stripes';
+    // Asked for before anything changes: a flight that cannot be made leaves the one before, too.
+    const tried = this.module.ask({skala: () => ({...this.request(program), function: name, heights: undefined}), stripes: () => ({...this.request(program), scene: name}),
+      flight: () => this.flight.request(name)}[program]());
+    if (tried.error) { file.error = tried.error.startsWith(name) ? tried.error : `${name}: ${tried.error}`; return false; }
+    if (tried.id) this.module.ask({do: 'drop', id: tried.id});
+    const [box, options, option] = program === 'skala' ? [this.pick, o, 'function'] : program === 'stripes' ? [this.scene, o, 'scene'] : [this.flight.scene, this.flight.options, 'scene'];
+    this.own.add(name);
+    if (![...box.select.options].some(each => each.value === name)) box.select.append(element('option', {value: name, textContent: name}));
+    box.select.value = options[option] = name;
+    this.program.select.value = o.program = program;
+    this.offer();
     this.restart();
+    return true;
   }
   cost() {
     let answer;
@@ -253,21 +272,32 @@ export class I8080Room {
 
   link() {
     const o = this.options;
-    if (this.flies) return `skala/${this.flight.link()}`;
-    if (o.program === 'stripes') return `skala/stripes ${o.scene}?${new URLSearchParams({device: o.device, rotation: o.rotation, elevation: o.elevation})}`;
-    const parts = new URLSearchParams({picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation});
-    if (o.function === '') parts.set('f', o.text);
-    return `skala/${encodeURIComponent(o.function)}?${parts}`;
+    const local = name => this.own.has(name) ? {file: 1} : {};
+    if (this.flies) return `skala/${this.flight.link(local)}`;
+    const seen = {device: o.device, rotation: o.rotation, elevation: o.elevation};
+    if (o.program === 'stripes') return `skala/${encodeURIComponent(`stripes ${o.scene}`)}?${new URLSearchParams({...seen, ...local(o.scene)})}`;
+    return `skala/${encodeURIComponent(o.function)}?${new URLSearchParams({picture: o.picture, ...seen, ...(o.function === '' ? {f: o.text} : local(o.function))})}`;
   }
-  open(path, query) {
+  open(part, query) {
     const o = this.options;
-    o.program = ['stripes', 'flight'].find(each => path.startsWith(each + ' ')) ?? 'skala';
-    if (this.flies) this.flight.open(path.slice(7), query);
-    else if (o.program === 'stripes' && SCENES.some(([name]) => name === path.slice(8))) o.scene = path.slice(8);
-    if (query.get('f')) { o.function = ''; o.text = query.get('f'); }
-    else if (this.functions.some(each => each.name === path)) o.function = path;
-    for (const [name, {select}] of [['picture', this.kind], ['device', this.device]]) if ([...select.options].some(each => each.value === query.get(name))) o[name] = query.get(name);
-    for (const name of ['rotation', 'elevation']) if (Number.isFinite(parseFloat(query.get(name)))) o[name] = parseFloat(query.get(name));
+    const has = ({select}) => [...select.options].map(each => each.value);
+    const program = ['stripes', 'flight'].find(each => part === each || part.startsWith(each + ' ')) ?? 'skala';
+    const scene = part.slice(program.length + 1);
+    if (program === 'flight') {
+      this.flight.open(scene, query);
+      o.program = program;
+    } else {
+      const look = {device: among(program === 'stripes' ? ['ef9365', 'calcomp'] : has(this.device)), rotation: numeric(-1e6, 1e6), elevation: numeric(-90, 90)};
+      const stripes = program === 'stripes';
+      const changes = stripes ? (scene ? {scene: named('scene', scene, has(this.scene), query)} : {})
+        : part ? {function: named('function', part, has(this.pick).filter(Boolean), query)} : query.has('f') ? {function: ''} : {};
+      const {f, ...given} = optionsOf(query, stripes ? look : {picture: among(has(this.kind)), ...look, ...(part ? {} : {f: anything})});
+      if (f !== undefined) {
+        try { sampled(f, 6, 2, 2); } catch (error) { throw new Error(`The link has f=${f}: ${error.message}.`); }
+        changes.text = f;
+      }
+      Object.assign(o, {program}, changes, given);
+    }
     this.pick.select.value = o.function;
     this.program.select.value = o.program;
     this.scene.select.value = o.scene;

@@ -2,6 +2,8 @@
 
 import {element, notice} from './ui.js';
 import {openModule} from './module.js';
+import {Files} from './files.js';
+import {parseLink, sameLink} from './links.js';
 import {Pdp7Room} from './pdp7_room.js';
 import {I8080Room} from './i8080_room.js';
 import {Workbench} from './workbench.js';
@@ -27,7 +29,7 @@ export async function begin(wasm, shelf) {
     if (!current || !current.link) return;
     history.replaceState(null, '', '#' + current.link());
   };
-  const about = {root: document.getElementById('credits').content.firstElementChild, enter() {}, leave() {}, key: () => false, link: () => 'about', open() {}};
+  const about = {root: document.getElementById('credits').content.firstElementChild, enter() {}, leave() {}, key: () => false, link: () => 'about', open: part => { if (part) throw new Error(`About has no part "${part}".`); }};
   const rooms = {};
   const make = {
     jones: () => new Pdp7Room(module, examples.filter(each => each.room), examples.filter(each => each.machine === 'solid'), remember), skala: () => new I8080Room(module, lists.functions, remember),
@@ -36,29 +38,44 @@ export async function begin(wasm, shelf) {
   const tabs = Object.fromEntries(ROOMS.map(([name, title]) => [name, element('a', {href: '#' + name, textContent: title})]));
   nav.append(...Object.values(tabs));
 
-  const show = () => {
-    const hash = decodeURIComponent(location.hash.slice(1)) || 'jones';
-    const [path, query] = hash.split('?');
-    const slash = path.indexOf('/');
-    const name = (slash < 0 ? path : path.slice(0, slash)) in make ? (slash < 0 ? path : path.slice(0, slash)) : 'jones';
-    const fresh = !rooms[name];
-    try {
-      rooms[name] ??= make[name]();
-    } catch (error) {
-      message.say(error.message, true);
-      return;
-    }
-    const room = rooms[name];
+  const say = (...what) => (current?.message ?? message).say(...what);
+  const visit = name => {
+    const room = rooms[name] ??= make[name]();
     if (current !== room) {
       current?.leave();
+      message.say('');
       main.replaceChildren(message, room.root);
       for (const [each, tab] of Object.entries(tabs)) tab.setAttribute('aria-current', each === name ? 'page' : 'false');
       current = room;
     }
-    if (slash >= 0 && (hash !== room.link() || fresh)) room.open(path.slice(slash + 1), new URLSearchParams(query ?? ''));
-    room.enter();
-    remember();
+    return room;
   };
+  // What the address says. Where it says something unknown, the room stays as it was.
+  const show = () => {
+    let complaint = '';
+    try {
+      const {room: name, part, query} = parseLink(location.hash.slice(1) || 'jones');
+      if (!Object.hasOwn(make, name)) throw new Error(`There is no room "${name}": expected ${Object.keys(make).join(', ')}.`);
+      const fresh = !rooms[name];
+      const room = visit(name);
+      if ((part !== null || query.toString()) && (fresh || !sameLink(location.hash.slice(1), room.link()))) room.open(part ?? '', query);
+    } catch (error) {
+      complaint = error.message;
+    }
+    if (!current) visit('jones');
+    current.enter();
+    remember();
+    if (complaint) say(complaint, true);
+  };
+  const files = new Files(module, new Set([...lists.functions, ...examples].map(each => each.name)), {
+    say, get room() { return current; }, get shown() { return Object.keys(rooms).find(name => rooms[name] === current); },
+    visit(name) {
+      const room = visit(name);
+      room.enter();
+      history.pushState(null, '', '#' + room.link());
+      return room;
+    },
+  });
   addEventListener('hashchange', show);
   addEventListener('keydown', event => { if (current?.key(event, true)) event.preventDefault(); });
   addEventListener('keyup', event => { if (current?.key(event, false)) event.preventDefault(); });
@@ -66,5 +83,5 @@ export async function begin(wasm, shelf) {
   show();
   document.documentElement.dataset.ready = String(Math.round(performance.now() - began));
   // For tests and for people who like to look inside.
-  globalThis.sightline = {module, get room() { return current; }};
+  globalThis.sightline = {module, files, get room() { return current; }};
 }

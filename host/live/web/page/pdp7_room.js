@@ -3,6 +3,7 @@
 import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
 import {Turning} from './turning.js';
 import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
+import {among, flag, named, number, octal, optionsOf} from './links.js';
 import {makeTube} from './tube.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
@@ -34,6 +35,8 @@ export class Pdp7Room {
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
     this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
+    this.own = new Set();  // programs that are files of the person's
+    this.walks = new Set(PROGRAMS);  // scenes of cells
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
@@ -100,7 +103,7 @@ export class Pdp7Room {
         fold('Teletype', this.teletype()),
         fold('State', this.facts,
           element('p', {}, button('Save', () => this.save(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
-            fileTaker(screen, 'Open tape, program or snapshot', (name, bytes) => this.take(name, bytes), text => this.message.say(text, true))))));
+            fileTaker('Open a file')))));
   }
 
   introduce() {
@@ -168,7 +171,7 @@ export class Pdp7Room {
         button('BACK', () => { this.go(false); ask({do: 'back'}); }, 'One instruction back in time'),
         button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE: show the word at the address, and go on to the next address'),
         button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT: put the word of the switches into the address, and go on to the next address'),
-        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.readIn()) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
+        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.readIn()) : this.message.say('Open a tape first.', true), 'READ IN the tape that was opened')));
   }
 
   teletype() {
@@ -200,7 +203,7 @@ export class Pdp7Room {
     this.go(false);
     this.stopped.hidden = true;
     const o = this.options;
-    const jones = PROGRAMS.includes(o.program);
+    const jones = this.walks.has(o.program);
     this.turns = this.turning.owns(o.program);
     this.walk.hidden = !jones;
     this.introduce();
@@ -214,7 +217,7 @@ export class Pdp7Room {
       made = this.turning.make();
       if (made.labels) this.address.value = made.labels.start.toString(8).padStart(5, '0');
     } else {
-      const example = this.examples.find(each => each.name === o.program) ?? this.own;
+      const example = this.examples.find(each => each.name === o.program);
       const options = {'--display': true, [o.eae ? '--eae' : '--no-eae']: true, '--display-option': ['342', '347']};
       if (example?.file) {
         made = this.module.ask({do: 'make', machine: 'pdp7', options: {...options, '--load': [example.file]}});
@@ -262,17 +265,48 @@ export class Pdp7Room {
 
   setGlow() { this.tube.afterglow = AFTERGLOWS[this.options.glow]; }
 
-  take(name, bytes) {
-    this.module.putFile(name, bytes);
-    if (bytes[0] === 0x89 && bytes[1] === 0x53) return this.restart(name);
-    if (/\.s$|\.asm$|\.txt$/i.test(name)) {
-      this.own = {name, text: new TextDecoder().decode(bytes)};
-      this.options.program = name;
-      return this.restart();
+  // A file (files.js); false: not one for this room. `way` of a scene: walk or turn.
+  take(file, way) {
+    const {name, kind} = file;
+    if (file.machine !== 'pdp7' && !(kind === 'scene' && way)) return false;
+    const refuse = text => { this.message.say(text, true); return true; };
+    if (kind === 'program') {
+      const done = this.module.ask({do: 'attach', id: this.id, device: 'reader', file: name});
+      if (done.error) return refuse(done.error);
+      this.tape = name;
+      this.message.say(`${name} is in the reader. READ IN loads it as a program.`);
+    } else if (kind === 'snapshot') {
+      // First on the machine that runs: an error leaves it as it was.
+      const done = this.module.ask({do: 'restore', id: this.id, file: name});
+      if (done.error) return refuse(done.error);
+      this.restart(name);
+    } else if (kind === 'source') {
+      const text = new TextDecoder().decode(file.bytes);
+      const made = this.module.ask({do: 'assemble', machine: 'pdp7', name: 'own.rim', sources: [{name, text}]});
+      if (!made.right) { file.error = made.error ?? made.diagnostics.slice(0, 5).map(each => each.text).join('\n'); return false; }
+      this.examples = [...this.examples.filter(each => each.name !== name), {name, title: name, machine: 'pdp7', text}];
+      this.add(name, name);
+    } else if (way === 'walk') {
+      const made = this.module.ask({do: 'jones', scene: name});
+      if (made.error) return refuse(made.error);
+      this.module.ask({do: 'drop', id: made.id});
+      this.walks.add(name);
+      this.add(name, `Jones: ${name}`);
+    } else {
+      const error = this.turning.add(name);
+      if (error) return refuse(`${name}: ${error}`);
+      this.add(this.turning.programOf(name), `Turn: ${name}`);
     }
-    this.tape = name;
-    const done = this.module.ask({do: 'attach', id: this.id, device: 'reader', file: name});
-    this.message.say(done.error ?? `${name} is in the reader. READ IN loads it as a program.`, Boolean(done.error));
+    return true;
+  }
+  // A program of the person's; it runs at once.
+  add(program, title) {
+    this.own.add(program);
+    const {select} = this.programs;
+    if (![...select.options].some(each => each.value === program)) select.append(element('option', {value: program, textContent: title}));
+    select.value = this.options.program = program;
+    this.options.switches = 0;
+    this.restart();
   }
   save() {
     const done = this.module.ask({do: 'save', id: this.id});
@@ -506,17 +540,15 @@ export class Pdp7Room {
     if (o.exact) parts.set('exact', '1');
     if (o.glow !== 'p7') parts.set('glow', o.glow);
     if (o.scale !== 512) parts.set('scale', o.scale);
+    if (this.own.has(o.program)) parts.set('file', '1');
     const text = parts.toString();
     return `jones/${encodeURIComponent(o.program)}${text ? '?' + text : ''}`;
   }
-  open(path, query) {
+  open(part, query) {
     const o = this.options;
-    if (path && ([...PROGRAMS, ...this.examples.map(each => each.name)].includes(path) || this.turning.owns(path))) o.program = path;
-    o.switches = parseInt(query.get('switches') ?? '0', 8) & 0o777777;
-    o.eae = query.get('eae') !== '0';
-    for (const name of ['stereo', 'immediate', 'exact']) o[name] = query.get(name) === '1';
-    o.glow = Object.keys(AFTERGLOWS).includes(query.get('glow')) ? query.get('glow') : 'p7';
-    o.scale = Math.max(64, Math.min(4096, parseInt(query.get('scale') ?? '512', 10) || 512));
+    const program = part ? named('program', part, [...this.programs.select.options].map(each => each.value), query) : o.program;
+    const given = optionsOf(query, {switches: octal(6), eae: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: among(Object.keys(AFTERGLOWS))});
+    Object.assign(o, {switches: 0, eae: true, stereo: false, immediate: false, exact: false, scale: 512, glow: 'p7', ...given, program});
     this.scale.input.value = o.scale;
     this.programs.select.value = o.program;
     this.eae.box.checked = o.eae;

@@ -3,6 +3,8 @@
 import {choice, element, field, fileTaker, introduction, notice} from './ui.js';
 import {makePlayer, releaseKeys} from './player.js';
 import {camera} from './camera.js';
+import {anything, named, number, optionsOf} from './links.js';
+import {MOST_FACES} from './files.js';
 
 const SCENES = ['house', 'roberts', 'street4', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
 const FUNCTIONS = ['sinc', 'peaks', 'rogers', 'franke'];
@@ -13,6 +15,8 @@ export class Theatre {
     this.lessons = lessons;
     this.remember = remember;
     this.options = {algorithm: 'jones', scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
+    this.own = new Set();  // scenes that are files of the person's
+    this.lessonFile = '';  // of the lesson that is shown, if it is a file
     this.stage = element('div', {className: 'stage'});
     this.message = notice();
     const o = this.options;
@@ -27,19 +31,15 @@ export class Theatre {
     this.root = element('div', {className: 'theatre'}, intro,
       element('p', {className: 'bar'}, this.pick, this.scene, this.function),
       element('p', {className: 'bar seen'}, this.view, this.turn, this.tilt,
-        fileTaker(this.stage, 'Open a scene', (name, bytes) => {
-          module.putFile(name, bytes);
-          if (![...this.scene.select.options].some(each => each.value === name)) this.scene.select.append(element('option', {value: name, textContent: name}));
-          this.scene.select.value = o.scene = name;
-          this.play();
-        }, text => this.message.say(text, true))),
+        fileTaker('Open a file')),
       this.message, this.stage);
     releaseKeys(this.root);
   }
+  // Gives what went wrong, or ''.
   play() {
     const o = this.options;
     const lesson = this.lessons.find(each => each.algorithm === o.algorithm) ?? this.lessons[0];
-    if (!lesson) return;
+    if (!lesson) return '';
     this.scene.hidden = this.view.hidden = lesson.heights;
     this.function.hidden = !lesson.heights;
     const request = lesson.heights
@@ -47,34 +47,93 @@ export class Theatre {
       : {do: 'explain', algorithm: lesson.algorithm, scene: o.scene, ...(o.view === 'turned' ? {camera: camera(o.rotation, o.elevation)} : {})};
     const answer = this.module.ask(request);
     this.message.say(answer.error ?? '', Boolean(answer.error));
-    if (answer.error) return;
+    if (answer.error) return answer.error;
+    this.lessonFile = '';
+    this.setPlayer(answer);
+    return '';
+  }
+  setPlayer(lesson) {
     this.player?.stop();
-    this.player = makePlayer(this.stage, answer);
+    this.player = makePlayer(this.stage, lesson);
     this.remember();
+  }
+  showChoices() {
+    const o = this.options;
+    this.pick.select.value = o.algorithm;
+    this.scene.select.value = o.scene;
+    this.function.select.value = o.function;
+    this.view.select.value = o.view;
+  }
+
+  // A file (files.js); false: not one for this room, or not one that it can show, which is then the file's `error`.
+  take(file) {
+    const {name, kind} = file;
+    const o = this.options;
+    if (kind === 'lesson') {
+      const lesson = JSON.parse(new TextDecoder().decode(file.bytes));
+      if (!isLesson(lesson)) { this.message.say(`${name}: found a lesson without sheets or steps, or with steps that draw on no sheet; expected one that sightline explain has written.`, true); return true; }
+      this.message.say('');
+      this.lessonFile = name;
+      this.setPlayer(lesson);
+      return true;
+    }
+    if (kind !== 'scene') return false;
+    if (file.faces > MOST_FACES) { file.error = `${name}: found ${file.faces} faces, expected at most ${MOST_FACES} in the theatre`; return false; }
+    const before = {...o};
+    const scenes = this.lessons.filter(each => !each.heights).map(each => each.algorithm);
+    let error = '';
+    for (const algorithm of new Set([...scenes.filter(each => each === o.algorithm), 'exact'])) {
+      Object.assign(o, {algorithm, scene: name, view: 'own'});
+      this.own.add(name);
+      error = this.play();
+      if (!error) break;
+    }
+    if (error) {
+      Object.assign(o, before);
+      file.error = error;
+    } else if (![...this.scene.select.options].some(each => each.value === name)) {
+      this.scene.select.append(element('option', {value: name, textContent: name}));
+    }
+    this.showChoices();
+    return !error;
   }
   enter() { if (!this.player) this.play(); }
   leave() { this.player?.pause(); }
   key(event, down) { return down && Boolean(this.player?.key(event)); }
   link() {
     const o = this.options;
+    if (this.lessonFile) return `theatre/lesson/${encodeURIComponent(this.lessonFile)}?file=1`;
     const parts = new URLSearchParams();
     if (o.view === 'turned') { parts.set('rotation', o.rotation); parts.set('elevation', o.elevation); }
-    const text = parts.toString();
     const lesson = this.lessons.find(each => each.algorithm === o.algorithm);
+    if (!lesson?.heights && this.own.has(o.scene)) parts.set('file', '1');
+    const text = parts.toString();
     return `theatre/${o.algorithm}/${encodeURIComponent(lesson?.heights ? o.function : o.scene)}${text ? '?' + text : ''}`;
   }
-  open(path, query) {
+  open(part, query) {
     const o = this.options;
-    const [algorithm, what] = path.split('/');
-    const lesson = this.lessons.find(each => each.algorithm === algorithm);
-    if (lesson) o.algorithm = algorithm;
-    if (what && lesson?.heights && FUNCTIONS.includes(what)) o.function = what;
-    else if (what && SCENES.includes(what)) o.scene = what;
-    if (query.get('rotation')) { o.view = 'turned'; o.rotation = parseFloat(query.get('rotation')) || 0; o.elevation = parseFloat(query.get('elevation')) || 0; }
-    this.pick.select.value = o.algorithm;
-    this.scene.select.value = o.scene;
-    this.function.select.value = o.function;
-    this.view.select.value = o.view;
+    const [algorithm, ...rest] = part.split('/');
+    const what = rest.join('/');
+    if (algorithm === 'lesson') throw new Error(`${what} was a file of your computer: open it again.`);
+    const changes = {};
+    if (algorithm) changes.algorithm = named('algorithm', algorithm, this.lessons.map(each => each.algorithm));
+    const {heights} = this.lessons.find(each => each.algorithm === (algorithm || o.algorithm));
+    if (what && heights) changes.function = named('function', what, FUNCTIONS, query);
+    else if (what) changes.scene = named('scene', what, [...this.scene.select.options].map(each => each.value), query);
+    const {rotation, elevation} = optionsOf(query, {rotation: number(-180, 180), elevation: number(-90, 90), step: anything, embed: anything, from: anything, to: anything});
+    if (rotation !== undefined || elevation !== undefined) Object.assign(changes, {view: 'turned', rotation: rotation ?? o.rotation, elevation: elevation ?? o.elevation});
+    Object.assign(o, changes);
+    this.turn.input.value = o.rotation;
+    this.tilt.input.value = o.elevation;
+    this.showChoices();
     this.play();
   }
+}
+
+// Whether what makePlayer needs of a lesson is there.
+function isLesson({sheets, steps}) {
+  const isPoint = point => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
+  return Array.isArray(sheets) && sheets.length > 0 && sheets.every(sheet => sheet && isPoint(sheet.low) && isPoint(sheet.high))
+    && Array.isArray(steps) && steps.length > 0 && steps.every(step => step && typeof step.caption === 'string' && step.counts && typeof step.counts === 'object' && Array.isArray(step.layers)
+      && step.layers.every(layer => layer && Number.isInteger(layer.sheet) && sheets[layer.sheet] && Array.isArray(layer.marks) && layer.marks.every(Array.isArray)));
 }

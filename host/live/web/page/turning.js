@@ -16,6 +16,7 @@ export class Turning {
     this.room = room;
     for (const each of solids) module.putFile(each.name, each.text);
     this.models = [...solids.map(each => [each.name, each.title]), ...MODELS];
+    this.large = new Set(['boxes-20']);  // which need 32K
     this.options = {seconds: 8, level: false};
     this.made = null;
     this.group = this.build();
@@ -25,6 +26,21 @@ export class Turning {
   get programs() { return this.models.map(([name, title]) => [PREFIX + name, `Turn: ${title}`]); }
   owns(program) { return this.models.some(([name]) => PREFIX + name === program); }
   scene(program) { return program.slice(PREFIX.length); }
+  programOf(scene) { return PREFIX + scene; }
+  // A file of the page as another model, in the memory that it needs; gives the complaint, or ''.
+  add(name) {
+    this.large.delete(name);
+    for (const memory of ['8k', '32k']) {
+      const made = this.module.ask({do: 'turn', scene: name, memory});
+      if (made.error && memory === '8k') continue;
+      if (made.error) return made.error;
+      this.module.ask({do: 'drop', id: made.id});
+      if (memory === '32k') this.large.add(name);
+      break;
+    }
+    if (!this.owns(PREFIX + name)) this.models.push([name, name]);
+    return '';
+  }
 
   build() {
     const flip = (bit, label, title) => {
@@ -47,7 +63,7 @@ export class Turning {
 
   make() {
     const {options} = this.room;
-    const large = options.program.endsWith('boxes-20');
+    const large = this.large.has(this.scene(options.program));
     const made = this.module.ask({do: 'turn', scene: this.scene(options.program), eae: options.eae, memory: large ? '32k' : '8k', level: this.options.level, ...(options.switches ? {switches: options.switches} : {})});
     this.made = made.error ? null : made;
     if (!this.made) return made;

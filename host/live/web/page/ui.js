@@ -71,11 +71,11 @@ export function factList() {
   return box;
 }
 
-// What went wrong, in a place that screen readers announce.
+// What went wrong, in a place that screen readers announce; `offers`: what can be done about it, a label and an action each.
 export function notice() {
   const box = element('p', {className: 'notice', role: 'status', hidden: true});
-  box.say = (text, wrong = false) => {
-    box.textContent = text;
+  box.say = (text, wrong = false, offers = []) => {
+    box.replaceChildren(text, ...offers.flatMap(([label, act]) => [' ', button(label, act)]));
     box.hidden = !text;
     box.classList.toggle('wrong', wrong);
   };
@@ -99,23 +99,10 @@ export function download(name, bytes, type = 'application/octet-stream') {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-const largest = 16 << 20;
-
-// Calls take(name, bytes) for files that are dropped on the element or chosen by its button.
-export function fileTaker(target, label, take, complain) {
-  const read = async file => {
-    if (file.size > largest) return complain(`${file.name}: found ${file.size} bytes, expected at most ${largest}`);
-    take(file.name, new Uint8Array(await file.arrayBuffer()));
-  };
-  target.addEventListener('dragover', event => { event.preventDefault(); target.classList.add('over'); });
-  target.addEventListener('dragleave', () => target.classList.remove('over'));
-  target.addEventListener('drop', event => {
-    event.preventDefault();
-    target.classList.remove('over');
-    for (const file of event.dataTransfer.files) read(file);
-  });
-  const input = element('input', {type: 'file', hidden: true, onchange: () => {
-    for (const file of input.files) read(file);
+// A button with which files are chosen. They are opened as those that are dropped on the page are (files.js).
+export function fileTaker(label) {
+  const input = element('input', {type: 'file', multiple: true, hidden: true, onchange: () => {
+    input.dispatchEvent(new CustomEvent('chosen', {bubbles: true, detail: [...input.files]}));
     input.value = '';
   }});
   return element('span', {}, button(label, () => input.click()), input);

@@ -1,6 +1,7 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
 import {Clock, button, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
+import {named, optionsOf} from './links.js';
 import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 
@@ -14,6 +15,7 @@ export class Workbench {
     this.module = module;
     this.examples = examples;
     this.remember = remember;
+    this.own = new Set();  // programs that are files of the person's
     this.id = 0;
     this.breaks = new Set();
     this.registers = new Map();
@@ -65,7 +67,7 @@ export class Workbench {
       element('p', {className: 'bar pick'}, this.shelf),
       element('p', {className: 'bar tools'}, this.machine, this.dialect,
         button('Assemble', () => this.assemble(), 'Assemble and load (Ctrl-Enter)'),
-        fileTaker(this.editor, 'Open', (name, bytes) => this.open1(name, bytes), text => this.message.say(text, true)),
+        fileTaker('Open'),
         button('Save', () => download(this.current?.name ?? 'program.s', this.editor.value, 'text/plain'), 'Save the source')),
       this.message,
       element('p', {className: 'bar run'},
@@ -83,7 +85,7 @@ export class Workbench {
         fold('Value of an expression', this.question, this.answer),
         fold('Snapshot: the whole state of the machine as a file', element('p', {},
           button('Save state', () => this.saveState(), 'Save a snapshot of the machine'), ' ',
-          fileTaker(this.code, 'Open state', (name, bytes) => this.openState(name, bytes), text => this.message.say(text, true)))),
+          fileTaker('Open state'))),
         element('details', {className: 'group'}, element('summary', {textContent: 'Listing'}), this.listing),
         element('details', {className: 'group'}, element('summary', {textContent: 'Symbols'}), this.symbols)));
   }
@@ -105,14 +107,31 @@ export class Workbench {
     this.assemble();
     this.remember();
   }
-  open1(name, bytes) {
-    const machine = /\.(asm|mac|src)$/i.test(name) ? 'i8080' : 'pdp7';
-    const example = {name, title: name, machine, text: new TextDecoder().decode(bytes)};
-    if (!this.examples.some(each => each.name === name)) {
+  // A file (files.js); false: not one for this room.
+  take(file) {
+    const {name, kind, machine} = file;
+    if (kind === 'snapshot' && this.id && machine === this.loaded) {
+      this.act({do: 'restore', file: name});
+      return true;
+    }
+    const program = kind === 'program' && machine === 'i8080';
+    if (kind !== 'source' && !program) return false;
+    const example = {name, title: name, machine, text: new TextDecoder().decode(file.bytes)};
+    if (program) {
+      const made = this.module.ask({do: 'make', machine, options: {'--load': [name]}});
+      if (made.error) { this.message.say(made.error, true); return true; }
+      this.module.ask({do: 'drop', id: made.id});
+      Object.assign(example, {text: `; ${name}: a program without its source\n`, program: name, cpm: /\.com$/i.test(name)});
+    }
+    this.own.add(name);
+    const there = this.examples.findIndex(each => each.name === name);
+    if (there >= 0) this.examples[there] = example;
+    else {
       this.examples.push(example);
       this.shelf.select.append(element('option', {value: name, textContent: name}));
     }
     this.show(example);
+    return true;
   }
   countLines() {
     const lines = this.editor.value.split('\n').length;
@@ -124,6 +143,14 @@ export class Workbench {
   assemble() {
     const machine = this.machine.select.value;
     const name = this.current?.name ?? 'program.s';
+    const whole = this.current?.program;
+    if (whole && this.editor.value === this.current.text) {
+      this.made = {right: true, program: whole, symbols: '', listing: '', lines: [], start: null};
+      this.errors.replaceChildren();
+      this.listing.textContent = this.symbols.textContent = '';
+      this.message.say(`${whole} is loaded.`);
+      return this.load();
+    }
     for (const [file, text] of this.current?.includes ?? []) this.module.putFile(file, text);
     const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: this.editor.value}],
       options: {...(this.current?.options ?? {}), '--dialect': this.dialect.select.value}});
@@ -149,12 +176,13 @@ export class Workbench {
     if (!this.made?.right) return;
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     const machine = this.machine.select.value;
-    const options = {...MACHINES[machine].options, ...(this.current?.run ?? {}), '--load': [...(this.current?.load ?? []), `bench.program${this.current?.at ?? ''}`]};
-    if (machine === 'i8080' && this.current?.cpm) Object.assign(options, {'--cpm': true, '--console': 'ascii', '--load': ['bench.program']});
+    const options = {...MACHINES[machine].options, ...(this.current?.run ?? {}), '--load': [...(this.current?.load ?? []), `${this.made.program}${this.current?.at ?? ''}`]};
+    if (machine === 'i8080' && this.current?.cpm) Object.assign(options, {'--cpm': true, '--console': 'ascii', '--load': [this.made.program]});
     if (machine === 'i8080' && this.made.start !== null && !this.current?.cpm) options['--start'] = this.made.start.toString(16);
     const made = this.module.ask({do: 'make', machine, options, symbols: this.made.symbols, listing: this.made.listing, lines: this.made.lines});
     if (made.error) { this.id = 0; return this.message.say(made.error, true); }
     this.id = made.id;
+    this.loaded = machine;
     this.second = MACHINES[machine].second;
     this.breaks.clear();
     this.registers.clear();
@@ -183,12 +211,6 @@ export class Workbench {
     if (done.error) return this.message.say(done.error, true);
     download(`${this.current?.name ?? 'program'}.snap`, this.module.made());
   }
-  openState(name, bytes) {
-    if (!this.id) return;
-    this.module.putFile(name, bytes);
-    this.act({do: 'restore', file: name});
-  }
-
   act(request) {
     if (!this.id) return;
     this.go(false);
@@ -302,9 +324,13 @@ export class Workbench {
     this.memory.replaceChildren(...parts);
   }
 
-  link() { return `bench/${encodeURIComponent(this.current?.name ?? '')}`; }
-  open(path) {
-    const example = this.examples.find(each => each.name === path);
-    if (example) this.show(example);
+  link() {
+    const name = this.current?.name ?? '';
+    return `bench/${encodeURIComponent(name)}${this.own.has(name) ? '?file=1' : ''}`;
+  }
+  open(part, query) {
+    if (part) named('program', part, this.examples.map(each => each.name), query);
+    optionsOf(query, {});
+    if (part) this.show(this.examples.find(each => each.name === part));
   }
 }

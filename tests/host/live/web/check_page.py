@@ -174,7 +174,8 @@ press("CONTINUE")
 wait(lambda: ticks() > stopped + 1e6, "CONTINUE goes on")
 saved = js("sightline.module.ask({do: 'save', id: sightline.room.id}); globalThis.saved = sightline.module.made(); return sightline.module.ticks(sightline.room.id)")
 time.sleep(0.5)
-js("sightline.room.take('house.snap', globalThis.saved)")
+js("sightline.files.open([new File([globalThis.saved], 'house.snap')])")
+wait(lambda: ticks() < saved + 5e8, "a snapshot is taken")
 check(not wrong() and saved <= ticks() < saved + 5e8, "a snapshot goes on where it was saved: " + said())
 shown = js("return sightline.room.facts.textContent")
 check(all(word in shown for word in ["Emulated time", "Stolen cycles", "Refresh"]), "what can be said of the machine: " + shown)
@@ -761,6 +762,188 @@ with tempfile.TemporaryDirectory() as folder:
 driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 console_is_clean("lessons")
 
+# --- Files of every kind into every room: taken, offered to the rooms that can take them, or refused in words; the room goes on.
+def folder_of_examples(name):
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../../host/examples", name), "rb") as file:
+        return file.read()
+
+
+def offered():
+    return js("return [...(sightline.room.message ?? document.querySelector('main > .notice')).querySelectorAll('button')].map(b => b.textContent)")
+
+
+def notice():
+    return js("return (sightline.room.message ?? document.querySelector('main > .notice')).textContent")
+
+
+def opened(name, content, seconds=30):
+    before = js("return sightline.files?.opened ?? 0")
+    drop("body", name, content)
+    wait(lambda: js("return sightline.files?.opened ?? 0") > before, f"{name} is looked at", seconds)
+
+
+def link():
+    return js("return decodeURIComponent(location.hash.slice(1))")
+
+
+def offer(label):
+    js("[...(sightline.room.message ?? document.querySelector('main > .notice')).querySelectorAll('button')].find(b => b.textContent === arguments[0]).click()", label)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    def made(name, *words):
+        subprocess.run([sightline, *words], cwd=folder, check=True, capture_output=True)
+        with open(os.path.join(folder, name), "rb") as file:
+            return file.read()
+
+    square = folder_of_examples("square.s")
+    for name in ["square.s", "hello.asm"]:
+        with open(os.path.join(folder, name), "wb") as file:
+            file.write(folder_of_examples(name))
+    tape, hri, core = (made(f"t.{form}", "asm", "pdp7", "square.s", "--format", form, "-o", f"t.{form}") for form in ["rim", "hri", "octal"])
+    com, hexadecimal = (made(f"hello.{form}", "asm", "i8080", "hello.asm", "-o", f"hello.{form}") for form in ["com", "hex"])
+    mesh = {form: made(f"boxes.{form}", "scene", "generate", "boxes", "2", "-o", f"boxes.{form}") for form in ["off", "obj", "stl", "ply", "json"]}
+    lesson = made("lesson.json", "explain", "exact", "boxes-2", "-o", "lesson.json")
+    snapshot = made("pdp7.snap", "run", "pdp7", "t.rim", "--display", "--save", "pdp7.snap")
+TURN, STRIPES, EXPLAIN = "Turn it on the PDP-7", "Draw it in stripes on the 8080", "Explain it in the theatre"
+WALK, SKALA, BENCH = "Walk through it with Jones's program on the PDP-7", "Draw it with Skala's program on the 8080", "Open it in the workbench"
+READER, LOAD, SHOW = "Put it into the PDP-7's reader", "Load it in the workbench", "Show it in the theatre"
+taken = None
+# By the room: its offers; none of them: refused; `taken`: it shows the file.
+in_rooms = [
+    *[(f"mesh.{form}", content, {"jones": [TURN, STRIPES, EXPLAIN], "skala": taken, "bench": [TURN, STRIPES, EXPLAIN], "theatre": taken, "about": [TURN, STRIPES, EXPLAIN]})
+      for form, content in mesh.items()],
+    ("mesh with no ending", mesh["stl"], {"jones": [TURN, STRIPES, EXPLAIN], "skala": taken, "bench": [TURN, STRIPES, EXPLAIN], "theatre": taken, "about": [TURN, STRIPES, EXPLAIN]}),
+    ("mesh.s", mesh["off"], {"jones": [TURN, STRIPES, EXPLAIN], "skala": taken, "bench": [TURN, STRIPES, EXPLAIN], "theatre": taken, "about": [TURN, STRIPES, EXPLAIN]}),
+    ("cells.json", folder_of_examples("rooms.json"), {"jones": [WALK, TURN, STRIPES, EXPLAIN], "skala": taken, "bench": [WALK, TURN, STRIPES, EXPLAIN], "theatre": taken, "about": [WALK, TURN, STRIPES, EXPLAIN]}),
+    ("grid.csv", folder_of_examples("crater.csv"), {"jones": [SKALA], "skala": taken, "bench": [SKALA], "theatre": [SKALA], "about": [SKALA]}),
+    ("esri", b"ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 7\n", {"jones": [SKALA], "skala": taken, "bench": [SKALA], "theatre": [SKALA], "about": [SKALA]}),
+    ("own.s", square, {"jones": taken, "skala": [BENCH, "Run it on the PDP-7"], "bench": taken, "theatre": [BENCH, "Run it on the PDP-7"], "about": [BENCH, "Run it on the PDP-7"]}),
+    ("own.txt", square, {"jones": taken, "skala": [BENCH, "Run it on the PDP-7"], "bench": taken, "theatre": [BENCH, "Run it on the PDP-7"], "about": [BENCH, "Run it on the PDP-7"]}),
+    ("own.asm", b"\tORG 100H\n\tMVI A,5\n\tHLT\n\tEND\n", {"jones": [BENCH], "skala": [BENCH], "bench": taken, "theatre": [BENCH], "about": [BENCH]}),
+    *[(f"tape.{form}", content, {"jones": taken, "skala": [READER], "bench": [READER], "theatre": [READER], "about": [READER]}) for form, content in [("rim", tape), ("hri", hri), ("oct", core), ("dat", tape)]],
+    *[(f"program.{form}", content, {"jones": [LOAD], "skala": [LOAD], "bench": taken, "theatre": [LOAD], "about": [LOAD]}) for form, content in [("com", com), ("hex", hexadecimal)]],
+    ("lesson.json", lesson, {"jones": [SHOW], "skala": [SHOW], "bench": [SHOW], "theatre": taken, "about": [SHOW]}),
+    ("other.snap", snapshot, {"skala": ["Continue it in the PDP-7 room", "Continue it in the workbench"], "theatre": ["Continue it in the PDP-7 room", "Continue it in the workbench"]}),
+    ("a.mtl", b"newmtl red\nKd 1 0 0\n", dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])),
+    *[(name, content, dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])) for name, content in [
+        ("empty", b""), ("letter.txt", b"Dear Sir or Madam,\n"), ("noise.dat", bytes(i * i * 7 % 251 + 1 for i in range(2000))), ("cut.glb", b"glTF\2\0\0\0\xff\0\0\0"),
+        ("cut.stl", b"solid x\nfacet normal 0 0 1\n"), ("cut.snap", snapshot[:1000]), ("cut.json", b'{"vertices": ['), ("other.json", b'{"schema": "another/1"}'), ("rubbish.csv", b"1,2\nx,,,\n"),
+        ("picture.png", b"\x89PNG\r\n\x1a\n" + bytes(100)), ("paper.pdf", b"%PDF-1.4\n1 0 obj\n"), ("utf16.s", "lac 5".encode("utf-16")), ("large.off", b"OFF\n" + b"#" * (16 << 20))]],
+]
+for place in ["jones/turn cube.off", "skala/sinc", "bench/square.s", "theatre/exact/boxes-2", "about"]:
+    room = place.split("/")[0]
+    go(place)
+    for name, content, rooms in in_rooms:
+        if room not in rooms:
+            continue
+        before = [link(), js("return sightline.room.id ?? 0")]
+        opened(name, content)
+        where = f"{name} in {room}"
+        if rooms[room] is taken:
+            check(not offered() and not wrong(), f"{where} is taken: {notice()}")
+            if not name.startswith("tape"):
+                check(name in link() and "file=1" in link(), f"{where} is in the address as a file: {link()}")
+        else:
+            check(offered() == rooms[room], f"{where} is offered to {rooms[room]}: {offered()}")
+            check(name in notice(), f"{where} is named: {notice()}")
+            check(rooms[room] or name == "a.mtl" or "expected" in notice(), f"{where}: what is expected is said: {notice()}")
+            check([link(), js("return sightline.room.id ?? 0")] == before, f"{where} leaves the room as it was: {link()}, {before}")
+    if room in ("jones", "skala"):
+        at = ticks()
+        js("sightline.room.options.speed = 1; if (sightline.room.ended) sightline.room.restart(); sightline.room.go(true)")
+        wait(lambda: ticks() != at, f"{room}: the machine runs after all files")
+    if room == "bench":
+        go("bench/square.s")
+        press("Step")
+    if room == "theatre":
+        js("sightline.room.player.show(3)")
+    console_is_clean(f"files in {room}")
+
+# The offers lead to rooms that show the file, and back again.
+go("about")
+for name, content, label, shown in [
+        ("mesh.off", mesh["off"], TURN, "jones/turn mesh.off?"), ("mesh.off", mesh["off"], STRIPES, "skala/stripes mesh.off?"), ("mesh.off", mesh["off"], EXPLAIN, "/mesh.off?"),
+        ("cells.json", folder_of_examples("rooms.json"), WALK, "jones/cells.json?"), ("grid.csv", folder_of_examples("crater.csv"), SKALA, "skala/grid.csv?"), ("own.s", square, BENCH, "bench/own.s?"),
+        ("own.s", square, "Run it on the PDP-7", "jones/own.s?"), ("program.com", com, LOAD, "bench/program.com?"), ("lesson.json", lesson, SHOW, "theatre/lesson/lesson.json?")]:
+    js("location.hash = 'about'")
+    wait(lambda: js("return sightline.room.link()") == "about", "back in About")
+    opened(name, content)
+    offer(label)
+    check(shown in link() and "file=1" in link() and not wrong(), f"{name}, {label}: {link()} {notice()}")
+js("location.hash = 'about'")
+wait(lambda: js("return sightline.room.link()") == "about", "back in About")
+opened("tape.rim", tape)
+offer(READER)
+check("tape.rim is in the reader" in said(), "a tape comes into the reader: " + said())
+go("bench/square.s")
+opened("program.com", com)
+press("Run")
+wait(lambda: "Hello" in js("return sightline.room.output.textContent"), "a program without its source runs in the workbench: " + said())
+# A file has a name of its own, whatever the page calls so; odd characters are kept in the link.
+for name in ["cube.off", "a b%25?#&ä.off"]:
+    go("jones/turn star.off")
+    opened(name, mesh["off"])
+    offer(TURN)
+    own = "my-" + name if name == "cube.off" else name
+    check(js("return sightline.room.options.program") == "turn " + own and js("return sightline.room.turning.made.edges") == 24, f"{name}: two boxes turn: " + notice())
+    there = js("return location.hash.slice(1)")
+    go(there)
+    check(f"{own} was a file of your computer: open it again." in notice(), f"the link to {name} says so: {notice()}")
+# Several at once: an OBJ with its materials.
+go("theatre/exact/boxes-2")
+js("""const dropped = new DataTransfer(); for (const [name, text] of [['b.obj', arguments[0]], ['b.mtl', 'newmtl red']]) dropped.items.add(new File([text], name));
+  document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: dropped, bubbles: true, cancelable: true}));""", folder_of_examples("bracket.obj").decode())
+wait(lambda: "b.obj" in link() and not wrong(), "an OBJ with its MTL: " + notice())
+check(js("""const dropped = new DataTransfer(); dropped.items.add(new File(['x'], 'x'));
+  return ['dragover', 'drop'].every(kind => !document.documentElement.dispatchEvent(new DragEvent(kind, {dataTransfer: dropped, bubbles: true, cancelable: true})))"""), "the browser does not open what is dropped beside the room")
+console_is_clean("files")
+
+# --- Links with unknown parts: a sentence that names the part; the usual thing of the room in a fresh page, the room as it was in an open one.
+bad_links = [
+    ("nowhere", '"nowhere"', "jones"), ("constructor/x", '"constructor"', "jones"), ("jones/%E0%A4%A", "%E0%A4%A", "jones"), ("skala/%zz?f=x", "%zz", "jones"),
+    ("jones/palace", '"palace"', "jones"), ("jones/turn palace.off", '"turn palace.off"', "jones"), ("jones/house?scale=99999", "scale=99999", "jones"),
+    ("jones/house?switches=9", "switches=9", "jones"), ("jones/house?switches=7777777", "switches=7777777", "jones"), ("jones/house?eae=maybe", "eae=maybe", "jones"), ("jones/house?colour=1", '"colour"', "jones"),
+    ("skala/nothing", '"nothing"', "skala"), ("skala/sinc?picture=oil", "picture=oil", "skala"), ("skala/sinc?device=printer", "device=printer", "skala"), ("skala/sinc?rotation=x", "rotation=x", "skala"),
+    ("skala/sinc?elevation=91", "elevation=91", "skala"), ("skala/?f=x**z", "x**z", "skala"), ("skala/stripes palace", '"palace"', "skala"), ("skala/stripes boxes-5?device=minigraf", "device=minigraf", "skala"),
+    ("skala/flight palace", '"palace"', "skala"), ("skala/flight town-9?bits=9", "bits=9", "skala"), ("skala/flight town-9?pieces=0", "pieces=0", "skala"),
+    ("bench/palace.s", '"palace.s"', "bench"), ("bench/square.s?at=1", '"at"', "bench"), ("theatre/magic", '"magic"', "theatre"), ("theatre/exact/palace", '"palace"', "theatre"), ("theatre/skala/house", '"house"', "theatre"),
+    ("theatre/exact/house?rotation=999", "rotation=999", "theatre"), ("about/us", '"us"', "about"),
+    ("skala/crater.csv?file=1", "crater.csv was a file of your computer: open it again.", "skala"), ("skala/stripes part.off?file=1", "part.off was a file of your computer: open it again.", "skala"),
+    ("skala/flight part.off?file=1", "part.off was a file of your computer: open it again.", "skala"), ("jones/my.s?file=1", "my.s was a file of your computer: open it again.", "jones"),
+    ("jones/turn part.off?file=1", "part.off was a file of your computer: open it again.", "jones"), ("bench/my.s?file=1", "my.s was a file of your computer: open it again.", "bench"),
+    ("theatre/exact/part.off?file=1", "part.off was a file of your computer: open it again.", "theatre"), ("theatre/lesson/l.json?file=1", "l.json was a file of your computer: open it again.", "theatre"),
+]
+usual = {}
+for room in ["jones", "skala", "bench", "theatre", "about"]:
+    go(room)
+    usual[room] = link()
+for bad, part, room in bad_links:
+    go(bad)
+    check(part in notice(), f"#{bad} in a fresh page is answered in words: {notice()}")
+    check(link() == usual[room], f"#{bad} in a fresh page shows the usual: {link()}")
+places = ["jones/street4?switches=2", "skala/peaks?picture=surface&device=alt256&rotation=10&elevation=20", "bench/echo.s", "theatre/montani-re/boxes-3?rotation=40&elevation=20"]
+go("about")
+for place in places:
+    js("location.hash = arguments[0]", place)
+    wait(lambda: link() == place and js("return sightline.room.link().startsWith(arguments[0])", place.split("/")[0]), place)
+    check(not wrong(), f"#{place}: {notice()}")
+    for bad, part, room in bad_links:
+        if room != place.split("/")[0] or "/" not in bad:
+            continue
+        js("sightline.room.message.say('')")
+        before = js("return sightline.room.id ?? 0")
+        js("location.hash = arguments[0]", bad)
+        wait(lambda: part in notice(), f"#{bad} in an open page is answered in words: {notice()}", 10)
+        check(link() == place and js("return sightline.room.id ?? 0") == before, f"#{bad} in an open page leaves the room as it was: {link()}")
+# What is linked comes back: each part of a link that the page has made is known to it.
+for place in [*places, "jones/turn star.off?switches=400&eae=0&exact=1", "jones/house?eae=0&stereo=1&immediate=1&scale=300", "skala/?picture=lines&device=ef9365&rotation=30&elevation=30&f=x+%2B+z%2F6", "skala/stripes boxes-8?device=calcomp&rotation=5&elevation=6",
+              "skala/flight town-9?bits=12&plan=1&pieces=100"]:
+    go(place)
+    check(not wrong() and js("return location.hash.slice(1)").replace("%20", " ") == place, f"#{place} comes back: {link()} {notice()}")
+check(js("return sightline.room.options.program") == "flight", "a flight by its link")
+console_is_clean("links")
+
 # --- Bad days: no WebGL, a lost context, rubbish.
 go("jones/house", "?plain")
 time.sleep(1)
@@ -769,7 +952,9 @@ go("jones/house")
 js("const gl = sightline.room.canvas.getContext('webgl2'); const lose = gl.getExtension('WEBGL_lose_context'); lose.loseContext(); setTimeout(() => lose.restoreContext(), 300);")
 time.sleep(1.5)
 check(js("return !sightline.room.tube.lost"), "a lost context comes back")
-js("sightline.room.take('rubbish.rim', Uint8Array.from({length: 300}, (_, i) => i * 7)); [...document.querySelectorAll('button')].find(b => b.textContent === 'READ IN').click();")
+drop("main", "rubbish.rim", bytes(i * 7 % 256 for i in range(300)))
+wait(lambda: "in the reader" in said(), "a tape of any content can be read by a program: " + said())
+press("READ IN")
 check(said() != "", "a tape of rubbish is refused in words: " + said())
 driver.get_log("browser")  # a lost context is told there, too
 

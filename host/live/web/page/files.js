@@ -1,0 +1,95 @@
+// Files of the person's computer: dropped anywhere on the page or chosen by a button. Their kind is told by their content (the module's request
+// `kind`); the room that is shown takes them, or they are offered to the rooms that can.
+
+const LARGEST = 16 << 20;
+export const MOST_FACES = 300;  // in the theatre, where some algorithms need minutes for the lesson of a larger scene
+
+export class Files {
+  // `reserved`: names that the page has a meaning for. `page`: `shown` is the name of the room that is shown, `room` the room; `say` shows a sentence
+  // with offers there; `visit(name)` shows another room.
+  constructor(module, reserved, page) {
+    this.module = module;
+    this.reserved = reserved;
+    this.page = page;
+    this.own = new Set();
+    this.opened = 0;  // how often files have been opened
+    addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
+    addEventListener('drop', event => {
+      if (!event.dataTransfer.files.length) return;
+      event.preventDefault();
+      this.open([...event.dataTransfer.files]);
+    });
+    addEventListener('chosen', event => this.open(event.detail));
+  }
+
+  // One after the other; what cannot be opened is said at the end.
+  async open(list) {
+    const complaints = [];
+    let offers = [];
+    for (const each of list) {
+      const file = await this.read(each);
+      if (!file.error && file.kind === 'material' && list.length > 1) continue;
+      if (!file.error && this.page.room.take?.(file)) continue;
+      offers = this.offers(file);
+      complaints.push(file.error ?? this.describe(file, offers));
+      this.wrong = Boolean(file.error);
+    }
+    if (complaints.length) this.page.say(complaints.join('\n'), this.wrong, offers);
+    ++this.opened;
+  }
+
+  // The file's name, bytes and kind, or an `error`.
+  async read(each) {
+    if (each.size > LARGEST) return {error: `${each.name}: found ${each.size.toLocaleString('en')} bytes, expected at most ${LARGEST.toLocaleString('en')}.`};
+    let bytes;
+    try { bytes = new Uint8Array(await each.arrayBuffer()); } catch { return {error: `${each.name}: found a folder or a file that cannot be read, expected a file.`}; }
+    const name = this.nameFor(each.name);
+    this.own.add(name);
+    this.module.putFile(name, bytes);
+    return {name, bytes, ...this.module.ask({do: 'kind', file: name})};
+  }
+  // A file called as something of the page has another name there.
+  nameFor(name) {
+    if (this.own.has(name)) return name;
+    const taken = name.startsWith('.') || this.reserved.has(name) || !this.module.ask({do: 'file', name}).error || !this.module.ask({do: 'scene', scene: name}).error;
+    return taken ? `my-${name}` : name;
+  }
+
+  describe({name, title, kind}, offers) {
+    if (kind === 'material') return `${name}: ${title}, which the page does not need. Open the OBJ file.`;
+    if (offers.length) return `${name} is ${title}.`;
+    return `${name} is ${title}, which is too large for the rooms of this page. Draw it with: sightline draw exact ${name} -o picture.svg`;
+  }
+
+  // A label and an action for each room that can take it.
+  offers(file) {
+    const {name, kind} = file;
+    if (!kind || file.error && kind !== 'source' && kind !== 'scene' || kind === 'scene' && !file.title) return [];
+    const can = request => {
+      const answer = this.module.ask(request);
+      if (answer.id) this.module.ask({do: 'drop', id: answer.id});
+      return !answer.error;
+    };
+    const pdp7 = file.machine === 'pdp7';
+    const ways = {
+      scene: () => [
+        file.cells && can({do: 'jones', scene: name}) && ["Walk through it with Jones's program on the PDP-7", 'jones', 'walk'],
+        ['8k', '32k'].some(memory => can({do: 'turn', scene: name, memory})) && ['Turn it on the PDP-7', 'jones', 'turn'],
+        can({do: 'stripes', scene: name}) && ['Draw it in stripes on the 8080', 'skala', 'stripes'],
+        file.faces <= MOST_FACES && ['Explain it in the theatre', 'theatre'],
+      ],
+      grid: () => [["Draw it with Skala's program on the 8080", 'skala']],
+      source: () => [['Open it in the workbench', 'bench'], pdp7 && ['Run it on the PDP-7', 'jones']],
+      program: () => [pdp7 ? ["Put it into the PDP-7's reader", 'jones'] : ['Load it in the workbench', 'bench']],
+      snapshot: () => [pdp7 ? ['Continue it in the PDP-7 room', 'jones'] : ['Continue it in the 8080 room', 'skala'], ['Continue it in the workbench', 'bench']],
+      lesson: () => [['Show it in the theatre', 'theatre']],
+    }[kind];
+    return (ways?.() ?? []).filter(each => each && (each[2] || each[1] !== this.page.shown)).map(([label, room, way]) => [label, () => this.give(file, room, way)]);
+  }
+  give(file, name, way) {
+    file.error = undefined;
+    const room = this.page.visit(name);
+    this.page.say('');
+    if (!room.take(file, way)) this.page.say(file.error ?? `${file.name} is ${file.title}.`, true, this.offers(file));
+  }
+}
