@@ -22,7 +22,7 @@ const WALK = [
 // What to try of an example.
 const TRY = {
   'pen.s': 'Press the pointer on the picture: it is the light pen.',
-  'echo.s': 'Type in the box of the teletype.',
+  'echo.s': 'Under Teletype, type in the box.',
 };
 
 export const PROGRAMS = ['house', 'roberts', 'street4', 'corridor8', 'corridor32'];
@@ -110,7 +110,7 @@ export class Pdp7Room {
     const {program} = this.options;
     this.intro.say(PROGRAMS.includes(program) ? "A PDP-7 of 1965[ with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
       : this.turns ? 'A PDP-7 of 1965 turns a solid[ on its Type 340 display], its hidden lines removed. Press “wire frame”[: every edge is shown].'
-      : `A PDP-7 of 1965[ with its Type 340 display] runs an example. ${TRY[program] ?? 'Press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
+      : `A PDP-7 of 1965[ with its Type 340 display] runs an example. ${TRY[program] ?? 'Under Panel, press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
   }
 
   walkPad() {

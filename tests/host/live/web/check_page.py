@@ -581,7 +581,7 @@ check(side >= 400, f"the workbench's screen is {side} CSS pixels, expected at le
 go("bench/hello.asm")
 check(js(SIZES_JS + "return !shown(document.querySelector('.screen')) && box(sightline.room.output).height > 300;"), "a program without a screen has its console in that place")
 one_window("narrow", 390, 844, True, {
-    "jones/house": walk, "jones/turn roberts": walk, "jones/pen.s": picture, "skala/sinc": turned, "skala/?f=x*z/6": turned,
+    "jones/house": walk, "jones/turn roberts": walk, "jones/pen.s": picture, "jones/echo.s": picture, "jones/text.s": picture, "skala/sinc": turned, "skala/?f=x*z/6": turned,
     "skala/peaks?device=calcomp": turned, "skala/stripes boxes-5": turned, "skala/flight town-9": picture, "bench/square.s": bench, "bench/ef9365.asm": bench,
     "bench/hello.asm": {"run": RUN, "program": "sightline.room.shelf", "console": "[sightline.room.output, sightline.room.keys]"},
     **{f"theatre/{algorithm}/{'sinc' if algorithm == 'skala' else 'house'}": lesson for algorithm in ["exact", "jones", "skala", "montani-re", "willis", "plantinga"]}})
