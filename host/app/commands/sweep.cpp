@@ -304,6 +304,7 @@ ExitCode run_sweep(const SweepArguments& arguments, const compare::Sweep& sweep)
     std::fputs(text.c_str(), stderr);
   else
     write_stdout(text);
+  say_written(arguments.output, counted(done, "view") + (kept > 0 ? fmt::format(", {} of them already there", kept) : ""));
   if (table.differing() == 0) return ExitCode::ok;
   complain(fmt::format("{}: {} of {} views differ", arguments.scene, table.differing(), done));
   return ExitCode::differs;
