@@ -46,7 +46,7 @@ void finish_help(CLI::App& app, const std::string& name) {
   std::string footer = app.get_footer();
   if (!footer.empty()) footer += "\n";
   if (app.get_parent() != nullptr && !choices(app).empty())
-    footer += "`" + name + " SUBCOMMAND --help` explains the options of each.\n";
+    footer += "`" + name + " SUBCOMMAND --help` explains all options of each.\n";
   app.footer(footer + std::string(exit_code_help));
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
     finish_help(*command, name + " " + command->get_name());
@@ -334,6 +334,10 @@ Option Command::flag(const std::string& names, std::string_view help) const {
 
 Option Command::added(const std::string& name) const {
   return Option(app_->get_option(name));
+}
+
+void Command::list_shared_options() const {
+  app_->formatter(help_formatter_with_shared_options());
 }
 
 void Command::footer(const std::string& text) const {

@@ -530,6 +530,7 @@ void add_draw_command(const Command& program) {
     const std::string name(method.algorithm);
     add_draw_heights(command.add_command(name, help_page("draw_" + name)), method);
   }
+  command.list_shared_options();
 }
 
 }  // namespace sightline::app
