@@ -139,9 +139,9 @@ void finding_pdp7_turn(Page& page, const std::vector<Pdp7Turn>& turns, const Jon
   Panel panel{
       "finding-pdp7-turn",
       fmt::format("What 1965 could have done: on the PDP-7 a notched block turns without hidden lines at {} frames a second",
-                  shown(turn("block", true).frames_a_second, 0))};
-  panel.facts = {{"Block, worst frame, with the EAE and without", worst("block")},
-                 {fmt::format("Star of {} edges, worst frame", turn("star", true).edges), worst("star")},
+                  shown(turn("roberts", true).frames_a_second, 0))};
+  panel.facts = {{"Notched block, slowest frame of a turn, with the EAE and without", worst("roberts")},
+                 {fmt::format("Star of {} edges, slowest frame", turn("star", true).edges), worst("star")},
                  {"Time of a frame to that of a wire frame", span(range_of(turns, &Pdp7Turn::cost), 2)},
                  page.paper_says_dated("jones.motion"),
                  page.paper_says_dated("plantinga.wire")};
