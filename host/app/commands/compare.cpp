@@ -389,6 +389,9 @@ ExitCode run_compare(CompareArguments arguments) {
     for (const std::string& path : compared.overlays)
       if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
   }
+  if (!arguments.json) {
+    write_stdout("wrong: lines that are missing, and extra ones that should not be there; `sightline compare --help` explains all columns\n");
+  }
   document["agrees"] = agrees;
   if (plot) {
     const std::string title = count == 1 ? (expression ? arguments.function.expression : names.front()) + ": time against error"
@@ -400,7 +403,7 @@ ExitCode run_compare(CompareArguments arguments) {
   }
   if (arguments.json) print_json(document);
   if (agrees) return ExitCode::ok;
-  complain("an exact algorithm is not exact, or a guest is not its twin: see above");
+  complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
   return ExitCode::differs;
 }
 

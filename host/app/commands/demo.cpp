@@ -99,7 +99,7 @@ ExitCode run_demo(const DemoArguments& arguments) {
     code = ExitCode::guest_failed;
   }
   if (!results.answer.agrees()) {
-    complain("an exact algorithm is not exact, or a guest is not its twin: see above");
+    complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
     code = ExitCode::differs;
   }
   return code;

@@ -346,7 +346,7 @@ void add_sweep_command(const Command& program) {
       .separated_by(',')
       .value("NAME,...");
   command.flag("--guest", arguments->guest,
-               "Add jones-pdp7 and jones-twin, Jones's program on the emulated PDP-7 and its twin (scenes of cells)");
+               "Add jones-pdp7 and jones-twin, Jones's program on the emulated PDP-7 and the same program in C++ (scenes of cells)");
   command.flag("--faces", arguments->faces, "Add the native methods of faces, compared point by point, which takes longer");
   add_eae_options(command, arguments->no_eae);
   command.flag("--time", arguments->time, "Measure the time of each view on this computer, once for a picture of lines");

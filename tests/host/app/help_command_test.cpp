@@ -97,7 +97,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
               {"GRID", "--function", "--domain", "--x-range", "--y-range", "--xyz", "--layout", "--axes", "--aspect", "--stretch", "--title", "--labels", "--floor", "--colours", "--slices", "--points", "--picture", "--along", "--rotate",
                "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels", "--json"});
   expect_help({"compare"},
-              {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "--fraction", "--methods", "--views", "--seed", "--no-host-times", "guest", "twin", "native"});
+              {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "--fraction", "--methods", "--views", "--seed", "--no-host-times", "twin", "native"});
   expect_help({"stripes"}, {"SCENE", "--device", "raster", "calcomp", "--stripes", "--priority", "host", "--json", "Montani"});
   expect_help({"flight"}, {"SCENE", "--bits", "--plan", "--pieces", "--frames", "Willis"});
   expect_help({"turn"}, {"MODEL", "--no-eae", "--memory", "--frames", "--level", "Plantinga"});
