@@ -72,6 +72,10 @@ bool is_option(const std::string& argument) {
 
 std::string unknown_option(const CLI::App& command, const std::string& argument) {
   const std::string written = argument.substr(0, argument.find('='));
+  for (const CLI::App* below : choices(command))
+    if (below->get_option_no_throw(written) != nullptr)
+      return fmt::format("{}: found before the subcommand, expected behind it, as in `{} {} {}`", written, command.get_name(),
+                         below->get_name(), written);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     if (!option->get_description().empty())

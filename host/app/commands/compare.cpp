@@ -385,12 +385,13 @@ ExitCode run_compare(CompareArguments arguments) {
       for (const Json& row : rows.elements()) document["table"].push_back(row);
       continue;
     }
-    write_stdout((n > 0 ? "\n" : "") + compared.heading + answer_text(answer.rows()) + compared.notes);
+    write_stdout((n > 0 ? "\n" : "") + compared.heading + answer_text(answer.rows()));
+    if (n == 0) {
+      write_stdout("wrong: lines and points that are missing, and extra ones that should not be there; `sightline compare --help` explains all columns\n");
+    }
+    write_stdout(compared.notes);
     for (const std::string& path : compared.overlays)
       if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
-  }
-  if (!arguments.json) {
-    write_stdout("wrong: lines that are missing, and extra ones that should not be there; `sightline compare --help` explains all columns\n");
   }
   document["agrees"] = agrees;
   if (plot) {

@@ -46,10 +46,11 @@ std::string view_text(const SceneComparison& comparison) {
 // What a device lit, and what exact lines light by its own rule.
 std::string raster_text(std::string_view method, const picture::RasterDifference& raster) {
   const auto apart = [](const picture::PointsApart& points) {
-    return points.all == 0 ? std::string("none")
-                           : fmt::format("{} ({} of them more than a point away, {} more than two)", points.all, points.beyond_1, points.beyond_2);
+    if (points.all == 0) return std::string("none");
+    if (points.beyond_1 == 0) return fmt::format("{} (none more than a point away)", points.all);
+    return fmt::format("{} ({} more than a point away, {} more than two)", points.all, points.beyond_1, points.beyond_2);
   };
-  return fmt::format("{} lit {} points; exact lines light {} by the same rule; it lacks {} of these and adds {}, farthest {:.2f}\n", method,
+  return fmt::format("{} lit {} points; exact lines light {} by the same rule: missing {}, extra {}, farthest {:.2f}\n", method,
                      raster.lit_in_drawn, raster.lit_in_truth, apart(raster.missing), apart(raster.extra), raster.hausdorff.greatest);
 }
 

@@ -310,6 +310,14 @@ TEST_F(HelpCommand, WhatIsUnknownIsNamedWithTheNearestName) {
             "sightline: --scale: found \"-5\", expected a whole number from 64 to 4096");
 }
 
+TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsToldItsPlace) {
+  for (const Arguments& words : {Arguments{"draw", "--view", "iso", "exact", "boxes-3", "-o", "b.svg"}, Arguments{"draw", "--view=iso"}}) {
+    const auto ran = sightline(words);
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(has(ran.err, "--view: found before the subcommand, expected behind it, as in `draw exact --view`")) << ran.err;
+  }
+}
+
 // -o is required here: without it a misspelt option was not mentioned.
 TEST_F(HelpCommand, AnUnknownOptionIsReportedBeforeAMissingOne) {
   const auto ran = sightline({"draw", "exact", "house", "--sise", "3x3"});
