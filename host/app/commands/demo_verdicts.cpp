@@ -104,7 +104,8 @@ Verdict jones_verdict(const DemoResults& results) {
   }
   const MethodRange range = range_of(results.answer, compare::jones_pdp7_name, "lines");
   return {"Jones 1971 on the PDP-7",
-          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % wrong, by at most {:.1f} points",
+          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % of the visible length missing or extra, "
+                      "lines at most {:.1f} points from their places",
                       with.text(2), without.text(2), range.wrong.high(), range.farthest),
           verdict_text(range, without.high() <= a_few_seconds ? "" : "slower than the paper"), complete && range.all_right()};
 }
