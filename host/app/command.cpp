@@ -10,6 +10,7 @@
 
 #include "host/base/file.hpp"
 #include "host/base/number.hpp"
+#include "host/base/terminal.hpp"
 
 namespace sightline::app {
 
@@ -38,6 +39,14 @@ void complain(std::string_view text) {
 }
 void warn(std::string_view text) {
   complain("warning: " + std::string(text));
+}
+void say_written(const std::string& file, std::string_view what) {
+  if (!file.empty() && file != "-" && base::stderr_is_terminal()) complain(fmt::format("{}: {}", file, what));
+}
+
+std::string counted(std::uint64_t count, std::string_view unit, std::string_view units) {
+  if (count == 1) return fmt::format("1 {}", unit);
+  return units.empty() ? fmt::format("{} {}s", count, unit) : fmt::format("{} {}", count, units);
 }
 
 std::string shown_name(const std::string& path) {

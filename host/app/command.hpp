@@ -55,6 +55,11 @@ template <class Value>
 // One line on standard error, "sightline: text".
 void complain(std::string_view text);
 void warn(std::string_view text);
+// "sightline: FILE: WHAT" for a person who would else see nothing: only if standard error is a terminal, so that scripts
+// and pipes see no difference, and not if the file is standard output ("-") or none ("").
+void say_written(const std::string& file, std::string_view what);
+// "1 line", "2 lines": `unit` is what one is called, `units` what others are; an s is added unless it is given.
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view unit, std::string_view units = {});
 
 // The whole file, or standard input for "-" (named by shown_name). Failure io.
 [[nodiscard]] base::Bytes read_input(const std::string& path);

@@ -46,7 +46,7 @@ void finish_help(CLI::App& app, const std::string& name) {
   std::string footer = app.get_footer();
   if (!footer.empty()) footer += "\n";
   if (app.get_parent() != nullptr && !choices(app).empty())
-    footer += "`" + name + " SUBCOMMAND --help` explains the options of each.\n";
+    footer += "`" + name + " SUBCOMMAND --help` explains all options of each.\n";
   app.footer(footer + std::string(exit_code_help));
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
     finish_help(*command, name + " " + command->get_name());
@@ -72,6 +72,10 @@ bool is_option(const std::string& argument) {
 
 std::string unknown_option(const CLI::App& command, const std::string& argument) {
   const std::string written = argument.substr(0, argument.find('='));
+  for (const CLI::App* below : choices(command))
+    if (below->get_option_no_throw(written) != nullptr)
+      return fmt::format("{}: found before the subcommand, expected behind it, as in `{} {} {}`", written, command.get_name(),
+                         below->get_name(), written);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     if (!option->get_description().empty())
@@ -334,6 +338,10 @@ Option Command::flag(const std::string& names, std::string_view help) const {
 
 Option Command::added(const std::string& name) const {
   return Option(app_->get_option(name));
+}
+
+void Command::list_shared_options() const {
+  app_->formatter(help_formatter_with_shared_options());
 }
 
 void Command::footer(const std::string& text) const {

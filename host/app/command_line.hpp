@@ -94,6 +94,8 @@ class Command {
   // An option that was added before.
   [[nodiscard]] Option added(const std::string& name) const;
 
+  // The help also lists the options that most of its commands share. After all of them were added.
+  void list_shared_options() const;
   // What the help says below the options; laid out by help_formatter.cpp.
   void footer(const std::string& text) const;
   // What the command does; its result is the exit code of the process.

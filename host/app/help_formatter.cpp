@@ -155,19 +155,24 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   std::string make_option(const CLI::Option* option, bool positional) const override {
-    if (option->get_description().empty()) return "";
-    std::string left = make_option_name(option, positional);
-    if (const std::string value = value_help(*option).name; !value.empty() && !positional)
+    return option->get_description().empty() ? "" : entry(*option, positional, "");
+  }
+
+ protected:
+  // `more`: a further condition, or empty.
+  std::string entry(const CLI::Option& option, bool positional, const std::string& more) const {
+    std::string left = make_option_name(&option, positional);
+    if (const std::string value = value_help(option).name; !value.empty() && !positional)
       left += ' ' + value;
-    if (takes_many(*option) && option->get_allow_extra_args() && option->get_delimiter() == '\0')
+    if (takes_many(option) && option.get_allow_extra_args() && option.get_delimiter() == '\0')
       left += positional ? "..." : " ...";
-    return two_columns(std::move(left), option->get_description() + conditions(*option, positional),
+    return two_columns(std::move(left), option.get_description() + conditions(option, positional, more),
                        get_column_width());
   }
 
  private:
   // " (1 to 9; default: 3; not with --other)", or nothing.
-  static std::string conditions(const CLI::Option& option, bool positional) {
+  static std::string conditions(const CLI::Option& option, bool positional, const std::string& more) {
     std::vector<std::string> list;
     if (const std::string range = value_help(option).range; !range.empty()) list.push_back(range);
     if (!option.get_default_str().empty()) list.push_back("default: " + option.get_default_str());
@@ -179,8 +184,50 @@ class HelpFormatter : public CLI::Formatter {
       if (!other->get_description().empty()) excluded.push_back("not with " + other->get_name());
     std::sort(excluded.begin(), excluded.end());
     list.insert(list.end(), excluded.begin(), excluded.end());
+    if (!more.empty()) list.push_back(more);
     return list.empty() ? "" : " (" + CLI::detail::join(list, "; ") + ")";
   }
+};
+
+class SharedOptionsFormatter : public HelpFormatter {
+ public:
+  std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
+    const std::vector<const CLI::App*> commands = app->get_subcommands([](const CLI::App*) { return true; });
+    struct Group {
+      std::string name;
+      std::string entries;
+    };
+    std::vector<Group> groups;
+    std::vector<std::string> listed;  // entries, without who does not have them
+    for (const CLI::App* command : commands) {
+      for (const CLI::Option* option : command->get_options()) {
+        if (!option->nonpositional() || option->get_description().empty() || option == command->get_help_ptr()) continue;
+        const std::string text = entry(*option, false, "");
+        if (std::find(listed.begin(), listed.end(), text) != listed.end()) continue;
+        listed.push_back(text);
+        std::size_t alike = 0;
+        std::vector<std::string> without;
+        for (const CLI::App* other : commands) {
+          const CLI::Option* const same = other->get_option_no_throw(option->get_name());
+          if (same == nullptr) without.push_back(other->get_name());
+          if (same != nullptr && entry(*same, false, "") == text) ++alike;
+        }
+        if (2 * alike <= commands.size()) continue;
+        const std::string name = option->get_group() == "Options" ? std::string(shared_heading) : option->get_group();
+        auto group = std::find_if(groups.begin(), groups.end(), [&name](const Group& each) { return each.name == name; });
+        if (group == groups.end()) group = groups.insert(groups.end(), Group{name, ""});
+        group->entries += entry(*option, false, without.empty() ? "" : "all but " + CLI::detail::join(without, ", "));
+      }
+    }
+    std::stable_partition(groups.begin(), groups.end(), [](const Group& group) { return group.name == shared_heading; });
+    std::string text = HelpFormatter::make_subcommands(app, mode);
+    for (const Group& group : groups) text += "\n" + group.name + ":\n" + group.entries;
+    return text;
+  }
+
+ private:
+  // tools/manual/completion.awk stops here: what follows is typed behind the name of a subcommand.
+  static constexpr std::string_view shared_heading = "Options of most subcommands";
 };
 
 }  // namespace
@@ -210,6 +257,10 @@ std::size_t help_width() {
 
 std::shared_ptr<CLI::FormatterBase> help_formatter() {
   return std::make_shared<HelpFormatter>();
+}
+
+std::shared_ptr<CLI::FormatterBase> help_formatter_with_shared_options() {
+  return std::make_shared<SharedOptionsFormatter>();
 }
 
 }  // namespace sightline::app

@@ -26,4 +26,7 @@ namespace sightline::app {
 
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
 
+// Of a command with subcommands: also lists the options that more than half of them have alike, and which do not have them.
+[[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter_with_shared_options();
+
 }  // namespace sightline::app

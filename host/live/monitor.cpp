@@ -131,6 +131,11 @@ class Monitor::Inside {
   void write_trace();
 
   Answer add(Breakpoint breakpoint);
+  // What a command has done, a line with or without its end: for a person at the prompt.
+  [[nodiscard]] Answer noted(std::string_view note) const {
+    if (!host_.person || depth_ > 0) return {};
+    return {Kind::done, std::string(note) + (note.ends_with('\n') ? "" : "\n")};
+  }
   [[nodiscard]] guests::run::Input file(const std::string& path) const {
     auto input = host_.read(path);
     if (!input) throw Wrong{input.error().message};
@@ -253,20 +258,20 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
     if (value < 0 || value > most)
       throw Wrong{fmt::format("found {} for {}, expected {} of {} bits", arguments, each.name, each.what, each.bits)};
     debugger_.set(*n, static_cast<std::uint32_t>(value));
-    return {};
+    return noted(debugger_.register_text(*n));
   }
   if (const auto pair = debugger_.pair_named(where)) {
     const std::int64_t value = read_.value(arguments);
     if (value < 0 || value > debugger_.most_of(*pair))
       throw Wrong{fmt::format("found {} for {}, expected 0 to {:X}", arguments, where, debugger_.most_of(*pair))};
     debugger_.set(*pair, static_cast<std::uint32_t>(value));
-    return {};
+    return noted(debugger_.pair_text(*pair));
   }
   std::uint32_t at = read_.address(where);
   if (arguments.front() == '"') {
     const std::string_view text = take_part(arguments);
     static_cast<void>(taken(debugger_.put_instruction(at, text)));
-    return {};
+    return noted(monitor::memory(debugger_, at, at));
   }
   const std::int64_t most = (std::int64_t{1} << description_.word_bits) - 1;
   std::vector<std::uint32_t> words;
@@ -280,8 +285,10 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
     words.push_back(static_cast<std::uint32_t>(value));
   }
   if (words.size() > machine_.words() - at) throw Wrong{"found more words than memory has behind that address"};
+  const std::uint32_t first = at;
   for (const std::uint32_t value : words) debugger_.put(at++, value);
-  return {};
+  if (words.size() == 1) return noted(monitor::memory(debugger_, first, first));
+  return noted(fmt::format("{} words in {}-{}", words.size(), debugger_.address(first), debugger_.address(at - 1)));
 }
 
 Answer Monitor::Inside::list(std::string_view arguments) {
@@ -318,14 +325,19 @@ Answer Monitor::Inside::set_watch(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::remove_break(std::string_view arguments) {
-  if (arguments.empty()) debugger_.breakpoints().clear();
+  std::size_t removed = 0;
+  if (arguments.empty()) {
+    removed = debugger_.breakpoints().all().size();
+    debugger_.breakpoints().clear();
+  }
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
     const std::uint64_t number = std::min<std::uint64_t>(Reader::count(text), std::numeric_limits<int>::max());
     if (!debugger_.breakpoints().remove(static_cast<int>(number)))
       throw Wrong{fmt::format("there is no breakpoint {}; show breaks lists them", text)};
+    ++removed;
   }
-  return {};
+  return noted(fmt::format("{} breakpoint{} removed", removed, removed == 1 ? "" : "s"));
 }
 
 // --- Running ---
@@ -343,9 +355,10 @@ Answer Monitor::Inside::back(std::string_view arguments) {
 Answer Monitor::Inside::save(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw Wrong{"expected a file"};
-  const auto done = host_.write(path, debugger_.save());
+  const auto snapshot = debugger_.save();
+  const auto done = host_.write(path, snapshot);
   if (!done) throw Wrong{done.error().message};
-  return {};
+  return noted(fmt::format("{}: {} bytes", path, snapshot.size()));
 }
 
 Answer Monitor::Inside::restore(std::string_view arguments) {
@@ -421,15 +434,16 @@ Answer Monitor::Inside::attach(std::string_view arguments) {
   const auto done = machine_.attach(device, input);
   debugger_.forget_past();
   if (!done) throw Wrong{done.error().message};
-  return {};
+  return noted(fmt::format("{}: {}, {} bytes", device, input.name, input.bytes.size()));
 }
 
 Answer Monitor::Inside::detach(std::string_view arguments) {
   write_media_back();
-  const auto done = machine_.attach(base::lower_case(arguments), {});
+  const std::string device = base::lower_case(arguments);
+  const auto done = machine_.attach(device, {});
   debugger_.forget_past();
   if (!done) throw Wrong{done.error().message};
-  return {};
+  return noted(fmt::format("{}: detached", device));
 }
 
 Answer Monitor::Inside::send(std::string_view arguments) {
@@ -437,7 +451,7 @@ Answer Monitor::Inside::send(std::string_view arguments) {
   const auto keys = plain_text("a text", take_part(arguments));
   if (!keys) throw Wrong{keys.error().message};
   debugger_.send(*keys);
-  return {};
+  return noted(fmt::format("{} {} typed in the next run", keys->size(), keys->size() == 1 ? "key is" : "keys are"));
 }
 
 Answer Monitor::Inside::expect(std::string_view arguments) {
@@ -477,7 +491,7 @@ Answer Monitor::Inside::screenshot(std::string_view arguments) {
   if (picture.empty()) throw Wrong{"this machine has no display or raster board; attach one when you begin"};
   const auto done = host_.write(path, picture);
   if (!done) throw Wrong{done.error().message};
-  return {};
+  return noted(fmt::format("{}: {} bytes", path, picture.size()));
 }
 
 Answer Monitor::Inside::trace(std::string_view arguments) {
@@ -487,11 +501,13 @@ Answer Monitor::Inside::trace(std::string_view arguments) {
     write_trace();
     trace_file_ = path;
     machine_.probe()->on_instruction = [this](const Past::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
-    return {};
+    return noted(fmt::format("{}: written by `trace off` or at the end of the session", path));
   }
   if (trace_file_.empty()) throw Wrong{"no trace is under way"};
+  const std::string written = trace_file_;
+  const auto instructions = std::count(trace_.begin(), trace_.end(), '\n');
   write_trace();
-  return {};
+  return noted(fmt::format("{}: {} instruction{}", written, instructions, instructions == 1 ? "" : "s"));
 }
 
 // Of the trace that is under way, which ends.
@@ -518,7 +534,7 @@ Answer Monitor::Inside::finish() {
 Answer Monitor::Inside::speed(std::string_view arguments) {
   const auto done = host_.speed(std::string(arguments));
   if (!done) throw Wrong{done.error().message};
-  return {};
+  return noted(arguments == "max" ? "as fast as this computer can" : arguments == "real" ? "the speed of the machine" : fmt::format("{} times the speed of the machine", arguments));
 }
 
 Answer Monitor::Inside::read_commands(std::string_view arguments) {

@@ -25,6 +25,8 @@ struct MonitorHost {
   std::function<guests::run::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;
   // "real", "max" or a number; a complaint if it is none.
   std::function<guests::run::Result<base::Done>(const std::string&)> speed;
+  // A person at a prompt: commands that else print nothing say in one line what they have done. Those of a file never do.
+  bool person = false;
 };
 
 struct Answer {

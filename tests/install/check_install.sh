@@ -58,10 +58,25 @@ if command -v bash > /dev/null; then
   }
   [ "$(complete_line sightline dis)" = disasm ] || fail "completion of a subcommand"
   [ "$(complete_line sightline draw exact --orth)" = --orthographic ] || fail "completion of an option"
+  [ -z "$(complete_line sightline draw --orth)" ] || fail "an option of a method is completed before its name"
   [ "$(complete_line sightline asm pdp7 --format h)" = hri ] || fail "completion of a value"
   [ "$(complete_line sightline help draw mont)" = montani-re ] || fail "completion of what help explains"
   [ -z "$(complete_line sightline draw exact part.o)" ] || fail "completion of a file name is bash's own"
 fi
+
+# The test vectors, in the folders that their README.md names. The counts are those it states.
+vectors=$tree/share/sightline/vectors
+[ -r "$vectors/README.md" ] || fail "the test vectors have no README.md"
+for file in $(sed -n 's/^| `\([^`]*\)` .*/\1/p' "$vectors/README.md"); do
+  # shellcheck disable=SC2086 # a pattern, such as type340/events/*.txt
+  for found in "$vectors"/$file; do [ -s "$found" ] && [ -r "$found" ] || fail "the README.md of the test vectors names $file, which is missing"; done
+done
+[ "$(grep -vc '^#' "$vectors/pdp7/instruction-vectors.csv")" = 6688 ] || fail "not the 6,688 instruction vectors that the README.md names"
+[ "$(ls "$vectors"/type340/events | grep -c '\.txt$')" -gt 0 ] || fail "no events of the Type 340"
+for folder in pdp7 type340 i8080 transcripts/pdp7; do
+  [ -s "$vectors/$folder/README.md" ] || fail "no description of the format of the vectors in $folder"
+done
+[ ! -e "$vectors/approved" ] && [ ! -e "$vectors/meshes" ] || fail "files that say nothing of a machine are among the test vectors"
 
 # The library: by CMake's package, as a folder of another project, by pkg-config.
 cmake_build() { # cmake_build DIRECTORY "EXAMPLE..." OPTION...
@@ -98,5 +113,6 @@ if command -v dpkg-deb > /dev/null && command -v dpkg-shlibdeps > /dev/null; the
   deb=$(find "$work/deb" -maxdepth 1 -name '*.deb')
   dpkg-deb -f "$deb" Depends | grep -q 'libpng' || fail "the package does not depend on libpng"
   dpkg-deb -x "$deb" "$work/root"
+  cmp -s "$vectors/i8080/single-step.txt" "$work/root/usr/share/sightline/vectors/i8080/single-step.txt" || fail "the package has no test vectors"
   "$work/root/usr/bin/sightline" --version > /dev/null || fail "the packaged command does not run"
 fi

@@ -39,10 +39,11 @@ constexpr std::string_view contours = "| contours, 33 slices of 33 points | # to
 constexpr std::string_view contour_dots = "of the # dots of sinc, # are more than a point from any visible contour";
 constexpr std::string_view events = "# to # in models made here";
 constexpr std::string_view block = "| block of # edges | #, # | # | #, # | # |";
+constexpr std::string_view roberts = "| roberts, a notched block of # edges | #, # | # | #, # | # |";
 constexpr std::string_view star = "| star of # edges | #, # | # | #, # | # |";
 constexpr std::array sentences{default_views, default_errors, random_times, random_errors, flight_8,   flight_16,
                                normals,       pairs,          stripes,      lines,         long_lines, surfaces,
-                               contours,      contour_dots,   events,       block,         star};
+                               contours,      contour_dots,   events,       roberts,       block,         star};
 
 std::string replaced(const std::string& text, const char* pattern, const char* by) {
   return std::regex_replace(text, std::regex(pattern), by);
@@ -227,10 +228,11 @@ TEST_F(ReadmeFigures, SkalasContours) {
 }
 
 TEST_F(ReadmeFigures, SolidsTurning) {
-  for (const auto& [sentence, model] : {std::pair(block, "block.off"), std::pair(star, "star.off")}) {
+  for (const auto& [sentence, model] : {std::pair(roberts, "roberts"), std::pair(block, "block.off"), std::pair(star, "star.off")}) {
     Figures figures;
     for (const bool eae : {true, false}) {
-      Arguments arguments{"turn", std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/turn/" + model};
+      const bool built_in = sentence == roberts;
+    Arguments arguments{"turn", built_in ? std::string(model) : std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/turn/" + model};
       if (!eae) arguments.emplace_back("--no-eae");
       const json turn = run(arguments, {});
       if (eae) figures.push_back(count(turn.at("edges")));

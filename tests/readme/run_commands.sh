@@ -67,7 +67,7 @@ while read -r line; do
   fi
   written=$(find . -mindepth 1 -newer before ! -name before ! -name printed ! -name complaint | head -1)
   if [ ! -s printed ] && [ ! -s complaint ] && [ -z "$written" ]; then fail "$line" "prints nothing and writes nothing"; fi
-  for output in $(printf '%s\n' "$command" | grep -oE '(-o|>|--listing|--png|--trace) +[^ ]+' | sed 's/.* //'); do
+  for output in $(printf '%s\n' "$command" | grep -oE '(-o|>|--listing|--png|--phosphor|--trace) +[^ ]+' | sed 's/.* //'); do
     [ -s "$output" ] || fail "$line" "leaves $output empty, or does not write it"
   done
 done < commands

@@ -1,5 +1,6 @@
 # One --help text to the table rows of the bash completion. Variable: command (as it is typed).
 /^[^ ]/ { listed = $0 == "Subcommands:" }
+/^Options of most subcommands:$/ { exit }  # they are typed behind the name of a subcommand
 listed && /^  [^ ]/ { words = words " " $1 }
 /^  -/ {
   n = split($1, names, ",")

@@ -143,7 +143,7 @@ std::string summary_text(const AtlasArguments& arguments, const Eyes& eyes,
   text += fmt::format("              sightline compare {} --eye {}{}\n",
                       base::shell_word(arguments.scene), atlas_eye_text(worst), options_of(arguments));
   text +=
-      "clusters of wrong views, with one cause and wrong lines in common (the causes: `sightline atlas "
+      "clusters of wrong views, with one cause and wrong lines in common (columns and causes: `sightline atlas "
       "--help`)\n";
   base::TextTable clusters({3, 6, 8, 11, -16, -39, 0});
   clusters.row({"no", "views", "points", "right from", "  worst eye", "  line", "  cause"});
@@ -265,7 +265,7 @@ ExitCode run_atlas(const AtlasArguments& arguments) {
   }
   if (!summary.not_its_twin) return ExitCode::ok;
   const AtlasView& view = views[*summary.not_its_twin];
-  complain(fmt::format("{}: the program on the machine is not its twin, a defect of this program: {}; see {}",
+  complain(fmt::format("{}: the program on the machine and the same program in C++ differ, a defect of this program: {}; see {}",
                        arguments.scene, view.difference, jones_command(arguments, view)));
   return ExitCode::differs;
 }

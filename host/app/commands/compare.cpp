@@ -385,7 +385,11 @@ ExitCode run_compare(CompareArguments arguments) {
       for (const Json& row : rows.elements()) document["table"].push_back(row);
       continue;
     }
-    write_stdout((n > 0 ? "\n" : "") + compared.heading + answer_text(answer.rows()) + compared.notes);
+    write_stdout((n > 0 ? "\n" : "") + compared.heading + answer_text(answer.rows()));
+    if (n == 0) {
+      write_stdout("wrong: lines and points that are missing, and extra ones that should not be there; `sightline compare --help` explains all columns\n");
+    }
+    write_stdout(compared.notes);
     for (const std::string& path : compared.overlays)
       if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
   }
@@ -400,7 +404,7 @@ ExitCode run_compare(CompareArguments arguments) {
   }
   if (arguments.json) print_json(document);
   if (agrees) return ExitCode::ok;
-  complain("an exact algorithm is not exact, or a guest is not its twin: see above");
+  complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
   return ExitCode::differs;
 }
 

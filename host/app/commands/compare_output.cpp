@@ -46,20 +46,22 @@ std::string view_text(const SceneComparison& comparison) {
 // What a device lit, and what exact lines light by its own rule.
 std::string raster_text(std::string_view method, const picture::RasterDifference& raster) {
   const auto apart = [](const picture::PointsApart& points) {
-    return points.all == 0 ? std::string("none") : fmt::format("{} ({} beyond 1, {} beyond 2)", points.all, points.beyond_1, points.beyond_2);
+    if (points.all == 0) return std::string("none");
+    if (points.beyond_1 == 0) return fmt::format("{} (none more than a point away)", points.all);
+    return fmt::format("{} ({} more than a point away, {} more than two)", points.all, points.beyond_1, points.beyond_2);
   };
   return fmt::format("{} lit {} points; exact lines light {} by the same rule: missing {}, extra {}, farthest {:.2f}\n", method,
                      raster.lit_in_drawn, raster.lit_in_truth, apart(raster.missing), apart(raster.extra), raster.hausdorff.greatest);
 }
 
 std::string guest_text(const compare::GuestCheck& guest) {
-  if (!guest.difference.empty()) return fmt::format("{} is not its twin: {}\n", compare::jones_pdp7_name, guest.difference);
-  return fmt::format("{} is its twin word for word: {} display words, status {}\n", compare::jones_pdp7_name, guest.words, jones::name(guest.status));
+  if (!guest.difference.empty()) return fmt::format("{} and its twin, the same program in C++, differ: {}\n", compare::jones_pdp7_name, guest.difference);
+  return fmt::format("{} and its twin, the same program in C++, give the same {} display words, status {}\n", compare::jones_pdp7_name, guest.words, jones::name(guest.status));
 }
 
 std::string turn_text(const compare::TurnCheck& turn) {
   if (!turn.difference.empty()) return "turn-pdp7 differs: " + turn.difference + "\n";
-  return fmt::format("turn-pdp7 is its twin word for word: {} display words, {} flashes at {:.4f} degrees{}\n", turn.words, turn.flashes,
+  return fmt::format("turn-pdp7 and its twin, the same program in C++, give the same {} display words, {} flashes at {:.4f} degrees{}\n", turn.words, turn.flashes,
                      turn.angle * 360.0 / (1 << 18),
                      turn.agrees() ? fmt::format("; its words explain a distance of up to {:.2f}", turn.bound)
                                    : fmt::format(": FARTHER OFF THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound));
@@ -180,7 +182,7 @@ std::string compare_heading(const SceneComparison& comparison) {
   std::string text = fmt::format("{} {}", comparison.scene, view_text(comparison));
   if (!comparison.pictures.empty()) {
     const double length = comparison.pictures.front().metrics.true_length;
-    text += length > 0 ? fmt::format(": {:.1f} px of lines are seen", length) : std::string(": no line is on the screen");
+    text += length > 0 ? fmt::format(": {:.1f} pixels (px) of lines are visible", length) : std::string(": no line is on the screen");
   }
   return text + "\n";
 }
@@ -192,7 +194,7 @@ std::string compare_heading(const std::string& name, const HeightComparison& com
                   compared_families[static_cast<std::size_t>(view.family)], view.rotation, view.elevation);
   if (view.picture == guests::skala::PictureKind::contours) text += fmt::format(", {} levels", view.levels);
   if (!comparison.vectors.empty())
-    text += fmt::format(": {:.1f} px of lines are seen", comparison.vectors.front().metrics.true_length);
+    text += fmt::format(": {:.1f} pixels (px) of lines are visible", comparison.vectors.front().metrics.true_length);
   return text + "\n";
 }
 
@@ -208,7 +210,7 @@ std::string compare_notes(const SceneComparison& comparison) {
 
 std::string compare_notes(const HeightComparison& comparison, const std::vector<compare::MethodView>& rows) {
   std::string text = rasters_text(rows);
-  if (comparison.agrees()) text += "skala-8080 is its twin in every dot, mask and status\n";
+  if (comparison.agrees()) text += "skala-8080 and its twin, the same program in C++, give the same dots, masks and status\n";
   if (comparison.chord)
     text += fmt::format("the function itself is up to {:.2f} points from the straight lines between its samples\n", comparison.chord->greatest);
   return text;

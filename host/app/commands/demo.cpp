@@ -89,7 +89,7 @@ ExitCode run_demo(const DemoArguments& arguments) {
     for (const Verdict& verdict : verdicts_of(results))
       write_stdout(
           fmt::format("{}: {}{}{}\n", verdict.subject, verdict.text, verdict.verdict.empty() ? "" : ": ", verdict.verdict));
-    write_stdout(fmt::format("The table, the plot and the pictures: {}{}\n", page,
+    write_stdout(fmt::format("Right: nothing is missing or extra more than a point of the screen away from what is visible. The table, the plot and the pictures: {}{}\n", page,
                              report_program() ? "; every experiment on the five papers: sightline report" : ""));
   }
   ExitCode code = ExitCode::ok;
@@ -99,7 +99,7 @@ ExitCode run_demo(const DemoArguments& arguments) {
     code = ExitCode::guest_failed;
   }
   if (!results.answer.agrees()) {
-    complain("an exact algorithm is not exact, or a guest is not its twin: see above");
+    complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
     code = ExitCode::differs;
   }
   return code;

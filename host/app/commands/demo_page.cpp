@@ -65,7 +65,7 @@ std::string_view method_text(std::string_view method) {
     std::string_view text;
   };
   constexpr Known known[] = {{compare::jones_pdp7_name, "Jones 1971, PDP-7"},
-                             {compare::jones_twin_name, "its twin on this computer"},
+                             {compare::jones_twin_name, "the same program in C++"},
                              {"exact", "of today, exact"},
                              {"jones", "Jones 1971, exact"},
                              {"montani-re", "Montani and Re 1985"},
@@ -75,7 +75,7 @@ std::string_view method_text(std::string_view method) {
                              {"stripes-8080", "Montani and Re 1985, 8080"},
                              {"turn-pdp7", "Plantinga 1990, PDP-7"},
                              {"skala-8080", "Skala 1985, 8080"},
-                             {"skala-twin", "its twin on this computer"},
+                             {"skala-twin", "the same program in C++"},
                              {"skala", "Skala 1985, not rounded"}};
   for (const Known& each : known)
     if (each.method == method) return each.text;

@@ -86,7 +86,7 @@ std::vector<TurnRow> run_turns() {
 
 std::string turn_table(const std::vector<TurnRow>& rows) {
   std::string text = fmt::format("{:<11}{:<5}{:>7}{:>14}{:>9}{:>16}{:>22}\n", "model", "EAE", "edges", "frames/s mean", "worst",
-                                 "wire frames/s", "cost against wire");
+                                 "wire frames/s", "of a wire frame's time");
   for (const TurnRow& row : rows) {
     const auto& hidden = row.measure.hidden.summary;
     text += fmt::format("{:<11}{:<5}{:>7}{:>14.1f}{:>9.1f}{:>16.1f}{:>22.2f}\n", row.model, row.eae ? "yes" : "no", row.edges,
@@ -94,7 +94,7 @@ std::string turn_table(const std::vector<TurnRow>& rows) {
                         row.measure.wire.summary.frames_per_second_mean, row.measure.cost_against_wire_frame());
   }
   text +=
-      "One turn in 8 seconds. Jones, 1971: continuous motion \"has not been possible\"; the claim of 1990: no more than the wire "
+      "Mean and worst of a full turn in 8 seconds. Jones, 1971: continuous motion \"has not been possible\"; the claim of 1990: no more than the wire "
       "frame.\n";
   return text;
 }

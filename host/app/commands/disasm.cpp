@@ -1,5 +1,6 @@
 // `sightline disasm`: a tape, a core image or a program file to source that assembles to the same words
 // again.
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -52,6 +53,8 @@ ExitCode disassemble(const MachineDescription& machine, const Disassembler& disa
   Output output(arguments.text("--output"));
   output.write(source);
   output.commit();
+  say_written(arguments.text("--output"),
+              counted(static_cast<std::uint64_t>(std::count(source.begin(), source.end(), '\n')), "line"));
   return ExitCode::ok;
 }
 

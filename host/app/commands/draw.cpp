@@ -26,7 +26,6 @@
 #include "host/base/number.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
-#include "host/base/terminal.hpp"
 #include "host/compare/matter_scene.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/face_shades.hpp"
@@ -158,7 +157,11 @@ ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArgumen
   const auto counts = format == DrawingFormat::svg ? write_outlines(prepared, picture, file)
                                                    : write_stripes(prepared, picture, file);
   file.commit();
-  if (picture.json) print_filled_summary(algorithm, picture, counts);
+  if (picture.json) {
+    print_filled_summary(algorithm, picture, counts);
+  } else {
+    say_written(picture.output.file, fmt::format("{} filled, {}", counted(scene::face_count(picture.source.scene), "face"), size_text(picture.output, format)));
+  }
   return ExitCode::ok;
 }
 
@@ -409,13 +412,15 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     documents.push_back(std::move(document));
   }
   line.reset();
-  if (base::stderr_is_terminal()) {
-    std::string summary = fmt::format("{}: {} strokes", arguments.output.file, strokes_drawn);
-    if (on_paper) summary += fmt::format(", {:.3g} m", length_drawn / 1000);
-    if (arguments.turntable > 1) summary += fmt::format(", {} drawings", arguments.turntable);
-    complain(summary);
+  if (arguments.json) {
+    print_json(arguments.turntable == 1 ? documents[0] : documents);
+    return ExitCode::ok;
   }
-  if (arguments.json) print_json(arguments.turntable == 1 ? documents[0] : documents);
+  std::string summary = counted(strokes_drawn, "line");
+  if (on_paper) summary += fmt::format(", {:.3g} m in all", length_drawn / 1000);
+  if (arguments.turntable > 1) summary += fmt::format(", {} drawings", arguments.turntable);
+  say_written(arguments.output.file, fmt::format("{}, {}", summary, size_text(arguments.output, format)));
+  say_written(arguments.strokes, counted(strokes_drawn, "line"));
   return ExitCode::ok;
 }
 
@@ -525,6 +530,7 @@ void add_draw_command(const Command& program) {
     const std::string name(method.algorithm);
     add_draw_heights(command.add_command(name, help_page("draw_" + name)), method);
   }
+  command.list_shared_options();
 }
 
 }  // namespace sightline::app

@@ -61,6 +61,9 @@ void add_draw_output_options(const Command& command, DrawOutput& output);
 // Failure usage if `option` was given: it means nothing without what `needed` names.
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
 
+// "210 x 297 mm" of paper, "1024 x 1024 pixels" of an image; of settled options.
+[[nodiscard]] std::string size_text(const DrawOutput& output, DrawingFormat format);
+
 // "N:M", such as 1:50, as N / M. Failure usage.
 [[nodiscard]] double scale_argument(const std::string& text);
 // Failure usage, with the paper that is needed: a drawing with a scale does not fit into output.room.

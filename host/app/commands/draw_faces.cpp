@@ -192,7 +192,11 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
     file.write(std::span<const std::uint8_t>(draw_still(arguments, source, view)));
   }
   file.commit();
-  if (arguments.json) print_faces_summary(algorithm, arguments, source, prepared, counts);
+  if (arguments.json) {
+    print_faces_summary(algorithm, arguments, source, prepared, counts);
+  } else {
+    say_written(arguments.output, fmt::format("{}, {} x {} pixels", flight ? counted(static_cast<std::uint64_t>(arguments.frames), "frame") : counted(faces, "face"), width, height));
+  }
   return ExitCode::ok;
 }
 

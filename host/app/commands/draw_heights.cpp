@@ -258,6 +258,14 @@ SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene:
   return all;
 }
 
+// "65 lines", "4096 facets, 12 lines"
+std::string drawing_text(const picture::VectorDrawing& drawing) {
+  std::string text;
+  if (!drawing.facets.empty()) text = counted(drawing.facets.size(), "facet");
+  if (text.empty() || !drawing.lines.empty()) text += (text.empty() ? "" : ", ") + counted(drawing.lines.size(), "line");
+  return text;
+}
+
 ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArguments arguments) {
   registry::HeightView& view = arguments.view;
   const DrawingFormat format = read_draw_output(arguments.output);
@@ -277,7 +285,11 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
   figure.drawing = picture::without_empty_layers(std::move(figure.drawing));
   if (format == DrawingFormat::hpgl) join_levels(figure.drawing, arguments.output);
   const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);
-  if (arguments.json) print_drawing(method, arguments, function, figure, plot);
+  if (arguments.json) {
+    print_drawing(method, arguments, function, figure, plot);
+  } else {
+    say_written(arguments.output.file, fmt::format("{}, {}", drawing_text(figure.drawing), size_text(arguments.output, format)));
+  }
   return ExitCode::ok;
 }
 

@@ -296,6 +296,11 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   return *format;
 }
 
+std::string size_text(const DrawOutput& output, DrawingFormat format) {
+  if (format == DrawingFormat::png) return fmt::format("{} x {} pixels", output.image.width, output.image.height);
+  return fmt::format("{:.4g} x {:.4g} mm", output.paper.width, output.paper.height);
+}
+
 // --- a drawing with a scale
 
 double scale_argument(const std::string& text) {

@@ -35,6 +35,7 @@ void check_name(const std::string& file) {
 void write_lesson(const explain::Lesson& lesson, const std::string& file, Output& output) {
   output.write(std::string_view(is_page(file) ? explain::page_of(lesson) : explain::json_of(lesson) + "\n"));
   output.commit();
+  say_written(file, counted(lesson.steps.size(), "step") + (is_page(file) ? "; open it in a browser" : ""));
 }
 
 ExitCode explain_scene(const explain::Explainer& explainer, const ExplainArguments& arguments) {

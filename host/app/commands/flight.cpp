@@ -162,7 +162,7 @@ std::string flight_text(const FlightArguments& arguments, const PlannedFlight& p
   row("pairs exchanged", sum.exchanges_mean, sum.exchanges_most, 1);
   text += fmt::format("wrong orders     {} of {} pairs turned to the eye; right beyond a difference of {:.3g}\n", sum.wrong_orders, sum.pairs,
                       packed.error_in_units * unit);
-  text += fmt::format("wrong points     {}, in {} of {} pictures\n", sum.wrong_points, sum.frames_wrong, sum.frames);
+  text += fmt::format("wrong pixels     {}, in {} of {} pictures: they show a face that is not the nearest\n", sum.wrong_points, sum.frames_wrong, sum.frames);
   for (const std::string& file : made.files) text += fmt::format("file             {}\n", file);
   return text;
 }

@@ -127,12 +127,19 @@ std::vector<std::string> write_files(const std::string& directory, const HardCas
 
 // --- texts
 
+// As the help explains it: the two builds of a program by what they run on, any other method by its name.
+std::string shown_method(std::string_view method) {
+  for (const auto& [name, shown] : {std::pair{"guest", "emulated"}, std::pair{"twin", "in C++"}})
+    if (method.substr(0, method.find(',')) == name) return shown + std::string(method.substr(std::string_view(name).size()));
+  return std::string(method);
+}
+
 std::string verdict_of(const MethodOutcome& method) {
   if (method.as_recorded && method.right == false) return method.text + " (as recorded)";
   return method.as_recorded ? method.text : method.text + " -- NOT AS RECORDED";
 }
 
-// "4 right", "2 right, 2 wrong as recorded (guest, twin)".
+// "4 right", "2 right, wrong as recorded: emulated, in C++".
 std::string summary_of(const HardCase& hard, const CaseOutcome& outcome) {
   std::size_t right = 0;
   std::size_t none = 0;
@@ -140,13 +147,13 @@ std::string summary_of(const HardCase& hard, const CaseOutcome& outcome) {
   std::vector<std::string> otherwise;
   for (const MethodOutcome& method : outcome.methods) {
     if (!method.as_recorded)
-      otherwise.push_back(method.method + ": " + method.text);
+      otherwise.push_back(shown_method(method.method) + ": " + method.text);
     else if (!method.right)
       ++none;
     else if (*method.right)
       ++right;
     else
-      wrong.push_back(method.method);
+      wrong.push_back(shown_method(method.method));
   }
   std::vector<std::string> parts;
   if (right != 0) parts.push_back(fmt::format("{} right", right));
@@ -167,7 +174,7 @@ std::string case_text(const GroupedCase& one, const CaseOutcome& outcome, const 
   add("options", compare::options_of(hard));
   add("expected", hard.expected);
   add("checked", compare::checked(hard));
-  for (const MethodOutcome& method : outcome.methods) table.row({method.method, verdict_of(method)});
+  for (const MethodOutcome& method : outcome.methods) table.row({shown_method(method.method), verdict_of(method)});
   add("tests", base::joined(hard.tests, ", "));
   add("compare", compare::compare_command(hard));
   for (const std::string& path : paths) table.row({"written", path});
@@ -190,7 +197,7 @@ std::string first_failure_text(const compare::Family& family, const FamilyResult
 std::string family_text(const compare::Family& family, const std::vector<FamilyResult>& results) {
   base::TextTable table({-34, 0});
   table.line(fmt::format("{}: {}; the first {} at which a build fails", family.id, family.input, family.parameter));
-  for (const FamilyResult& result : results) table.row({"  " + result.build, first_failure_text(family, result)});
+  for (const FamilyResult& result : results) table.row({"  " + shown_method(result.build), first_failure_text(family, result)});
   return table.text();
 }
 

@@ -267,6 +267,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
     console_options = *options;
     return base::Done{};
   };
+  host.person = terminal;
   live::Monitor session(setup.description, machine, setup.limits, std::move(setup.symbols), std::move(host));
 
   if (const int radix = radix_of(arguments); radix != 0) session.set_radix(radix);

@@ -47,6 +47,11 @@ std::string_view method_name(scene::DecompositionMethod method) {
   return method == scene::DecompositionMethod::bsp ? "bsp" : "grid";
 }
 
+std::size_t sheet_count(const scene::PolyScene& scene) {
+  return static_cast<std::size_t>(
+      std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const scene::PolyBody& body) { return body.sheet; }));
+}
+
 // As the file's name says; JSON to standard output (-). `name`: what the scene came from, for an error in it.
 void write_scene(const scene::PolyScene& scene, const std::string& name, const std::string& path) {
   const auto format = scene::poly_format_of(path);
@@ -59,6 +64,11 @@ void write_scene(const scene::PolyScene& scene, const std::string& name, const s
   Output output(path);
   output.write(text);
   output.commit();
+  const std::size_t sheets = sheet_count(scene);
+  std::string what = counted(scene.bodies.size() - sheets, "solid");
+  if (sheets > 0) what += ", " + counted(sheets, "sheet");
+  if (!scene.wires.empty()) what += fmt::format(", {} without faces", counted(scene.wires.size(), "line"));
+  say_written(path, fmt::format("{}, {}, {}", what, counted(scene::face_count(scene), "face"), counted(scene.vertices.size(), "vertex", "vertices")));
 }
 
 // --- tape
@@ -77,6 +87,7 @@ ExitCode tape(const TapeArguments& arguments) {
   Output output(arguments.output);
   output.write(text);
   output.commit();
+  say_written(arguments.output, fmt::format("{}, {}", counted(scene.cells.size(), "cell"), counted(scene.openings.size(), "portal")));
   return ExitCode::ok;
 }
 
@@ -186,9 +197,8 @@ void describe_cells(const scene::CellScene& scene, const std::string& name, bool
 }
 
 struct PolyCounts {
-  explicit PolyCounts(const scene::PolyScene& scene) {
+  explicit PolyCounts(const scene::PolyScene& scene) : sheets(sheet_count(scene)) {
     for (const scene::PolyBody& body : scene.bodies) {
-      sheets += body.sheet ? 1U : 0U;
       for (const scene::PolyFace& face : body.faces) holes += face.holes.size();
       const auto sides = scene::face_edges(body);
       for (std::size_t i = 0; i < sides.size(); ++i)
@@ -196,9 +206,9 @@ struct PolyCounts {
     }
   }
 
+  std::size_t sheets = 0;
   std::size_t edges = 0;
   std::size_t holes = 0;
-  std::size_t sheets = 0;
 };
 
 Json polyhedra_json(const scene::PolyScene& scene) {

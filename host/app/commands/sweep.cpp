@@ -304,6 +304,7 @@ ExitCode run_sweep(const SweepArguments& arguments, const compare::Sweep& sweep)
     std::fputs(text.c_str(), stderr);
   else
     write_stdout(text);
+  say_written(arguments.output, counted(done, "view") + (kept > 0 ? fmt::format(", {} of them already there", kept) : ""));
   if (table.differing() == 0) return ExitCode::ok;
   complain(fmt::format("{}: {} of {} views differ", arguments.scene, table.differing(), done));
   return ExitCode::differs;
@@ -345,7 +346,7 @@ void add_sweep_command(const Command& program) {
       .separated_by(',')
       .value("NAME,...");
   command.flag("--guest", arguments->guest,
-               "Add jones-pdp7 and jones-twin, Jones's program on the emulated PDP-7 and its twin (scenes of cells)");
+               "Add jones-pdp7 and jones-twin, Jones's program on the emulated PDP-7 and the same program in C++ (scenes of cells)");
   command.flag("--faces", arguments->faces, "Add the native methods of faces, compared point by point, which takes longer");
   add_eae_options(command, arguments->no_eae);
   command.flag("--time", arguments->time, "Measure the time of each view on this computer, once for a picture of lines");

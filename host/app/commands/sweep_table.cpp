@@ -70,6 +70,7 @@ std::string sweep_text(const compare::SweepTable& sweep, const ViewCommand& comm
   for (const compare::SweepTable::LeftOut& left : sweep.left_out())
     table.line(fmt::format("{} left out of {} views: {}", left.method.empty() ? std::string_view("all methods") : left.method, left.views,
                            left.reason));
+  table.line("wrong: lines that are missing, and extra ones that should not be there, in per cent of what is visible; right: none of it a point away");
   bool first = true;
   for (const AnswerRow& row : rows) {
     if (!has_worst_view(row)) continue;

@@ -130,8 +130,13 @@ std::string summary_of(const TurnArguments& arguments, const turn::Session& sess
   text += fmt::format("words of core    {}: program {}, vertices {}, edges {}, T-junctions {}, events {}, {} display files {}\n",
                       core_words(session), session.program().words, layout.vertices + layout.header, layout.edges,
                       layout.junctions, layout.events, tape.files, layout.display_files);
-  text += fmt::format("one turn         {:.2f} s, {} pictures\n", measure.turn_seconds(),
-                      turn::Session::pictures_of_turn(measure.step) - 1);
+  const std::uint32_t of_turn = turn::Session::pictures_of_turn(measure.step) - 1;
+  if (measure.hidden.pictures.size() < of_turn) {
+    text += fmt::format("measured         the first {} of the {} pictures of a turn; without --frames all\n",
+                        measure.hidden.pictures.size(), of_turn);
+  } else {
+    text += fmt::format("one turn         {:.2f} s, {} pictures\n", measure.turn_seconds(), of_turn);
+  }
   text += fmt::format("{:<17}{:>14}{:>14}\n", "", "hidden lines", "wire frame");
   const auto row = [&text](const char* name, const std::string& a, const std::string& b) {
     text += fmt::format("{:<17}{:>14}{:>14}\n", name, a, b);
@@ -144,7 +149,7 @@ std::string summary_of(const TurnArguments& arguments, const turn::Session& sess
   row("refreshes/s", number(hidden.refreshes_per_second), number(wire.refreshes_per_second));
   row("lines", number(hidden.lines_mean), number(wire.lines_mean));
   row("T-junctions", number(hidden.junctions_mean), number(wire.junctions_mean));
-  text += fmt::format("cost against the wire frame {:.2f}\n", measure.cost_against_wire_frame());
+  text += fmt::format("time of a picture {:.2f} of that of a wire frame\n", measure.cost_against_wire_frame());
   return text;
 }
 

@@ -201,7 +201,7 @@ Said against_what(const Page& page, const OpeningAnswer& answer) {
                   [](const AnswerRow& row) { return row.defect.empty(); }),
       fmt::format("Against what an exact program that shares no code with the methods sees in {} scenes, and "
                   "against the "
-                  "unrounded lines of {} functions; each program on a machine is, word for word, its twin.",
+                  "unrounded lines of {} functions; each program on a machine gives, word for word, what the same program in C++ gives.",
                   answer.scenes, answer.functions));
 }
 
@@ -235,9 +235,9 @@ void table_of_methods(Page& page, const OpeningAnswer& answer) {
        {"views", "Views", [](const Row& row) { return row.row->views; }},
        {"right", "Right", "none beyond a point", [](const Row& row) { return row.row->right; }},
        {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.row->method, row.row->picture); }}},
-      {{"One view of each scene that the method can take. Wrong: missing and extra together, of what is "
+      {{"One view of each scene that the method can take. Wrong: lines that are missing and extra ones together, of what is "
         "truly seen. A picture is right if it "
-        "is exact, or none of it is farther than a point from what is seen. Twins, other devices and the "
+        "is exact, or none of it is farther than a point from what is seen. The same programs in C++, other devices and the "
         "stripes on a plotter are in the "
         "table by scene."}});
 }

@@ -37,8 +37,9 @@ void overview_question(Page& page) {
   page.paragraph(
       "Draw a house as lines. Seen from one place, some lines are hidden by walls, and a correct drawing leaves them out. Which "
       "lines, or which parts of them, can the eye see? Between 1971 and 1990 five papers answered this, for machines from a "
-      "PDP-7 with a few thousand words of memory to the first fast workstations. Here all five methods run: two as programs on "
-      "emulations of the machines they were written for, all of them as programs for a computer of today.");
+      "PDP-7 with a few thousand words of memory to the first fast workstations. Here all five methods run as new programs, "
+      "written from the papers: in the languages of a PDP-7 or an 8080, on emulations of these machines, and in C++ for a computer of "
+      "today.");
   page.paragraph(
       "This page asks of each: how fast is it, how accurate, and what does it need? Every figure is measured or computed when "
       "the page is made, and is shown with the paper's. Times of the PDP-7 and the 8080 are emulated seconds: they follow from "
@@ -139,9 +140,9 @@ void finding_pdp7_turn(Page& page, const std::vector<Pdp7Turn>& turns, const Jon
   Panel panel{
       "finding-pdp7-turn",
       fmt::format("What 1965 could have done: on the PDP-7 a notched block turns without hidden lines at {} frames a second",
-                  shown(turn("block", true).frames_a_second, 0))};
-  panel.facts = {{"Block, worst frame, with the EAE and without", worst("block")},
-                 {fmt::format("Star of {} edges, worst frame", turn("star", true).edges), worst("star")},
+                  shown(turn("roberts", true).frames_a_second, 0))};
+  panel.facts = {{"Notched block, slowest frame of a turn, with the EAE and without", worst("roberts")},
+                 {fmt::format("Star of {} edges, slowest frame", turn("star", true).edges), worst("star")},
                  {"Time of a frame to that of a wire frame", span(range_of(turns, &Pdp7Turn::cost), 2)},
                  page.paper_says_dated("jones.motion"),
                  page.paper_says_dated("plantinga.wire")};
@@ -483,7 +484,7 @@ void about(Page& page) {
       "hard cases, 4 resource usage, 5 cross-check. `--no-host-times` leaves out all times of this computer, and gives the same "
       "bytes in every run.");
   page.paragraph(
-      "A guest is a program on its emulated machine. Its twin computes the same, to the bit, as a program of this computer. A "
+      "A guest is a program on its emulated machine. Its twin is the same program in C++, which gives the same bits. A "
       "native program solves the same problem by the paper's method without the machine's limits. An oracle is an exact program "
       "that shares no code with any of them.");
 }

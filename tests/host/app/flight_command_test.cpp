@@ -17,7 +17,7 @@ class FlightCommand : public sightline::test::CommandLine {};
 TEST_F(FlightCommand, WritesItsPicturesAndItsTable) {
   const Ran ran = sightline({"flight", "town-5", "--frames", "6", "-o", "p"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* text : {"pieces           43, of 30 surfaces", "frames/s shown          25.00       25.00", "wrong orders", "wrong points     0, in 0 of 6"})
+  for (const char* text : {"pieces           43, of 30 surfaces", "frames/s shown          25.00       25.00", "wrong orders", "wrong pixels     0, in 0 of 6"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
   for (const char* file : {"p/town-5-flight.apng", "p/town-5-flight.png", "p/town-5-flight.csv"}) EXPECT_TRUE(exists(file)) << file;
 }

@@ -31,9 +31,9 @@ TEST_F(HardCommand, ListsTheCases) {
 TEST_F(HardCommand, RunsACaseWhole) {
   const auto ran = sightline({"hard", "J5-strip", "S8-backwards.txt", "M7"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* part : {"J5 (jones, J5-strip.json): ", "\nexpected    a strip in common: the third cell is entered\n", "\nguest       right\n",
+  for (const char* part : {"J5 (jones, J5-strip.json): ", "\nexpected    a strip in common: the third cell is entered\n", "\nemulated    right\n",
                            "\ncompare     sightline compare J5-strip.json\n",
-                           "\nguest       differs: 0 dots missing, 169 too many (as recorded)\n",
+                           "\nemulated    differs: 0 dots missing, 169 too many (as recorded)\n",
                            "\ntests       LatticeHardCases.M7HolesInHoles\n"})
     EXPECT_TRUE(has(ran.out, part)) << part << '\n' << ran.out;
   EXPECT_FALSE(has(ran.out, "J5-corner")) << ran.out;

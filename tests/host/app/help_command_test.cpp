@@ -1,6 +1,7 @@
 // --help teaches every option, with examples; --version; the errors of a lost user.
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 
 #include "host/algorithms/registry/faces.hpp"
@@ -96,7 +97,7 @@ TEST_F(HelpCommand, NamesEveryOption) {
               {"GRID", "--function", "--domain", "--x-range", "--y-range", "--xyz", "--layout", "--axes", "--aspect", "--stretch", "--title", "--labels", "--floor", "--colours", "--slices", "--points", "--picture", "--along", "--rotate",
                "--elevate", "--levels", "--columns", "--no-visibility", "-o", "--pixels", "--json"});
   expect_help({"compare"},
-              {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "--fraction", "--methods", "--views", "--seed", "--no-host-times", "guest", "twin", "native"});
+              {"SCENE", "--view", "--eye", "--eae", "--no-eae", "--picture", "--fraction", "--methods", "--views", "--seed", "--no-host-times", "twin", "native"});
   expect_help({"stripes"}, {"SCENE", "--device", "raster", "calcomp", "--stripes", "--priority", "host", "--json", "Montani"});
   expect_help({"flight"}, {"SCENE", "--bits", "--plan", "--pieces", "--frames", "Willis"});
   expect_help({"turn"}, {"MODEL", "--no-eae", "--memory", "--frames", "--level", "Plantinga"});
@@ -182,13 +183,56 @@ TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {
   for (const auto& algorithm : sightline::registry::face_algorithms()) add(algorithm.name);
   for (const auto& method : sightline::registry::height_methods()) add(method.algorithm);
   EXPECT_EQ(methods, registered);
-  EXPECT_FALSE(has(help, "--vertical")) << help;
   const std::string all = sightline({"--help"}).out;
   const std::string line =
       all.substr(all.find("\n  draw "), all.find("\n  compare ") - all.find("\n  draw "));
   for (const std::string& method : methods) EXPECT_TRUE(has(line, method)) << line;
   for (const char* word : {"guest ", "twin ", "native ", "oracle "})
     EXPECT_TRUE(has(all.substr(all.find("Words:")), word)) << word;
+}
+
+// The lines of a help that begin with an option: its last name and all that is said of it.
+std::map<std::string, std::string> listed_options(const std::string& help) {
+  std::map<std::string, std::string> options;
+  std::istringstream lines(help.substr(0, help.find("\nExamples:")));
+  std::string name;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  -")) {
+      name = line.substr(2, line.find(' ', 2) - 2);
+      name.erase(0, name.rfind(',') + 1);  // npos + 1 is 0
+    } else if (!line.starts_with("   ")) {
+      name.clear();
+    }
+    if (!name.empty()) options[name] += line.substr(line.find_first_not_of(' ')) + " ";
+  }
+  return options;
+}
+
+// What `draw --help` says of options is what the helps of the methods say: each is one of more than half of them, and those that do
+// not have it are named.
+TEST_F(HelpCommand, OptionsThatMostMethodsShareAreListedAboveThem) {
+  const std::string help = sightline({"draw", "--help"}).out;
+  const std::vector<std::string> methods = listed_subcommands(help);
+  auto shared = listed_options(help.substr(help.find("Options of most subcommands:")));
+  std::map<std::string, std::vector<std::string>> having;
+  for (const std::string& method : methods)
+    for (const auto& [name, text] : listed_options(sightline({"draw", method, "--help"}).out)) having[name].push_back(method);
+  for (const auto& [name, text] : shared) {
+    EXPECT_GT(2 * having[name].size(), methods.size()) << name;
+    std::string lacking;
+    for (const std::string& method : methods)
+      if (std::find(having[name].begin(), having[name].end(), method) == having[name].end()) lacking += (lacking.empty() ? "" : ", ") + method;
+    if (lacking.empty()) {
+      EXPECT_FALSE(has(text, "all but")) << text;
+    } else {
+      EXPECT_TRUE(has(text, "all but " + lacking + ")")) << text << " found without it: " << lacking;
+    }
+  }
+  for (const char* name : {"--output", "--size", "--view", "--eye", "--strokes", "--device", "--hidden", "--json"})
+    EXPECT_EQ(shared.count(name), 1U) << name << " is not listed";
+  for (const char* name : {"--hatch", "--rotate", "--frames", "--help"}) EXPECT_EQ(shared.count(name), 0U) << name;
+  EXPECT_TRUE(has(help, "`sightline draw SUBCOMMAND --help` explains all options of each."));
+  EXPECT_FALSE(has(sightline({"scene", "--help"}).out, "Options of most subcommands"));
 }
 
 TEST_F(HelpCommand, OptionsWithoutEffectAreNotOffered) {
@@ -264,6 +308,14 @@ TEST_F(HelpCommand, WhatIsUnknownIsNamedWithTheNearestName) {
   // Values that begin with a minus are no options.
   EXPECT_EQ(complaint({"jones", "house", "--scale", "-5"}),
             "sightline: --scale: found \"-5\", expected a whole number from 64 to 4096");
+}
+
+TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsToldItsPlace) {
+  for (const Arguments& words : {Arguments{"draw", "--view", "iso", "exact", "boxes-3", "-o", "b.svg"}, Arguments{"draw", "--view=iso"}}) {
+    const auto ran = sightline(words);
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(has(ran.err, "--view: found before the subcommand, expected behind it, as in `draw exact --view`")) << ran.err;
+  }
 }
 
 // -o is required here: without it a misspelt option was not mentioned.

@@ -20,7 +20,7 @@ const std::string models = std::string(SIGHTLINE_SOURCE_DIR) + "/host/examples/t
 TEST_F(TurnCommand, WritesItsPicturesAndItsTable) {
   const Ran ran = sightline({"turn", models + "cube.off", "--frames", "6", "-o", "p"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  for (const char* text : {"edges            12, 8 vertices", "words of core", "hidden lines", "wire frame", "cost against the wire frame 0."})
+  for (const char* text : {"edges            12, 8 vertices", "words of core", "hidden lines", "wire frame", "time of a picture 0.", " of that of a wire frame", "measured         the first 6 of the "})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
   for (const char* file : {"p/cube-turn.apng", "p/cube-turn-phosphor.png", "p/cube-turn.strokes"}) EXPECT_TRUE(exists(file)) << file;
 }

@@ -162,6 +162,97 @@ TEST_F(Terminal, TheMonitorHasAPromptAndKeepsItsLines) {
   EXPECT_TRUE(has(read("state/sightline/monitor"), "continue"));
 }
 
+// The counts are those of the scenes: a box has 6 faces and 8 corners.
+TEST_F(Terminal, ACommandThatOnlyWritesAFileSaysSo) {
+  write("slab.off", "OFF\n8 6 0\n0 0 0\n4 0 0\n4 3 0\n0 3 0\n0 0 1\n4 0 1\n4 3 1\n0 3 1\n"
+                    "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  struct Said {
+    Arguments words;
+    std::string line;
+  };
+  const std::vector<Said> all{
+      // Of a box nine edges are seen from a corner, four from the front.
+      {{"draw", "exact", "slab.off", "--view", "iso", "-o", "a.svg"}, "sightline: a.svg: 9 lines, "},
+      {{"draw", "exact", "slab.off", "--view", "front", "--size", "A4", "-o", "a.svg"}, "sightline: a.svg: 4 lines, "},
+      {{"draw", "exact", "slab.off", "--size", "A4", "--landscape", "-o", "a.pdf"}, ", 297 x 210 mm"},
+      {{"draw", "exact", "slab.off", "--view", "front", "--strokes", "a.jsonl", "-o", "a.svg"}, "sightline: a.jsonl: 4 lines"},
+      {{"draw", "exact", "slab.off", "--pixels", "300x200", "-o", "a.png"}, ", 300 x 200 pixels"},
+      {{"draw", "montani-re", "slab.off", "--fill", "-o", "a.svg"}, "sightline: a.svg: 6 faces filled, 200 x 200 mm"},
+      {{"draw", "willis", "slab.off", "-o", "a.png"}, "sightline: a.png: 6 faces, 512 x 512 pixels"},
+      {{"draw", "willis", "slab.off", "--frames", "2", "-o", "a.apng"}, "sightline: a.apng: 2 frames, 512 x 512 pixels"},
+      {{"draw", "skala", "sinc", "--slices", "9", "--points", "9", "--picture", "surface", "-o", "a.svg"}, "sightline: a.svg: "},
+      {{"explain", "jones", "house", "-o", "a.html"}, " steps; open it in a browser"},
+      {{"sweep", "slab.off", "--views", "2", "--jobs", "1", "-o", "v.jsonl"}, "sightline: v.jsonl: 2 views\r\n"},
+      {{"sweep", "slab.off", "--views", "2", "--jobs", "1", "-o", "v.jsonl"}, "sightline: v.jsonl: 2 views, 2 of them already there"},
+      {{"scene", "generate", "boxes", "3", "-o", "a.json"}, "sightline: a.json: 3 solids, 18 faces, 24 vertices"},
+      {{"scene", "convert", "slab.off", "-o", "a.obj"}, "sightline: a.obj: 1 solid, 6 faces, 8 vertices"},
+      {{"scene", "tape", "corridor8", "-o", "a.txt"}, "sightline: a.txt: 8 cells, "},
+      {{"disasm", "pdp7", "echo.rim", "-o", "a.dis"}, "sightline: a.dis: "}};
+  for (const Said& said : all) {
+    shown_.clear();
+    start(said.words);
+    EXPECT_TRUE(shows(said.line)) << said.words[0] << " " << said.words[1] << ": " << shown_;
+    EXPECT_EQ(ends(), 0);
+    // In a script nothing is said of it.
+    std::filesystem::remove(path("v.jsonl"));
+    const Ran ran = sightline(said.words);
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.err, "") << said.words[0] << " " << said.words[1];
+  }
+}
+
+TEST_F(Terminal, NothingIsSaidOfJsonAndOfStandardOutput) {
+  for (const Arguments& words : {Arguments{"draw", "exact", "boxes-1", "--json", "-o", "a.svg"}, Arguments{"draw", "exact", "boxes-1", "-o", "-"},
+                                 Arguments{"scene", "generate", "boxes", "1"}}) {
+    shown_.clear();
+    start(words);
+    EXPECT_TRUE(shows(words.back() == "-" ? "</svg>" : "}\r\n")) << shown_;
+    EXPECT_EQ(ends(), 0);
+    EXPECT_FALSE(has(shown_, "sightline: ")) << shown_;
+  }
+}
+
+TEST_F(Terminal, AtThePromptEachCommandSaysWhatItDid) {
+  start({"monitor", "pdp7", "echo.s"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  // Deposited and shown in octal: 10. is 12.
+  type("deposit 300 10.\r");
+  EXPECT_TRUE(shows("00300 000012")) << shown_;
+  type("deposit 300 1 2 3\r");
+  EXPECT_TRUE(shows("3 words in 00300-00302")) << shown_;
+  type("deposit ac 7\r");
+  EXPECT_TRUE(shows("AC 000007")) << shown_;
+  type("break 101\rbreak 102\rdelete\r");
+  EXPECT_TRUE(shows("2 breakpoints removed")) << shown_;
+  type("attach reader echo.rim\r");
+  EXPECT_TRUE(shows("reader: echo.rim, " + std::to_string(std::filesystem::file_size(path("echo.rim"))) + " bytes")) << shown_;
+  type("detach reader\r");
+  EXPECT_TRUE(shows("reader: detached")) << shown_;
+  type("send \"ab\"\r");
+  EXPECT_TRUE(shows("2 keys are typed in the next run")) << shown_;
+  type("trace t.txt\rstep 3\rtrace off\r");
+  EXPECT_TRUE(shows("t.txt: 3 instructions")) << shown_;
+  type("save s.snap\r");
+  EXPECT_TRUE(shows("s.snap: ")) << shown_;
+  EXPECT_TRUE(exists("s.snap"));
+  type("quit\r");
+  EXPECT_EQ(ends(), 0);
+  const Ran ran = sightline({"monitor", "pdp7", "echo.s"}, "deposit 300 10.\nattach reader echo.rim\ntrace t.txt\ntrace off\nsave s.snap\n");
+  EXPECT_EQ(ran.exit_code, 0);
+  EXPECT_EQ(ran.out, "");
+  // A file of commands says no more at a prompt than in a pipe.
+  write("c", "deposit 300 10.\nexamine 300\n");
+  start({"monitor", "pdp7", "echo.s"});
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  shown_.clear();
+  type("do c\r");
+  ASSERT_TRUE(shows("00300 000012")) << shown_;
+  ASSERT_TRUE(shows("pdp7> ")) << shown_;
+  EXPECT_EQ(shown_.find("00300 000012"), shown_.rfind("00300 000012")) << shown_;
+  type("quit\r");
+  EXPECT_EQ(ends(), 0);
+}
+
 TEST_F(Terminal, CtrlCAndCtrlEComeBackToTheMonitor) {
   start({"monitor", "pdp7", "echo.s"});
   ASSERT_TRUE(shows("pdp7> ")) << shown_;
