@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "../core/time.hpp"
+#include "../pdp7/absent_devices.hpp"
 #include "../core/word.hpp"
 #include "../pdp7/bus.hpp"
 
@@ -19,6 +20,12 @@ namespace sightline::machines {
 [[nodiscard]] constexpr bool is_display_iot(std::uint32_t word) {
   const std::uint32_t device = (word >> 6) & 077U;
   return device >= 005 && device <= 010;
+}
+
+// Whether it is one of a program for the Type 340, and none that programs for a Graphic-2 execute, too. Those of the Type 340 among these
+// do to a display that has not been touched what they do without one: nothing.
+[[nodiscard]] constexpr bool uses_display(std::uint32_t word) {
+  return is_display_iot(word) && !pdp7::belongs_to_absent_device(word);
 }
 
 namespace detail {

@@ -178,7 +178,7 @@ TEST(Snapshot, AnotherTapeIsRefused) {
   run::Pdp7Setup setup;
   setup.machine.configuration.core_words = 4096;
   setup.machine.display = type340::Options{true, true, true};
-  setup.configuration = {"--memory 4k", "--eae", "--display"};
+  setup.configuration = {"--memory 4k", "--eae"};
   const auto other = run::make_pdp7(std::move(setup));
   EXPECT_EQ(refusal(saved(*machine), *other),
             "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with "
