@@ -22,8 +22,8 @@ namespace sightline::machines {
   return device >= 005 && device <= 010;
 }
 
-// Whether it is one of a program for the Type 340, and none that programs for a Graphic-2 execute, too. Those of the Type 340 among these
-// do to a display that has not been touched what they do without one: nothing.
+// Whether a program that executes it uses a Type 340: programs for a Graphic-2 have other IOTs of the same devices. The two that belong to both
+// displays, IDVE and that of the return address, change nothing in a Type 340 that has not been started.
 [[nodiscard]] constexpr bool uses_display(std::uint32_t word) {
   return is_display_iot(word) && !pdp7::belongs_to_absent_device(word);
 }

@@ -418,7 +418,7 @@ TEST(MonitorPdp7, ListsDisplayWordsWhereTheDisplayReadsThem) {
   EXPECT_NE(list.find(" 00112 003000  file+5: parameter, stop and interrupt  ; "), std::string::npos) << list;
   EXPECT_NE(list.find(" 00113 200177  file+6: lac 177  ; "), std::string::npos) << list;  // behind the stop
   EXPECT_NE(s("list 100-101").find(" 00101 700606  begin+1: idla  ; "), std::string::npos);
-  // A word that is changed is read anew: the Y word leads to a parameter word now.
+  // The Y word that is changed leads to a parameter word now.
   s("deposit 106 200601");
   EXPECT_NE(s(words).find(" 00106 200601  file+1: point, y 385, dark, then parameter  ; "), std::string::npos) << s(words);
   EXPECT_NE(s(words).find(" 00107 100601  file+2: parameter, "), std::string::npos) << s(words);
@@ -496,7 +496,7 @@ TEST(MonitorPdp7, GoPressesStart) {
 TEST(MonitorPdp7, CompletesVerbsAndNames) {
   auto m = pdp7_program();
   EXPECT_EQ(m->monitor().completions("ex", "ex"), (std::vector<std::string>{"examine", "expect", "exit"}));
-  EXPECT_EQ(m->monitor().completions("break st", "st"), std::vector<std::string>{"store"});
+  EXPECT_EQ(m->monitor().completions("break st", "st"), (std::vector<std::string>{"stop", "store"}));
 }
 
 TEST(MonitorPdp7, LookingChangesNothing) {
@@ -1096,7 +1096,7 @@ TEST(MonitorVerbs, WrongArgumentsAreRefusedInWords) {
       {"break interrupt x", "found \"x\" behind interrupt"},
       {"break 100 if", "expected an expression behind `if`"},
       {"break 100 count 0", "found count 0, expected 1 or more"},
-      {"break pen", "show conditions and show symbols list them"},
+      {"break disk", "show conditions and show symbols list them"},
       {"watch port 100", "found device 100, expected 0 to 000077"},
       {"watch place x", "found \"x\", expected r, w, rw, value, if or count"},
       {"send", "expected \"KEYS\""},
