@@ -88,6 +88,17 @@ class BasicPdp7 {
   Display& attach_display(Arguments&&... arguments) {
     return display_.emplace(std::forward<Arguments>(arguments)...);
   }
+  // The same, plugged in by the first IOT of such a display (uses_display): nothing can tell it from one that was there all the time,
+  // and a program that does not use it has none.
+  template <class... Arguments>
+  void attach_display_when_used(Arguments&&... arguments) {
+    spare_display_.emplace(std::forward<Arguments>(arguments)...);
+  }
+  // Of a machine with such a display, between runs: plugs it in as new, or takes it out.
+  void plug_in_display(bool in) {
+    if (in) plug_in_spare_display();
+    else display_.reset();
+  }
   [[nodiscard]] Display* display() { return display_ ? &*display_ : nullptr; }
   [[nodiscard]] const Display* display() const { return display_ ? &*display_ : nullptr; }
 
@@ -452,13 +463,20 @@ class BasicPdp7 {
     if (display_ && pdp7::reads_status(word) && display_->light_pen_flag(now))
       elsewhere = pdp7::status::light_pen;
     pdp7::IotReply reply = devices_.iot(now, word, ac, elsewhere);
-    if (display_ && is_display_iot(word)) display_iot(*display_, now, word, reply);
+    if (is_display_iot(word)) {
+      if (!display_ && uses_display(word)) plug_in_spare_display();
+      if (display_) display_iot(*display_, now, word, reply);
+    }
     if (display_ && pdp7::clears_all_flags(word)) display_->clear_flags(now);
     // A skip test changes nothing: what it found had a deadline, which is still the one the processor waits
     // for.
     const bool look = (word & 06U) != 0;
     if (look) forget_deadlines();
     return {reply, configuration_.timing.iot_stretch[(word >> 6) & 077U], look};
+  }
+
+  void plug_in_spare_display() {
+    if (spare_display_) display_.emplace(*spare_display_);
   }
 
   [[gnu::noinline]] core::Word18 switches(core::Instant now) { return console_.switches(now); }
@@ -487,6 +505,7 @@ class BasicPdp7 {
   bool devices_request_ = false;  // an interrupt, up to devices_due_
   Counts counts_;
   std::vector<Unanswered> unanswered_;
+  std::optional<Display> spare_display_;  // as new
   Observer& observer_;
 };
 

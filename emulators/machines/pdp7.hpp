@@ -14,6 +14,7 @@ namespace sightline::machines {
 struct Pdp7Options {
   Configuration configuration{};
   std::optional<type340::Options> display;  // nullopt: no display on the machine
+  bool display_when_used = false;           // it is plugged in by the program's first IOT of a display
 };
 
 // `Sink` takes the strokes (core/stroke.hpp), `Observer` watches the processor (observer.hpp). Both outlive
@@ -23,7 +24,9 @@ class Pdp7 : public BasicPdp7<type340::Display<Sink>, Observer> {
  public:
   Pdp7(const Pdp7Options& options, Sink& sink, Observer& observer)
       : BasicPdp7<type340::Display<Sink>, Observer>(options.configuration, observer) {
-    if (options.display) this->attach_display(*options.display, sink);
+    if (!options.display) return;
+    this->attach_display_when_used(*options.display, sink);
+    this->plug_in_display(!options.display_when_used);
   }
 };
 

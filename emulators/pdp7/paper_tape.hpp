@@ -74,6 +74,9 @@ class Reader {
   void clear_flag() { flag_ = false; }
   [[nodiscard]] core::Word18 buffer() const { return buffer_; }
   [[nodiscard]] core::Instant deadline() const { return done_; }
+  // Of the tape, in lines: in all, and how many have passed, those of a request under way not counted.
+  [[nodiscard]] std::size_t length() const { return tape_.size(); }
+  [[nodiscard]] std::size_t position() const { return position_; }
   // The tape ran out under a request that is still waiting.
   [[nodiscard]] bool out_of_tape() const { return running_ && done_ == core::never; }
 

@@ -142,6 +142,8 @@ class Display {
   void point_light_pen(std::optional<LightPen> pen);
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
+  // Where the last pass began; 0 before the first.
+  [[nodiscard]] std::uint16_t start_address() const { return start_address_; }
   // Indicator lights, as of the last advance.
   [[nodiscard]] const Registers& registers() const { return registers_; }
   // The next pulse inside, as of the last advance; never: none is under way.
@@ -208,6 +210,7 @@ class Display {
   Delays delays_;
   core::Word18 input_;              // the word at the inputs
   std::uint16_t word_address_ = 0;  // where it came from
+  std::uint16_t start_address_ = 0;
   BreakRequest request_{};
   bool writing_ = false;
   bool pass_open_ = false;

@@ -13,6 +13,7 @@ void Display<Sink>::start(core::Instant now, std::uint32_t address) {
   writing_ = false;
   registers_.initiate(static_cast<std::uint16_t>(address & Registers::address_mask));
   pass_open_ = true;
+  start_address_ = registers_.address;
   ++counters_.passes_started;
   counters_.previous_start = counters_.last_start;
   counters_.last_start = now;
@@ -146,6 +147,7 @@ void Display<Sink>::visit_state(Visitor& visit) {
   visit.part("delays", delays_);
   visit("input", input_);
   visit("word_address", word_address_, Registers::address_mask);
+  visit("start_address", start_address_, Registers::address_mask);
   visit("request_since", request_.since);
   visit("request_address", request_.address, Registers::address_mask);
   visit("request_write", request_.write);

@@ -47,8 +47,11 @@ bool InterruptKey::pressed() {
 ProgressLine::ProgressLine()
     : next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)), terminal_(is_terminal()) {}
 
-ProgressLine::~ProgressLine() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+ProgressLine::~ProgressLine() { clear(); }
+
+void ProgressLine::clear() {
+  if (!std::exchange(shown_, false)) return;
+  fmt::print(stderr, "\r\033[K");
 }
 
 bool ProgressLine::is_time() {

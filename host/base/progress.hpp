@@ -32,6 +32,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(std::string_view text);  // one line, printable
+  void clear();                      // before a line of another kind; it comes back in its time
   // Of a run on an emulated machine; says how to stop it.
   void show_run(std::uint64_t emulated_nanoseconds, std::uint64_t instructions);
 

@@ -209,7 +209,7 @@ base::Result<base::Done> restore_snapshot(std::string_view name, Machine& machin
                        .expected = fmt::format("one of {}", name),
                        .remedy = fmt::format("use sightline run {}", snapshot->machine)};
   }
-  if (auto differs = difference(snapshot->configuration, machine.configuration())) {
+  if (auto differs = difference(snapshot->configuration, machine.configuration_in(snapshot->state))) {
     differs->file = file;
     return *differs;
   }

@@ -29,7 +29,7 @@ namespace sightline::live {
 
 using base::Bytes;
 
-inline constexpr std::uint32_t snapshot_version = 4;
+inline constexpr std::uint32_t snapshot_version = 5;
 
 struct Snapshot {
   std::string machine;                     // "pdp7"

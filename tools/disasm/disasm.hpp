@@ -5,6 +5,7 @@
 #include <string>
 
 #include "emulators/core/word.hpp"
+#include "emulators/type340/words.hpp"
 #include "host/base/result.hpp"
 #include "tools/image/core_image.hpp"
 
@@ -21,6 +22,9 @@ namespace sightline::disassembler {
 // In the dialect of Bell Laboratories (tools/asm/pdp7/bell.hpp). It has no start address, which stands in a comment; an
 // error if there is a word above 017777, where the dialect ends.
 [[nodiscard]] base::Result<std::string> disassemble_pdp7_bell(const image::CoreImage& image);
+
+// One display word in a mode, as disassemble_type340 says it: "point, x 384, dark, then vector".
+[[nodiscard]] std::string disassemble_display_word(core::Word18 word, type340::Mode mode);
 
 // The words as a display file, each an octal word with its meaning in the comment. Mode 0 at the first word and after
 // every gap; then as each word says, until a stop; then mode 0 again.

@@ -106,7 +106,9 @@ std::string subroutine(Word18 word) {
   return ", no operation" + next;
 }
 
-std::string meaning(Word18 word, Mode mode) {
+}  // namespace
+
+std::string disassemble_display_word(Word18 word, Mode mode) {
   const std::string name(type340::layout_of(mode).name);
   switch (mode) {
     case Mode::parameter: return name + parameter(word);
@@ -121,14 +123,12 @@ std::string meaning(Word18 word, Mode mode) {
   return name + subroutine(word);
 }
 
-}  // namespace
-
 std::string disassemble_type340(const image::CoreImage& image) {
   SourceLines lines;
   Mode mode = Mode::parameter;
   for (const auto& [address, word] : image.words) {
     if (lines.origin_if_needed(address)) mode = Mode::parameter;
-    lines.add(octal(word.value(), 6), octal(address, 5) + " " + meaning(word, mode));
+    lines.add(octal(word.value(), 6), octal(address, 5) + " " + disassemble_display_word(word, mode));
     const auto after = type340::following(mode, word);
     mode = after.stops ? Mode::parameter : after.mode;
   }

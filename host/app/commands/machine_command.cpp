@@ -21,7 +21,7 @@ Option add(const Command& command, const guests::run::Option& option, Arguments&
     case OptionKind::list: return command.option(option.name, value.list, option.help).one_at_a_time();
     case OptionKind::step:
       return command.in_order(
-          option.name, [&arguments, key = option.key()](const std::string& text) { arguments.add_step(key, text); },
+          option.name, [&arguments, key = std::string(option.key())](const std::string& text) { arguments.add_step(key, text); },
           option.help);
     case OptionKind::files: return command.option(option.name, value.list, option.help);
     case OptionKind::positions: return command.option(option.name, value.list, option.help).required();

@@ -14,6 +14,7 @@
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/machine_command.hpp"
 #include "host/app/commands/monitor_session.hpp"
+#include "host/app/commands/program_sources.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/terminal.hpp"
@@ -103,8 +104,18 @@ Ended run_to_stop(const guests::run::Prepared& prepared, const Arguments& argume
   // Without a disk nothing is to be put away when nobody reads the output: it ends at once, as other filters do.
   if (!arguments.given("--disk")) static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
   base::ProgressLine line;
+  // Asked by the count of instructions, and not by a clock: what a run says is the same each time.
+  constexpr std::uint64_t instructions_between_warnings = std::uint64_t{1} << 15;
+  std::uint64_t next_warnings = 0;
   guests::run::Stop stop = guests::run::run_to_stop(
-      *prepared.machine, prepared.limits, [&line](const guests::run::Progress& progress) {
+      *prepared.machine, prepared.limits, [&](const guests::run::Progress& progress) {
+        if (progress.instructions >= next_warnings) {
+          next_warnings = progress.instructions + instructions_between_warnings;
+          for (const std::string& warning : prepared.machine->take_early_warnings()) {
+            line.clear();
+            warn(warning);
+          }
+        }
         line.show_run(static_cast<std::uint64_t>(core::nanoseconds_of(progress.now)), progress.instructions);
         return base::EndSignals::received() == 0 && std::ferror(stdout) == 0;  // it may be full
       });
@@ -144,7 +155,8 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
     return base::Done{};
   };
   check_disk(arguments);
-  const guests::run::Prepared prepared = accepted(prepare(description, arguments, read_named, restore));
+  Programs programs = assemble_sources(description, arguments);
+  const guests::run::Prepared prepared = accepted(prepare(description, arguments, programs.reader(), restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);
@@ -154,7 +166,7 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   const guests::run::Stop& stop = ended.stop;
   if (person && stop.name == live::stopped_by_ctrl_e) {
     const ExitCode code =
-        hold_monitor_session({description, machine, prepared.limits, live::Symbols(description.radix), arguments});
+        hold_monitor_session({description, machine, prepared.limits, std::move(programs.symbols), arguments});
     ended.signal = std::max(0, static_cast<int>(code) - 128);
   }
   for (const std::string& warning : machine.warnings()) warn(warning);
@@ -200,7 +212,9 @@ void add_run_command(const Command& program) {
     HelpPage help =
         help_page("run_" + std::string(machine->name), {{"summary", std::string(machine->help)}});
     help.text += machine->more_help;
-    add_machine_command(command, machine->name, help, machine->options,
+    std::vector<guests::run::Option> options = machine->options;
+    if (const auto* const dialect = dialect_option(*machine)) options.push_back(*dialect);
+    add_machine_command(command, machine->name, help, options,
                         [machine](const Arguments& arguments) { return run(*machine, arguments); });
   }
 }

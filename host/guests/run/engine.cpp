@@ -370,6 +370,24 @@ Result<Prepared> prepare(const MachineDescription& description, const Arguments&
   return Prepared{std::move(*machine), *limits, loaded->warnings};
 }
 
+std::vector<std::string> Machine::take_early_warnings() {
+  std::vector<std::string> texts;
+  for (const EarlyWarning& each : early_warnings()) {
+    if (!warned_.insert(each.what).second) continue;
+    texts.push_back(each.times.empty() ? each.what : fmt::format("{} ({} so far)", each.what, each.times));
+  }
+  return texts;
+}
+
+std::vector<std::string> Machine::early_warnings_left() const {
+  std::vector<std::string> texts;
+  for (const EarlyWarning& each : early_warnings()) {
+    if (warned_.find(each.what) != warned_.end()) continue;
+    texts.push_back(each.times.empty() ? each.what : fmt::format("{} ({})", each.what, each.times));
+  }
+  return texts;
+}
+
 Stop run_to_stop(Machine& machine, const Limits& limits, const KeepRunning& keep_running) {
   std::optional<Stop> stop;
   while (!stop) {

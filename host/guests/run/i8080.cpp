@@ -38,6 +38,8 @@ using machines::DeviceKind;
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
 constexpr core::TStates time_between_questions{1 << 25};
+// Every instruction of such a run is written down, which takes longer.
+constexpr core::TStates written_between_questions{1 << 19};
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
 
 // --- Texts ---
@@ -62,10 +64,6 @@ std::string as_utf8(std::string_view bytes) {
     }
   }
   return text;
-}
-
-std::string times(std::uint64_t n, std::string_view what) {
-  return n == 1 ? fmt::format("once {}", what) : fmt::format("{} times {}", n, what);
 }
 
 // Registers B to L, numbers 2 to 7: halves of pairs.
@@ -167,7 +165,7 @@ class I8080Run final : public Machine {
     if (cpm_ && !watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
-        asked ? std::min(limit, processor_.now() + time_between_questions) : limit;
+        asked ? std::min(limit, processor_.now() + (setup_.observed ? written_between_questions : time_between_questions)) : limit;
     const std::uint64_t left = limits.instructions - std::min(processor_.instructions(), limits.instructions);
     const auto reason = run_observed({left, until});
     each_terminal([this](auto& terminal) {
@@ -225,7 +223,17 @@ class I8080Run final : public Machine {
     return fmt::format("{:>12} {:04X} {:<6} {:<20} {:<7} {:02X} {:02X}", entry.time, entry.pc, bytes,
                        (entry.supplied ? "INT " : "") + line.text, used, entry.accumulator, entry.link);
   }
-  [[nodiscard]] std::vector<ReportLine> device_lines() const override { return lines(); }
+  [[nodiscard]] std::vector<ReportLine> device_lines() const override {
+    std::vector<ReportLine> rows = lines();
+    for (ReportLine& row : rows) {
+      const auto sent = setup_.sent_from.find(row.label);
+      if (sent != setup_.sent_from.end()) row.text = sent->second + ": " + row.text;
+    }
+    if (!setup_.cpm) return rows;
+    for (const CpmDrive& drive : setup_.cpm->drives)
+      rows.push_back({fmt::format("drive {}", static_cast<char>('A' + drive.number)), drive.folder + (drive.read_only ? ", read only" : "")});
+    return rows;
+  }
 
   void type(std::uint8_t code) override {
     if (cpm_) cpm_->type(code);
@@ -316,14 +324,7 @@ class I8080Run final : public Machine {
         }
       });
     });
-    each_unanswered([&warnings](std::size_t port, const machines::UnansweredPort& counts) {
-      const auto warn = [&](std::uint64_t count, std::string_view what) {
-        if (count != 0)
-          warnings.push_back(fmt::format("port {:02X}: no device at this port, {}", port, times(count, what)));
-      };
-      warn(counts.reads, "read as FF");
-      warn(counts.writes, "written without effect");
-    });
+    for (std::string& warning : early_warnings_left()) warnings.push_back(std::move(warning));
     if (console_left_out_ != 0) {
       warnings.push_back(
           fmt::format("the report's \"console\" lacks the last {} bytes printed; --console-out FILE takes all",
@@ -363,6 +364,21 @@ class I8080Run final : public Machine {
       }
     });
     return bytes;
+  }
+
+ protected:
+  [[nodiscard]] std::vector<EarlyWarning> early_warnings() const override {
+    std::vector<EarlyWarning> warnings;
+    each_unanswered([&warnings](std::size_t port, const machines::UnansweredPort& counts) {
+      const auto warn = [&](std::uint64_t count, std::string_view what) {
+        if (count == 0) return;
+        warnings.push_back({fmt::format("port {:02X}: no device at this port, {}", port, what),
+                            count == 1 ? "once" : fmt::format("{} times", count)});
+      };
+      warn(counts.reads, "read as FF");
+      warn(counts.writes, "written without effect");
+    });
+    return warnings;
   }
 
  private:

@@ -32,6 +32,7 @@ namespace sightline::guests::run {
 struct I8080Setup {
   machines::SkalaConfiguration machine;    // the links' bytes are views of `sent`
   std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links
+  std::map<std::string_view, std::string> sent_from;  // the names of these files
   machines::HoldTimes hold;                // a board that takes the bus
   std::optional<CpmSetup> cpm;             // CP/M around the program
   bool strict = false;                     // an access to a port without a device ends the run

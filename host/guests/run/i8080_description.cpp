@@ -80,8 +80,9 @@ void attach(const Arguments& arguments, const FileReader& read, I8080Setup& setu
     if constexpr (Row::kind == DeviceKind::link) {
       const std::string option = fmt::format("--{}", Row::name);
       if (!arguments.given(option)) return;
-      const Bytes& sent = setup.sent[Row::name] = read(arguments.text(option)).bytes;
-      setup.machine.*Row::bytes = sent;
+      Input file = read(arguments.text(option));
+      setup.machine.*Row::bytes = setup.sent[Row::name] = std::move(file.bytes);
+      setup.sent_from[Row::name] = std::move(file.name);
     } else if constexpr (Row::kind == DeviceKind::other) {
       const auto& wanted = arguments.list("--device");
       setup.machine.*Row::attached = std::find(wanted.begin(), wanted.end(), Row::choice) != wanted.end();

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -268,6 +269,12 @@ struct ReportLine {
   std::string text;
 };
 
+// A warning that is right while the machine runs, and need not wait for the end: a device is not there.
+struct EarlyWarning {
+  std::string what;   // which it is
+  std::string times;  // how often so far; may be empty
+};
+
 // --console, --speed, --expect and --send, the same for every machine.
 [[nodiscard]] std::vector<Option> console_options(std::string_view device);
 
@@ -365,14 +372,28 @@ class Machine {
   // An error leaves the machine as it was. What it has produced since then is dropped from its outputs; what a stream
   // has written stays.
   [[nodiscard]] virtual base::Result<Done> restore(const MachineState& state);
+  // The configuration it has in that state: a device that is plugged in when it is used is then there or not.
+  [[nodiscard]] virtual std::vector<std::string> configuration_in(const MachineState&) const { return configuration(); }
 
   // The report: rows of its table, and members of its JSON document before and after the registers.
   [[nodiscard]] virtual std::vector<ReportLine> lines() const = 0;
   virtual void add_times(base::Json& report) const = 0;
   virtual void add_details(base::Json&) const {}
+  // After the run; without those that take_early_warnings() has handed out.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
+  // Between slices of a run: those that have come up since the last call.
+  [[nodiscard]] std::vector<std::string> take_early_warnings();
   // What an output option asks for; not asked for --dump.
   [[nodiscard]] virtual Bytes output(std::string_view) const { return {}; }
+
+ protected:
+  // All of the run.
+  [[nodiscard]] virtual std::vector<EarlyWarning> early_warnings() const { return {}; }
+  // Those that have not been handed out.
+  [[nodiscard]] std::vector<std::string> early_warnings_left() const;
+
+ private:
+  std::set<std::string, std::less<>> warned_;
 };
 
 struct MachineDescription {

@@ -13,6 +13,7 @@
 #include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/disk_image.hpp"
+#include "host/guests/run/display_file.hpp"
 #include "host/guests/run/pdp7_observers.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/phosphor.hpp"
@@ -27,6 +28,8 @@ namespace {
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
 constexpr std::uint64_t cycles_between_questions = std::uint64_t{1} << 22;
+// Every instruction of such a run is written down, which takes longer.
+constexpr std::uint64_t written_between_questions = std::uint64_t{1} << 16;
 // A program that has run into its data can meet thousands of codes.
 constexpr std::size_t most_warnings = 100;
 // The exposure that the photograph's parameters are set for.
@@ -101,7 +104,7 @@ class Pdp7Machine final : public Machine {
     if (machine_.display() != nullptr) pen_script_ = std::move(setup_.pen_script);
     if (setup_.trace) tracer_.emplace();
     if (setup_.vcd)
-      vcd_.emplace(std::move(*setup_.vcd), machine_.display() != nullptr ? &machine_.display()->registers() : nullptr);
+      vcd_.emplace(std::move(*setup_.vcd), [this] { return machine_.display() != nullptr ? &machine_.display()->registers() : nullptr; });
     if (setup_.monitored) probe_.emplace(std::size_t{pdp7::address_mask} + 1, std::size_t{0100});
   }
 
@@ -111,6 +114,7 @@ class Pdp7Machine final : public Machine {
   }
   void put(std::uint32_t address, std::uint32_t word) override {
     machine_.deposit(address, core::Word18(word));
+    display_words_.reset();
   }
 
   [[nodiscard]] std::uint32_t get(std::size_t number) const override {
@@ -154,11 +158,12 @@ class Pdp7Machine final : public Machine {
 
   // A slice ends where the engine is to be asked or the light pen moves.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
+    display_words_.reset();
     const std::uint64_t done = machine_.counts().instructions;
     const std::uint64_t left = limits.instructions - std::min(done, limits.instructions);
     const core::Instant limit = core::at_nanoseconds(limits.until);
     const auto reason = run_observed(
-        {asked ? std::min(left, cycles_between_questions) : left, std::min({limit, move_pen(), next_frame()})});
+        {asked ? std::min(left, tracer_ || vcd_ ? written_between_questions : cycles_between_questions) : left, std::min({limit, move_pen(), next_frame()})});
     film();
     switches_ = machine_.console().switches(machine_.now());
     listen_to_printer();
@@ -180,7 +185,11 @@ class Pdp7Machine final : public Machine {
     return probe_ ? &*probe_ : nullptr;
   }
   [[nodiscard]] Instruction instruction_at(std::uint32_t address) const override {
-    return {disassembler::disassemble_word(machine_.peek(address), address), 1};
+    const core::Word18 word = machine_.peek(address);
+    const auto& display_words = words_of_display();
+    if (const auto found = display_words.find(address); found != display_words.end())
+      return {disassembler::disassemble_display_word(word, found->second), 1};
+    return {disassembler::disassemble_word(word, address), 1};
   }
   [[nodiscard]] Flow flow_of(std::uint32_t word) const override {
     const pdp7::Operation operation = pdp7::instruction_of(word).operation;
@@ -200,6 +209,7 @@ class Pdp7Machine final : public Machine {
     if (device != "reader")
       return usage(fmt::format("found device \"{}\", expected reader, disk or pen", device));
     machine_.devices().reader.load(input.bytes);
+    setup_.reader_name = input.name;
     return Done{};
   }
   [[nodiscard]] std::vector<Medium> changed_media() const override {
@@ -218,11 +228,12 @@ class Pdp7Machine final : public Machine {
       constexpr std::uint32_t over = pdp7::rb09::status::done | pdp7::rb09::status::error;
       flags.emplace_back("disk", (devices.disk->status() & over) != 0);
     }
-    if (auto* display = machine_.display()) {
-      // The display has come to the machine's own time: to ask it changes nothing.
-      flags.emplace_back("edge", display->vertical_edge(now()) || display->horizontal_edge(now()));
-      flags.emplace_back("pen", display->light_pen_flag(now()));
-      flags.emplace_back("stop", display->stop_interrupt(now()));
+    if (setup_.machine.display) {
+      // The display has come to the machine's own time: to ask it changes nothing. One that is not plugged in yet has no flag up.
+      auto* const display = machine_.display();
+      flags.emplace_back("edge", display != nullptr && (display->vertical_edge(now()) || display->horizontal_edge(now())));
+      flags.emplace_back("pen", display != nullptr && display->light_pen_flag(now()));
+      flags.emplace_back("stop", display != nullptr && display->stop_interrupt(now()));
     }
     return flags;
   }
@@ -243,8 +254,8 @@ class Pdp7Machine final : public Machine {
     const auto flag = [](bool up) { return up ? "flag up" : "flag down"; };
     std::vector<ReportLine> lines{
         {"clock", fmt::format("{}, {}", devices.clock.on() ? "on" : "off", flag(devices.clock.flag()))},
-        {"reader", fmt::format("{}, buffer {:06o}{}", flag(devices.reader.flag()), devices.reader.buffer().value(),
-                               devices.reader.out_of_tape() ? ", waits for tape" : "")},
+        {"reader", fmt::format("{}, {}, buffer {:06o}{}", tape_in_reader(), flag(devices.reader.flag()),
+                               devices.reader.buffer().value(), devices.reader.out_of_tape() ? ", waits for tape" : "")},
         {"punch", fmt::format("{}, {} lines punched", flag(devices.punch.flag()), devices.punch.tape().size())},
         {"keyboard", fmt::format("{}, buffer {:03o}", flag(devices.keyboard.flag()), devices.keyboard.buffer())},
         {"printer", fmt::format("{}, {} characters typed", flag(devices.printer.flag()),
@@ -257,6 +268,13 @@ class Pdp7Machine final : public Machine {
                                            disk.attached() ? disk_path_.empty() ? "read only" : disk_path_ : "none in the drive",
                                            disk.status(), track, sector, disk.address() % pdp7::rb09::words,
                                            disk.core_address(), disk.word_count())});
+    }
+    if (const auto* display = machine_.display()) {
+      const type340::Counters& done = display->counters();
+      lines.push_back({"display", fmt::format("{} words, {} passes complete of {} started; `show display` has its registers",
+                                              done.words, done.passes_stopped, done.passes_started)});
+    } else if (setup_.machine.display) {
+      lines.push_back({"display", "not used yet"});
     }
     return lines;
   }
@@ -315,15 +333,32 @@ class Pdp7Machine final : public Machine {
   [[nodiscard]] std::int64_t ticks() const override { return core::nanoseconds_of(machine_.now()); }
   [[nodiscard]] std::int64_t ticks_a_second() const override { return 1'000'000'000; }
 
-  [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
+  [[nodiscard]] std::vector<std::string> configuration() const override { return configuration_with(machine_.display() != nullptr); }
+  [[nodiscard]] std::vector<std::string> configuration_in(const MachineState& state) const override {
+    return configuration_with(has_display(state));
+  }
   [[nodiscard]] MachineState save() override {
     StateWriter writer;
     visit_state(writer);
     return writer.take();
   }
   [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
-    const auto done = restore_state(state, [this](auto& visit) { this->visit_state(visit); });
-    if (!done) return done;
+    display_words_.reset();
+    const bool had_display = machine_.display() != nullptr;
+    const bool changes = setup_.machine.display && had_display != has_display(state);
+    const MachineState before = changes ? save() : MachineState{};
+    if (changes) plug_in_display(!had_display);
+    const auto restored = [this](const MachineState& from) {
+      return restore_state(from, [this](auto& visit) { this->visit_state(visit); });
+    };
+    const auto done = restored(state);
+    if (!done) {
+      if (changes) {
+        plug_in_display(had_display);
+        static_cast<void>(restored(before));
+      }
+      return done;
+    }
     switches_ = machine_.console().switches(machine_.now());
     heard_of_printed_ = taken_of_printed_ = machine_.devices().printer.printed().size();
     sink_.forget_after(machine_.now());
@@ -372,7 +407,7 @@ class Pdp7Machine final : public Machine {
     report["machine"] = base::Json{{"core_words", machine.core_words},
                                    {"eae", machine.model.eae},
                                    {"extend_mode", machine.core_words > 8192},
-                                   {"display", setup_.machine.display.has_value()}};
+                                   {"display", machine_.display() != nullptr}};
     base::Json& timing = report["timing"] = base::Json::object();
     for (const auto& [name, value] : setup_.timing) timing[name] = value;
     if (const auto& disk = machine_.devices().disk) {
@@ -397,31 +432,13 @@ class Pdp7Machine final : public Machine {
       warnings.push_back(fmt::format("the movie ends at {} s, after {} photographs; a smaller --movie-rate makes it longer",
                                      seconds_text(frame_at_ - frame_time()), most_frames));
     }
-    for (const machines::Unanswered& entry : machine_.unanswered()) {
-      if (warnings.size() == most_warnings) {
-        warnings.push_back(
-            fmt::format("and {} more such codes", machine_.unanswered().size() - most_warnings));
-        break;
-      }
-      warnings.push_back(fmt::format("PC {:05o}: {:06o} does nothing, {} ({})", entry.first_pc, entry.word,
-                                     why_unanswered(entry.word),
-                                     entry.count == 1 ? "once" : fmt::format("{} times", entry.count)));
-    }
-    if (const auto* display = machine_.display()) {
-      const auto attach = [&warnings](std::uint64_t times, std::string_view what, std::string_view option) {
-        if (times == 0) return;
-        warnings.push_back(fmt::format("the display met a word for {} and waits there; --display-option {} attaches it", what,
-                                       option));
-      };
-      attach(display->counters().characters_met, "the Type 342 character generator", "342");
-      attach(display->counters().subroutines_met, "the Type 347 subroutine option", "347");
-    }
+    for (std::string& warning : early_warnings_left()) warnings.push_back(std::move(warning));
+    if (const std::size_t codes = machine_.unanswered().size(); codes > most_warnings)
+      warnings.push_back(fmt::format("and {} more such codes", codes - most_warnings));
     if (const auto& disk = machine_.devices().disk; disk && disk->counters().timing_errors != 0) {
       warnings.push_back(fmt::format("the disk waited too long for core in {} transfers, which ended with a timing error",
                                      disk->counters().timing_errors));
     }
-    if (machine_.devices().reader.out_of_tape())
-      warnings.emplace_back("the program waits for the paper-tape reader, which has no more tape");
     if constexpr (Sink::consumes) {
       const bool of_pass = setup_.screen && setup_.picture_wanted && setup_.screen->window.count() == 0;
       if (of_pass && !sink_.has_complete_pass())
@@ -467,7 +484,61 @@ class Pdp7Machine final : public Machine {
     return {};
   }
 
+ protected:
+  [[nodiscard]] std::vector<EarlyWarning> early_warnings() const override {
+    std::vector<EarlyWarning> warnings;
+    for (const machines::Unanswered& entry : machine_.unanswered()) {
+      if (warnings.size() == most_warnings) break;
+      warnings.push_back({fmt::format("PC {:05o}: {:06o} does nothing, {}", entry.first_pc, entry.word, why_unanswered(entry.word)),
+                          entry.count == 1 ? "once" : fmt::format("{} times", entry.count)});
+    }
+    if (const auto* display = machine_.display()) {
+      const auto attach = [&warnings](std::uint64_t times, std::string_view what, std::string_view option) {
+        if (times == 0) return;
+        warnings.push_back({fmt::format("the display met a word for {} and waits there; --display-option {} attaches it", what, option), {}});
+      };
+      attach(display->counters().characters_met, "the Type 342 character generator", "342");
+      attach(display->counters().subroutines_met, "the Type 347 subroutine option", "347");
+    }
+    if (machine_.devices().reader.out_of_tape())
+      warnings.push_back({"the program waits for the paper-tape reader, which has no more tape", {}});
+    return warnings;
+  }
+
  private:
+  [[nodiscard]] std::string tape_in_reader() const {
+    if (setup_.reader_name.empty()) return "no tape";
+    const pdp7::Reader& reader = machine_.devices().reader;
+    return fmt::format("{}, {} of {} lines read", setup_.reader_name, reader.position(), reader.length());
+  }
+
+  // --- The display ---
+
+  const std::map<std::uint32_t, type340::Mode>& words_of_display() const {
+    if (!display_words_) {
+      display_words_.emplace();
+      const auto* const display = machine_.display();
+      if (display != nullptr && display->counters().passes_started != 0)
+        display_words_ = display_file(*setup_.machine.display, display->registers(), display->start_address(),
+                                      [this](std::uint32_t address) { return machine_.peek(address); });
+    }
+    return *display_words_;
+  }
+  [[nodiscard]] static bool has_display(const MachineState& state) {
+    return std::any_of(state.begin(), state.end(), [](const StateSection& section) { return section.name == "display"; });
+  }
+  [[nodiscard]] std::vector<std::string> configuration_with(bool display) const {
+    std::vector<std::string> words = setup_.configuration;
+    if (display) words.emplace_back("--display");
+    return words;
+  }
+  void plug_in_display(bool in) {
+    machine_.plug_in_display(in);
+    if (in) return;
+    pen_script_.clear();
+    next_move_ = 0;
+  }
+
   machines::StopReason run_observed(const machines::Limits& limits) {
     if constexpr (Sink::consumes) {
       if (tracer_ || vcd_) return run_watched(limits, Pdp7Reporter(tracer_ ? &*tracer_ : nullptr, vcd_ ? &*vcd_ : nullptr));
@@ -489,11 +560,12 @@ class Pdp7Machine final : public Machine {
 
   // An input without a name is no pen.
   Result<Done> attach_pen(const Input& input) {
-    if (machine_.display() == nullptr) return usage("found no display on this machine, expected one; begin with --display");
+    if (!setup_.machine.display) return usage("found no display on this machine, expected one; begin without --no-display");
     std::vector<PenMove> script;
     if (!input.name.empty()) {
       if (auto done = read_light_pen(input, script); !done) return done;
     }
+    if (machine_.display() == nullptr) plug_in_display(true);
     pen_script_ = std::move(script);
     next_move_ = 0;
     machine_.display()->point_light_pen(std::nullopt);
@@ -597,6 +669,7 @@ class Pdp7Machine final : public Machine {
                              {{"Software", "sightline " SIGHTLINE_VERSION}}};
   core::Instant frame_at_{};  // of the movie, the next one; 0: none yet
   core::Word18 switches_;  // their current setting
+  mutable std::optional<std::map<std::uint32_t, type340::Mode>> display_words_;  // as core is now; nullopt: to be found
   std::string disk_path_;  // of the disk in the drive; empty: none, or it is not written back
   std::vector<PenMove> pen_script_;
   std::size_t next_move_ = 0;  // of pen_script_

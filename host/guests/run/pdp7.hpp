@@ -31,6 +31,7 @@ struct Pdp7Setup {
   };
   std::optional<Disk> disk;
   Bytes reader_tape;                     // one byte a line, hole 8 = 0200
+  std::string reader_name;               // of its file; empty: no tape
   std::vector<KeyPress> keys;            // not before one another
   std::vector<PenMove> pen_script;       // likewise; nothing without a display
   std::vector<std::string> configuration;  // see Machine

@@ -189,11 +189,16 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   }
   if (wishes.picture || wishes.photograph || arguments.given("--strokes")) setup.screen = wishes;
   const std::vector<std::string>& options = arguments.list("--display-option");
-  if (!setup.screen && !arguments.given("--display") && options.empty() && !arguments.given("--light-pen"))
+  if (arguments.given("--no-display")) {
+    for (const std::string_view option : {"--png", "--svg", "--phosphor", "--movie", "--strokes", "--display-option", "--light-pen"})
+      if (arguments.given(option)) return usage(fmt::format("{}: found --no-display too, expected one of them", option));
     return Done{};
+  }
   const auto has = [&options](const char* name) {
     return std::find(options.begin(), options.end(), name) != options.end();
   };
+  setup.machine.display_when_used =
+      !setup.screen && !arguments.given("--display") && options.empty() && !arguments.given("--light-pen");
   setup.machine.display = type340::Options{};
   setup.machine.display->subroutines_347 = has("347");
   setup.machine.display->characters_342 = has("342");
@@ -217,9 +222,6 @@ std::vector<std::string> configuration_of(const machines::Pdp7Options& options) 
   const machines::Configuration& machine = options.configuration;
   std::vector<std::string> words{fmt::format("--memory {}k", machine.core_words / 1024),
                                  machine.model.eae ? "--eae" : "--no-eae"};
-  if (options.display) words.emplace_back("--display");
-  if (options.display && options.display->characters_342) words.emplace_back("--display-option 342");
-  if (options.display && options.display->subroutines_347) words.emplace_back("--display-option 347");
   if (machine.devices.disk) words.emplace_back("--disk");
   for (const TimingName& row : timing_names) {
     const bool used = !row.name.starts_with("disk_") || machine.devices.disk;
@@ -231,6 +233,10 @@ std::vector<std::string> configuration_of(const machines::Pdp7Options& options) 
     if (stretch[device].count() != 0)
       words.push_back(fmt::format("--timing {}{:02o}={}", stretch_prefix, device, stretch[device].count()));
   }
+  // Whether the display is plugged in is state, which the machine adds.
+  if (!options.display) words.emplace_back("--no-display");
+  if (options.display && options.display->characters_342) words.emplace_back("--display-option 342");
+  if (options.display && options.display->subroutines_347) words.emplace_back("--display-option 347");
   return words;
 }
 
@@ -263,7 +269,11 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     setup.disk = Pdp7Setup::Disk{read_only || path == "-" ? std::string() : path, std::move(*image), base::crc32(input.bytes),
                                  read_only ? sightline::pdp7::rb09::all_locked : 0};
   }
-  if (arguments.given("--reader")) setup.reader_tape = read(arguments.text("--reader")).bytes;
+  if (arguments.given("--reader")) {
+    Input tape = read(arguments.text("--reader"));
+    setup.reader_tape = std::move(tape.bytes);
+    setup.reader_name = std::move(tape.name);
+  }
   if (arguments.given("--keyboard")) {
     if (auto done = read_keyboard(read(arguments.text("--keyboard")), setup.keys); !done) return done.error();
   }
@@ -385,7 +395,8 @@ std::vector<Option> run_options() {
       {list, "--set", "REGISTER=VALUE", "Set PC, AC, L, MQ, SC, SR or ION before the run, in octal"},
       {text, "--switches", "OCTAL|SCRIPT",
        "The AC switches: an octal word, or a script of who moves them when"},
-      {flag, "--display", {}, "Attach the Type 340"},
+      {flag, "--display", {}, "Attach the Type 340 from the beginning, not only when the program uses it"},
+      {.kind = flag, .name = "--no-display", .help = "The PDP-7 without the Type 340, whose instructions do nothing", .excludes = "--display"},
       {list,
        "--display-option",
        "342|347",

@@ -73,11 +73,12 @@ void Pdp7Vcd::instruction(const machines::InstructionRecord& record) {
   writer_.show(at, signal::link, record.after.link ? 1 : 0);
   writer_.show(at, signal::mq, record.after.mq.value());
   writer_.show(at, signal::ion, record.after.interrupts_on ? 1 : 0);
-  if (display_ == nullptr) return;
-  writer_.show(at, signal::request, display_->request ? 1 : 0);
-  writer_.show(at, signal::edge, display_->edge() ? 1 : 0);
-  writer_.show(at, signal::pen, display_->pen_flag ? 1 : 0);
-  writer_.show(at, signal::stop, display_->stop ? 1 : 0);
+  const type340::Registers* const display = display_();
+  if (display == nullptr) return;
+  writer_.show(at, signal::request, display->request ? 1 : 0);
+  writer_.show(at, signal::edge, display->edge() ? 1 : 0);
+  writer_.show(at, signal::pen, display->pen_flag ? 1 : 0);
+  writer_.show(at, signal::stop, display->stop ? 1 : 0);
 }
 
 std::size_t Pdp7Vcd::kind_of(const pdp7::Cycle& cycle) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -20,8 +21,10 @@ namespace sightline::guests::run {
 // Bus events and registers into a VCD. Of the display the registers are read when an instruction ends.
 class Pdp7Vcd {
  public:
-  // The writer is of pdp7_signals(). `display`: nullptr, or registers that outlive this.
-  Pdp7Vcd(VcdWriter writer, const type340::Registers* display) : writer_(std::move(writer)), display_(display) {}
+  // The registers of the display; nullptr: it is not plugged in.
+  using DisplayRegisters = std::function<const type340::Registers*()>;
+  // The writer is of pdp7_signals().
+  Pdp7Vcd(VcdWriter writer, DisplayRegisters display) : writer_(std::move(writer)), display_(std::move(display)) {}
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
   void finish(core::Instant now);
 
@@ -36,7 +39,7 @@ class Pdp7Vcd {
   void clear_pulses(std::int64_t at);
 
   VcdWriter writer_;
-  const type340::Registers* display_;
+  DisplayRegisters display_;
   bool defers_ = false;            // the next cycle takes an indirect address
   bool executes_another_ = false;  // the cycle after that takes an instruction
   bool pulses_ = false;

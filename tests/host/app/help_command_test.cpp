@@ -50,6 +50,8 @@ TEST_F(HelpCommand, NamesEveryOption) {
                                      "--set",
                                      "--switches",
                                      "--display",
+                                     "--no-display",
+                                     "--dialect",
                                      "--strict",
                                      "--max-time",
                                      "--max-instructions",

@@ -206,13 +206,65 @@ TEST_F(RunCommand, EaePresentOrAbsent) {
 TEST_F(RunCommand, OneWarningACode) {
   // Device 55 twice, the display that is not there once, HLT.
   write("odd.oct", "00100: 705512 705512 700606 740040\n");
-  const Ran ran = run({"--load", "odd.oct", "--start", "100", "--json"});
+  const Ran ran = run({"--load", "odd.oct", "--start", "100", "--no-display", "--json"});
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 2) << ran.err;
   EXPECT_TRUE(has(ran.err, "PC 00100: 705512")) << ran.err;
   EXPECT_TRUE(has(ran.err, "PC 00102: 700606")) << ran.err;
   EXPECT_EQ(json::parse(ran.out).at("unanswered").at(0).at("count"), 2);
-  EXPECT_FALSE(has(run({"--load", "odd.oct", "--start", "100", "--display"}).err, "700606"));
+  EXPECT_FALSE(has(run({"--load", "odd.oct", "--start", "100"}).err, "700606"));
+}
+
+// Device 55 and JMP 100, for longer than the command runs without asking: the warning comes before the end of the run, and once.
+TEST_F(RunCommand, WarnsWhileTheProgramRuns) {
+  write("waits.oct", "00100: 705512 600100\n");
+  const Ran ran = run({"--load", "waits.oct", "--start", "100", "--max-instructions", "20000000", "--json"});
+  const std::size_t first = ran.err.find("PC 00100: 705512 does nothing, no device 55 in this machine obeys it (");
+  ASSERT_NE(first, std::string::npos) << ran.err;
+  EXPECT_TRUE(has(ran.err, " times so far)")) << ran.err;
+  EXPECT_EQ(ran.err.find("705512", first + 20), std::string::npos) << ran.err;
+  EXPECT_EQ(json::parse(ran.out).at("unanswered").at(0).at("count"), 10'000'000);
+  // A shorter run has it at its end, with the whole count.
+  EXPECT_TRUE(has(run({"--load", "waits.oct", "--start", "100", "--max-instructions", "6"}).err, "obeys it (3 times)"));
+}
+
+// The program is the same with a display that was there from the beginning and with one plugged in when it is used.
+TEST_F(RunCommand, TheDisplayIsPluggedInWhenItIsUsed) {
+  write("picture.oct", picture);
+  const Arguments program{"picture.oct", "--start", "100", "--max-time", "0.02", "--json", "--trace", "trace", "--dump", "dump", "--save", "snap"};
+  const auto with = [&program](const std::string& option) {
+    Arguments all = program;
+    all.push_back(option);
+    return all;
+  };
+  const Ran always = run(with("--display"));
+  const std::vector<std::string> kept{read("trace"), read("dump"), read("snap")};
+  const Ran used = run(program);
+  EXPECT_EQ(used.err, "");
+  EXPECT_EQ(used.out, always.out);
+  EXPECT_EQ(json::parse(used.out).at("machine").at("display"), true);
+  EXPECT_GT(json::parse(used.out).at("passes"), 10);
+  EXPECT_TRUE(kept == (std::vector<std::string>{read("trace"), read("dump"), read("snap")}));
+  const Ran without = run(with("--no-display"));
+  EXPECT_EQ(json::parse(without.out).at("machine").at("display"), false);
+  EXPECT_EQ(json::parse(without.out).at("display_words"), 0);
+  EXPECT_TRUE(has(without.err, "PC 00101: 700606 does nothing, no device 06 in this machine obeys it")) << without.err;
+  write("add.oct", add);
+  EXPECT_EQ(report({"add.oct", "--start", "100"}).at("machine").at("display"), false);
+  EXPECT_FALSE(has(run({"add.oct", "--start", "100"}).out, "display"));
+  // IDLA stops a strict run of a machine without one. An output of the display needs it.
+  EXPECT_EQ(run({"picture.oct", "--start", "100", "--strict", "--no-display"}).exit_code, 3);
+  EXPECT_EQ(run({"picture.oct", "--start", "100", "--strict", "--max-time", "0.01"}).exit_code, 0);
+  for (const char* const option : {"--png", "--svg", "--phosphor", "--movie", "--strokes"})
+    EXPECT_EQ(run({"add.oct", "--start", "100", "--no-display", option, "out"}).exit_code, 2) << option;
+  EXPECT_EQ(run({"add.oct", "--start", "100", "--no-display", "--display"}).exit_code, 2);
+}
+
+// 700547 is an instruction of a Graphic-2 that a kernel of 1970 executes without one; 700601 is IDSI of the Type 340.
+TEST_F(RunCommand, AGraphic2IsNoType340) {
+  write("graphic.oct", "00100: 700547 740040 700601 740040\n");
+  EXPECT_EQ(report({"graphic.oct", "--start", "100"}).at("machine").at("display"), false);
+  EXPECT_EQ(report({"graphic.oct", "--start", "102"}).at("machine").at("display"), true);
 }
 
 TEST_F(RunCommand, StrictAndXctChainAreFailuresOfTheGuest) {
@@ -270,9 +322,28 @@ TEST_F(RunCommand, AProgramNeedsNoOption) {
   EXPECT_EQ(ran.out, named.out);
 }
 
-TEST_F(RunCommand, ASourceIsRefusedWithTheCommandThatAssemblesIt) {
+// 3 and 5, in one source and in two side by side, and in the language of Bell Laboratories, whose programs begin at 0.
+TEST_F(RunCommand, SourcesAreAssembled) {
+  write("add.s", "100/\nbegin, lac (3\n tad (5\n hlt\n start begin\n");
+  EXPECT_EQ(report({"add.s"}).at("registers").at("ac"), "000010");
+  write("first.s", "100/\nbegin, lac three\n tad five\n hlt\nthree, 3\n");
+  write("second.s", "five, 5\n start begin\n");
+  EXPECT_EQ(report({"first.s", "second.s"}).at("registers").at("ac"), "000010");
+  write("bell.s", " lac d3\n tad d3\n hlt\nd3: 3\n");
+  EXPECT_EQ(report({"bell.s", "--dialect", "bell"}).at("registers").at("ac"), "000006");
+  write("wrong.s", "100/\n lac foo\n");
+  const Ran ran = run({"wrong.s"});
+  EXPECT_EQ(ran.exit_code, 4);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_TRUE(has(ran.err, "wrong.s:2:6: error: found undefined symbol 'foo'")) << ran.err;
+  const Ran monitored = sightline({"monitor", "pdp7", "wrong.s"});
+  EXPECT_EQ(monitored.exit_code, ran.exit_code);
+  EXPECT_EQ(monitored.err, ran.err);
+}
+
+TEST_F(RunCommand, ASourceAtAnAddressIsRefusedWithTheCommandThatAssemblesIt) {
   write("add.s", "100/\n hlt\n start 100\n");
-  const Ran ran = run({"add.s"});
+  const Ran ran = run({"add.s@100"});
   EXPECT_EQ(ran.exit_code, 4);
   EXPECT_TRUE(has(ran.err, "add.s: found a source file, expected an assembled program; assemble it with: "
                            "sightline asm pdp7 add.s -o PROGRAM"))

@@ -246,8 +246,8 @@ TEST_F(RunI8080Command, PortsThatNothingAnswers) {
   write("ports.bin", "\xDB\x20\xD3\x21\xD3\x21\x76"sv);
   const Ran ran = run({"--load", "ports.bin", "--json"});
   EXPECT_EQ(ran.exit_code, 0);
-  EXPECT_TRUE(has(ran.err, "port 20: no device at this port, once read as FF")) << ran.err;
-  EXPECT_TRUE(has(ran.err, "port 21: no device at this port, 2 times written without effect")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "port 20: no device at this port, read as FF (once)")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "port 21: no device at this port, written without effect (2 times)")) << ran.err;
   EXPECT_EQ(json::parse(ran.out).at("unanswered").at(1), json({{"port", "21"}, {"reads", 0}, {"writes", 2}}));
   const Ran strict = run({"--load", "ports.bin", "--strict", "--dump", "dump"});
   EXPECT_EQ(strict.exit_code, 3);

@@ -57,6 +57,24 @@ TEST_F(RunSnapshot, ContinuesTheRun) {
   EXPECT_EQ(read("d3"), read("d"));
 }
 
+// Whether the display is plugged in is state: a machine is restored with it or without, whichever way it was asked for.
+TEST_F(RunSnapshot, HasTheDisplayIfTheProgramHasUsedIt) {
+  write("picture.oct", picture);
+  for (const char* const before : {"1", "100"}) {
+    ASSERT_EQ(run({"picture.oct", "--start", "100", "--max-instructions", "1000", "--dump", "whole"}).exit_code, 0);
+    ASSERT_EQ(run({"picture.oct", "--start", "100", "--max-instructions", before, "--save", "a.snap"}).exit_code, 0);
+    const std::string rest = std::to_string(1000 - std::stoi(before));
+    for (const Arguments& option : std::vector<Arguments>{{}, {"--display"}, {"--png", "a.png"}}) {
+      Arguments all{"--restore", "a.snap", "--max-instructions", rest, "--dump", "d"};
+      all.insert(all.end(), option.begin(), option.end());
+      const auto r = report(all);
+      EXPECT_EQ(r.at("machine").at("display"), true);
+      EXPECT_EQ(r.at("instructions"), 1000);
+      EXPECT_EQ(read("d"), read("whole"));
+    }
+  }
+}
+
 TEST_F(RunSnapshot, ContinuesAn8080) {
   // MVI C 2; INR E; CALL 5; JMP 102
   write("print.com", std::string_view("\x0E\x02\x1C\xCD\x05\x00\xC3\x02\x01", 9));
@@ -92,8 +110,7 @@ TEST_F(RunSnapshot, RefusesWhatContradictsIt) {
           "a.snap: configuration: found a machine with --memory 4k --no-eae and without --memory 8k --eae, "
           "expected that of "
           "the snapshot; add --memory 8k --eae, leave out --no-eae");
-  refused({"--display"}, 4,
-          "found a machine with --display, expected that of the snapshot; leave out --display");
+  refused({"--no-display"}, 4, "found a machine with --no-display, expected that of the snapshot; leave out --no-display");
   for (const char* const machine : {"pdp7", "i8080"}) {
     const Ran ran = sightline({"run", machine, "a.snap"});
     EXPECT_EQ(ran.exit_code, 4);

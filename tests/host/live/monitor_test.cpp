@@ -196,6 +196,8 @@ std::unique_ptr<Session> pdp7_program() {
       "        start begin\n");
 }
 
+void walk_back_and_forth(Session& s, std::string_view name);
+
 TEST(MonitorPdp7, ExaminesAndDeposits) {
   auto m = pdp7_program();
   Session& s = *m;
@@ -400,6 +402,57 @@ TEST(MonitorPdp7, TakesPictures) {
   (*without)("screenshot a.png", Kind::wrong);
 }
 
+// The square of host/examples/square.s, by its comments: its display words are display words once the display was started there.
+TEST(MonitorPdp7, ListsDisplayWordsWhereTheDisplayReadsThem) {
+  auto m = pdp7_session("begin, law file\n idla\n idsi\n jmp .-1\n hlt\nfile, 020137\n 220601\n 100601\n 200177\n 677577\n 003000\n 200177\n start begin\n");
+  Session& s = *m;
+  const std::string words = "list 105-113";
+  EXPECT_NE(s(words).find(" 00106 220601  file+1: lac i 601  ; "), std::string::npos) << s(words);
+  s("continue");
+  const std::string list = s(words);
+  EXPECT_NE(list.find("00105 020137  file: parameter, scale 2, intensity 7, then point  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00106 220601  file+1: point, y 385, dark, then point  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00107 100601  file+2: point, x 385, dark, then vector  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00110 200177  file+3: vector, dx +127 dy +0, lit  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00111 677577  file+4: vector, dx +127 dy +127, lit, then parameter  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00112 003000  file+5: parameter, stop and interrupt  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00113 200177  file+6: lac 177  ; "), std::string::npos) << list;  // behind the stop
+  EXPECT_NE(s("list 100-101").find(" 00101 700606  begin+1: idla  ; "), std::string::npos);
+  // The Y word that is changed leads to a parameter word now.
+  s("deposit 106 200601");
+  EXPECT_NE(s(words).find(" 00106 200601  file+1: point, y 385, dark, then parameter  ; "), std::string::npos) << s(words);
+  EXPECT_NE(s(words).find(" 00107 100601  file+2: parameter, "), std::string::npos) << s(words);
+}
+
+TEST(MonitorPdp7, TheDisplayIsThereWhenItIsUsed) {
+  auto m = pdp7_session("begin, law file\n idla\nloop, idsi\n jmp loop\n jmp begin\nfile, 020137\n 220601\n 100601\n 200177\n 677577\n 003000\n start begin\n");
+  Session& s = *m;
+  EXPECT_EQ(s("show display"), "no display is attached\n");
+  EXPECT_NE(s("show devices").find("display      not used yet\n"), std::string::npos);
+  s("break when stop");
+  s("continue");
+  EXPECT_NE(s("show devices").find("display      6 words, 1 passes complete of 1 started"), std::string::npos) << s("show devices");
+  EXPECT_NE(s("show display").find("stopped by its file"), std::string::npos);
+  s("back " + std::to_string(s.machine().instructions()));
+  EXPECT_EQ(s("show display"), "no display is attached\n");
+  s("delete");
+  walk_back_and_forth(s, "pdp7");
+}
+
+// Two words of three lines with hole 8. RSB takes one.
+TEST(MonitorPdp7, DevicesSayWhatIsInThem) {
+  auto m = pdp7_session(" rsb\n rsf\n jmp .-1\n hlt\n");
+  Session& s = *m;
+  EXPECT_NE(s("show devices").find("reader       no tape, flag down"), std::string::npos);
+  s.files["words.tape"] = "\x81\x82\x83\x84\x85\x86";
+  s("attach reader words.tape");
+  EXPECT_NE(s("show devices").find("reader       words.tape, 0 of 6 lines read, flag down"), std::string::npos) << s("show devices");
+  s("continue");
+  EXPECT_NE(s("show devices").find("reader       words.tape, 3 of 6 lines read, flag up, buffer 010203"), std::string::npos) << s("show devices");
+  s("detach reader");
+  EXPECT_NE(s("show devices").find("reader       no tape"), std::string::npos);
+}
+
 TEST(MonitorPdp7, ReadsCommandsFromFiles) {
   auto m = pdp7_program();
   Session& s = *m;
@@ -443,7 +496,7 @@ TEST(MonitorPdp7, GoPressesStart) {
 TEST(MonitorPdp7, CompletesVerbsAndNames) {
   auto m = pdp7_program();
   EXPECT_EQ(m->monitor().completions("ex", "ex"), (std::vector<std::string>{"examine", "expect", "exit"}));
-  EXPECT_EQ(m->monitor().completions("break st", "st"), std::vector<std::string>{"store"});
+  EXPECT_EQ(m->monitor().completions("break st", "st"), (std::vector<std::string>{"stop", "store"}));
 }
 
 TEST(MonitorPdp7, LookingChangesNothing) {
@@ -1043,7 +1096,7 @@ TEST(MonitorVerbs, WrongArgumentsAreRefusedInWords) {
       {"break interrupt x", "found \"x\" behind interrupt"},
       {"break 100 if", "expected an expression behind `if`"},
       {"break 100 count 0", "found count 0, expected 1 or more"},
-      {"break pen", "show conditions and show symbols list them"},
+      {"break disk", "show conditions and show symbols list them"},
       {"watch port 100", "found device 100, expected 0 to 000077"},
       {"watch place x", "found \"x\", expected r, w, rw, value, if or count"},
       {"send", "expected \"KEYS\""},

@@ -149,7 +149,7 @@ TEST(Snapshot, RefusalsSayWhatToDo) {
   run::Bytes changed = bytes;
   changed[8] = 3;
   EXPECT_EQ(refusal(changed, *machine),
-            "a.snap: byte 8: found version 3, expected version 4; make the snapshot again with the --save of "
+            "a.snap: byte 8: found version 3, expected version 5; make the snapshot again with the --save of "
             "this version");
   EXPECT_EQ(
       refusal(bytes, *machine, "i8080"),
@@ -178,7 +178,7 @@ TEST(Snapshot, AnotherTapeIsRefused) {
   run::Pdp7Setup setup;
   setup.machine.configuration.core_words = 4096;
   setup.machine.display = type340::Options{true, true, true};
-  setup.configuration = {"--memory 4k", "--eae", "--display"};
+  setup.configuration = {"--memory 4k", "--eae"};
   const auto other = run::make_pdp7(std::move(setup));
   EXPECT_EQ(refusal(saved(*machine), *other),
             "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with "

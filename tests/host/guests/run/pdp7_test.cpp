@@ -55,6 +55,40 @@ MachineRun busy_run(unsigned interrupts = 0777766) {
   return run_of(busy_core(interrupts)).set("--start", "100").set("--display");
 }
 
+// Device 55 twice, then for ever JMP 102.
+TEST(RunPdp7, WarnsOnceWhileItRuns) {
+  auto ready = run_of(words_at(0100, {0705512, 0705512, 0600102})).set("--start", "100").prepared();
+  ASSERT_TRUE(ready.has_value());
+  run::Machine& machine = *ready->machine;
+  EXPECT_TRUE(machine.take_early_warnings().empty());
+  EXPECT_FALSE(machine.run({}, true).has_value());
+  EXPECT_EQ(machine.take_early_warnings(),
+            std::vector<std::string>{"PC 00100: 705512 does nothing, no device 55 in this machine obeys it (2 times so far)"});
+  EXPECT_FALSE(machine.run({}, true).has_value());
+  EXPECT_TRUE(machine.take_early_warnings().empty());
+  EXPECT_TRUE(machine.warnings().empty());
+}
+
+// A state that is refused leaves the machine without a display if it had none.
+TEST(RunPdp7, ARefusedStatePlugsInNoDisplay) {
+  const Left used = run_of(busy_core()).set("--start", "100").set("--max-instructions", "100").go();
+  run::MachineState damaged = used.machine->save();
+  const auto display = std::find_if(damaged.begin(), damaged.end(), [](const auto& section) { return section.name == "display"; });
+  ASSERT_NE(display, damaged.end());
+  auto fresh = run_of(busy_core()).set("--start", "100").prepared();
+  const run::MachineState before = fresh->machine->save();
+  const auto same = [](const run::MachineState& a, const run::MachineState& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return x.name == y.name && x.bytes == y.bytes; });
+  };
+  EXPECT_TRUE(fresh->machine->restore(used.machine->save()).has_value());
+  EXPECT_TRUE(same(fresh->machine->save(), used.machine->save()));
+  EXPECT_TRUE(fresh->machine->restore(before).has_value());
+  EXPECT_TRUE(same(fresh->machine->save(), before));
+  display->bytes.pop_back();
+  EXPECT_FALSE(fresh->machine->restore(damaged).has_value());
+  EXPECT_TRUE(same(fresh->machine->save(), before));
+}
+
 TEST(RunPdp7, BeingAskedInBetweenChangesNothing) {
   NEEDS_OPTIMISED_CODE();
   const Left alone = busy_run().set("--max-instructions", "20000000").go();
