@@ -4,8 +4,9 @@
   check_page.py PAGE.html SIGHTLINE [FOLDER]
 
 Opens the page from disk, walks through the scenes by keys, throws switches, presses the panel's keys, points the light pen, types, drops tapes, grids and
-rubbish, assembles, breaks and steps back, turns the surface, flies through the town, plays every lesson to its end, at 390, 1280 and 3840 pixels, light and
-dark, and compares the tube with the photograph of the command. Any error in the browser's console is a failure. With FOLDER, screenshots go there.
+rubbish, halts and pauses, chooses the afterglow, assembles, breaks and steps back, turns the surface, flies through the town, plays every lesson to its
+end, at 390, 1280 and 3840 pixels, light and dark, and compares the tube with the photograph of the command. Any error in the browser's console is a
+failure. With FOLDER, screenshots go there.
 """
 import base64
 import os
@@ -335,6 +336,9 @@ for kind in ["few points", "shaders", "plain"]:
       return found;""")
     check(all(total > 200 and hit > 0.95 * total for hit, total in on.values()), f"{kind}: places of the exact lines that are on the picture of their colour: {on}")
     shot("pair-" + kind.replace(" ", "-"))
+    choose("Program", "square.s")
+    wait(lambda: not js("return sightline.room.on"), f"{kind}: the square after the pair")
+    wait(lambda: bright(*SQUARE)[0] > 280, f"{kind}: what is no pair is not shown as one", 10)
 console_is_clean("the tube")
 go("jones/turn star.off?glow=off")
 check(js("return sightline.room.options.glow === 'off' && sightline.room.glow.select.value === 'off'") and "glow=off" in driver.current_url, "the afterglow is in the link: " + driver.current_url)
