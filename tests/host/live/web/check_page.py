@@ -262,7 +262,12 @@ def bright(low=0, high=267):
     return js(PICTURE + "return bright(arguments[0], arguments[1]);", low, high)
 
 
+def unfold():
+    js("for (const each of document.querySelectorAll('main details')) each.open = true")
+
+
 def choose(label, value):
+    unfold()
     Select(driver.find_element(By.XPATH, f"//main//label[span[text()='{label}']]/select")).select_by_value(value)
 
 
@@ -351,13 +356,13 @@ press("Pause")
 js("const {room} = sightline; room.lines = room.lines.map(([a, b, c, d]) => [a, b + 40, c, d + 40]); room.drawGlass(); room.showState()")
 check(all(word in js("return sightline.room.facts.textContent") for word in ["pieces of a line, 4 points long each, are not in the picture (drawn red)", "squares of 4 by 4 points are lit where no line is (magenta)"]),
       "what differs is said in words: " + js("return sightline.room.facts.textContent"))
-driver.find_element(By.XPATH, "//main//label[contains(., 'Exact visible lines')]").click()
-driver.find_element(By.XPATH, "//main//label[contains(., 'Exact visible lines')]").click()
+js("sightline.room.exact.box.click(); sightline.room.exact.box.click()")
 check("when the machine has run for a moment" in js("sightline.room.showState(); return sightline.room.facts.textContent") and js("return sightline.room.missing") is None, "nothing is called missing that was drawn before the lines were asked for")
 
 # --- Keys: what has the focus does not keep those that walk.
 go("jones/house")
 wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a view to walk from")
+unfold()
 speed = driver.find_element(By.XPATH, "//main//label[span[text()='Speed']]/select")
 speed.click()
 choose("Speed", "2")
