@@ -4,8 +4,9 @@
   check_page.py PAGE.html SIGHTLINE [FOLDER]
 
 Opens the page from disk, walks through the scenes by keys, throws switches, presses the panel's keys, points the light pen, types, drops tapes, grids and
-rubbish, assembles, breaks and steps back, turns the surface, flies through the town, plays every lesson to its end, in a frame, too, at 390, 1280 and 3840 pixels, light and
-dark, and compares the tube with the photograph of the command. Any error in the browser's console is a failure. With FOLDER, screenshots go there.
+rubbish, halts and pauses, chooses the afterglow, assembles, breaks and steps back, turns the surface, flies through the town, plays every lesson to its
+end, in a frame, too, at 390, 1280 and 3840 pixels, light and dark, and compares the tube with the photograph of the command. Any error in the browser's
+console is a failure. With FOLDER, screenshots go there.
 """
 import base64
 import os
@@ -263,7 +264,12 @@ def bright(low=0, high=267):
     return js(PICTURE + "return bright(arguments[0], arguments[1]);", low, high)
 
 
+def unfold():
+    js("for (const each of document.querySelectorAll('main details')) each.open = true")
+
+
 def choose(label, value):
+    unfold()
     Select(driver.find_element(By.XPATH, f"//main//label[span[text()='{label}']]/select")).select_by_value(value)
 
 
@@ -337,6 +343,9 @@ for kind in ["few points", "shaders", "plain"]:
       return found;""")
     check(all(total > 200 and hit > 0.95 * total for hit, total in on.values()), f"{kind}: places of the exact lines that are on the picture of their colour: {on}")
     shot("pair-" + kind.replace(" ", "-"))
+    choose("Program", "square.s")
+    wait(lambda: not js("return sightline.room.on"), f"{kind}: the square after the pair")
+    wait(lambda: bright(*SQUARE)[0] > 280, f"{kind}: what is no pair is not shown as one", 10)
 console_is_clean("the tube")
 go("jones/turn star.off?glow=off")
 check(js("return sightline.room.options.glow === 'off' && sightline.room.glow.select.value === 'off'") and "glow=off" in driver.current_url, "the afterglow is in the link: " + driver.current_url)
@@ -349,13 +358,13 @@ press("Pause")
 js("const {room} = sightline; room.lines = room.lines.map(([a, b, c, d]) => [a, b + 40, c, d + 40]); room.drawGlass(); room.showState()")
 check(all(word in js("return sightline.room.facts.textContent") for word in ["pieces of a line, 4 points long each, are not in the picture (drawn red)", "squares of 4 by 4 points are lit where no line is (magenta)"]),
       "what differs is said in words: " + js("return sightline.room.facts.textContent"))
-driver.find_element(By.XPATH, "//main//label[contains(., 'Exact visible lines')]").click()
-driver.find_element(By.XPATH, "//main//label[contains(., 'Exact visible lines')]").click()
+js("sightline.room.exact.box.click(); sightline.room.exact.box.click()")
 check("when the machine has run for a moment" in js("sightline.room.showState(); return sightline.room.facts.textContent") and js("return sightline.room.missing") is None, "nothing is called missing that was drawn before the lines were asked for")
 
 # --- Keys: what has the focus does not keep those that walk.
 go("jones/house")
 wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a view to walk from")
+unfold()
 speed = driver.find_element(By.XPATH, "//main//label[span[text()='Speed']]/select")
 speed.click()
 choose("Speed", "2")
