@@ -19,7 +19,7 @@ using algorithms::jones::PortalTest;
 using Planes = std::vector<std::array<double, 4>>;
 
 constexpr std::size_t plan = 1;
-// Of a scene with more cells than this most have no number in plan.
+// Of a scene with more cells than this only those that a caption names have a number in plan.
 constexpr std::size_t most_numbered_cells = 40;
 
 // Where three planes meet; false if they do not meet in one point.
@@ -51,7 +51,7 @@ class JonesTeller final : public algorithms::jones::Trace {
     if (perspective_) steps_.add(outside ? "The eye is outside all cells: the search begins with the portals in the outer walls."
                                          : fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front()),
                                  "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}},
-                                  {plan, "numbers", outside ? numbers({}) : numbers({cells.front()})}});
+                                  {plan, "numbers", outside ? std::vector<Mark>() : numbers({cells.front()})}});
   }
 
   void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) override {
@@ -161,9 +161,8 @@ class JonesTeller final : public algorithms::jones::Trace {
     pieces_here_ = 0;
   }
 
-  [[nodiscard]] std::vector<Mark> all_numbers() const { return numbers({}); }
-  // The cells that have a number from the beginning, in plan.
-  [[nodiscard]] std::vector<Mark> outlines() const {
+  // All cells in plan with their numbers, from the beginning; of a scene of many cells none.
+  [[nodiscard]] std::vector<Mark> all_cells() const {
     std::vector<Mark> marks;
     if (complex_.cells.size() > most_numbered_cells) return marks;
     for (scene::CellNumber cell = 0; cell < complex_.cells.size(); ++cell) {
@@ -171,6 +170,7 @@ class JonesTeller final : public algorithms::jones::Trace {
       if (outline.empty()) continue;
       outline.push_back(outline.front());
       marks.push_back(explain::line(Look::faint, std::move(outline)));
+      add_label_in_plan(marks, Look::plain, cell, std::to_string(cell));
     }
     return marks;
   }
@@ -210,21 +210,13 @@ class JonesTeller final : public algorithms::jones::Trace {
     if (in_cell_) add(cell_, Look::now);
     return marks;
   }
-  // The cells' numbers in plan, those that the caption names in words. Of a scene of many cells only these and those that were entered.
-  [[nodiscard]] std::vector<Mark> numbers(const std::vector<scene::CellNumber>& in_words) const {
+  void add_label_in_plan(std::vector<Mark>& marks, Look look, scene::CellNumber cell, std::string words) const {
+    if (const auto outline = outline_in_plan(cell); !outline.empty()) marks.push_back(label(look, label_point(outline), std::move(words)));
+  }
+  // The cells that the caption names, in plan: they cover their numbers.
+  [[nodiscard]] std::vector<Mark> numbers(const std::vector<scene::CellNumber>& cells) const {
     std::vector<Mark> marks;
-    const auto add = [&](scene::CellNumber cell, Look look, std::string words) {
-      if (const auto outline = outline_in_plan(cell); !outline.empty()) marks.push_back(label(look, label_point(outline), std::move(words)));
-    };
-    const auto named = [&](scene::CellNumber cell) { return std::find(in_words.begin(), in_words.end(), cell) != in_words.end(); };
-    if (complex_.cells.size() <= most_numbered_cells) {
-      for (scene::CellNumber cell = 0; cell < complex_.cells.size(); ++cell)
-        if (!named(cell)) add(cell, Look::plain, std::to_string(cell));
-    } else {
-      for (const scene::CellNumber cell : visited_)
-        if (!named(cell)) add(cell, Look::plain, std::to_string(cell));
-    }
-    for (const scene::CellNumber cell : in_words) add(cell, in_cell_ && cell == cell_ ? Look::now : Look::waiting, name_of(cell));
+    for (const scene::CellNumber cell : cells) add_label_in_plan(marks, in_cell_ && cell == cell_ ? Look::now : Look::waiting, cell, name_of(cell));
     return marks;
   }
   void count() {
@@ -279,8 +271,7 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
                         given->cells.size(), portals),
             "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()},
                                                {plan, "wire", ground.wire_frame()},
-                                               {plan, "outlines", teller.outlines()},
-                                               {plan, "numbers", teller.all_numbers()}});
+                                               {plan, "all cells", teller.all_cells()}});
   auto view = algorithms::jones::visible_edges(*given, camera, teller);
   if (!view) return std::move(view.error());
   teller.flush_lines();
@@ -293,7 +284,7 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
              {image, "numbers", {}},
              {plan, "portal", {}},
              {image, "seen", std::move(seen)},
-             {plan, "numbers", teller.all_numbers()}});
+             {plan, "numbers", {}}});
   return lesson;
 }
 

@@ -263,7 +263,7 @@ function drawWords(context, words, width, height, colours, paper) {
     const places = (centred ? [0, 1, -1, 2, -2].map(n => [x - wide / 2, y + n * line])
       : [[x + 5, y - line / 2], [x - 5 - wide, y - line / 2], [x + 5, y + line / 2], [x - 5 - wide, y + line / 2]])
       .map(([left, middle]) => [Math.max(2, Math.min(width - wide - 2, left)), Math.max(line / 2, Math.min(height - line / 2, middle))]);
-    if (taken.some(other => other.text === text && other.x === x && other.y === y)) continue;
+    if (taken.some(other => other.x === x && other.y === y && (other.text === text || look === 'plain'))) continue;
     const free = places.find(([left, middle]) => !taken.some(other =>
       left < other.left + other.wide + 3 && other.left < left + wide + 3 && Math.abs(middle - other.middle) < line));
     if (!free && (look === 'plain' || look === 'faint')) continue;

@@ -147,9 +147,9 @@ TEST(LessonNumbers, DoNotChangeTheirPlaceInThePlan) {
   std::size_t seen = 0;
   for (const Step& step : lesson.steps) {
     for (const Layer& layer : step.changes) {
-      if (layer.sheet != 1 || layer.name != "numbers") continue;
+      if (layer.sheet != 1) continue;
       for (const Mark& mark : layer.marks) {
-        if (mark.text.starts_with("portal")) continue;
+        if (mark.kind != Mark::Kind::label || mark.text.starts_with("portal")) continue;
         const std::string number = mark.text.starts_with("cell ") ? mark.text.substr(5) : mark.text;
         const auto [known, fresh] = places.try_emplace(number, mark.points[0]);
         EXPECT_EQ(known->second, mark.points[0]) << number;
@@ -158,7 +158,7 @@ TEST(LessonNumbers, DoNotChangeTheirPlaceInThePlan) {
     }
   }
   EXPECT_EQ(places.size(), 26U);
-  EXPECT_GT(seen, 1000U);
+  EXPECT_GT(seen, 300U);
 }
 
 // A point is within an outline if a ray to the right, tilted so that it meets no corner, crosses it an odd number of times.
