@@ -28,7 +28,8 @@ using guests::run::MachineDescription;
 using scene::PolyFormat;
 
 constexpr std::string_view expected =
-    "a mesh or scene (STL, PLY, OFF, OBJ, JSON), a grid of heights (CSV, ESRI, Surfer), a source, a program or tape (RIM, HRI, octal, Intel HEX, "
+    "a mesh or scene (STL, PLY, OFF, OBJ, JSON), a grid of heights (CSV, ESRI, Surfer), a source, a program "
+    "or tape (RIM, HRI, octal, Intel HEX, "
     ".com), a snapshot or a lesson";
 // Both assemblers are tried on texts of at most so many bytes.
 constexpr std::size_t largest_guess = 1 << 20;
@@ -40,30 +41,38 @@ struct File {
 
   [[nodiscard]] bool ends_in(std::initializer_list<std::string_view> endings) const {
     const std::string small = base::lower_case(name);
-    return std::any_of(endings.begin(), endings.end(), [&small](std::string_view each) { return small.ends_with(each); });
+    return std::any_of(endings.begin(), endings.end(),
+                       [&small](std::string_view each) { return small.ends_with(each); });
   }
 };
 
-Json kind(std::string_view name, std::string_view title) { return Json{{"kind", name}, {"title", title}}; }
+Json kind(std::string_view name, std::string_view title) {
+  return Json{{"kind", name}, {"title", title}};
+}
 Json kind_of_machine(std::string_view name, std::string_view title, const MachineDescription& machine) {
   return Json{{"kind", name}, {"title", title}, {"machine", machine.name}};
 }
 // A damaged file of that kind.
-Json damaged(std::string_view name, std::string_view complaint) { return Json{{"kind", name}, {"error", complaint}}; }
+Json damaged(std::string_view name, std::string_view complaint) {
+  return Json{{"kind", name}, {"error", complaint}};
+}
 
 bool is_text(std::string_view text) {
   return std::none_of(text.begin(), text.end(), [](char c) {
     const auto code = static_cast<unsigned char>(c);
-    return code == 0177 || (code < ' ' && (code < '\t' || code > '\r') && code != 032);  // CP/M ends texts with 32
+    return code == 0177 ||
+           (code < ' ' && (code < '\t' || code > '\r') && code != 032);  // CP/M ends texts with 32
   });
 }
 
 // The first line that is not empty, up to a few characters; of other files the first bytes.
 std::string beginning_of(const File& file) {
-  if (const std::string_view format = scene::foreign_format_of(file.text); !format.empty()) return std::string(format);
+  if (const std::string_view format = scene::foreign_format_of(file.text); !format.empty())
+    return std::string(format);
   if (!is_text(file.text)) {
     std::string digits;
-    for (std::size_t i = 0; i < std::min<std::size_t>(file.bytes.size(), 4); ++i) digits += fmt::format(" {:02X}", file.bytes[i]);
+    for (std::size_t i = 0; i < std::min<std::size_t>(file.bytes.size(), 4); ++i)
+      digits += fmt::format(" {:02X}", file.bytes[i]);
     return fmt::format("binary data that begins with{}", digits);
   }
   std::string_view rest = base::without_blanks(file.text);
@@ -71,34 +80,42 @@ std::string beginning_of(const File& file) {
   constexpr std::size_t longest = 40;
   if (line.size() > longest) {
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;  // not within a character of UTF-8
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U)
+      --end;  // not within a character of UTF-8
     line = line.substr(0, end) + "...";
   }
   return line.empty() ? "a text of blanks only" : fmt::format("a text that begins with \"{}\"", line);
 }
 Json unknown(const File& file) {
-  return damaged("unknown", fmt::format("{}: found {}, expected {}", file.name, beginning_of(file), expected));
+  return damaged("unknown",
+                 fmt::format("{}: found {}, expected {}", file.name, beginning_of(file), expected));
 }
 
 Json snapshot(const File& file) {
   const auto read = decode_snapshot(file.bytes, file.name);
   if (!read) return damaged("snapshot", read.error().message());
   const bool pdp7 = read->machine == guests::run::pdp7().name;
-  return kind_of_machine("snapshot", pdp7 ? "a snapshot of a PDP-7" : "a snapshot of an 8080", pdp7 ? guests::run::pdp7() : guests::run::i8080());
+  return kind_of_machine("snapshot", pdp7 ? "a snapshot of a PDP-7" : "a snapshot of an 8080",
+                         pdp7 ? guests::run::pdp7() : guests::run::i8080());
 }
 
 Json scene_file(const File& file) {
   const scene::SceneFile given{.name = file.name, .text = std::string(file.text)};
   const PolyFormat format = scene::poly_format_of(file.name, file.text);
   if (!scene::can_be_written(format)) {
-    return damaged("scene", fmt::format("{}: found a glTF or 3MF file, which this page does not read, expected STL, PLY, OFF, OBJ or JSON; convert it "
-                                        "with: sightline scene convert {} -o mesh.stl", file.name, base::shell_word(file.name)));
+    return damaged("scene", fmt::format("{}: found a glTF or 3MF file, which this page does not read, "
+                                        "expected STL, PLY, OFF, OBJ or JSON; convert it "
+                                        "with: sightline scene convert {} -o mesh.stl",
+                                        file.name, base::shell_word(file.name)));
   }
   const auto loaded = scene::load_scene(given);
   if (!loaded) return damaged("scene", loaded.error().message());
   const std::size_t faces = scene::face_count(loaded->scene);
   const bool cells = loaded->cells.has_value();
-  Json answer = kind("scene", cells ? "a scene of cells" : fmt::format("a {} of {} face{}", scene::can_be_mended(given) ? "mesh" : "scene", faces, faces == 1 ? "" : "s"));
+  Json answer =
+      kind("scene", cells ? "a scene of cells"
+                          : fmt::format("a {} of {} face{}", scene::can_be_mended(given) ? "mesh" : "scene",
+                                        faces, faces == 1 ? "" : "s"));
   answer["faces"] = faces;
   answer["cells"] = cells;
   return answer;
@@ -116,7 +133,9 @@ Json json_file(const File& file) {
   if (!document) return damaged("unknown", document.error().message());
   if (const Json* const schema = document->find("schema"); schema != nullptr && schema->text() != nullptr) {
     if (*schema->text() == "sightline/explain/1") return kind("lesson", "a lesson");
-    return damaged("unknown", fmt::format("{}: found a JSON document of the schema \"{}\", expected a scene or a lesson (sightline/explain/1)", file.name, *schema->text()));
+    return damaged("unknown", fmt::format("{}: found a JSON document of the schema \"{}\", expected a scene "
+                                          "or a lesson (sightline/explain/1)",
+                                          file.name, *schema->text()));
   }
   if (scene::is_poly_document(*document) || document->find("cells") != nullptr) return scene_file(file);
   return unknown(file);
@@ -124,19 +143,26 @@ Json json_file(const File& file) {
 
 // Whether the machine's format of that name reads the file without an error.
 bool reads_as(const MachineDescription& machine, std::string_view format, const File& file) {
-  const auto found = std::find_if(machine.formats.begin(), machine.formats.end(), [format](const auto& each) { return each.name == format; });
-  return found->recognise(file.bytes) && found->read(file.bytes, file.name, format == "hri" ? std::optional<std::uint32_t>(0) : std::nullopt);
+  const auto found = std::find_if(machine.formats.begin(), machine.formats.end(),
+                                  [format](const auto& each) { return each.name == format; });
+  return found->recognise(file.bytes) &&
+         found->read(file.bytes, file.name, format == "hri" ? std::optional<std::uint32_t>(0) : std::nullopt);
 }
 
 std::optional<Json> program(const File& file) {
   const MachineDescription& pdp7 = guests::run::pdp7();
   const MachineDescription& i8080 = guests::run::i8080();
-  const auto found = std::find_if(i8080.formats.begin(), i8080.formats.end(), [](const auto& each) { return each.name == "hex"; });
-  if (found->recognise(file.bytes)) return kind_of_machine("program", "a program of the 8080 in Intel HEX", i8080);
+  const auto found = std::find_if(i8080.formats.begin(), i8080.formats.end(),
+                                  [](const auto& each) { return each.name == "hex"; });
+  if (found->recognise(file.bytes))
+    return kind_of_machine("program", "a program of the 8080 in Intel HEX", i8080);
   for (const MachineDescription* const machine : {&pdp7, &i8080})
-    if (guests::run::is_dump(*machine, file.bytes)) return kind_of_machine("program", machine == &pdp7 ? "a dump of a PDP-7" : "a dump of an 8080", *machine);
+    if (guests::run::is_dump(*machine, file.bytes))
+      return kind_of_machine("program", machine == &pdp7 ? "a dump of a PDP-7" : "a dump of an 8080",
+                             *machine);
   if (is_text(file.text)) {
-    if (reads_as(pdp7, "octal", file)) return kind_of_machine("program", "an octal core image of the PDP-7", pdp7);
+    if (reads_as(pdp7, "octal", file))
+      return kind_of_machine("program", "an octal core image of the PDP-7", pdp7);
   } else if (reads_as(pdp7, "rim", file)) {
     return kind_of_machine("program", "a RIM tape of the PDP-7", pdp7);
   } else if (reads_as(pdp7, "hri", file)) {
@@ -146,23 +172,29 @@ std::optional<Json> program(const File& file) {
 }
 
 Json source(const MachineDescription& machine) {
-  return kind_of_machine("source", machine.name == "pdp7" ? "a source of the PDP-7" : "a source of the 8080", machine);
+  return kind_of_machine("source", machine.name == "pdp7" ? "a source of the PDP-7" : "a source of the 8080",
+                         machine);
 }
 // A text that one of the assemblers takes without an error, and makes words of.
 std::optional<Json> assembled(const File& file) {
   if (file.text.size() > largest_guess) return std::nullopt;
   for (const MachineDescription* const machine : {&guests::run::pdp7(), &guests::run::i8080()}) {
-    const std::array<assembler::SourceFile, 1> sources{assembler::SourceFile{file.name, std::string(file.text)}};
+    const std::array<assembler::SourceFile, 1> sources{
+        assembler::SourceFile{file.name, std::string(file.text)}};
     const guests::run::Arguments options(machine->assembler.options);
-    const auto made = machine->assembler.assemble(sources, options, [](const std::string&) { return std::nullopt; });
-    if (made && !assembler::any_errors(made->diagnostics) && !made->program.words.empty()) return source(*machine);
+    const auto made =
+        machine->assembler.assemble(sources, options, [](const std::string&) { return std::nullopt; });
+    if (made && !assembler::any_errors(made->diagnostics) && !made->program.words.empty())
+      return source(*machine);
   }
   return std::nullopt;
 }
 
 Json kind_by_name(const File& file) {
-  if (file.ends_in({".rim", ".hri", ".tape", ".ptp"})) return kind_of_machine("program", "a tape", guests::run::pdp7());
-  if (!is_text(file.text) && file.ends_in({".com", ".bin"})) return kind_of_machine("program", "a program of the 8080", guests::run::i8080());
+  if (file.ends_in({".rim", ".hri", ".tape", ".ptp"}))
+    return kind_of_machine("program", "a tape", guests::run::pdp7());
+  if (!is_text(file.text) && file.ends_in({".com", ".bin"}))
+    return kind_of_machine("program", "a program of the 8080", guests::run::i8080());
   if (file.ends_in({".csv", ".tsv", ".asc", ".grd", ".xyz"})) return grid(file);
   const auto format = scene::poly_format_of(file.name);
   // A .json that is no JSON is unknown.
@@ -172,18 +204,24 @@ Json kind_by_name(const File& file) {
 
 Json kind_of(const File& file) {
   constexpr auto& signature = guests::run::snapshot_signature;
-  if (file.bytes.empty()) return damaged("unknown", fmt::format("{}: found an empty file, expected {}", file.name, expected));
-  if (file.bytes.size() >= signature.size() && std::equal(signature.begin(), signature.end(), file.bytes.begin())) return snapshot(file);
+  if (file.bytes.empty())
+    return damaged("unknown", fmt::format("{}: found an empty file, expected {}", file.name, expected));
+  if (file.bytes.size() >= signature.size() &&
+      std::equal(signature.begin(), signature.end(), file.bytes.begin()))
+    return snapshot(file);
   // Not by the name: "JSON" is the answer for what begins as no mesh.
   const PolyFormat mesh = scene::poly_format_of(".json", file.text);
   const bool other_archive = mesh == PolyFormat::threemf && !file.ends_in({".3mf"});
   if (mesh != PolyFormat::json && !other_archive) return scene_file(file);
-  if (const std::string_view first = base::without_blanks(file.text).substr(0, 1); first == "{" || first == "[") return json_file(file);
+  if (const std::string_view first = base::without_blanks(file.text).substr(0, 1);
+      first == "{" || first == "[")
+    return json_file(file);
   if (!scene::foreign_format_of(file.text).empty()) return unknown(file);
   if (scene::grid_format_of(file.text) != nullptr) return grid(file);
   if (auto found = program(file)) return std::move(*found);
   if (!is_text(file.text)) return kind_by_name(file);
-  if (file.text.starts_with("newmtl") || file.ends_in({".mtl"})) return kind("material", "the materials of an OBJ file");
+  if (file.text.starts_with("newmtl") || file.ends_in({".mtl"}))
+    return kind("material", "the materials of an OBJ file");
   if (file.ends_in({".asm", ".mac", ".src"})) return source(guests::run::i8080());
   if (file.ends_in({".s", ".pal"})) return source(guests::run::pdp7());
   if (scene::read_height_grid(file.text, file.name)) return grid(file);

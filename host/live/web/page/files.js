@@ -1,8 +1,9 @@
-// Files of the person's computer: dropped anywhere on the page or chosen by a button. Their kind is told by their content (the module's request
-// `kind`); the room that is shown takes them, or they are offered to the rooms that can.
+// Files of the person's computer: dropped anywhere on the page or chosen by a button. Their content tells their kind (the module's request `kind`).
+// The room that is shown takes a file, or the page offers it to the rooms that can.
 
 const LARGEST = 16 << 20;
 export const MOST_FACES = 300;  // in the theatre, where some algorithms need minutes for the lesson of a larger scene
+const MOST_OFFERED = 2000;  // faces; what is larger has more than the 3000 edges that turn, and more than the 64 faces that are cut into stripes
 
 export class Files {
   // `reserved`: names that the page has a meaning for. `page`: `shown` is the name of the room that is shown, `room` the room; `say` shows a sentence
@@ -13,8 +14,15 @@ export class Files {
     this.page = page;
     this.own = new Set();
     this.opened = 0;  // how often files have been opened
-    addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
+    const over = on => document.documentElement.classList.toggle('over', on);
+    addEventListener('dragover', event => {
+      if (!event.dataTransfer.types.includes('Files')) return;
+      event.preventDefault();
+      over(true);
+    });
+    addEventListener('dragleave', event => { if (!event.relatedTarget) over(false); });
     addEventListener('drop', event => {
+      over(false);
       if (!event.dataTransfer.files.length) return;
       event.preventDefault();
       this.open([...event.dataTransfer.files]);
@@ -25,16 +33,16 @@ export class Files {
   // One after the other; what cannot be opened is said at the end.
   async open(list) {
     const complaints = [];
-    let offers = [];
+    let offers = [], wrong = false;
     for (const each of list) {
       const file = await this.read(each);
       if (!file.error && file.kind === 'material' && list.length > 1) continue;
       if (!file.error && this.page.room.take?.(file)) continue;
       offers = this.offers(file);
       complaints.push(file.error ?? this.describe(file, offers));
-      this.wrong = Boolean(file.error);
+      wrong = Boolean(file.error);
     }
-    if (complaints.length) this.page.say(complaints.join('\n'), this.wrong, offers);
+    if (complaints.length) this.page.say(complaints.join('\n'), wrong, offers);
     ++this.opened;
   }
 
@@ -64,7 +72,7 @@ export class Files {
   // A label and an action for each room that can take it.
   offers(file) {
     const {name, kind} = file;
-    if (!kind || file.error && kind !== 'source' && kind !== 'scene' || kind === 'scene' && !file.title) return [];
+    if (!file.title || file.faces > MOST_OFFERED) return [];  // without a title it cannot be read
     const can = request => {
       const answer = this.module.ask(request);
       if (answer.id) this.module.ask({do: 'drop', id: answer.id});

@@ -3,10 +3,10 @@
 
   check_page.py PAGE.html SIGHTLINE [FOLDER]
 
-Opens the page from disk, walks through the scenes by keys, throws switches, presses the panel's keys, points the light pen, types, drops tapes, grids and
-rubbish, halts and pauses, chooses the afterglow, assembles, breaks and steps back, turns the surface, flies through the town, plays every lesson to its
-end, in a frame, too, at 390, 1280 and 3840 pixels, light and dark, and compares the tube with the photograph of the command. Any error in the browser's
-console is a failure. With FOLDER, screenshots go there.
+Opens the page from disk, walks through the scenes by keys, throws switches, presses the panel's keys, points the light pen, types, drops files of every
+kind into every room, follows links with unknown parts, halts and pauses, chooses the afterglow, assembles, breaks and steps back, turns the surface, flies
+through the town, plays every lesson to its end, in a frame, too, at 390, 1280 and 3840 pixels, light and dark, and compares the tube with the photograph of
+the command. Any error in the browser's console is a failure. With FOLDER, screenshots go there.
 """
 import base64
 import os
@@ -812,6 +812,7 @@ with tempfile.TemporaryDirectory() as folder:
     tape, hri, core = (made(f"t.{form}", "asm", "pdp7", "square.s", "--format", form, "-o", f"t.{form}") for form in ["rim", "hri", "octal"])
     com, hexadecimal = (made(f"hello.{form}", "asm", "i8080", "hello.asm", "-o", f"hello.{form}") for form in ["com", "hex"])
     mesh = {form: made(f"boxes.{form}", "scene", "generate", "boxes", "2", "-o", f"boxes.{form}") for form in ["off", "obj", "stl", "ply", "json"]}
+    many = made("many.off", "scene", "generate", "boxes", "200", "-o", "many.off")
     lesson = made("lesson.json", "explain", "exact", "boxes-2", "-o", "lesson.json")
     snapshot = made("pdp7.snap", "run", "pdp7", "t.rim", "--display", "--save", "pdp7.snap")
 TURN, STRIPES, EXPLAIN = "Turn it on the PDP-7", "Draw it in stripes on the 8080", "Explain it in the theatre"
@@ -834,6 +835,7 @@ in_rooms = [
     *[(f"program.{form}", content, {"jones": [LOAD], "skala": [LOAD], "bench": taken, "theatre": [LOAD], "about": [LOAD]}) for form, content in [("com", com), ("hex", hexadecimal)]],
     ("lesson.json", lesson, {"jones": [SHOW], "skala": [SHOW], "bench": [SHOW], "theatre": taken, "about": [SHOW]}),
     ("other.snap", snapshot, {"skala": ["Continue it in the PDP-7 room", "Continue it in the workbench"], "theatre": ["Continue it in the PDP-7 room", "Continue it in the workbench"]}),
+    ("1200 faces.off", many, dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])),
     ("a.mtl", b"newmtl red\nKd 1 0 0\n", dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])),
     *[(name, content, dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])) for name, content in [
         ("empty", b""), ("letter.txt", b"Dear Sir or Madam,\n"), ("noise.dat", bytes(i * i * 7 % 251 + 1 for i in range(2000))), ("cut.glb", b"glTF\2\0\0\0\xff\0\0\0"),
@@ -851,12 +853,14 @@ for place in ["jones/turn cube.off", "skala/sinc", "bench/square.s", "theatre/ex
         where = f"{name} in {room}"
         if rooms[room] is taken:
             check(not offered() and not wrong(), f"{where} is taken: {notice()}")
+            js("if (arguments[0] === 'jones') sightline.room.go(false)", room)  # or it says later that it has come to its halt
             if not name.startswith("tape"):
                 check(name in link() and "file=1" in link(), f"{where} is in the address as a file: {link()}")
         else:
             check(offered() == rooms[room], f"{where} is offered to {rooms[room]}: {offered()}")
             check(name in notice(), f"{where} is named: {notice()}")
-            check(rooms[room] or name == "a.mtl" or "expected" in notice(), f"{where}: what is expected is said: {notice()}")
+            if not rooms[room] and name not in ("a.mtl", "1200 faces.off"):
+                check("expected" in notice(), f"{where}: what is expected is said: {notice()}")
             check([link(), js("return sightline.room.id ?? 0")] == before, f"{where} leaves the room as it was: {link()}, {before}")
     if room in ("jones", "skala"):
         at = ticks()

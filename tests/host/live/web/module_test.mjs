@@ -125,6 +125,15 @@ for (const [n, scene] of [...onPage, 'roberts', 'boxes-8', 'boxes-20'].entries()
 
 check(allStrokes > 100000, 'strokes were compared');
 
+// --- What a file is: by its content, under a name that says nothing.
+const examples = fileURLToPath(new URL('../../../../host/examples/', import.meta.url));
+for (const [name, kind, machine] of [['turn/cube.off', 'scene'], ['turn/lshape.json', 'scene'], ['bracket.obj', 'scene'], ['rooms.json', 'scene'], ['crater.csv', 'grid'], ['hills.csv', 'grid'],
+  ['square.s', 'source', 'pdp7'], ['pdp7/turning.s', 'source', 'pdp7'], ['hello.asm', 'source', 'i8080'], ['boards/ef9365.asm', 'source', 'i8080']]) {
+  module.putFile('file', readFileSync(join(examples, name)));
+  const told = module.ask({do: 'kind', file: 'file'});
+  check(!told.error && told.kind === kind && told.machine === machine, `${name} is told by its content: ${JSON.stringify(told)}`);
+}
+
 // --- Skala's program: to its halt, on every device.
 const functions = ask({do: 'lists'}).functions.map(each => each.name);
 for (const [n, device] of ['ef9365', 'alt256', 'calcomp', 'minigraf'].entries()) {

@@ -340,6 +340,9 @@ TEST(GridLayouts, WhatIsNoText) {
   const std::string wanted = ", expected a text of heights; save it as text in UTF-8, such as CSV, or as an ESRI ASCII grid";
   EXPECT_EQ(error_of("DSBB\0\0"sv), "grid.txt: found a binary Surfer grid" + wanted);
   EXPECT_EQ(error_of("II*\0\0"sv), "grid.txt: found a TIFF image" + wanted);
+  // Its first line would be a comment.
+  EXPECT_EQ(error_of("%PDF-1.4\n1 2\n3 4\n"), "grid.txt: found a PDF document" + wanted);
+  EXPECT_EQ(error_of("\xFF\xD8\xFF\xE0"), "grid.txt: found a JPEG image" + wanted);
   EXPECT_EQ(error_of("\xFF\xFE" "1\0"sv), "grid.txt: found text in UTF-16" + wanted);
   EXPECT_EQ(error_of("[[1, 2], [3, 4]]"), "grid.txt: found a list in brackets, such as JSON" + wanted);
   EXPECT_EQ(error_of("1 2\0\n3 4\n"sv), "grid.txt: found binary data" + wanted);
