@@ -163,7 +163,7 @@ std::string table_html(const std::vector<AnswerRow>& rows) {
   std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n<thead><tr>" + cell("th", "", "method") +
                      cell("th", "", "draws") + cell("th", "", "rounded to") + cell("th", "n", "emulated time");
   if (host) text += cell("th", "n", "time here");
-  text += cell("th", "n", "wrong") + cell("th", "n", "farthest, points") + cell("th", "n", "beyond 1") + cell("th", "", "read") +
+  text += cell("th", "n", "wrong") + cell("th", "n", "farthest, points") + cell("th", "n", "of it beyond a point") + cell("th", "", "read") +
           "</tr></thead>\n<tbody>\n";
   std::string scene;
   for (const AnswerRow& row : rows) {
@@ -351,7 +351,8 @@ std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {
       text,
       "<p class=\"note\">Medians over the views, the greatest in brackets: {} scenes and {} functions, each row by itself under "
       "\"In numbers\". "
-      "Wrong is what is missing and what is drawn though hidden, of the visible length, or of the points of the picture.</p>\n",
+      "Wrong is what is missing and what is drawn though hidden, of the visible length, or of the points of the picture; farthest is the "
+      "greatest distance of the two pictures, in points of the screen (px), beyond a point what is wrong and farther than one from what is visible.</p>\n",
       answer.scenes.size(), answer.functions.size());
   text += "<h2>Time against error</h2>\n<div class=\"plots\">\n";
   text += compare::panel_svg(answer.plotted, compare::PlotPanel::emulated) +

@@ -104,8 +104,8 @@ Verdict jones_verdict(const DemoResults& results) {
   }
   const MethodRange range = range_of(results.answer, compare::jones_pdp7_name, "lines");
   return {"Jones 1971 on the PDP-7",
-          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % of the visible length missing or extra, "
-                      "lines at most {:.1f} points from their places",
+          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % missing or extra, lines "
+                      "at most {:.1f} points off",
                       with.text(2), without.text(2), range.wrong.high(), range.farthest),
           verdict_text(range, without.high() <= a_few_seconds ? "" : "slower than the paper"), complete && range.all_right()};
 }
@@ -122,7 +122,7 @@ Verdict turn_verdict(const DemoResults& results) {
   const bool holds_with = with.high() <= 1;
   const bool holds_without = without.high() <= 1;
   return {"Plantinga 1990 on the PDP-7",
-          fmt::format("solids turn at {} pictures a second (means of full turns), each in up to {:.2f} of a wire frame's time, {:.2f} without the EAE (paper: 1)",
+          fmt::format("full turns at {} pictures a second, in up to {:.2f} of a wire frame's time, {:.2f} without the EAE (paper: 1)",
                       frames.text(0), with.high(), without.high()),
           verdict_text(range, holds_with && holds_without ? "as the paper"
                               : holds_with                ? "as the paper with the EAE"
