@@ -38,8 +38,9 @@ using machines::DeviceKind;
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
 constexpr core::TStates time_between_questions{1 << 25};
-// Every instruction of such a run is written down, which takes longer.
-constexpr core::TStates written_between_questions{1 << 19};
+// A run is asked sooner at its beginning, where it may meet a device that is not there, and where every instruction is written
+// down, which takes longer.
+constexpr core::TStates time_to_first_question{1 << 19};
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
 
 // --- Texts ---
@@ -165,7 +166,7 @@ class I8080Run final : public Machine {
     if (cpm_ && !watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
-        asked ? std::min(limit, processor_.now() + (setup_.observed ? written_between_questions : time_between_questions)) : limit;
+        asked ? std::min(limit, processor_.now() + slice()) : limit;
     const std::uint64_t left = limits.instructions - std::min(processor_.instructions(), limits.instructions);
     const auto reason = run_observed({left, until});
     each_terminal([this](auto& terminal) {
@@ -382,6 +383,10 @@ class I8080Run final : public Machine {
   }
 
  private:
+  [[nodiscard]] core::TStates slice() const {
+    if (setup_.observed) return time_to_first_question;
+    return std::clamp(processor_.now().time_since_epoch(), time_to_first_question, time_between_questions);
+  }
   machines::I8080StopReason run_observed(const machines::I8080Limits& limits) {
     if (recorder_) return run_watched(limits, I8080Reporter(*recorder_));
     if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_, watcher()));

@@ -350,7 +350,7 @@ using enum OptionKind;
 
 std::vector<Option> run_options() {
   std::vector<Option> options{
-      {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Programs and data, in order; @ADDRESS in hexadecimal"},
+      {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Sources, programs and data, in order; @ADDRESS in hexadecimal"},
       {text, "--start", "ADDRESS", "Begin at this address"},
       {text, "--restore", "FILE", "Continue from this snapshot instead of a program"},
       {flag, "--cpm", {}, "Run a CP/M .COM program"},

@@ -28,8 +28,9 @@ namespace {
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
 constexpr std::uint64_t cycles_between_questions = std::uint64_t{1} << 22;
-// Every instruction of such a run is written down, which takes longer.
-constexpr std::uint64_t written_between_questions = std::uint64_t{1} << 16;
+// A run is asked sooner at its beginning, where it may meet a device that is not there, and where every instruction is written
+// down, which takes longer.
+constexpr std::uint64_t cycles_to_first_question = std::uint64_t{1} << 16;
 // A program that has run into its data can meet thousands of codes.
 constexpr std::size_t most_warnings = 100;
 // The exposure that the photograph's parameters are set for.
@@ -163,7 +164,7 @@ class Pdp7Machine final : public Machine {
     const std::uint64_t left = limits.instructions - std::min(done, limits.instructions);
     const core::Instant limit = core::at_nanoseconds(limits.until);
     const auto reason = run_observed(
-        {asked ? std::min(left, tracer_ || vcd_ ? written_between_questions : cycles_between_questions) : left, std::min({limit, move_pen(), next_frame()})});
+        {asked ? std::min(left, slice_after(done)) : left, std::min({limit, move_pen(), next_frame()})});
     film();
     switches_ = machine_.console().switches(machine_.now());
     listen_to_printer();
@@ -539,6 +540,9 @@ class Pdp7Machine final : public Machine {
     next_move_ = 0;
   }
 
+  [[nodiscard]] std::uint64_t slice_after(std::uint64_t done) const {
+    return tracer_ || vcd_ ? cycles_to_first_question : std::clamp(done, cycles_to_first_question, cycles_between_questions);
+  }
   machines::StopReason run_observed(const machines::Limits& limits) {
     if constexpr (Sink::consumes) {
       if (tracer_ || vcd_) return run_watched(limits, Pdp7Reporter(tracer_ ? &*tracer_ : nullptr, vcd_ ? &*vcd_ : nullptr));

@@ -378,7 +378,7 @@ using enum OptionKind;
 
 std::vector<Option> run_options() {
   std::vector<Option> options{
-      {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Tapes and core images, in order; @ADDRESS in octal"},
+      {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Sources, tapes and core images, in order; @ADDRESS in octal"},
       {text, "--start", "ADDRESS", "Press START at this address"},
       {text, "--restore", "FILE", "Continue from this snapshot instead of a program"},
       {.name = "--memory",

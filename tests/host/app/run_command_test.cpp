@@ -329,7 +329,7 @@ TEST_F(RunCommand, SourcesAreAssembled) {
   write("first.s", "100/\nbegin, lac three\n tad five\n hlt\nthree, 3\n");
   write("second.s", "five, 5\n start begin\n");
   EXPECT_EQ(report({"first.s", "second.s"}).at("registers").at("ac"), "000010");
-  write("bell.s", " lac d3\n tad d3\n hlt\nd3: 3\n");
+  write("bell.s", ".. = 0\n lac d3\n tad d3\n hlt\nd3: 3\n");
   EXPECT_EQ(report({"bell.s", "--dialect", "bell"}).at("registers").at("ac"), "000006");
   write("wrong.s", "100/\n lac foo\n");
   const Ran ran = run({"wrong.s"});
