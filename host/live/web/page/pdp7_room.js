@@ -3,8 +3,8 @@
 import {Clock, button, check, choice, download, element, factList, field, fileTaker, group, notice, runFor} from './ui.js';
 import {Turning} from './turning.js';
 import {SIDE, PHOSPHOR} from './phosphor.js';
-import {flag, named, number, octal, optionsOf} from './links.js';
 import {makeTube} from './tube.js';
+import {flag, named, number, octal, optionsOf} from './links.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
@@ -25,14 +25,14 @@ export class Pdp7Room {
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
     this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, scale: 512, speed: 1, switches: 0};
-    this.own = new Set();  // programs that are files of the person's
-    this.walks = new Set(PROGRAMS);  // scenes of cells
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
     this.lights = [];
     this.next = [0, 0, 0, 0];
     this.covered = new Uint8Array(65536);
+    this.own = new Set();  // programs that are files of the person's
+    this.walks = new Set(PROGRAMS);  // scenes of cells
     this.root = this.build();
     this.slow = 0;
   }
@@ -147,7 +147,7 @@ export class Pdp7Room {
         button('BACK', () => { this.go(false); ask({do: 'back'}); }, 'One instruction back in time'),
         button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE the address'),
         button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT the switches at the address'),
-        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.go(true)) : this.message.say('Open a tape first.', true), 'READ IN the tape that was opened')));
+        button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.go(true)) : this.message.say('Drop a tape on the screen first.', true), 'READ IN the tape that was dropped')));
   }
 
   teletype() {
