@@ -2,7 +2,7 @@
 // The room that is shown takes a file, or the page offers it to the rooms that can.
 
 const LARGEST = 16 << 20;
-export const MOST_FACES = 300;  // in the theatre, where some algorithms need minutes for the lesson of a larger scene
+export const MOST_FACES = 200;  // in the theatre, where Jones's lesson of a larger mesh takes a quarter of a minute and more
 const MOST_OFFERED = 2000;  // faces; what is larger has more than the 3000 edges that turn, and more than the 64 faces that are cut into stripes
 
 export class Files {

@@ -3,8 +3,8 @@
 import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
 import {Turning} from './turning.js';
 import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
-import {among, flag, named, number, octal, optionsOf} from './links.js';
 import {makeTube} from './tube.js';
+import {among, flag, named, number, octal, optionsOf} from './links.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
@@ -35,8 +35,6 @@ export class Pdp7Room {
     this.examples = examples.filter(each => each.machine === 'pdp7');
     this.remember = remember;
     this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
-    this.own = new Set();  // programs that are files of the person's
-    this.walks = new Set(PROGRAMS);  // scenes of cells
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
@@ -45,6 +43,8 @@ export class Pdp7Room {
     addEventListener('blur', () => this.releaseKeys());
     this.next = [0, 0, 0, 0];
     this.covered = new Uint8Array(65536);
+    this.own = new Set();  // programs that are files of the person's
+    this.walks = new Set(PROGRAMS);  // scenes of cells
     this.root = this.build();
     this.slow = 0;
   }
@@ -108,7 +108,7 @@ export class Pdp7Room {
 
   introduce() {
     const {program} = this.options;
-    this.intro.say(PROGRAMS.includes(program) ? "A PDP-7 of 1965[ with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
+    this.intro.say(this.walks.has(program) ? "A PDP-7 of 1965[ with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
       : this.turns ? 'A PDP-7 of 1965 turns a solid[ on its Type 340 display], its hidden lines removed. Press “wire frame”[: every edge is shown].'
       : `A PDP-7 of 1965[ with its Type 340 display] runs an example. ${TRY[program] ?? 'Under Panel, press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
   }

@@ -12,11 +12,11 @@ const FUNCTIONS = ['sinc', 'peaks', 'rogers', 'franke'];
 export class Theatre {
   constructor(module, lessons, remember) {
     this.module = module;
+    this.own = new Set();  // scenes that are files of the person's
+    this.lessonFile = '';  // of the lesson that is shown, if it is a file
     this.lessons = lessons;
     this.remember = remember;
     this.options = {algorithm: 'jones', scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
-    this.own = new Set();  // scenes that are files of the person's
-    this.lessonFile = '';  // of the lesson that is shown, if it is a file
     this.stage = element('div', {className: 'stage'});
     this.message = notice();
     const o = this.options;
@@ -80,11 +80,12 @@ export class Theatre {
     if (kind !== 'scene') return false;
     if (file.faces > MOST_FACES) { file.error = `${name}: found ${file.faces} faces, expected at most ${MOST_FACES} in the theatre`; return false; }
     const before = {...o};
-    const scenes = this.lessons.filter(each => !each.heights).map(each => each.algorithm);
+    // Jones's lesson of a mesh takes many seconds, because its space has to be cut into cells first.
+    const keeps = !this.lessons.find(each => each.algorithm === o.algorithm).heights && (file.cells || o.algorithm !== 'jones');
+    this.own.add(name);
     let error = '';
-    for (const algorithm of new Set([...scenes.filter(each => each === o.algorithm), 'exact'])) {
+    for (const algorithm of new Set([keeps ? o.algorithm : 'exact', 'exact'])) {
       Object.assign(o, {algorithm, scene: name, view: 'own'});
-      this.own.add(name);
       error = this.play();
       if (!error) break;
     }

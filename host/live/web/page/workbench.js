@@ -1,9 +1,9 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
 import {Clock, button, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
-import {named, optionsOf} from './links.js';
 import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
+import {named, optionsOf} from './links.js';
 
 const MACHINES = {
   pdp7: {title: 'PDP-7 with the Type 340', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
