@@ -179,7 +179,8 @@ export function makePlayer(root, lesson) {
     return Boolean(act);
   }
   slider.oninput = () => show(Number(slider.value));
-  const observer = new ResizeObserver(draw);
+  // Not at once: to draw changes the layout, and the browser calls it an error when sizes change while their observers are told of them.
+  const observer = new ResizeObserver(() => requestAnimationFrame(draw));
   canvases.forEach(canvas => observer.observe(canvas));
   const wanted = asked('step');
   show(wanted === null ? first : parseInt(wanted, 10) - 1 || 0);

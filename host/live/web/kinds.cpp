@@ -17,6 +17,7 @@
 #include "host/scene/heights/read_grid.hpp"
 #include "host/scene/heights/read_grid_format.hpp"
 #include "host/scene/read/cell_complex_file.hpp"
+#include "host/scene/read/changes.hpp"
 #include "host/scene/read/json_documents.hpp"
 #include "host/scene/read/load.hpp"
 #include "host/scene/read/poly_file.hpp"
@@ -108,7 +109,7 @@ Json scene_file(const File& file) {
                                         "with: sightline scene convert {} -o mesh.stl",
                                         file.name, base::shell_word(file.name)));
   }
-  const auto loaded = scene::load_scene(given);
+  const auto loaded = scene::load_scene(given, {.mend = true});
   if (!loaded) return damaged("scene", loaded.error().message());
   const std::size_t faces = scene::face_count(loaded->scene);
   const bool cells = loaded->cells.has_value();
@@ -118,6 +119,7 @@ Json scene_file(const File& file) {
                                         faces, faces == 1 ? "" : "s"));
   answer["faces"] = faces;
   answer["cells"] = cells;
+  if (const std::string changes = scene::changes_text(loaded->report); !changes.empty()) answer["changes"] = changes;
   return answer;
 }
 

@@ -29,7 +29,7 @@ bool flag_of(const Json& request, std::string_view key, bool otherwise) {
 
 base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const std::string& name) {
   if (const Bytes* const bytes = workbench.file(name))
-    return scene::load_scene({.name = name, .text = std::string(bytes->begin(), bytes->end())});
+    return scene::load_scene({.name = name, .text = std::string(bytes->begin(), bytes->end())}, {.mend = true});
   auto found = scene::named_scene(name);
   if (!found) return base::fail(fmt::format("{}: no scene of that name, and no such file on the page", name));
   if (!*found) return std::move(found->error());

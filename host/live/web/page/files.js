@@ -5,6 +5,9 @@ const LARGEST = 16 << 20;
 export const MOST_FACES = 200;  // in the theatre, where Jones's lesson of a larger mesh takes a quarter of a minute and more
 const MOST_OFFERED = 2000;  // faces; what is larger has more than the 3000 edges that turn, and more than the 64 faces that are cut into stripes
 
+// What is wrong with a file, which is named once.
+export function said({name}, error) { return error.startsWith(name) ? error : `${name}: ${error}`; }
+
 export class Files {
   // `reserved`: names that the page has a meaning for. `page`: `shown` is the name of the room that is shown, `room` the room; `say` shows a sentence
   // with offers there; `visit(name)` shows another room.
@@ -34,15 +37,20 @@ export class Files {
   async open(list) {
     const complaints = [];
     let offers = [], wrong = false;
+    const changes = [];
     for (const each of list) {
       const file = await this.read(each);
       if (!file.error && file.kind === 'material' && list.length > 1) continue;
-      if (!file.error && this.page.room.take?.(file)) continue;
-      offers = this.offers(file);
-      complaints.push(file.error ?? this.describe(file, offers));
-      wrong = Boolean(file.error);
+      if (!file.error && !(file.faces > MOST_OFFERED) && this.page.room.take?.(file)) {
+        if (file.changes) changes.push(`${file.name}: ${file.changes}.`);
+        continue;
+      }
+      const reasons = [];
+      offers = this.offers(file, reasons);
+      wrong = Boolean(file.error) && (offers.length > 0 || !reasons.length);
+      complaints.push(wrong ? file.error : this.describe(file, offers, reasons));
     }
-    if (complaints.length) this.page.say(complaints.join('\n'), wrong, offers);
+    if (complaints.length || changes.length) this.page.say([...complaints, ...changes].join('\n'), wrong, offers);
     ++this.opened;
   }
 
@@ -54,7 +62,7 @@ export class Files {
     const name = this.nameFor(each.name);
     this.own.add(name);
     this.module.putFile(name, bytes);
-    return {name, bytes, ...this.module.ask({do: 'kind', file: name})};
+    return {name, bytes, given: each.name, ...this.module.ask({do: 'kind', file: name})};
   }
   // A file called as something of the page has another name there.
   nameFor(name) {
@@ -63,28 +71,39 @@ export class Files {
     return taken ? `my-${name}` : name;
   }
 
-  describe({name, title, kind}, offers) {
+  // `reasons`: why a room does not take it, a sentence each.
+  describe({name, given, title, kind, faces, changes}, offers, reasons) {
     if (kind === 'material') return `${name}: ${title}, which the page does not need. Open the OBJ file.`;
-    if (offers.length) return `${name} is ${title}.`;
-    return `${name} is ${title}, which is too large for the rooms of this page. Draw it with: sightline draw exact ${name} -o picture.svg`;
+    const what = `${name} is ${title}${changes ? ` (${changes})` : ''}`;
+    if (offers.length) return [`${what}.`, ...reasons].join(' ');
+    const word = /^[\w.,+-]+$/.test(given) ? given : `'${given.replaceAll("'", "'\\''")}'`;
+    const why = faces > MOST_FACES ? [`${what}: too large for the rooms of this page.`] : [`${what}, which no room of this page can show.`, ...reasons];
+    return [...why, `Draw it with: sightline draw exact ${word} -o picture.svg`].join(' ');
   }
 
-  // A label and an action for each room that can take it.
-  offers(file) {
+  // A label and an action for each room that can take it; in `reasons` why the others cannot.
+  offers(file, reasons = []) {
     const {name, kind} = file;
     if (!file.title || file.faces > MOST_OFFERED) return [];  // without a title it cannot be read
-    const can = request => {
-      const answer = this.module.ask(request);
-      if (answer.id) this.module.ask({do: 'drop', id: answer.id});
-      return !answer.error;
+    // Of an error the few words that tell what is wrong.
+    const not = (what, why) => { reasons.push(`${what}: ${why.replace(/^(faces|scene|stripes): /, '').split(/[:;]/)[0]}.`); return false; };
+    // Whether one of the requests makes a machine.
+    const can = (what, ...requests) => {
+      let answer;
+      for (const request of requests) {
+        answer = this.module.ask(request);
+        if (answer.id) this.module.ask({do: 'drop', id: answer.id});
+        if (!answer.error) return true;
+      }
+      return not(what, answer.error.startsWith(`${name}: `) ? answer.error.slice(name.length + 2) : answer.error);
     };
     const pdp7 = file.machine === 'pdp7';
     const ways = {
       scene: () => [
-        file.cells && can({do: 'jones', scene: name}) && ["Walk through it with Jones's program on the PDP-7", 'jones', 'walk'],
-        ['8k', '32k'].some(memory => can({do: 'turn', scene: name, memory})) && ['Turn it on the PDP-7', 'jones', 'turn'],
-        can({do: 'stripes', scene: name}) && ['Draw it in stripes on the 8080', 'skala', 'stripes'],
-        file.faces <= MOST_FACES && ['Explain it in the theatre', 'theatre'],
+        (file.cells ? can('No walk', {do: 'jones', scene: name}) : not('No walk', 'it is no scene of cells')) && ["Walk through it with Jones's program on the PDP-7", 'jones', 'walk'],
+        can('No turning on the PDP-7', ...['8k', '32k'].map(memory => ({do: 'turn', scene: name, memory}))) && ['Turn it on the PDP-7', 'jones', 'turn'],
+        can('No stripes', {do: 'stripes', scene: name}) && ['Draw it in stripes on the 8080', 'skala', 'stripes'],
+        (file.faces <= MOST_FACES || not('No lesson', `${file.faces} faces, expected at most ${MOST_FACES}`)) && ['Explain it in the theatre', 'theatre'],
       ],
       grid: () => [["Draw it with Skala's program on the 8080", 'skala']],
       source: () => [['Open it in the workbench', 'bench'], pdp7 && ['Run it on the PDP-7', 'jones']],
@@ -99,5 +118,6 @@ export class Files {
     const room = this.page.visit(name);
     this.page.say('');
     if (!room.take(file, way)) this.page.say(file.error ?? `${file.name} is ${file.title}.`, true, this.offers(file));
+    else if (file.changes) this.page.say(`${file.name}: ${file.changes}.`);
   }
 }

@@ -1,12 +1,13 @@
 // Programs of the 8080: Skala's pictures of functions, scenes in the stripes of Montani and Re, a flight with Willis's priorities. A picture grows
 // on the raster board, under a pen, or is shown by the priority display, at the machine's own speed.
 
-import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
+import {Clock, button, check, choice, download, downloadPicture, element, factList, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
 import {sampled} from './expression.js';
 import {camera} from './camera.js';
 import {Flight} from './flight.js';
 import {among, anything, named, number as numeric, optionsOf} from './links.js';
 import {COLOURS, GREYS, RasterImage} from './raster.js';
+import {said} from './files.js';
 
 const CLOCK = 3e6;  // T-states a second
 const PENS = {calcomp: 'CalComp 565', minigraf: 'Minigraf 0507'};
@@ -65,7 +66,7 @@ export class I8080Room {
           choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); }, 'How fast the machine runs, compared with an 8080 at 3 MHz')),
         this.cost8080 = fold('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw the picture with and without its hidden lines, and compare the times')), this.costs = element('p', {role: 'status'})),
         fold('State', this.facts,
-          element('p', {}, button('Save picture', () => this.canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${this.name}.png`, bytes, 'image/png'))), 'Save the picture as PNG'), ' ',
+          element('p', {}, button('Save picture', () => downloadPicture(this.name, this.canvas), 'Save the picture as PNG'), ' ',
             this.saver = button('Save state', () => this.saveState(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker('Open a file')))));
     // The arrows turn the picture when something has been chosen from a list, too.
@@ -181,7 +182,7 @@ export class I8080Room {
     // Asked for before anything changes: a flight that cannot be made leaves the one before, too.
     const tried = this.module.ask({skala: () => ({...this.request(program), function: name, heights: undefined}), stripes: () => ({...this.request(program), scene: name}),
       flight: () => this.flight.request(name)}[program]());
-    if (tried.error) { file.error = tried.error.startsWith(name) ? tried.error : `${name}: ${tried.error}`; return false; }
+    if (tried.error) { file.error = said(file, tried.error); return false; }
     if (tried.id) this.module.ask({do: 'drop', id: tried.id});
     const [box, options, option] = program === 'skala' ? [this.pick, o, 'function'] : program === 'stripes' ? [this.scene, o, 'scene'] : [this.flight.scene, this.flight.options, 'scene'];
     this.own.add(name);

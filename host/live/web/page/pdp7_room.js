@@ -1,10 +1,11 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
-import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
+import {Clock, button, check, choice, download, downloadPicture, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
 import {Turning} from './turning.js';
 import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
 import {makeTube} from './tube.js';
 import {among, flag, named, number, octal, optionsOf} from './links.js';
+import {said} from './files.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
@@ -102,7 +103,8 @@ export class Pdp7Room {
         fold('Panel', this.panel()),
         fold('Teletype', this.teletype()),
         fold('State', this.facts,
-          element('p', {}, button('Save', () => this.save(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
+          element('p', {}, button('Save picture', () => this.savePicture(), 'Save the picture on the screen as PNG'), ' ',
+            button('Save state', () => this.save(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker('Open a file')))));
   }
 
@@ -288,13 +290,13 @@ export class Pdp7Room {
       this.add(name, name);
     } else if (way === 'walk') {
       const made = this.module.ask({do: 'jones', scene: name});
-      if (made.error) return refuse(made.error);
+      if (made.error) { file.error = said(file, made.error); return false; }
       this.module.ask({do: 'drop', id: made.id});
       this.walks.add(name);
       this.add(name, `Jones: ${name}`);
     } else {
       const error = this.turning.add(name);
-      if (error) return refuse(`${name}: ${error}`);
+      if (error) { file.error = said(file, error); return false; }
       this.add(this.turning.programOf(name), `Turn: ${name}`);
     }
     return true;
@@ -307,6 +309,15 @@ export class Pdp7Room {
     select.value = this.options.program = program;
     this.options.switches = 0;
     this.restart();
+  }
+  // The screen as it is seen, with the exact lines if they are over it.
+  savePicture() {
+    this.tube.develop();  // or the browser has cleared it already
+    const {width, height} = this.canvas;
+    const whole = element('canvas', {width, height});
+    const context = whole.getContext('2d');
+    for (const each of [this.canvas, this.glass]) if (!each.hidden) context.drawImage(each, 0, 0, width, height);
+    downloadPicture(this.options.program, whole);
   }
   save() {
     const done = this.module.ask({do: 'save', id: this.id});

@@ -99,6 +99,11 @@ export function download(name, bytes, type = 'application/octet-stream') {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
+// What is on a canvas, as PNG.
+export function downloadPicture(name, canvas) {
+  canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${name}.png`, bytes, 'image/png')));
+}
+
 // A button with which files are chosen. They are opened as those that are dropped on the page are (files.js).
 export function fileTaker(label) {
   const input = element('input', {type: 'file', multiple: true, hidden: true, onchange: () => {

@@ -9,6 +9,7 @@ through the town, plays every lesson to its end, in a frame, too, at 390, 1280 a
 the command. Any error in the browser's console is a failure. With FOLDER, screenshots go there.
 """
 import base64
+import math
 import os
 import re
 import subprocess
@@ -28,7 +29,8 @@ page, sightline = "file://" + os.path.abspath(sys.argv[1]), os.path.abspath(sys.
 shots = sys.argv[3] if len(sys.argv) > 3 else None
 
 options = Options()
-for word in ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+# While a page still scrolls smoothly, Chromium now and then loses the next key that scrolls.
+for word in ["--headless=new", "--disable-smooth-scrolling", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
              "--ignore-gpu-blocklist", "--disable-dev-shm-usage", "--window-size=1280,1000"]:
     options.add_argument(word)
 options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
@@ -141,6 +143,25 @@ seen = js("""sightline.room.tube.develop(); const c = sightline.room.canvas; con
   t.getContext('2d').drawImage(c, 0, 0, 268, 268); const d = t.getContext('2d').getImageData(0, 0, 268, 268).data; let n = 0;
   for (let i = 0; i < d.length; i += 4) if (d[i + 1] > 120) ++n; return n;""")
 check(seen > 300, f"the tube shows something: {seen} bright points")
+def picture_saved():
+    # Name, size, and how many of its points are lit.
+    return driver.execute_async_script("""const done = arguments[0], {click} = HTMLAnchorElement.prototype;
+      HTMLAnchorElement.prototype.click = async function() {
+        HTMLAnchorElement.prototype.click = click;
+        const blob = await (await fetch(this.href)).blob(), image = await createImageBitmap(blob), {width, height} = image;
+        const context = Object.assign(document.createElement('canvas'), {width, height}).getContext('2d');
+        context.drawImage(image, 0, 0);
+        const {data} = context.getImageData(0, 0, width, height);
+        let lit = 0;
+        for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 120) ++lit;
+        done({name: this.download, type: blob.type, width, height, lit});
+      };
+      [...document.querySelectorAll('main button')].find(b => b.textContent === 'Save picture').click();""")
+
+
+saved = picture_saved()
+check(saved["name"] == "house.png" and saved["type"] == "image/png" and saved["width"] == saved["height"] >= 200, f"the picture is saved as PNG: {saved}")
+check(saved["lit"] > 300, f"and shows what the tube shows: {saved['lit']} bright points")
 frames = js("""return new Promise(done => { let n = 0; const end = performance.now() + 2000;
   const count = () => { ++n; performance.now() < end ? requestAnimationFrame(count) : done(n / 2); }; count(); })""")
 print(f"first room after {began} ms, {frames:.0f} frames a second")
@@ -627,6 +648,14 @@ def in_window(selectors):
       return !b || !b.height || b.top < 0 || b.bottom > innerHeight + 1 || b.right > innerWidth + 1; });""", selectors)
 
 
+# Opened fresh on a file that has to be opened again, with what that says above the player.
+for width, height in [(1280, 800), (1024, 700), (390, 844)]:
+    resize(width, height)
+    go("theatre/jones/gem.off?file=1")
+    time.sleep(0.5)
+    check(not js("return document.querySelector('main > .notice').textContent"), f"{width} pixels: nothing goes wrong beside the player: {js('return document.querySelector(`main > .notice`).textContent')}")
+driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
 go("theatre")
 check("#theatre/jones/house" in driver.current_url, "the theatre opens on Jones's house: " + driver.current_url)
 check(js("return document.querySelector('.player h1').textContent").startswith("Jones"), "with Jones's lesson")
@@ -785,6 +814,10 @@ def notice():
     return js("return (sightline.room.message ?? document.querySelector('main > .notice')).textContent")
 
 
+def wrong_anywhere():
+    return js("return (sightline.room.message ?? document.querySelector('main > .notice')).classList.contains('wrong')")
+
+
 def opened(name, content, seconds=30):
     before = js("return sightline.files?.opened ?? 0")
     drop("body", name, content)
@@ -813,6 +846,8 @@ with tempfile.TemporaryDirectory() as folder:
     com, hexadecimal = (made(f"hello.{form}", "asm", "i8080", "hello.asm", "-o", f"hello.{form}") for form in ["com", "hex"])
     mesh = {form: made(f"boxes.{form}", "scene", "generate", "boxes", "2", "-o", f"boxes.{form}") for form in ["off", "obj", "stl", "ply", "json"]}
     many = made("many.off", "scene", "generate", "boxes", "200", "-o", "many.off")
+    some = made("some.off", "scene", "generate", "boxes", "40", "-o", "some.off")
+    huge = made("huge.off", "scene", "generate", "boxes", "400", "-o", "huge.off")
     lesson = made("lesson.json", "explain", "exact", "boxes-2", "-o", "lesson.json")
     snapshot = made("pdp7.snap", "run", "pdp7", "t.rim", "--display", "--save", "pdp7.snap")
 TURN, STRIPES, EXPLAIN = "Turn it on the PDP-7", "Draw it in stripes on the 8080", "Explain it in the theatre"
@@ -872,6 +907,51 @@ for place in ["jones/turn cube.off", "skala/sinc", "bench/square.s", "theatre/ex
     if room == "theatre":
         js("sightline.room.player.show(3)")
     console_is_clean(f"files in {room}")
+
+# A mesh that is too large has the same sentence in every room, with the command that draws it. Where a room cannot show a mesh, the sentence says why.
+for place in ["jones/house", "skala/sinc", "bench/square.s", "theatre/exact/boxes-2", "about"]:
+    go(place)
+    for name, content, faces in [("240 faces.off", some, 240), ("1200 faces.off", many, 1200), ("it's.off", huge, 2400)]:
+        word = "'it'\\''s.off'" if "'" in name else f"'{name}'"
+        opened(name, content)
+        check(notice() == f"{name} is a mesh of {faces} faces: too large for the rooms of this page. Draw it with: sightline draw exact {word} -o picture.svg", f"{name} in {place}: {notice()}")
+def prism(corners):
+    # A right prism over a regular polygon.
+    ring = [(round(1000 * math.cos(2 * math.pi * i / corners)), round(1000 * math.sin(2 * math.pi * i / corners))) for i in range(corners)]
+    faces = [[i, (i + 1) % corners, (i + 1) % corners + corners, i + corners] for i in range(corners)]
+    faces += [list(range(corners))[::-1], list(range(corners, 2 * corners))]
+    return off([(x, y, z) for z in (0, 700) for x, y in ring], faces)
+
+
+def hills(squares):
+    # Two triangles for each square of a field that is nowhere flat, all of them turned to an eye above it.
+    at = lambda x, y: x * (squares + 1) + y
+    points = [(100 * x, x * x + 2 * y * y, 100 * y) for x in range(squares + 1) for y in range(squares + 1)]
+    halves = [[[at(x, y), at(x, y + 1), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x + 1, y)]] for x in range(squares) for y in range(squares)]
+    return off(points, sum(halves, []))
+
+
+def off(points, faces):
+    return "\n".join([f"OFF {len(points)} {len(faces)} 0", *(" ".join(map(str, p)) for p in points), *(" ".join(map(str, [len(f), *f])) for f in faces)]).encode()
+
+
+go("about")
+for name, content, there, words in [("prism.off", prism(180), [STRIPES, EXPLAIN], ["No turning on the PDP-7: ", "No walk: it is no scene of cells."]), ("hills.off", hills(9), [TURN, EXPLAIN], ["No stripes: 162 faces are turned to the eye"])]:
+    opened(name, content)
+    check(offered() == there and all(word in notice() for word in words), f"why {name} is not offered to some rooms: {notice()}, {offered()}")
+
+# What is wrong with a mesh is mended, and said in one line: a cube one of whose faces is turned inside out, and one of whose corners is there twice.
+cube = ["OFF", "9 6 0", *(f"{x} {y} {z}" for z in (0, 0.5) for x, y in [(0, 0), (1, 0), (1, 1), (0, 1)]), "0 0 0",
+        "4 0 3 2 1", "4 4 7 6 5", "4 8 1 5 4", "4 1 2 6 5", "4 2 3 7 6", "4 3 0 4 7"]
+damaged = "\n".join(cube).encode()
+mended = "mended: 1 equal vertex merged; 1 face turned the right side out"
+for place in ["jones/house", "skala/stripes boxes-5", "theatre/exact/boxes-2", "about"]:
+    go(place)
+    opened("damaged.off", damaged)
+    check(mended in notice() and not wrong_anywhere(), f"a damaged mesh in {place} is mended: {notice()}")
+    if place in ("jones/house", "about"):
+        offer(TURN)
+        check(js("return sightline.room.turning?.made?.edges") == 12 and mended in notice(), f"and turns as the cube that it is: {notice()}")
 
 # The offers lead to rooms that show the file, and back again.
 go("about")
