@@ -148,8 +148,6 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   if (report.quantised && report.largest_shift > 0) {
     warn(fmt::format("coordinates rounded to a step of {}{}, by at most {:.3g}{}", report.step, unit,
                      report.largest_shift, unit));
-  } else if (report.quantised) {
-    warn(fmt::format("coordinates are counted in steps of {}{}", report.step, unit));
   }
   const scene::MendReport& faces = report.faces;
   std::vector<std::string> said;
