@@ -437,7 +437,7 @@ ExitCode run_compare(CompareArguments arguments) {
   }
   if (arguments.json) print_json(document);
   if (!arguments.json && arguments.views == 0 && pictures == 0)
-    say_written(arguments.directory, "no pictures, because nothing differs in those that there are (--all writes them)");
+    say_written(arguments.directory, "no pictures: nothing differs in any of them (--all writes them)");
   if (agrees) return ExitCode::ok;
   complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
   return ExitCode::differs;

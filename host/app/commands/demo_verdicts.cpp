@@ -189,8 +189,8 @@ Verdict skala_verdict(const DemoResults& results) {
   const MethodRange range = range_of(results.answer, "skala-8080", "dots");
   const bool right = within_dots(range, guests::skala::Device::ef9365);
   return {"Skala 1985 on the 8080",
-          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; of lines up to {:.2f} % more than a dot off, at most {:.1f}, as rounding explains",
-                      lines.text(2), others.text(1), range.wrong.high(), range.farthest),
+          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; of lines up to {:.2f} % more than a dot off, at most {:.1f}{}",
+                      lines.text(2), others.text(1), range.wrong.high(), range.farthest, right ? ", as rounding explains" : ""),
           fmt::format("{}lines {} than the paper", right ? "" : "WRONG, ", lines.high() <= about_two_seconds ? "faster" : "slower"), right};
 }
 
