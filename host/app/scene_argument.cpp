@@ -149,8 +149,6 @@ void warn_of_changes(const scene::PolyImportReport& report) {
   if (report.quantised && report.largest_shift > 0) {
     warn(fmt::format("coordinates rounded to a step of {}{}, by at most {:.3g}{}", report.step, unit,
                      report.largest_shift, unit));
-  } else if (report.quantised) {
-    warn(fmt::format("coordinates are counted in steps of {}{}", report.step, unit));
   }
   if (const std::string changes = scene::changes_text(report); !changes.empty()) warn(changes);
   const scene::MendReport& faces = report.faces;

@@ -1,6 +1,7 @@
 // The terminal a person sits at: keys one by one, and its settings restored on every way out.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +12,8 @@ namespace sightline::base {
 // Whether standard input, or standard error, is a terminal.
 [[nodiscard]] bool stdin_is_terminal();
 [[nodiscard]] bool stderr_is_terminal();
+// Characters in a line of the terminal that standard output is; no limit if it is a file, a pipe, or a terminal that does not say.
+[[nodiscard]] std::size_t stdout_columns();
 
 // While it lives each key of the terminal on standard input arrives at once, unechoed and untranslated, Ctrl-C included,
 // and lines that are printed need their own carriage return. The settings are restored by its end, by a signal that

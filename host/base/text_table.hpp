@@ -25,11 +25,18 @@ class TextTable {
   // A line that is not in columns, without its end.
   void line(std::string_view text);
 
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] std::string text() const;
+  // The same, if its rows are not longer than `width` characters. Else columns are as narrow as their cells, and as many of those
+  // `least` as need be are left out, the first of them first; a last line says which, by the cells of the first row.
+  [[nodiscard]] std::string text_within(std::size_t width, const std::vector<std::size_t>& least) const;
 
  private:
+  struct Line {
+    std::vector<std::string> cells;  // empty: the text
+    std::string text;
+  };
   std::vector<int> widths_;
-  std::string text_;
+  std::vector<Line> lines_;
 };
 
 }  // namespace sightline::base

@@ -245,7 +245,7 @@ class Panel {
       for (Series& series : series_)
         for (std::size_t i = 0; i < series.points.size(); ++i)
           if (!in_strip(series.points[i])) series.places[i].y = up.place(series.points[i].wrong_percent);
-      axes += fmt::format("<text class=\"q\" x=\"8\" y=\"{:.1f}\">wrong, % of the length seen, of faces of the picture</text>\n", top_end - 14);
+      axes += fmt::format("<text class=\"q\" x=\"8\" y=\"{:.1f}\">different, % of the length seen, of faces of the picture</text>\n", top_end - 14);
       for (const double value : up.marks(7)) {
         const double y = up.place(value);
         base::append(axes,
@@ -268,7 +268,11 @@ class Panel {
     if (strip_rows_ > 0) {
       ground = fmt::format("<rect class=\"z\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", left_end,
                            strip_top, right_end - left_end, strip_bottom - strip_top);
-      base::append(axes, "<text class=\"q e\" x=\"{:.1f}\" y=\"{:.1f}\">error 0</text>\n", left_end - 6, strip_top + 17);
+      // What is not 0 has its number beside its name.
+      const bool all_zero = std::all_of(series_.begin(), series_.end(), [](const Series& s) {
+        return std::all_of(s.points.begin(), s.points.end(), [](const PlotPoint& p) { return !in_strip(p) || p.wrong_percent == 0; });
+      });
+      base::append(axes, "<text class=\"q e\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", left_end - 6, strip_top + 17, all_zero ? "0 %" : "near 0 %");
     }
     place_labels(bottom);
     text_ = heading() + ground + axes + fronts() + leaders_ + marks() + strip + labels_;
@@ -344,11 +348,11 @@ class Panel {
       const Series& series = series_[s];
       for (std::size_t i = 0; i < series.points.size(); ++i) {
         const PlotPoint& point = series.points[i];
-        const std::string wrong = point.wrong_percent > 0 ? number_text(point.wrong_percent) + " % wrong" : "nothing wrong";
+        const std::string different = point.wrong_percent > 0 ? number_text(point.wrong_percent) + " % different" : "nothing different";
         base::append(text,
                      "<path class=\"{}{}\" transform=\"translate({:.1f} {:.1f})\" d=\"{}\"><title>{}: {}, {}</title></path>\n",
                      series.in_front(i) ? 'f' : 'h', s % colours.size(), series.places[i].x, series.places[i].y, mark_path(s),
-                     xml_text(series.whole_name(i)), time_text(point.seconds), wrong);
+                     xml_text(series.whole_name(i)), time_text(point.seconds), different);
       }
     }
     return text;

@@ -90,7 +90,7 @@ struct TurnCheck {
   double bound = 0;                     // of the greatest
   picture::RasterDifference raster;     // of the flashes from the exact lines by the program's rule
   std::string difference;  // from the twin, or of the structure from the exact pieces; empty: identical
-  picture::LineMetrics metrics{};  // of its pieces on the exact edges, in points of the display; without the distance
+  picture::LineMetrics metrics{};  // of its pieces on the exact lines of the image, in points of the display; without the distance
 
   // The machine does what its words can.
   [[nodiscard]] bool agrees() const { return difference.empty() && distance.greatest <= bound; }

@@ -73,8 +73,9 @@ class JonesTeller final : public algorithms::jones::Trace {
     const std::uint32_t passed = outside_ ? depth : depth - 1;
     const std::string seen = passed == 0 ? "It is seen as a whole"
                                          : fmt::format("It is {} portal{} from the eye and is seen through the mask only", passed, passed == 1 ? "" : "s");
-    steps_.add(fmt::format("Cell {} is entered. {}. It has {} lines and {} portals to other cells.", cell, seen,
-                           complex_.lines_of(complex_.cells[cell]).size(), portals),
+    const std::size_t lines = complex_.lines_of(complex_.cells[cell]).size();
+    steps_.add(fmt::format("Cell {} is entered. {}. It has {} line{} and {} portal{} to other cells.", cell, seen, lines, lines == 1 ? "" : "s",
+                           portals, portals == 1 ? "" : "s"),
                "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)},
                                                      {image, "portal", {}},
                                                      {image, "line", {}},

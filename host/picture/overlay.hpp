@@ -16,7 +16,7 @@ namespace sightline::picture {
 
 // Of every picture of a difference. Missing is an orange of Okabe and Ito (2008).
 namespace difference_colours {
-inline constexpr Colour agreed{165, 165, 165};
+inline constexpr Colour agreed{110, 110, 110};
 inline constexpr Colour missing{213, 94, 0};
 inline constexpr Colour extra{0, 90, 200};
 }  // namespace difference_colours

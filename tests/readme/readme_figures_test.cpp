@@ -20,7 +20,7 @@ using Figures = std::vector<std::string>;
 
 constexpr std::string_view default_views = "the default views of five scenes take # to # s with the EAE and # to # s without it";
 constexpr std::string_view default_errors =
-    "on the screen # to # % of the visible length is wrong, none of it by more than a point";
+    "on the screen # to # % of the visible length differs, none of it by more than a point";
 constexpr std::string_view random_times =
     "From 1,000 random eyes in street4 a view takes # s in the median and # s at most, without the EAE # and # s";
 constexpr std::string_view random_errors = "From 4,000 eyes # views are wrong by more than a point, the worst in # of # points";

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "host/base/number.hpp"
+#include "host/base/terminal.hpp"
 #include "host/base/text_table.hpp"
 #include "host/compare/papers.hpp"
 
@@ -75,13 +76,14 @@ std::string answer_text(const std::vector<AnswerRow>& rows) {
     table.row({method, apart(picture), apart(cells.rounding), apart(cells.emulated), apart(cells.host), apart(cells.wrong), apart(cells.greatest),
                apart(cells.far), apart(cells.chord), apart(cells.read), apart(cells.paper)});
   };
-  line("", "", {"rounded to", "emulated", host ? "here" : "", "wrong", "farthest", many ? "none >1 px" : ">1 px", chord ? "chord" : "", "read", "the paper says"});
+  line("", "", {"rounded to", "emulated", host ? "here" : "", "different", "farthest", many ? "none wrong" : "wrong", chord ? "chord" : "", "read", "the paper says"});
   for (const AnswerRow& row : rows) {
     if (several && row.scene != said) table.line(said = row.scene);
     line(row.method, row.picture, answer_cells(row));
     if (!row.defect.empty()) table.line(fmt::format("    {}: {}", row.method, row.defect));
   }
-  return table.text();
+  constexpr std::size_t picture = 1, rounding = 2, here = 4, farthest = 6, chords = 8, read = 9, paper = 10;
+  return table.text_within(base::stdout_columns(), {paper, read, chords, rounding, farthest, picture, here});
 }
 
 base::Json answer_json(const std::vector<AnswerRow>& rows) {

@@ -105,6 +105,7 @@ class OverlayNames {
 // Everything of one scene or function.
 struct ComparedScene {
   bool agrees = true;
+  std::string nothing;  // why no method asked for applies; empty: some does
   std::string heading;
   std::string notes;
   Json json;
@@ -143,10 +144,12 @@ class LeftOut {
         ++known->views;
     }
   }
-  // `all` views. Failure usage, if there is no row: nothing that was asked for applies.
-  [[nodiscard]] std::string text(const std::string& name, std::uint64_t all, bool any_row) const {
-    if (!any_row && !reasons_.empty())
-      throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", name, reasons_.front().method, reasons_.front().reason));
+  // The first reason; empty if there is none.
+  [[nodiscard]] std::string first() const {
+    return reasons_.empty() ? std::string() : fmt::format("{} does not apply: {}", reasons_.front().method, reasons_.front().reason);
+  }
+  // Of `all` views.
+  [[nodiscard]] std::string text(std::uint64_t all) const {
     std::string lines;
     for (const Reason& r : reasons_)
       lines += r.views == 0 || all == 1 ? fmt::format("{} not compared: {}\n", r.method, r.reason)
@@ -167,6 +170,16 @@ class LeftOut {
   };
   std::vector<Reason> reasons_;
 };
+
+// A scene or function that none of the methods asked for draws.
+ComparedScene nothing_compared(const std::string& name, const LeftOut& left_out, Json json) {
+  ComparedScene compared;
+  compared.nothing = left_out.first();
+  compared.heading = name + ": nothing to compare\n";
+  compared.notes = left_out.text(1);
+  compared.json = std::move(json);
+  return compared;
+}
 
 // `many` views, numbered from 0: of each what `view` makes of it goes into the table.
 template <class View>
@@ -225,8 +238,9 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   if (arguments.views == 0) {
     if (arguments.only_view) view = compare::random_height_view(function.grid, view, arguments.random.seed, *arguments.only_view);
     const auto comparison = compare_view(view, arguments.only_view.value_or(0), progress);
-    ComparedScene compared{comparison.agrees(), compare_heading(function.name, comparison),
-                           compare_notes(comparison, chosen_rows(arguments, comparison)) + left_out.text(name, 1, !answer.rows().empty()),
+    if (answer.rows().empty()) return nothing_compared(function.name, left_out, compare_json(function.name, comparison));
+    ComparedScene compared{comparison.agrees(), "", compare_heading(function.name, comparison),
+                           compare_notes(comparison, chosen_rows(arguments, comparison)) + left_out.text(1),
                            compare_json(function.name, comparison),
                            write_overlays(arguments.directory, overlays.unused(function.stem), comparison, arguments.all), {}};
     if (!arguments.plot.empty()) compared.plotted = compare::variants_of(comparison);
@@ -240,7 +254,8 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     const auto of = compare::random_height_view(function.grid, view, arguments.random.seed, number);
     compared.agrees = compare_view(of, number, step).agrees() && compared.agrees;
   });
-  compared.notes = left_out.text(name, arguments.views, !answer.rows().empty());
+  if (answer.rows().empty()) return nothing_compared(function.name, left_out, std::move(compared.json));
+  compared.notes = left_out.text(arguments.views);
   return compared;
 }
 
@@ -297,8 +312,9 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     }
     const auto comparison = compare_view(camera, arguments.only_view.value_or(0), progress);
     left_out.add(comparison.not_applicable);
-    ComparedScene compared{comparison.agrees(), compare_heading(comparison),
-                           compare_notes(comparison) + left_out.text(name, 1, !answer.rows().empty()), compare_json(comparison),
+    if (answer.rows().empty()) return nothing_compared(shown, left_out, compare_json(comparison));
+    ComparedScene compared{comparison.agrees(), "", compare_heading(comparison),
+                           compare_notes(comparison) + left_out.text(1), compare_json(comparison),
                            write_overlays(arguments.directory, overlays.unused(shown), comparison, arguments.all), {}};
     if (arguments.plot.empty()) return compared;
     compared.plotted = source.cells ? compare::variants_of(*source.cells, options, comparison, progress)
@@ -313,8 +329,9 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     left_out.add(comparison.not_applicable);
     compared.agrees = comparison.agrees() && compared.agrees;
   });
-  compared.notes = left_out.text(name, arguments.views, !answer.rows().empty());
+  compared.notes = left_out.text(arguments.views);
   compared.json["not_compared"] = left_out.json();
+  if (answer.rows().empty()) return nothing_compared(shown, left_out, std::move(compared.json));
   return compared;
 }
 
@@ -366,6 +383,11 @@ ExitCode run_compare(CompareArguments arguments) {
   std::vector<compare::PlotPoint> plotted;
   Json document{{"schema", "sightline/compare/2"}, {"agrees", true}, {"table", Json::array()}, {"scenes", Json::array()}};
   bool agrees = true;
+  bool compared_any = false;
+  std::size_t pictures = 0;
+  bool first_table = true;
+  std::string text;     // of scenes without a table, until there is one: if there is none at all, that is an error
+  std::string nothing;  // why the first of these has none
   const std::size_t count = names.size() + (expression ? 1 : 0);
   OverlayNames overlays;
   for (std::size_t n = 0; n < count; ++n) {
@@ -376,6 +398,8 @@ ExitCode run_compare(CompareArguments arguments) {
       const auto show = [&](std::string_view step) { line.show(fmt::format("{} of {}: {}, {}", n + 1, count, name, step)); };
       return compare_next(arguments, names, n, overlays, show, answer);
     }();
+    if (nothing.empty() && !compared.nothing.empty()) nothing = fmt::format("{}: {}", name, compared.nothing);
+    compared_any = compared_any || compared.nothing.empty();
     agrees = agrees && compared.agrees;
     plotted.insert(plotted.end(), compared.plotted.begin(), compared.plotted.end());
     if (arguments.json) {
@@ -385,14 +409,23 @@ ExitCode run_compare(CompareArguments arguments) {
       for (const Json& row : rows.elements()) document["table"].push_back(row);
       continue;
     }
-    write_stdout((n > 0 ? "\n" : "") + compared.heading + answer_text(answer.rows()));
-    if (n == 0) {
-      write_stdout("wrong: lines and points that are missing, and extra ones that should not be there; `sightline compare --help` explains all columns\n");
+    if (answer.rows().empty()) {
+      text += (n > 0 ? "\n" : "") + compared.heading + compared.notes;
+      continue;
+    }
+    write_stdout(std::exchange(text, "") + (n > 0 ? "\n" : "") + compared.heading + answer_text(answer.rows()));
+    if (std::exchange(first_table, false)) {
+      write_stdout(
+          "different: length that is missing or extra along the lines, or points; wrong: the part of it more than a pixel from what is right; "
+          "farthest: a line's distance beside its place counts here only\n`sightline compare --help` explains all columns\n");
     }
     write_stdout(compared.notes);
     for (const std::string& path : compared.overlays)
       if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
+    pictures += compared.overlays.size();
   }
+  if (!compared_any) throw Failure(ExitCode::usage, nothing);
+  write_stdout(text);
   document["agrees"] = agrees;
   if (plot) {
     const std::string title = count == 1 ? (expression ? arguments.function.expression : names.front()) + ": time against error"
@@ -403,6 +436,8 @@ ExitCode run_compare(CompareArguments arguments) {
     if (!arguments.json) write_stdout(fmt::format("plot {}\n", arguments.plot));
   }
   if (arguments.json) print_json(document);
+  if (!arguments.json && arguments.views == 0 && pictures == 0)
+    say_written(arguments.directory, "no pictures: nothing differs in any of them (--all writes them)");
   if (agrees) return ExitCode::ok;
   complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
   return ExitCode::differs;

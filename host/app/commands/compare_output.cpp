@@ -61,8 +61,9 @@ std::string guest_text(const compare::GuestCheck& guest) {
 
 std::string turn_text(const compare::TurnCheck& turn) {
   if (!turn.difference.empty()) return "turn-pdp7 differs: " + turn.difference + "\n";
-  return fmt::format("turn-pdp7 and its twin, the same program in C++, give the same {} display words, {} flashes at {:.4f} degrees{}\n", turn.words, turn.flashes,
-                     turn.angle * 360.0 / (1 << 18),
+  return fmt::format("turn-pdp7 draws the solid at a size of its own: its per cent are of {:.1f} px of visible lines\n"
+                     "turn-pdp7 and its twin, the same program in C++, give the same {} display words, {} flashes at {:.4f} degrees{}\n",
+                     turn.metrics.true_length, turn.words, turn.flashes, turn.angle * 360.0 / (1 << 18),
                      turn.agrees() ? fmt::format("; its words explain a distance of up to {:.2f}", turn.bound)
                                    : fmt::format(": FARTHER OFF THAN THE {:.2f} THAT ITS WORDS EXPLAIN", turn.bound));
 }
@@ -92,7 +93,7 @@ bool differs(const LineMetrics& m) {
 }
 
 picture::OverlayCaption lines_caption(const std::string& title, const LineMetrics& m) {
-  return {title, fmt::format("agreed {:.1f} px", m.true_length - m.missing),
+  return {title + "; not coloured: stretches up to 1 px", fmt::format("agreed {:.1f} px", m.true_length - m.missing),
           fmt::format("missing {:.2f} px", m.missing), fmt::format("extra {:.2f} px", m.extra)};
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "host/app/commands/demo_page.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/parallel.hpp"
+#include "host/base/progress.hpp"
 #include "host/base/threads.hpp"
 
 namespace sightline::app {
@@ -42,7 +44,9 @@ DemoResults run_parts(const DemoArguments& arguments) {
   };
   work.take = [](std::uint64_t, bool) {};
   work.go_on = [] { return true; };
+  std::optional<base::ProgressClock> clock(std::in_place, "step 1 of 2, the programs on both machines");
   base::run_in_order(work);
+  clock.emplace("step 2 of 2, the same views by all methods, compared");
   results.answer = answer_for_demo(!arguments.no_host_times);
   return results;
 }
@@ -89,7 +93,7 @@ ExitCode run_demo(const DemoArguments& arguments) {
     for (const Verdict& verdict : verdicts_of(results))
       write_stdout(
           fmt::format("{}: {}{}{}\n", verdict.subject, verdict.text, verdict.verdict.empty() ? "" : ": ", verdict.verdict));
-    write_stdout(fmt::format("Right: nothing is missing or extra more than a point of the screen away from what is visible. The table, the plot and the pictures: {}{}\n", page,
+    write_stdout(fmt::format("Right: along the lines nothing is missing or extra more than a point of the screen away from what is visible; how far points lie beside a line does not count. The table, the plot and the pictures: {}{}\n", page,
                              report_program() ? "; every experiment on the five papers: sightline report" : ""));
   }
   ExitCode code = ExitCode::ok;

@@ -133,8 +133,8 @@ std::string defect_row(const AnswerRow& row, int columns) {
 std::string methods_html(const std::vector<AnswerRow>& methods) {
   constexpr int columns = 6;
   std::string text = "<div class=\"wide\" tabindex=\"0\">\n<table class=\"methods\">\n<thead><tr>" + cell("th", "", "method") +
-                     cell("th", "n", "time") + cell("th", "n", "wrong, %") + cell("th", "n", "farthest, points") +
-                     cell("th", "n", "none beyond 1") + cell("th", "p", "the paper says") + "</tr></thead>\n<tbody>\n";
+                     cell("th", "n", "time") + cell("th", "n", "different, %") + cell("th", "n", "farthest, points") +
+                     cell("th", "n", "nothing wrong") + cell("th", "p", "the paper says") + "</tr></thead>\n<tbody>\n";
   for (const bool emulated : {true, false}) {
     base::append(text, "<tr class=\"scene\"><th colspan=\"{}\">{}</th></tr>\n", columns,
                  emulated ? "Old machines, emulated time" : "This computer, measured time");
@@ -149,7 +149,7 @@ std::string methods_html(const std::vector<AnswerRow>& methods) {
       base::append(text, "<tr><th>{} <small>{}{}{}</small></th>", html(row.method), html(who), who.empty() ? "" : ", ",
                    html(row.picture));
       text += time_cell(emulated ? cells.emulated : cells.host) + cell("td", "n", exact ? "0, exact" : wrong) +
-              cell("td", "n", cells.greatest) + cell("td", "n", fmt::format("{} of {}", row.right, row.views)) +
+              cell("td", "n", cells.greatest) + cell("td", "n", row.rounding == "dots" && row.defect.empty() ? "-" : fmt::format("{} of {}", row.right, row.views)) +
               cell("td", "p", cells.paper) + "</tr>\n" + defect_row(row, columns);
     }
   }
@@ -163,7 +163,7 @@ std::string table_html(const std::vector<AnswerRow>& rows) {
   std::string text = "<div class=\"wide long\" tabindex=\"0\">\n<table>\n<thead><tr>" + cell("th", "", "method") +
                      cell("th", "", "draws") + cell("th", "", "rounded to") + cell("th", "n", "emulated time");
   if (host) text += cell("th", "n", "time here");
-  text += cell("th", "n", "wrong") + cell("th", "n", "farthest, points") + cell("th", "n", "of it beyond a point") + cell("th", "", "read") +
+  text += cell("th", "n", "different") + cell("th", "n", "farthest, points") + cell("th", "n", "wrong") + cell("th", "", "read") +
           "</tr></thead>\n<tbody>\n";
   std::string scene;
   for (const AnswerRow& row : rows) {
@@ -351,8 +351,10 @@ std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {
       text,
       "<p class=\"note\">Medians over the views, the greatest in brackets: {} scenes and {} functions, each row by itself under "
       "\"In numbers\". "
-      "Wrong is what is missing and what is drawn though hidden, of the visible length, or of the points of the picture; farthest is the "
-      "greatest distance of the two pictures, in points of the screen (px), beyond a point what is wrong and farther than one from what is visible.</p>\n",
+      "Different is what is missing and what is drawn though hidden, along the lines, in per cent of the visible length, or of the points of "
+      "the picture; farthest is the greatest distance of the two pictures, beside the lines too, in points of the screen (px); wrong is the "
+      "different that is farther than a point from what is visible. In \"nothing wrong\" dots have no count: Skala's program rounds to dots "
+      "in a way that alone puts some more than one beside their lines, so what counts for them is the greatest distance.</p>\n",
       answer.scenes.size(), answer.functions.size());
   text += "<h2>Time against error</h2>\n<div class=\"plots\">\n";
   text += compare::panel_svg(answer.plotted, compare::PlotPanel::emulated) +
@@ -360,7 +362,7 @@ std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {
   base::append(text,
                "</div>\n<p class=\"note\">{}. Filled and joined: the settings of a method of which no other is both faster and "
                "more right. Points "
-               "without error are in the strip below.</p>\n",
+               "of which less than 0.001 % is different are in the strip below, with the number if it is not 0.</p>\n",
                html(answer.plotted_text));
   for (const PageGallery& gallery : page.galleries) text += gallery_html(gallery);
   text += "<h2>In one line each</h2>\n<div class=\"wide\" tabindex=\"0\">\n<table>\n<tbody>\n";

@@ -104,8 +104,8 @@ Verdict jones_verdict(const DemoResults& results) {
   }
   const MethodRange range = range_of(results.answer, compare::jones_pdp7_name, "lines");
   return {"Jones 1971 on the PDP-7",
-          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % missing or extra, lines "
-                      "at most {:.1f} points off",
+          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % of the length different along the "
+                      "lines, points lit up to {:.1f} beside them",
                       with.text(2), without.text(2), range.wrong.high(), range.farthest),
           verdict_text(range, without.high() <= a_few_seconds ? "" : "slower than the paper"), complete && range.all_right()};
 }
@@ -147,7 +147,8 @@ Verdict flight_verdict(const DemoResults& results) {
   }
   const MethodRange range = range_of(results.answer, "willis-8080", "faces");
   return {"Willis 1977 on the 8080",
-          fmt::format("{} pictures a second (paper: 25), up to {:.2f} % of pairs out of order, in 8 bits; {} in 16",
+          fmt::format("flights at {} pictures a second (paper: 25), up to {:.2f} % of pairs of faces out of order, in 8 bits; {} in 16; the "
+                      "faces in still views",
                       frames_8.text(1), wrong_8.high(), frames_16.text(1)),
           verdict_text(range, fmt::format("as fast as the paper in {} of {}", fast, flights)), range.all_right()};
 }
@@ -161,7 +162,7 @@ Verdict stripes_verdict(const DemoResults& results) {
   const MethodRange range = range_of(results.answer, compare::stripes_name, "faces");
   const MethodRange pen = range_of(results.answer, fmt::format("{} pen", compare::stripes_name), "lines");
   return {"Montani and Re 1985 on the 8080",
-          fmt::format("faces in {} s, up to {:.2f} % of points wrong{}; plotted in {} s, no step farther off than {:.1f}",
+          fmt::format("faces in {} s, up to {:.2f} % of points different{}; plotted in {} s, no step farther off than {:.1f}",
                       drawing.text(2), range.wrong.high(), range.far == 0 ? ", all at edges" : "", pen.emulated.text(0),
                       pen.farthest),
           verdict_text(range, pen.all_right() ? "" : "WRONG on the plotter"), range.all_right() && pen.all_right()};
@@ -188,8 +189,8 @@ Verdict skala_verdict(const DemoResults& results) {
   const MethodRange range = range_of(results.answer, "skala-8080", "dots");
   const bool right = within_dots(range, guests::skala::Device::ef9365);
   return {"Skala 1985 on the 8080",
-          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; of lines up to {:.2f} % farther off than a dot, at most {:.1f}",
-                      lines.text(2), others.text(1), range.wrong.high(), range.farthest),
+          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; of lines up to {:.2f} % more than a dot off, at most {:.1f}{}",
+                      lines.text(2), others.text(1), range.wrong.high(), range.farthest, right ? ", as rounding explains" : ""),
           fmt::format("{}lines {} than the paper", right ? "" : "WRONG, ", lines.high() <= about_two_seconds ? "faster" : "slower"), right};
 }
 
@@ -254,7 +255,7 @@ Verdict rounded_verdict(const DemoResults& results) {
     text += fmt::format("{}{}{}, {:.3f} %", text.empty() ? "" : "; ", method,
                         range.host.any() ? " " + range.host.times() : "", range.wrong.high());
   }
-  return {"This computer, faces and Skala", text + " wrong at most", verdict_text(all), all.all_right()};
+  return {"This computer, faces and Skala", text + " different at most", verdict_text(all), all.all_right()};
 }
 
 }  // namespace
@@ -283,15 +284,15 @@ ThreeAnswers answers_of(const DemoResults& results) {
   answers.fast += exact.host.any() ? fmt::format("; the exact program of today takes {} on this computer.", exact.host.times())
                                    : std::string(".");
   answers.wrong = fmt::format(
-      "The PDP-7 has {} % of the visible length wrong and no point farther than {:.1f} of its 1024; of lines of the 8080 {} % are farther "
+      "The PDP-7 has {} % of the visible length different and no lit point farther than {:.1f} of its 1024; of lines of the 8080 {} % are farther "
       "than a dot, none farther than {:.1f} of its 256; the exact programs {}.",
       pdp7.wrong.text(2), pdp7.farthest, dots.wrong.text(2), dots.farthest,
-      all_exact.all_right() ? std::string("have nothing wrong")
+      all_exact.all_right() ? std::string("have nothing different")
                             : fmt::format("are wrong in {} of {} views", all_exact.views - all_exact.right, all_exact.views));
   answers.against =
       "In each scene all draw the same view, and each is compared with the exact visible lines or faces of an oracle that "
       "shares no "
-      "visibility code with it; what a machine's rounding moves counts as wrong.";
+      "visibility code with it; what a machine's rounding moves counts as different, and as wrong if it is more than a point away.";
   return answers;
 }
 

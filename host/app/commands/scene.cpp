@@ -184,9 +184,9 @@ void describe_cells(const scene::CellScene& scene, const std::string& name, bool
   }
   TextTable facts = facts_table();
   facts.row({"name", scene.name});
-  facts.row({"cells", fmt::format("{}, with {} lines", scene.cells.size(), lines)});
+  facts.row({"cells", fmt::format("{}, with {}", scene.cells.size(), counted(lines, "line"))});
   facts.row({"openings", fmt::format("{}", scene.openings.size())});
-  facts.row({"matter", fmt::format("{} solids, {} walls", scene.solids.size(), scene.walls.size())});
+  facts.row({"matter", counted(scene.solids.size(), "solid") + ", " + counted(scene.walls.size(), "wall")});
   facts.row({"outer box", box_text(scene.outer.low, scene.outer.high)});
   facts.row({"default view", fmt::format("{}, in cell {}", base::joined(scene.default_view, ","), core.view.cell)});
   facts.row({"eye may move", box_text(core.view.limits.low, core.view.limits.high)});
@@ -236,11 +236,11 @@ void list_polyhedra(const scene::PolyScene& scene, TextTable& facts) {
   if (!scene.name.empty()) facts.row({"name", scene.name});
   facts.row({"vertices", fmt::format("{}", scene.vertices.size())});
   facts.row({"edges", fmt::format("{}", counts.edges)});
-  facts.row({"faces", fmt::format("{}, with {} holes", scene::face_count(scene), counts.holes)});
+  facts.row({"faces", fmt::format("{}, with {}", scene::face_count(scene), counted(counts.holes, "hole"))});
   facts.row(
-      {"bodies", fmt::format("{} solids, {} sheets", scene.bodies.size() - counts.sheets, counts.sheets)});
+      {"bodies", counted(scene.bodies.size() - counts.sheets, "solid") + ", " + counted(counts.sheets, "sheet")});
   if (!scene.wires.empty()) facts.row({"lines", fmt::format("{} without faces", scene.wires.size())});
-  if (!scene.surfaces.empty()) facts.row({"surfaces", fmt::format("{} planes and single faces", scene.surfaces.size())});
+  if (!scene.surfaces.empty()) facts.row({"surfaces", counted(scene.surfaces.size(), "plane or single face", "planes and single faces")});
   const auto low = scene::file_point(scene, bounds.low);
   const auto high = scene::file_point(scene, bounds.high);
   facts.row({"bounds", fmt::format("x {}..{}  y {}..{}  z {}..{}", low[0], high[0], low[1], high[1], low[2], high[2])});
@@ -286,7 +286,7 @@ void describe_decomposition(const scene::LoadedScene& loaded, bool json) {
   TextTable facts = facts_table();
   list_polyhedra(loaded.scene, facts);
   facts.row(
-      {"cells", fmt::format("{}, with {} lines; by {}", complex.cells.size(), complex.lines.size(), method)});
+      {"cells", fmt::format("{}, with {}; by {}", complex.cells.size(), counted(complex.lines.size(), "line"), method)});
   facts.row({"openings", fmt::format("{}, {} of them to outside", complex.openings.size(), outside)});
   facts.row({"planes", fmt::format("{}", complex.planes.size())});
   facts.row({"outer box", box_text(complex.outer.low, complex.outer.high)});
@@ -455,7 +455,7 @@ void write_counts(const DecomposeArguments& arguments, const scene::Decompositio
   counts.row({"method", method_name(result.method)});
   counts.row({"cells", fmt::format("{}", complex.cells.size())});
   counts.row({"openings", fmt::format("{}, {} of them to outside", complex.openings.size(), outside)});
-  counts.row({"lines", fmt::format("{}, parts of {} edges", complex.lines.size(), complex.edges.size())});
+  counts.row({"lines", fmt::format("{}, parts of {}", complex.lines.size(), counted(complex.edges.size(), "edge"))});
   counts.row({"planes", fmt::format("{}", complex.planes.size())});
   write_stdout(counts.text());
 }

@@ -8,6 +8,7 @@
 
 #include "host/app/commands/answer_output.hpp"
 #include "host/base/number.hpp"
+#include "host/base/terminal.hpp"
 #include "host/base/text_table.hpp"
 
 namespace sightline::app {
@@ -45,11 +46,11 @@ std::string sweep_text(const compare::SweepTable& sweep, const ViewCommand& comm
     emulated = emulated || row.emulated_seconds.has_value();
     host = host || row.host_seconds.has_value();
   }
-  std::vector<int> widths{-20, -10, 7, 8, 15, 13, 13};
+  std::vector<int> widths{-20, -10, 7, 8, 19, 13, 13};
   for (int times = (emulated ? 1 : 0) + (host ? 1 : 0); times > 0; --times) widths.insert(widths.end(), {18, 12, 12});
   widths.push_back(12);
   base::TextTable table(widths);
-  std::vector<std::string> cells{"", "", "views", "right", "wrong: median", "90 %", "greatest"};
+  std::vector<std::string> cells{"", "", "views", "right", "different: median", "90 %", "greatest"};
   const auto add = [&cells](const std::vector<std::string>& more) { cells.insert(cells.end(), more.begin(), more.end()); };
   if (emulated) add({"emulated: median", "90 %", "greatest"});
   if (host) add({"here: median", "90 %", "greatest"});
@@ -70,14 +71,19 @@ std::string sweep_text(const compare::SweepTable& sweep, const ViewCommand& comm
   for (const compare::SweepTable::LeftOut& left : sweep.left_out())
     table.line(fmt::format("{} left out of {} views: {}", left.method.empty() ? std::string_view("all methods") : left.method, left.views,
                            left.reason));
-  table.line("wrong: lines that are missing, and extra ones that should not be there, in per cent of what is visible; right: none of it a point away");
+  table.line("different: lines that are missing, and extra ones that should not be there, in per cent of what is visible; right: none of it more than a point away");
   bool first = true;
   for (const AnswerRow& row : rows) {
     if (!has_worst_view(row)) continue;
     if (std::exchange(first, false)) table.line("worst views:");
     table.line(fmt::format("  {}", command(method_of(row), row.worst_view)));
   }
-  return table.text();
+  // What a narrow terminal has no room for: of times 90 per cent, then the greatest; 90 per cent of what is different; what is drawn.
+  std::vector<std::size_t> least;
+  for (const std::size_t of_times : {std::size_t{8}, std::size_t{9}})
+    for (std::size_t column = of_times; column + 1 < widths.size(); column += 3) least.push_back(column);
+  least.insert(least.end(), {5, 1, 2});
+  return table.text_within(base::stdout_columns(), least);
 }
 
 }  // namespace sightline::app

@@ -133,7 +133,7 @@ base::Result<std::vector<std::string>> look_at_gltf(std::string_view text, std::
   }
   std::vector<std::string> notes;
   const base::Json* skins = document->find("skins");
-  if (skins != nullptr && skins->size() > 0) notes.push_back(std::to_string(skins->size()) + " skins");
+  if (skins != nullptr && skins->size() > 0) notes.push_back(std::to_string(skins->size()) + (skins->size() == 1 ? " skin" : " skins"));
   std::size_t morphed = 0;
   if (const base::Json* meshes = document->find("meshes")) {
     for (const base::Json& mesh : meshes->elements()) {
@@ -142,7 +142,7 @@ base::Result<std::vector<std::string>> look_at_gltf(std::string_view text, std::
       for (const base::Json& primitive : primitives->elements()) morphed += primitive.find("targets") != nullptr ? 1U : 0U;
     }
   }
-  if (morphed > 0) notes.push_back("morph targets of " + std::to_string(morphed) + " meshes");
+  if (morphed > 0) notes.push_back("morph targets of " + std::to_string(morphed) + (morphed == 1 ? " mesh" : " meshes"));
   return notes;
 }
 

@@ -204,6 +204,20 @@ TEST_F(CompareCommand, ComparesFacesByPoints) {
   for (const auto& faces : turned["faces"]) EXPECT_EQ(faces["different_inside"], 0) << faces;
 }
 
+// Nothing of this ends the command: what applies to a scene is compared, and of the others the reason is said.
+TEST_F(CompareCommand, LeavesOutMethodsThatDoNotApply) {
+  const Arguments arguments{"compare", "sinc", "house", "boxes-2", "--methods", "jones,willis", "--no-host-times"};
+  const auto ran = sightline(arguments);
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "sinc: nothing to compare\njones not compared: ")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "\nhouse from ") && has(ran.out, "\nboxes-2 from ")) << ran.out;
+  EXPECT_EQ(ran.out.find("different: "), ran.out.rfind("different: ")) << "the columns are explained once" << ran.out;
+  const auto none = sightline({"compare", "sinc", "saddle", "--methods", "jones,willis"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_EQ(none.out, "");
+  EXPECT_TRUE(has(none.err, "sinc: jones does not apply: ")) << none.err;
+}
+
 TEST_F(CompareCommand, NamesWhatIsWrong) {
   struct Case {
     sightline::test::Arguments arguments;

@@ -31,7 +31,7 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
   EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 11) << ran.out;
   EXPECT_FALSE(has(ran.out, "WRONG")) << ran.out;
   for (const char* text :
-       {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ",
+       {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "of the length different along the lines, points lit up to ", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ",
         "Willis 1977 on the 8080: ", "Montani and Re 1985 on the 8080: ", "Skala 1985 on the 8080: ", "about 2 s", "about 15 %",
         "CalComp 565", "This computer, exact lines: ", "pictures/index.html"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;
@@ -71,10 +71,10 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
   // Five scenes in four ways; eight functions in four ways and one plot in three; three scenes in stripes.
   EXPECT_EQ(pictures, 5 * 4 + 8 * 4 + 3 + 3);
   for (const char* text : {"How fast?", "How wrong?", "Against what?", "jones-pdp7", "corridor32", "boxes-8, parallel", "rosen",
-                           "turn-pdp7", "<details>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
+                           "turn-pdp7", "<details>", "nothing wrong", ">near 0 %</text>", ">8 of 8</td>", "prefers-color-scheme: dark", "name=\"viewport\"", "class=\"answer-plot\"",
                            "jones-pdp7 without EAE", "A solid turning on the PDP-7", "between its samples the function is up to"})
     EXPECT_TRUE(has(page, text)) << text;
-  for (const char* text : {"<script", "http://www.example", "https://", "time here", " us</", "&#181;"})
+  for (const char* text : {"<script", "http://www.example", "https://", ">0 of 8</td>", ">error 0</text>", "time here", " us</", "&#181;"})
     EXPECT_FALSE(has(page, text)) << text;
   // The same bytes again.
   const Ran again = sightline({"demo", "-o", "pictures2", "--no-host-times"});

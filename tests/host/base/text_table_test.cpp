@@ -28,5 +28,23 @@ TEST(TextTable, LeavesNoBlanksAtTheEndOfALine) {
   EXPECT_EQ(table.text(), "a   b\nc\na note of any length\n");
 }
 
+TEST(TextTable, LeavesColumnsOutOfANarrowTerminal) {
+  TextTable table({-12, 12, -12, 12});
+  table.row({"scene", "lines", "  paper", "s"});
+  table.row({"house", "128", "  of 1971", "0.25"});
+  table.line("a note that is longer than the terminal");
+  EXPECT_EQ(table.text_within(48, {2, 1}), table.text()) << "it fits";
+  EXPECT_EQ(table.text_within(47, {2, 1}),
+            "scene  lines  paper       s\nhouse    128  of 1971  0.25\na note that is longer than the terminal\n")
+      << "narrow columns are enough";
+  EXPECT_EQ(table.text_within(26, {2, 1}),
+            "scene  lines     s\nhouse    128  0.25\na note that is longer than the terminal\n"
+            "left out, for a wider terminal: paper\n");
+  EXPECT_EQ(table.text_within(5, {2, 1}),
+            "scene     s\nhouse  0.25\na note that is longer than the terminal\n"
+            "left out, for a wider terminal: paper, lines\n")
+      << "the others stay";
+}
+
 }  // namespace
 }  // namespace sightline::base

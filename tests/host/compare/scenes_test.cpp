@@ -366,6 +366,20 @@ TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
   EXPECT_NE(large.error().message().find("720 edges"), std::string::npos) << large.error().message();
 }
 
+// Of a box seen level: three upright edges, and its top and its bottom as one line each, in which two or more edges lie on each other.
+TEST(CompareTurn, LinesThatLieOnEachOtherCountOnce) {
+  scene::PolyScene box;
+  box.vertices = {{-10, 0, -5}, {10, 0, -5}, {10, 60, -5}, {-10, 60, -5}, {-10, 0, 5}, {10, 0, 5}, {10, 60, 5}, {-10, 60, 5}};
+  box.bodies = {{"", true, {{{3, 2, 1, 0}, {}}, {{4, 5, 6, 7}, {}}, {{0, 1, 5, 4}, {}}, {{1, 2, 6, 5}, {}}, {{2, 3, 7, 6}, {}}, {{3, 0, 4, 7}, {}}}}};
+  constexpr std::uint32_t angle = 30'000;
+  const auto check = check_turn(box, angle);
+  ASSERT_TRUE(check) << check.error().message();
+  const double radians = 2 * 3.14159265358979323846 * angle / (1 << 18);
+  const double width = 20 * std::abs(std::cos(radians)) + 10 * std::abs(std::sin(radians));
+  // The farthest vertex is 505 points from the middle: 30 units above it.
+  EXPECT_NEAR(check->metrics.true_length, (3 * 60 + 2 * width) * 505 / 30, 1e-6);
+}
+
 TEST(ComparePolyScene, HasNoFacesOfAnImageTooSmallForItsDepth) {
   scene::PolyScene scene;
   scene.vertices = {{0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {0, 0, 100'000}, {0, 2, 100'000}, {2, 0, 100'000}};

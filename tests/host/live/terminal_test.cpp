@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -58,6 +59,10 @@ class Terminal : public CommandLine {
       execv(command.c_str(), words.data());
       _exit(127);
     }
+  }
+  void set_columns(unsigned short columns) {
+    const winsize size{40, columns, 0, 0};
+    ASSERT_EQ(ioctl(slave_, TIOCSWINSZ, &size), 0);
   }
   void type(std::string_view keys) { ASSERT_EQ(write_to(master_, keys), keys.size()); }
   // Reads until the text has been shown.
@@ -127,6 +132,24 @@ TEST_F(Terminal, KeysAreEchoedByTheProgramAlone) {
   EXPECT_NE(shown_.find("*a\003b!\r\n"), std::string::npos) << shown_;
   EXPECT_EQ(ends(), 0);
   EXPECT_TRUE(restored());
+}
+
+// The table in a pipe has 126 characters in its longest row.
+TEST_F(Terminal, TablesLeaveColumnsOutWhereItIsNarrow) {
+  const std::vector<std::string> words{"compare", "boxes-1", "--orthographic", "3,0,4", "--no-host-times", "--methods", "exact,turn-pdp7", "-o", "none"};
+  const std::string whole = sightline(words).out;
+  EXPECT_NE(whole.find("  the paper says\n"), std::string::npos) << whole;
+  EXPECT_EQ(whole.find("left out"), std::string::npos) << whole;
+  set_columns(79);
+  start(words);
+  ASSERT_TRUE(shows("none: no pictures: nothing differs in any of them (--all writes them)\r\n")) << shown_;
+  EXPECT_EQ(ends(), 0);
+  EXPECT_NE(shown_.find("  wrong\r\n"), std::string::npos) << shown_;
+  EXPECT_NE(shown_.find("left out, for a wider terminal: the paper says, read\r\n"), std::string::npos) << shown_;
+  const std::string table = shown_.substr(0, shown_.find("left out"));
+  std::size_t row = table.find('\n') + 1;
+  for (std::size_t end = 0; (end = table.find("\r\n", row)) != std::string::npos; row = end + 2) EXPECT_LE(end - row, 79U) << table;
+  EXPECT_FALSE(exists("none"));
 }
 
 TEST_F(Terminal, CtrlEComesToTheMonitorAndBack) {

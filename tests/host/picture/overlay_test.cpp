@@ -16,7 +16,7 @@ std::array<int, 3> pixel(const Image& image, int column, int row) {
 }
 
 constexpr std::array<int, 3> white{255, 255, 255};
-constexpr std::array<int, 3> grey{165, 165, 165};
+constexpr std::array<int, 3> grey{110, 110, 110};
 constexpr std::array<int, 3> orange{213, 94, 0};
 constexpr std::array<int, 3> blue{0, 90, 200};
 
