@@ -96,8 +96,12 @@ Json snapshot(const File& file) {
   const auto read = decode_snapshot(file.bytes, file.name);
   if (!read) return damaged("snapshot", read.error().message());
   const bool pdp7 = read->machine == guests::run::pdp7().name;
-  return kind_of_machine("snapshot", pdp7 ? "a snapshot of a PDP-7" : "a snapshot of an 8080",
-                         pdp7 ? guests::run::pdp7() : guests::run::i8080());
+  Json answer = kind_of_machine("snapshot", pdp7 ? "a snapshot of a PDP-7" : "a snapshot of an 8080",
+                                pdp7 ? guests::run::pdp7() : guests::run::i8080());
+  Json configuration = Json::array();
+  for (const std::string& word : read->configuration) configuration.push_back(word);
+  answer["configuration"] = std::move(configuration);
+  return answer;
 }
 
 Json scene_file(const File& file) {

@@ -35,7 +35,9 @@ text_as_json() {
   printf '['
   comma=""
   grep -v '^#' "$root/host/live/web/examples.txt" | while IFS='|' read -r files machine title more; do
+    # Of several files the folder's name: two programs may have sources of the same name.
     name=$(basename "${files%% *}")
+    [ "$files" = "${files%% *}" ] || name=$(basename "$(dirname "${files%% *}")").s
     printf '%s{"name":"%s","machine":"%s","title":"%s"' "$comma" "$name" "$machine" "${title:-$name}"
     [ -z "$more" ] || printf ',%s' "$more"
     sources=""

@@ -14,6 +14,7 @@
 namespace {
 
 using sightline::live::web::Desk;
+using sightline::live::web::reason_text;
 using sightline::live::web::Rooms;
 
 struct Page {
@@ -65,9 +66,7 @@ SIGHTLINE_EXPORT(run) int run(int id, double until, double instructions) {
   Desk* const desk = page().rooms.workbench.desk(id);
   if (desk == nullptr) return 2;
   const auto halted = desk->run(static_cast<std::int64_t>(until), static_cast<std::uint64_t>(instructions));
-  std::string reason = halted.reason;
-  if (reason.empty()) reason = halted.stop.complaint.empty() ? std::string(halted.stop.name) : halted.stop.complaint;
-  give(std::move(reason));
+  give(reason_text(halted));
   return static_cast<int>(halted.why);
 }
 SIGHTLINE_EXPORT(answer_size) int answer_size() { return static_cast<int>(page().answer.size()); }

@@ -201,7 +201,9 @@ Json make_jones(Workbench& workbench, const Json& request) {
   }
   labels["search"] = program->labels.search;
   labels["start"] = program->labels.start;
+  labels["scene"] = program->labels.scene;
   made["labels"] = std::move(labels);
+  made["scene_words"] = program->scene.words.size();
   made["cells"] = scene->cells.size();
   made["words"] = program->words_used;
   return made;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/live/keys.hpp"
+#include "host/live/snapshot.hpp"
 #include "host/live/web/requests.hpp"
 
 namespace sightline::live::web {
@@ -57,12 +58,31 @@ std::string take_options(const Json& given, std::span<const guests::run::Option>
   return {};
 }
 
+// The options of the machine of a snapshot, from its configuration. A complaint if they name files, or empty.
+std::string take_configuration(const std::string& file, const Snapshot& snapshot, const MachineDescription& description, Arguments& arguments) {
+  for (const std::string& word : snapshot.configuration) {
+    const std::size_t end = std::min(word.find(' '), word.size());
+    const std::string name = word.substr(0, end);
+    const std::string value = word.substr(std::min(end + 1, word.size()));
+    const auto option = std::find_if(description.options.begin(), description.options.end(), [&](const auto& each) { return each.key() == name; });
+    const bool flag = option != description.options.end() && option->kind == OptionKind::flag;
+    if (option == description.options.end() || name == "--cpm-drive" || (!flag && value.empty()))
+      return fmt::format("{}: the machine of this snapshot has files of {}, which are not in it; go on with: sightline run {} --restore {} "
+                         "and the options of its first run", file, name, description.name, file);
+    Arguments::Value& target = arguments.value(name);
+    if (flag) target.flag = true;
+    else if (option->kind == OptionKind::list || option->kind == OptionKind::files) target.list.push_back(value);
+    else target.text = value;
+    if (name == "--cpm" && !value.empty()) arguments.value("--console").text = "ascii";  // "with console or drives"
+  }
+  return {};
+}
+
 Json halted_json(const Halted& halted) {
   static constexpr std::array<std::string_view, 3> names{"goal", "breakpoint", "machine"};
-  std::string reason = halted.reason;
-  if (reason.empty() && halted.why == Halted::Why::machine)
-    reason = halted.stop.complaint.empty() ? std::string(halted.stop.name) : halted.stop.complaint;
-  return Json{{"why", names[static_cast<std::size_t>(halted.why)]}, {"breakpoint", halted.breakpoint}, {"reason", reason}};
+  return Json{{"why", names[static_cast<std::size_t>(halted.why)]},
+              {"breakpoint", halted.breakpoint},
+              {"reason", halted.why == Halted::Why::machine ? reason_text(halted) : halted.reason}};
 }
 
 Json state_json(Desk& desk) {
@@ -131,6 +151,13 @@ Json rows_json(Desk& desk, std::uint32_t from, std::int64_t before, std::int64_t
 // A request that runs a machine comes back after some seconds, whatever the program does: the page must stay alive.
 constexpr std::uint64_t most_instructions = 200'000'000;
 constexpr int most_slices = 2000;
+constexpr std::string_view waits_for_a_key = "waits for a key";
+
+std::string reason_text(const Halted& halted) {
+  if (halted.why == Halted::Why::machine && halted.stop.name == waits_for_a_key) return std::string(waits_for_a_key);
+  if (!halted.reason.empty()) return halted.reason;
+  return halted.stop.complaint.empty() ? std::string(halted.stop.name) : halted.stop.complaint;
+}
 
 Json refusal(std::string_view complaint) { return Json{{"error", complaint}}; }
 
@@ -147,7 +174,7 @@ Desk::Desk(const MachineDescription& description, guests::run::Prepared prepared
                      const std::string text = machine.take_printed();
                      printed_ += text;
                      heard(text);
-                     if (!stop && machine.waits_for_key()) stop = guests::run::Stop{"waits for a key", {}};
+                     if (!stop && machine.waits_for_key()) stop = guests::run::Stop{waits_for_a_key, {}};
                    }
                    return *stop;
                  },
@@ -201,9 +228,22 @@ int Workbench::add(std::unique_ptr<Desk> desk) {
 }
 
 Json Workbench::make(const Json& request) {
-  const MachineDescription* const description = description_of(text_of(request, "machine"));
+  const std::string from = text_of(request, "snapshot");
+  std::optional<Snapshot> snapshot;
+  if (!from.empty()) {
+    const Bytes* const bytes = file(from);
+    if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", from));
+    auto read = decode_snapshot(*bytes, from);
+    if (!read) return refusal(read.error().message());
+    snapshot = std::move(*read);
+  }
+  const MachineDescription* const description = description_of(snapshot ? snapshot->machine : text_of(request, "machine"));
   if (description == nullptr) return refusal("found no machine of that name, expected pdp7 or i8080");
   Arguments arguments(description->options);
+  if (snapshot) {
+    if (std::string complaint = take_configuration(from, *snapshot, *description, arguments); !complaint.empty()) return refusal(complaint);
+    arguments.value("--restore").text = from;
+  }
   if (const Json* const options = request.find("options")) {
     if (std::string complaint = take_options(*options, description->options, arguments); !complaint.empty())
       return refusal(complaint);
@@ -214,6 +254,10 @@ Json Workbench::make(const Json& request) {
     const Bytes* const bytes = file(path);
     if (bytes == nullptr) missing = path;
     return Input{path, bytes != nullptr ? *bytes : Bytes()};
+  }, [&](Machine& machine, const Input& input) -> guests::run::Result<guests::run::Done> {
+    const auto done = restore_snapshot(description->name, machine, input.bytes, input.name);
+    if (!done) return guests::run::bad_input(done.error().message());
+    return guests::run::Done{};
   });
   if (!missing.empty()) return refusal(fmt::format("{}: no such file on the page; drop it first", missing));
   if (!prepared) return refusal(prepared.error().message);
@@ -296,6 +340,11 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
     return static_cast<std::uint32_t>(number);
   };
   if (what == "state") return state_json(desk);
+  if (what == "warnings") {
+    Json warnings = Json::array();
+    for (const std::string& each : machine.take_early_warnings()) warnings.push_back(each);
+    return Json{{"warnings", std::move(warnings)}};
+  }
   if (what == "step") {
     const auto count = std::max<std::int64_t>(1, whole_of(request, "count", 1));
     Goal goal;
@@ -447,6 +496,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
       if (where >= machine.words()) return refusal(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));
       debugger.put(where, word);
     }
+    debugger.set_symbols(Symbols(desk.description().radix));  // those of the program that was there
     if (program->start && flag_of(request, "start")) debugger.start(*program->start);
     return Json{{"words", program->words.size()}, {"start", program->start ? Json(*program->start) : Json()}};
   }

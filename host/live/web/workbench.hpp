@@ -79,5 +79,7 @@ class Workbench {
 };
 
 [[nodiscard]] Json refusal(std::string_view complaint);
+// Why a machine stands still, for a person.
+[[nodiscard]] std::string reason_text(const Halted& halted);
 
 }  // namespace sightline::live::web

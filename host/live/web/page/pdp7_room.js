@@ -9,10 +9,13 @@ import {said} from './files.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
+const PEN = 8;  // points: how far the light pen sees
+const CORE = 8192;  // words of the machine that Jones's program runs on
+const MOST_WARNINGS = 5;
 
 // Colours of the exact lines: drawn, or missing in the picture; and of what is lit where no line is. Of a pair in red and cyan the left eye's lines are red,
 // as its picture, and what is missing is yellow.
-const RIGHT = '#4cc9f0', MISSING = '#ff4d4d', EXTRA = '#ff4dd2', PAIR_LEFT = '#ff8080', PAIR_MISSING = '#ffd43b';
+const RIGHT = '#4cc9f0', MISSING = '#ff4d4d', EXTRA = '#ff4dd2', PAIR_LEFT = '#ff8080', PAIR_MISSING = '#ffd43b', PEN_COLOUR = '#ffd43b';
 
 // AC switches 0 to 7 of Jones's program (firmware/pdp7/jones/SPECIFICATION.md, section 6), with their keys.
 const WALK = [
@@ -24,6 +27,7 @@ const WALK = [
 const TRY = {
   'pen.s': 'Press the pointer on the picture: it is the light pen.',
   'echo.s': 'Under Teletype, type in the box.',
+  'square.s': 'Under Panel, press START: it is drawn again.',
 };
 
 export const PROGRAMS = ['house', 'roberts', 'street4', 'corridor8', 'corridor32'];
@@ -69,8 +73,9 @@ export class Pdp7Room {
     };
     const pen = (event, down) => {
       const place = down ? point(event) : null;
-      if (this.id) this.module.ask({do: 'attach', id: this.id, device: 'pen', text: place ? `0 ${place[0]} ${place[1]} 8\n` : '0 off\n'});
+      if (this.id) this.module.ask({do: 'attach', id: this.id, device: 'pen', text: place ? `0 ${place[0]} ${place[1]} ${PEN}\n` : '0 off\n'});
       this.penAt = place;
+      this.drawGlass();
     };
     screen.addEventListener('pointerdown', event => { screen.setPointerCapture(event.pointerId); pen(event, true); });
     screen.addEventListener('pointermove', event => { if (event.buttons) pen(event, true); });
@@ -112,7 +117,7 @@ export class Pdp7Room {
     const {program} = this.options;
     this.intro.say(this.walks.has(program) ? "A PDP-7 of 1965[ with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
       : this.turns ? 'A PDP-7 of 1965 turns a solid[ on its Type 340 display], its hidden lines removed. Press “wire frame”[: every edge is shown].'
-      : `A PDP-7 of 1965[ with its Type 340 display] runs an example. ${TRY[program] ?? 'Under Panel, press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
+      : `A PDP-7 of 1965[ with its Type 340 display] ${this.example?.snapshot ? 'goes on from a snapshot' : this.example?.file ? 'runs a tape' : 'runs an example'}. ${TRY[program] ?? 'Under Panel, press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
   }
 
   walkPad() {
@@ -191,7 +196,10 @@ export class Pdp7Room {
 
   // --- Machines
 
-  restart(snapshot) {
+  get example() { return this.examples.find(each => each.name === this.options.program); }
+
+  // `restored`: a machine that goes on from a snapshot (openSnapshot).
+  restart(restored = null) {
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     this.id = 0;
     this.labels = null;
@@ -199,27 +207,27 @@ export class Pdp7Room {
     this.lastViews = -1;
     this.begun = false;
     this.lines = null;
+    this.warned = [];
     this.facts.show([]);
     this.paper.textContent = '';
     this.begin();
     this.go(false);
     this.stopped.hidden = true;
     const o = this.options;
-    const jones = this.walks.has(o.program);
-    this.turns = this.turning.owns(o.program);
-    this.walk.hidden = !jones;
-    this.introduce();
-    this.turning.group.hidden = !this.turns;
-    for (const each of [this.stereo, this.redCyan, this.immediate, this.scale, this.lamp.parentElement]) each.hidden = !jones;
+    this.showParts();
+    const {example} = this;
     let made;
-    if (jones) {
+    if (restored) {
+      made = restored;
+      this.labels = made.labels && this.walks.has(o.program) ? made.labels : null;
+    } else if (this.walks.has(o.program)) {
       made = this.module.ask({do: 'jones', scene: o.program, eae: o.eae, stereo: o.stereo, immediate: o.immediate, scale: o.scale, switches: o.switches});
       this.labels = made.labels;
     } else if (this.turns) {
       made = this.turning.make();
-      if (made.labels) this.address.value = made.labels.start.toString(8).padStart(5, '0');
+    } else if (example?.snapshot) {
+      made = restored = this.module.ask({do: 'make', snapshot: example.snapshot});
     } else {
-      const example = this.examples.find(each => each.name === o.program);
       const options = {'--display': true, [o.eae ? '--eae' : '--no-eae']: true, '--display-option': ['342', '347']};
       if (example?.file) {
         made = this.module.ask({do: 'make', machine: 'pdp7', options: {...options, '--load': [example.file]}});
@@ -227,30 +235,104 @@ export class Pdp7Room {
         const assembled = this.module.ask({do: 'assemble', machine: 'pdp7', name: 'example.rim', sources: [{name: example.name, text: example.text}], options: example.options ?? {}});
         made = assembled.error || !assembled.right
           ? {error: assembled.error ?? assembled.diagnostics.map(each => each.text).join('\n')}
-          : this.module.ask({do: 'make', machine: 'pdp7', options: {...options, '--load': ['example.rim']}, symbols: assembled.symbols, listing: assembled.listing});
+          : {start: assembled.start, ...this.module.ask({do: 'make', machine: 'pdp7', options: {...options, '--load': ['example.rim']}, symbols: assembled.symbols, listing: assembled.listing})};
       }
     }
     if (made.error) return this.message.say(made.error, true);
     this.id = made.id;
+    const start = made.labels?.start ?? made.start;
+    if (typeof start === 'number') this.address.value = start.toString(8).padStart(5, '0');
     this.message.say((made.warnings ?? []).join('\n') || this.note);
-    if (snapshot) {
-      const done = this.module.ask({do: 'restore', id: this.id, file: snapshot});
-      if (done.error) this.message.say(done.error, true);
-    }
+    if (restored) this.takeSwitches();
     this.setSwitches(o.switches);
     this.begin();
     this.go(true);
     this.sight();
     this.remember();
   }
+  // What the program that is chosen has in this room.
+  showParts() {
+    const {program} = this.options;
+    const jones = this.walks.has(program);
+    this.turns = this.turning.owns(program);
+    this.walk.hidden = !jones;
+    this.introduce();
+    this.turning.group.hidden = !this.turns;
+    this.exact.hidden = !jones && !this.turns;
+    this.eae.hidden = Boolean(this.example?.snapshot);
+    for (const each of [this.stereo, this.redCyan, this.immediate, this.scale, this.lamp.parentElement]) each.hidden = !jones;
+  }
+  // The switches of a machine that was restored.
+  takeSwitches() {
+    const o = this.options;
+    const word = this.module.get(this.id, SWITCHES);
+    if (this.labels) { o.stereo = Boolean(word & 1); o.immediate = Boolean(word & 2); }
+    o.switches = this.labels ? word & ~3 : word;
+    this.eae.box.checked = o.eae;
+    this.stereo.box.checked = o.stereo;
+    this.immediate.box.checked = o.immediate;
+  }
+
+  // A snapshot: in the program that it was saved from, if that is one of Jones's or the solid that is chosen or named, and otherwise without what
+  // is known of a program. Gives a complaint, or ''.
+  openSnapshot({name, configuration}) {
+    const o = this.options;
+    const eae = configuration.includes('--eae');
+    const likely = [o.program, name.replace(/( ?\(\d+\))?\.snap$/, '')];
+    const before = {...o}, {made: turned} = this.turning;
+    // A solid has its tape in the reader: a machine with another tape does not take the snapshot.
+    for (const program of likely.filter(each => this.turning.owns(each))) {
+      Object.assign(o, {program, eae});
+      const made = this.turning.make();
+      if (!made.error && !this.module.ask({do: 'restore', id: made.id, file: name}).error) return this.goOn(program, made);
+      if (made.id) this.module.ask({do: 'drop', id: made.id});
+    }
+    Object.assign(o, before);
+    this.turning.made = turned;
+    const made = this.module.ask({do: 'make', snapshot: name});
+    if (made.error) return made.error;
+    o.eae = eae;
+    for (const program of new Set([...likely, ...this.walks])) {
+      const labels = this.walks.has(program) && this.labelsIn(made.id, program);
+      if (labels) return this.goOn(program, {...made, labels});
+    }
+    const program = `snapshot ${name}`;
+    this.keep({name: program, snapshot: name});
+    return this.goOn(program, made);
+  }
+  goOn(program, made) {
+    this.options.program = this.programs.select.value = program;
+    this.restart(made);
+    return '';
+  }
+  // The labels of Jones's program with that scene, if it is what a machine has in core: all words of the scene and, but for a few that the
+  // program changes, its own.
+  labelsIn(id, scene) {
+    const {module} = this;
+    const fresh = module.ask({do: 'jones', scene, eae: this.options.eae});
+    if (fresh.error) return null;
+    const {labels} = fresh;
+    let changed = 0;
+    for (let at = 0; at < CORE; ++at) {
+      const word = module.word(fresh.id, at);
+      const ofScene = at >= labels.scene && at < labels.scene + fresh.scene_words;
+      if (word !== module.word(id, at) && (word || ofScene)) changed += ofScene ? CORE : 1;
+    }
+    module.ask({do: 'drop', id: fresh.id});
+    return changed <= 16 ? labels : null;
+  }
 
   // A tape has been read in: what was known of the program that was chosen does not hold for that of the tape.
   readIn() {
+    const program = `tape ${this.tape}`;
+    this.keep({name: program, file: this.tape});
+    this.options.program = this.programs.select.value = program;
     this.labels = this.view = this.lines = null;
-    this.turns = false;
-    this.walk.hidden = this.turning.group.hidden = this.lamp.parentElement.hidden = true;
+    this.warned = [];
+    this.showParts();
     this.begin();
     this.go(true);
+    this.remember();
   }
   // Another program begins: nothing of the one before is left on the screen and in the figures.
   begin() {
@@ -278,15 +360,13 @@ export class Pdp7Room {
       this.tape = name;
       this.message.say(`${name} is in the reader. READ IN loads it as a program.`);
     } else if (kind === 'snapshot') {
-      // First on the machine that runs: an error leaves it as it was.
-      const done = this.module.ask({do: 'restore', id: this.id, file: name});
-      if (done.error) return refuse(done.error);
-      this.restart(name);
+      const complaint = this.openSnapshot(file);
+      if (complaint) return refuse(complaint);
     } else if (kind === 'source') {
       const text = new TextDecoder().decode(file.bytes);
       const made = this.module.ask({do: 'assemble', machine: 'pdp7', name: 'own.rim', sources: [{name, text}]});
       if (!made.right) { file.error = made.error ?? made.diagnostics.slice(0, 5).map(each => each.text).join('\n'); return false; }
-      this.examples = [...this.examples.filter(each => each.name !== name), {name, title: name, machine: 'pdp7', text}];
+      this.keep({name, text});
       this.add(name, name);
     } else if (way === 'walk') {
       const made = this.module.ask({do: 'jones', scene: name});
@@ -301,12 +381,20 @@ export class Pdp7Room {
     }
     return true;
   }
-  // A program of the person's; it runs at once.
-  add(program, title) {
+  // A program of the person's that is neither a scene nor a solid.
+  keep(example) {
+    this.examples = [...this.examples.filter(each => each.name !== example.name), example];
+    this.list(example.name, example.name);
+  }
+  list(program, title) {
     this.own.add(program);
     const {select} = this.programs;
     if (![...select.options].some(each => each.value === program)) select.append(element('option', {value: program, textContent: title}));
-    select.value = this.options.program = program;
+  }
+  // A program of the person's; it runs at once.
+  add(program, title) {
+    this.list(program, title);
+    this.programs.select.value = this.options.program = program;
     this.options.switches = 0;
     this.restart();
   }
@@ -322,7 +410,7 @@ export class Pdp7Room {
   save() {
     const done = this.module.ask({do: 'save', id: this.id});
     if (done.error) return this.message.say(done.error, true);
-    download(`${this.options.program}.snap`, this.module.made());
+    download(`${this.options.program.replace(/^snapshot |\.snap$/g, '')}.snap`, this.module.made());
   }
 
   // `why`: the reason for which the machine stands still.
@@ -373,7 +461,8 @@ export class Pdp7Room {
       if (result) {
         const reason = this.module.reason();
         this.go(false, stopName(result, reason));
-        this.message.say(reason);
+        this.warn();
+        this.message.say([reason, ...this.warned].join('\n'));
       }
     }
     const flashes = this.module.flashes(this.id);
@@ -391,12 +480,20 @@ export class Pdp7Room {
     if (this.sinceState > 0.25) {
       this.sinceState = 0;
       this.showState();
+      if (this.on && this.warn()) this.message.say(this.warned.join('\n'), true);
       if (this.turns && this.options.exact) this.sight();
       else if (this.lines) this.drawGlass();
     }
     // Pictures that come too slowly are drawn with fewer pixels.
     this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
     if (this.slow > 6 && !this.clock.frames && this.on && this.tube.coarser()) this.slow = 0;
+  }
+
+  // Whether the machine has something new to say of its program: it uses a device that is not there.
+  warn() {
+    const {warnings} = this.module.ask({do: 'warnings', id: this.id});
+    this.warned.push(...warnings.slice(0, MOST_WARNINGS - this.warned.length));
+    return warnings.length > 0;
   }
 
   showLights() {
@@ -458,8 +555,16 @@ export class Pdp7Room {
     const context = this.glassContext ??= this.glass.getContext('2d');
     if (!this.glass.hidden) context.clearRect(0, 0, SIDE, SIDE);
     this.tube.pair = Boolean(this.labels) && this.options.redCyan && this.options.stereo;
-    this.glass.hidden = !this.lines;
+    this.glass.hidden = !this.lines && !this.penAt;
     if (this.lines) this.drawLines(context);
+    if (this.penAt) {
+      const [x, y] = this.penAt;
+      context.lineWidth = 2;
+      context.strokeStyle = PEN_COLOUR;
+      context.beginPath();
+      context.arc(x + 0.5 + PHOSPHOR.margin, SIDE - (y + 0.5 + PHOSPHOR.margin), PEN, 0, 2 * Math.PI);
+      context.stroke();
+    }
   }
   drawLines(context) {
     // By blocks of 4 by 4 points: what a line should light and nothing did, and what is lit where no line is.

@@ -1,10 +1,13 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
-import {Clock, button, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
+import {Clock, button, check, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
 import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 import {named, optionsOf} from './links.js';
 
+const CPM_ORIGIN = 0x100;
+const ERRORS = 'The source has errors.';
+const MOST_WARNINGS = 5;
 const MACHINES = {
   pdp7: {title: 'PDP-7 with the Type 340', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
   i8080: {title: '8080', second: 3e6, dialects: ['common', 'mac', 'm80', 'intel'], options: {}},
@@ -54,7 +57,7 @@ export class Workbench {
       if (!code || code > 127 || !this.id) return;
       event.preventDefault();
       this.module.type(this.id, code);
-      if (this.waits) { this.waits = false; this.go(true); }
+      if (this.waits) this.go(true);
     });
     this.canvas = element('canvas');
     this.stopped = element('p', {className: 'stopped', role: 'status', hidden: true});
@@ -66,6 +69,7 @@ export class Workbench {
     return element('div', {className: 'bench'}, this.intro = introduction(),
       element('p', {className: 'bar pick'}, this.shelf),
       element('p', {className: 'bar tools'}, this.machine, this.dialect,
+        this.cpm = check('CP/M', false, () => this.load(), 'Runs the program under CP/M, from 100H on: it calls the system at 5, and ends with a jump to 0'),
         button('Assemble', () => this.assemble(), 'Assemble and load (Ctrl-Enter)'),
         fileTaker('Open'),
         button('Save', () => download(this.current?.name ?? 'program.s', this.editor.value, 'text/plain'), 'Save the source')),
@@ -92,6 +96,7 @@ export class Workbench {
 
   offerDialects() {
     const {dialects} = MACHINES[this.machine.select.value];
+    this.cpm.hidden = this.machine.select.value !== 'i8080';
     this.dialect.select.replaceChildren(...dialects.map(name => element('option', {value: name, textContent: name})));
   }
 
@@ -102,6 +107,7 @@ export class Workbench {
     this.machine.select.value = example.machine;
     this.offerDialects();
     this.dialect.select.value = example.options?.['--dialect'] ?? MACHINES[example.machine].dialects[0];
+    this.cpm.box.checked = Boolean(example.cpm);
     this.editor.value = example.text;
     this.countLines();
     this.assemble();
@@ -111,7 +117,7 @@ export class Workbench {
   take(file) {
     const {name, kind, machine} = file;
     if (kind === 'snapshot' && this.id && machine === this.loaded) {
-      this.act({do: 'restore', file: name});
+      this.restore(file);
       return true;
     }
     const program = kind === 'program' && machine === 'i8080';
@@ -122,6 +128,11 @@ export class Workbench {
       if (made.error) { this.message.say(made.error, true); return true; }
       this.module.ask({do: 'drop', id: made.id});
       Object.assign(example, {text: `; ${name}: a program without its source\n`, program: name, cpm: /\.com$/i.test(name)});
+    }
+    // What lies at 100H and says no other start is a program for CP/M.
+    if (!program && machine === 'i8080') {
+      const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: example.text}]});
+      example.cpm = Boolean(made.right) && Math.min(...made.lines.map(each => each.at)) === CPM_ORIGIN && [null, CPM_ORIGIN].includes(made.start);
     }
     this.own.add(name);
     const there = this.examples.findIndex(each => each.name === name);
@@ -154,13 +165,19 @@ export class Workbench {
     for (const [file, text] of this.current?.includes ?? []) this.module.putFile(file, text);
     const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: this.editor.value}],
       options: {...(this.current?.options ?? {}), '--dialect': this.dialect.select.value}});
-    if (made.error) return this.message.say(made.error, true);
+    if (made.error) {
+      this.unload();
+      return this.message.say(made.error, true);
+    }
     this.errors.replaceChildren(...made.diagnostics.slice(0, 100).map(each => element('li', {className: each.severity},
       element('button', {type: 'button', textContent: each.text, title: 'Go to the line', onclick: () => this.goTo(each.line, each.column)}))));
     this.made = made;
     this.listing.textContent = made.listing;
     this.symbols.textContent = made.symbols;
-    if (!made.right) { this.message.say('The source has errors.', true); return; }
+    if (!made.right) {
+      this.unload();
+      return this.message.say(ERRORS, true);
+    }
     this.message.say(`${made.words} ${machine === 'pdp7' ? 'words' : 'bytes'} assembled and loaded.`);
     this.load();
   }
@@ -172,16 +189,51 @@ export class Workbench {
     this.editor.scrollTop = Math.max(0, (line - 5) * (this.editor.scrollHeight / Math.max(1, lines.length)));
   }
 
-  load() {
-    if (!this.made?.right) return;
+  // Nothing is loaded: the source has errors.
+  unload() {
     if (this.id) this.module.ask({do: 'drop', id: this.id});
+    this.id = 0;
+    this.go(false, '');
+    this.tube?.clear(0);
+    this.context?.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    this.code.tBodies[0]?.remove();
+    for (const each of [this.status, this.registerBox, this.past, this.memory, this.output]) each.replaceChildren();
+  }
+  load() {
+    if (!this.made?.right) return this.message.say(ERRORS, true);
     const machine = this.machine.select.value;
     const options = {...MACHINES[machine].options, ...(this.current?.run ?? {}), '--load': [...(this.current?.load ?? []), `${this.made.program}${this.current?.at ?? ''}`]};
-    if (machine === 'i8080' && this.current?.cpm) Object.assign(options, {'--cpm': true, '--console': 'ascii', '--load': [this.made.program]});
-    if (machine === 'i8080' && this.made.start !== null && !this.current?.cpm) options['--start'] = this.made.start.toString(16);
+    const cpm = machine === 'i8080' && this.cpm.box.checked;
+    if (cpm) Object.assign(options, {'--cpm': true, '--console': 'ascii', '--load': [this.made.program]});
+    if (machine === 'i8080' && this.made.start !== null && !cpm) options['--start'] = this.made.start.toString(16);
     const made = this.module.ask({do: 'make', machine, options, symbols: this.made.symbols, listing: this.made.listing, lines: this.made.lines});
-    if (made.error) { this.id = 0; return this.message.say(made.error, true); }
-    this.id = made.id;
+    if (made.error) {
+      this.unload();
+      return this.message.say(made.error, true);
+    }
+    this.begin(made.id, machine, Boolean(options['--board']));
+  }
+  // A snapshot: with the names and lines of the source, if its words are what the machine has.
+  restore({name, machine, configuration}) {
+    const {made: source} = this;
+    const made = this.module.ask({do: 'make', snapshot: name, symbols: source?.symbols ?? '', listing: source?.listing ?? '', lines: source?.lines ?? []});
+    if (made.error) return this.message.say(made.error, true);
+    this.load();
+    const lines = source?.lines ?? [];
+    const same = lines.filter(({at}) => this.module.word(this.id, at) === this.module.word(made.id, at)).length;
+    let {id} = made;
+    const known = same >= 0.9 * lines.length;
+    if (!known) {
+      this.module.ask({do: 'drop', id});
+      ({id} = this.module.ask({do: 'make', snapshot: name}));
+    }
+    this.begin(id, machine, configuration.some(each => each.startsWith('--board')));
+    this.message.say(known ? `${name}: the machine goes on from this snapshot.` : `${name}: a snapshot of another program than this source.`);
+  }
+  begin(id, machine, board) {
+    if (this.id) this.module.ask({do: 'drop', id: this.id});
+    this.id = id;
+    this.warned = [];
     this.loaded = machine;
     this.second = MACHINES[machine].second;
     this.breaks.clear();
@@ -198,7 +250,7 @@ export class Workbench {
     fresh.className = this.tube ? 'tube' : 'raster';
     this.screen.className = this.tube ? this.tube.kind === 'plain' ? 'screen' : 'screen framed' : 'screen board';
     // A program without a screen has its console in that place.
-    this.root.classList.toggle('printing', !this.tube && !options['--board']);
+    this.root.classList.toggle('printing', !this.tube && !board);
     this.intro.say(`A program for the ${machine === 'pdp7' ? 'PDP-7' : '8080'}[ in its assembly language], run forward and back[, one instruction at a time if you like]. Press Run, then Back.`);
     this.memoryAt.input.value = (this.made.lines[0]?.at ?? 0).toString(machine === 'pdp7' ? 8 : 16);
     this.go(false, '');
@@ -216,7 +268,7 @@ export class Workbench {
     this.go(false);
     const answer = this.module.ask({id: this.id, ...request});
     if (answer.error) this.message.say(answer.error, true);
-    else this.message.say(answer.reason ?? '');
+    else this.tell(answer.reason ?? '');
     this.drawTube(true);
     this.hear();
     this.refresh();
@@ -229,8 +281,9 @@ export class Workbench {
 
   // `why`: the reason for which the machine stands still.
   go(on, why = 'paused') {
-    if (on && !this.id) return;
+    if (on && !this.id) return this.message.say(ERRORS, true);
     this.on = on;
+    if (on) this.waits = false;
     this.stopped.textContent = on ? '' : why;
     this.stopped.hidden = !this.stopped.textContent;
     this.running.textContent = on ? 'Pause' : 'Run';
@@ -255,15 +308,30 @@ export class Workbench {
     this.drawTube(!this.on || result !== 0);
     if (this.on) {
       if (result) {
-        this.waits = reason === 'waits for a key';
-        this.message.say(this.waits ? 'The program waits for a key.' : reason);
-        this.go(false, this.waits ? 'waits for a key' : stopName(result, reason));
+        this.go(false, stopName(result, reason));
+        this.tell(reason);
       }
       this.sinceStatus = (this.sinceStatus ?? 1) + seconds;
-      if (this.on && this.sinceStatus > 0.2) { this.sinceStatus = 0; this.showProgress(); }
+      if (this.on && this.sinceStatus > 0.2) {
+        this.sinceStatus = 0;
+        this.showProgress();
+        if (this.warn()) this.message.say(this.warned.join('\n'), true);
+      }
     }
     if (!this.tube) this.showRaster();
     this.hear();
+  }
+  // Why the machine stands still, and what is to be said of its program.
+  tell(reason) {
+    this.waits = reason === 'waits for a key';
+    this.warn();
+    this.message.say([this.waits ? 'The program waits for a key: type under Console.' : reason, ...this.warned].filter(Boolean).join('\n'));
+  }
+  // Whether the machine has something new to say of its program: it uses a device that is not there.
+  warn() {
+    const {warnings} = this.module.ask({do: 'warnings', id: this.id});
+    this.warned.push(...warnings.slice(0, MOST_WARNINGS - this.warned.length));
+    return warnings.length > 0;
   }
   // Before the state is shown: to list the last instructions the machine runs again from an earlier time, and forgets what it has drawn.
   drawTube(held) {

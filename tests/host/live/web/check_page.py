@@ -992,6 +992,159 @@ check(js("""const dropped = new DataTransfer(); dropped.items.add(new File(['x']
   return ['dragover', 'drop'].every(kind => !document.documentElement.dispatchEvent(new DragEvent(kind, {dataTransfer: dropped, bubbles: true, cancelable: true})))"""), "the browser does not open what is dropped beside the room")
 console_is_clean("files")
 
+# --- A snapshot or a tape brings its own program: nothing of the one that was chosen before is said of it.
+def intro():
+    return js("return document.querySelector('.intro').textContent")
+
+
+def program():
+    return js("return [sightline.room.options.program, sightline.room.programs.select.value]")
+
+
+def save_to(name):
+    js("sightline.module.ask({do: 'save', id: sightline.room.id}); globalThis[arguments[0]] = new File([sightline.module.made()], arguments[0])", name)
+
+
+def open_saved(name, under=None):
+    before = js("return sightline.files.opened")
+    js("sightline.files.open([arguments[1] ? new File([globalThis[arguments[0]]], arguments[1]) : globalThis[arguments[0]]])", name, under)
+    wait(lambda: js("return sightline.files.opened") > before, f"{name} is looked at")
+
+
+go("jones/street4?eae=0")
+js("sightline.room.options.speed = 10")
+ActionChains(driver).key_down(Keys.ARROW_UP).perform()
+wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 2"), "a walk in street4")
+ActionChains(driver).key_up(Keys.ARROW_UP).perform()
+save_to("street4.snap")
+choose("Program", "turn star.off")
+time.sleep(0.5)
+save_to("turn star.off.snap")
+choose("Program", "refresh.s")
+check(not js("return sightline.room.exact.checkVisibility()"), "a program without exact lines does not offer them")
+time.sleep(0.5)
+save_to("clock.snap")
+choose("Program", "house")
+check(js("return sightline.room.exact.checkVisibility()"), "a scene offers its exact lines")
+open_saved("street4.snap", "walk.snap")
+check(program() == ["street4"] * 2 and "#jones/street4?eae=0" in driver.current_url and not wrong(), f"a snapshot of street4 is that of street4, whatever its name: {program()} {driver.current_url} {said()}")
+js("sightline.room.exact.box.click()")
+wait(lambda: js("return sightline.room.missing === 0 && sightline.room.extra === 0"), "the exact lines of street4 lie on the picture", 60)
+choose("Program", "house")
+open_saved("clock.snap", "house.snap")
+check(program() == ["snapshot house.snap"] * 2 and not wrong(), f"a snapshot of another program is not the house, by its name: {program()} {said()}")
+check(js("const r = sightline.room; return !r.labels && !r.view && !r.lines && !r.walk.checkVisibility() && !r.exact.checkVisibility() && !r.lamp.checkVisibility()"), "it has no walk, no view, no exact lines")
+check("goes on from a snapshot" in intro() and "snapshot%20house.snap?" in driver.current_url and "file=1" in driver.current_url, f"the sentence and the address say so: {intro()} {driver.current_url}")
+at = ticks()
+wait(lambda: ticks() > at + 1e7, "it runs on")
+choose("Program", "house")
+check(js("return Boolean(sightline.room.labels)"), "the house again")
+choose("Program", "snapshot house.snap")
+check(not js("return sightline.room.labels") and not wrong(), "and the snapshot again: " + said())
+choose("Program", "house")
+open_saved("turn star.off.snap")
+check(program() == ["turn star.off"] * 2 and js("return sightline.room.turns") and not wrong(), f"a solid's snapshot is found by its name: {program()} {said()}")
+choose("Program", "house")
+open_saved("turn star.off.snap", "turn cube.off.snap")
+check(program() == ["house"] * 2 and wrong() and "tape" in said(), f"but not by a wrong one: {program()} {said()}")
+# Of the command, with and without options.
+with tempfile.TemporaryDirectory() as folder:
+    here = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../../host/examples")
+    subprocess.run([sightline, "asm", "pdp7", os.path.join(here, "pdp7/refresh.s"), "-o", "refresh.rim"], cwd=folder, check=True, capture_output=True)
+    for name, words in [("plain", []), ("options", ["--display-option", "347", "--no-eae", "--memory", "32k", "--timing", "teletype_character=90000000"]), ("dark", ["--no-display"])]:
+        subprocess.run([sightline, "run", "pdp7", "refresh.rim", *([] if name == "dark" else ["--display"]), *words, "--max-time", "0.3", "--save", name + ".snap"], cwd=folder, capture_output=True)
+        with open(os.path.join(folder, name + ".snap"), "rb") as file:
+            content = file.read()
+        for room in ["jones/house", "bench/refresh.s"]:
+            go(room)
+            drop("main", name + ".snap", content)
+            wait(lambda: ticks() >= 2.9e8, f"{name}.snap of the command goes on in {room}: {said()}", 10)
+            check(not wrong(), f"{name}.snap of the command in {room}: {said()}")
+    press("Run")
+    go("bench/refresh.s")
+    drop("main", "plain.snap", content)
+    wait(lambda: "goes on from this snapshot" in said() and "loop" in js("return sightline.room.code.textContent"), "with the names of its source: " + said(), 10)
+    choose("Example", "square.s")
+    drop("main", "plain.snap", content)
+    wait(lambda: "another program" in said(), "without those of another: " + said(), 10)
+    check("begin" not in js("return sightline.room.code.textContent"), "no lines of the square beside it")
+    with open(os.path.join(folder, "disk.img"), "wb") as file:
+        file.write(b"")
+go("jones/turning.s")
+drop(".screen", "square.rim", tape)
+wait(lambda: "in the reader" in said(), "a tape: " + said())
+press("READ IN")
+wait(lambda: "halt" in said(), "it runs: " + said())
+check(program() == ["tape square.rim"] * 2 and "runs a tape" in intro() and "tape%20square.rim?" in driver.current_url, f"the tape is the program: {program()} {intro()} {driver.current_url}")
+check("begin" not in js("return sightline.room.facts.textContent") and ";" not in js("return sightline.room.facts.textContent"), "without the lines of the program before: " + js("return sightline.room.facts.textContent"))
+choose("Program", "square.s")
+check("START" in intro(), "the square can be drawn again: " + intro())
+wait(lambda: not js("return sightline.room.on"), "the square is drawn")
+begun = ticks()
+press("START")
+wait(lambda: ticks() > begun and not js("return sightline.room.on"), "START draws it again")
+# What the pen sees is drawn.
+go("jones/turning.s")
+glass = driver.find_element(By.CSS_SELECTOR, ".screen")
+ActionChains(driver).move_to_element(glass).click_and_hold().perform()
+ring = js("""const c = sightline.room.glass, d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, found = [];
+  for (let i = 0; i < d.length; i += 4) if (d[i + 3] > 100) found.push([i / 4 % c.width, Math.floor(i / 4 / c.width)]);
+  const [x, y] = [0, 1].map(n => found.map(p => p[n])); return [c.checkVisibility(), Math.max(...x) - Math.min(...x), Math.max(...y) - Math.min(...y)];""")
+check(ring[0] and all(15 <= side <= 18 for side in ring[1:]), f"the pen's circle has a radius of 8 points: {ring}")
+ActionChains(driver).release().perform()
+check(not js("return sightline.room.glass.checkVisibility()"), "and goes with the pen")
+# A device that is not there is told, once.
+for place in ["jones/house", "bench/square.s"]:
+    go(place)
+    drop("main", "absent.s", b"100/\nbegin,\t707741\n\tjmp begin\n\tstart begin\n")
+    wait(lambda: "absent.s" in driver.current_url, "a program is taken: " + said())
+    if place != "jones/house":
+        press("Run")
+    wait(lambda: "does nothing" in said(), f"{place}: a device that is absent is told: {said()}", 10)
+    time.sleep(0.6)
+    check(said().count("does nothing") == 1, f"{place}: once: {said()}")
+for place in ["house", "roberts", "turn star.off", "turning.s", "echo.s", "type.s", "pen.s", "refresh.s", "text.s", "calls.s", "increments.s"]:
+    go("jones/" + place)
+    time.sleep(0.6)
+    check(not wrong() and "does nothing" not in said(), f"{place} uses no device that is absent: {said()}")
+
+# --- The workbench: after errors there is nothing to run; CP/M.
+go("bench/square.s")
+js("arguments[0].value = '\\tlac\\n\\tnonsense words here\\n'", driver.find_element(By.CSS_SELECTOR, "textarea.editor"))
+press("Assemble")
+js("sightline.room.message.say('')")
+press("Run")
+check(said() == "The source has errors." and not js("return sightline.room.on || sightline.room.id"), "Run after errors runs nothing: " + said())
+for each in ["Step", "Back", "Reset"]:
+    press(each)
+check(said() == "The source has errors." and js("return sightline.room.code.textContent.length") < 80, "nor do the others: " + said())
+go("bench/greet.asm")
+check(js("return sightline.room.cpm.box.checked && sightline.room.cpm.checkVisibility()"), "an example of CP/M runs under CP/M")
+press("Run")
+wait(lambda: "waits for a key" in said(), "the program asks: " + said())
+check("stopped by" not in said() and js("return sightline.room.output.textContent").startswith("What is your name?"), "in good words: " + said())
+driver.find_element(By.XPATH, "//input[@aria-label='Keys for the program']").send_keys("Ada", Keys.ENTER)
+wait(lambda: js("return sightline.room.output.textContent").endswith("What is your name? Ada\nHello, Ada"), "what is typed is echoed, and answered: " + js("return sightline.room.output.textContent"), 10)
+go("bench/square.s")
+check(not js("return sightline.room.cpm.checkVisibility()"), "the PDP-7 has no CP/M")
+for name, text, cpm in [("own.asm", folder_of_examples("hello.asm"), True), ("low.asm", b"\tORG 0\n\tMVI A,5\n\tHLT\n\tEND\n", False), ("start.asm", b"\tORG 100H\n\tHLT\nGO:\tHLT\n\tEND GO\n", False)]:
+    go("bench/square.s")
+    drop("main", name, text)
+    wait(lambda: name in driver.current_url, name + " is taken: " + said())
+    check(js("return sightline.room.cpm.box.checked") == cpm, f"{name} is a program for CP/M: {cpm}")
+    press("Run")
+    if name == "own.asm":
+        wait(lambda: "Hello" in js("return sightline.room.output.textContent"), "an opened program for CP/M prints: " + said(), 10)
+        js("sightline.room.cpm.box.click()")
+        check(js("return sightline.room.output.textContent") == "", "without CP/M it is loaded again")
+        press("Run")
+        time.sleep(0.5)
+        press("Pause") if js("return sightline.room.on") else None
+        check("Hello" not in js("return sightline.room.output.textContent"), "and has no system")
+names = js("return [...sightline.room.shelf.select.options].map(o => o.value)")
+check(len(names) == len(set(names)) and {"jones.s", "turn.s"} <= set(names), f"each example has a name of its own: {names}")
+console_is_clean("snapshots, tapes, warnings, CP/M")
+
 # --- Links with unknown parts: a sentence that names the part; the usual thing of the room in a fresh page, the room as it was in an open one.
 bad_links = [
     ("nowhere", '"nowhere"', "jones"), ("constructor/x", '"constructor"', "jones"), ("jones/%E0%A4%A", "%E0%A4%A", "jones"), ("skala/%zz?f=x", "%zz", "jones"),
