@@ -224,7 +224,7 @@ export class Pdp7Room {
     } else if (this.turns) {
       made = this.turning.make();
     } else if (example?.snapshot) {
-      made = restored = this.module.ask({do: 'make', snapshot: example.snapshot});
+      made = restored = this.module.ask({do: 'make', snapshot: example.snapshot, options: example.with});
     } else {
       const options = {'--display': true, [o.eae ? '--eae' : '--no-eae']: true, '--display-option': ['342', '347']};
       if (example?.file) {
@@ -287,15 +287,17 @@ export class Pdp7Room {
     }
     Object.assign(o, before);
     this.turning.made = turned;
-    const made = this.module.ask({do: 'make', snapshot: name});
-    if (made.error) return made.error;
+    // The tape that was in the reader is not in a snapshot.
+    let given = {}, made = this.module.ask({do: 'make', snapshot: name});
+    if (made.error && this.tape) made = this.module.ask({do: 'make', snapshot: name, options: given = {'--reader': this.tape}});
+    if (made.error) return made.error.includes('section "reader"') ? `${made.error}\nOpen the tape first, or choose the solid that turned, and then open the snapshot.` : made.error;
     o.eae = eae;
     for (const program of new Set([...likely, ...this.walks])) {
       const labels = this.walks.has(program) && this.labelsIn(made.id, program);
       if (labels) return this.goOn(program, {...made, labels});
     }
     const program = `snapshot ${name}`;
-    this.keep({name: program, snapshot: name});
+    this.keep({name: program, snapshot: name, with: given});
     return this.goOn(program, made);
   }
   goOn(program, made) {

@@ -5,7 +5,7 @@ import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 import {named, optionsOf} from './links.js';
 
-const CPM_ORIGIN = 0x100;
+const CPM_ORIGIN = 0x100, LARGEST_MEMORY = 65536;
 const ERRORS = 'The source has errors.';
 const MOST_WARNINGS = 5;
 const MACHINES = {
@@ -132,7 +132,7 @@ export class Workbench {
     // What lies at 100H and says no other start is a program for CP/M.
     if (!program && machine === 'i8080') {
       const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: example.text}]});
-      example.cpm = Boolean(made.right) && Math.min(...made.lines.map(each => each.at)) === CPM_ORIGIN && [null, CPM_ORIGIN].includes(made.start);
+      example.cpm = Boolean(made.right) && made.lowest === CPM_ORIGIN && [null, CPM_ORIGIN].includes(made.start);
     }
     this.own.add(name);
     const there = this.examples.findIndex(each => each.name === name);
@@ -219,10 +219,14 @@ export class Workbench {
     const made = this.module.ask({do: 'make', snapshot: name, symbols: source?.symbols ?? '', listing: source?.listing ?? '', lines: source?.lines ?? []});
     if (made.error) return this.message.say(made.error, true);
     this.load();
-    const lines = source?.lines ?? [];
-    const same = lines.filter(({at}) => this.module.word(this.id, at) === this.module.word(made.id, at)).length;
-    let {id} = made;
-    const known = same >= 0.9 * lines.length;
+    let {id} = made, words = 0, same = 0;
+    for (let at = 0; at < LARGEST_MEMORY; ++at) {
+      const word = this.id ? this.module.word(this.id, at) : 0;
+      if (!word) continue;
+      ++words;
+      if (word === this.module.word(id, at)) ++same;
+    }
+    const known = words > 0 && same >= 0.9 * words;  // a program changes some of its words
     if (!known) {
       this.module.ask({do: 'drop', id});
       ({id} = this.module.ask({do: 'make', snapshot: name}));
@@ -252,7 +256,7 @@ export class Workbench {
     // A program without a screen has its console in that place.
     this.root.classList.toggle('printing', !this.tube && !board);
     this.intro.say(`A program for the ${machine === 'pdp7' ? 'PDP-7' : '8080'}[ in its assembly language], run forward and back[, one instruction at a time if you like]. Press Run, then Back.`);
-    this.memoryAt.input.value = (this.made.lines[0]?.at ?? 0).toString(machine === 'pdp7' ? 8 : 16);
+    this.memoryAt.input.value = (this.made.lowest ?? 0).toString(machine === 'pdp7' ? 8 : 16);
     this.go(false, '');
     this.refresh();
   }
