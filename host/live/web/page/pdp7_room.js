@@ -1,6 +1,6 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
-import {Clock, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
+import {Clock, addWarnings, button, check, choice, download, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
 import {Turning} from './turning.js';
 import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
 import {makeTube} from './tube.js';
@@ -10,7 +10,6 @@ const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
 const PEN = 8;  // points: how far the light pen sees
 const CORE = 8192;  // words of the machine that Jones's program runs on
-const MOST_WARNINGS = 5;
 
 // Colours of the exact lines: drawn, or missing in the picture; and of what is lit where no line is. Of a pair in red and cyan the left eye's lines are red,
 // as its picture, and what is missing is yellow.
@@ -452,7 +451,7 @@ export class Pdp7Room {
       if (result) {
         const reason = this.module.reason();
         this.go(false, stopName(result, reason));
-        this.warn();
+        addWarnings(this.module, this.id, this.warned, true);
         this.message.say([reason, ...this.warned].join('\n'));
       }
     }
@@ -471,20 +470,13 @@ export class Pdp7Room {
     if (this.sinceState > 0.25) {
       this.sinceState = 0;
       this.showState();
-      if (this.on && this.warn()) this.message.say(this.warned.join('\n'), true);
+      if (this.on && addWarnings(this.module, this.id, this.warned, false)) this.message.say(this.warned.join('\n'), true);
       if (this.turns && this.options.exact) this.sight();
       else if (this.lines) this.drawGlass();
     }
     // Pictures that come too slowly are drawn with fewer pixels.
     this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
     if (this.slow > 6 && !this.clock.frames && this.on && this.tube.coarser()) this.slow = 0;
-  }
-
-  // Whether the machine has something new to say of its program: it uses a device that is not there.
-  warn() {
-    const {warnings} = this.module.ask({do: 'warnings', id: this.id});
-    this.warned.push(...warnings.slice(0, MOST_WARNINGS - this.warned.length));
-    return warnings.length > 0;
   }
 
   showLights() {

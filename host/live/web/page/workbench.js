@@ -1,13 +1,12 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
-import {Clock, button, check, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
+import {Clock, addWarnings, button, check, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
 import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 import {named, optionsOf} from './links.js';
 
 const CPM_ORIGIN = 0x100, LARGEST_MEMORY = 65536;
 const ERRORS = 'The source has errors.';
-const MOST_WARNINGS = 5;
 const MACHINES = {
   pdp7: {title: 'PDP-7 with the Type 340', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
   i8080: {title: '8080', second: 3e6, dialects: ['common', 'mac', 'm80', 'intel'], options: {}},
@@ -319,7 +318,7 @@ export class Workbench {
       if (this.on && this.sinceStatus > 0.2) {
         this.sinceStatus = 0;
         this.showProgress();
-        if (this.warn()) this.message.say(this.warned.join('\n'), true);
+        if (addWarnings(this.module, this.id, this.warned, false)) this.message.say(this.warned.join('\n'), true);
       }
     }
     if (!this.tube) this.showRaster();
@@ -328,14 +327,8 @@ export class Workbench {
   // Why the machine stands still, and what is to be said of its program.
   tell(reason) {
     this.waits = reason === 'waits for a key';
-    this.warn();
+    addWarnings(this.module, this.id, this.warned, true);
     this.message.say([this.waits ? 'The program waits for a key: type under Console.' : reason, ...this.warned].filter(Boolean).join('\n'));
-  }
-  // Whether the machine has something new to say of its program: it uses a device that is not there.
-  warn() {
-    const {warnings} = this.module.ask({do: 'warnings', id: this.id});
-    this.warned.push(...warnings.slice(0, MOST_WARNINGS - this.warned.length));
-    return warnings.length > 0;
   }
   // Before the state is shown: to list the last instructions the machine runs again from an earlier time, and forgets what it has drawn.
   drawTube(held) {

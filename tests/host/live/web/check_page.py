@@ -1039,6 +1039,14 @@ for place in ["jones/house", "bench/square.s"]:
     wait(lambda: "does nothing" in said(), f"{place}: a device that is absent is told: {said()}", 10)
     time.sleep(0.6)
     check(said().count("does nothing") == 1, f"{place}: once: {said()}")
+for place in ["jones/house", "bench/square.s"]:
+    go(place)
+    drop("main", "ends.s", b"100/\nbegin,\tlaw 5\n\thlt\n\tstart begin\n")
+    wait(lambda: "ends.s" in driver.current_url, "a program is taken: " + said())
+    if place != "jones/house":
+        press("Run")
+    wait(lambda: "halt" in said(), f"{place}: it halts: {said()}", 10)
+    check(said() == "stopped by halt", f"{place}: a halt in its last word is no fault: {said()}")
 for place in ["house", "roberts", "turn star.off", "turning.s", "echo.s", "type.s", "pen.s", "refresh.s", "text.s", "calls.s", "increments.s"]:
     go("jones/" + place)
     time.sleep(0.6)
