@@ -8,7 +8,7 @@ import {named, optionsOf} from './links.js';
 const CPM_ORIGIN = 0x100, LARGEST_MEMORY = 65536;
 const ERRORS = 'The source has errors.';
 const MACHINES = {
-  pdp7: {title: 'PDP-7 with the Type 340', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
+  pdp7: {title: 'PDP-7', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
   i8080: {title: '8080', second: 3e6, dialects: ['common', 'mac', 'm80', 'intel'], options: {}},
 };
 
