@@ -325,6 +325,7 @@ Json Workbench::assemble(const Json& request) {
               {"symbols", assembled->symbol_table},
               {"lines", std::move(lines)},
               {"words", assembled->program.words.size()},
+              {"lowest", assembled->program.words.empty() ? Json() : Json(assembled->program.words.front().first)},
               {"start", assembled->program.start ? Json(*assembled->program.start) : Json()},
               {"program", right ? Json(name) : Json()}};
 }

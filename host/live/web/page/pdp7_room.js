@@ -1,6 +1,6 @@
 // The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
 
-import {Clock, button, check, choice, download, downloadPicture, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
+import {Clock, addWarnings, button, check, choice, download, downloadPicture, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
 import {Turning} from './turning.js';
 import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
 import {makeTube} from './tube.js';
@@ -11,7 +11,6 @@ const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
 const PEN = 8;  // points: how far the light pen sees
 const CORE = 8192;  // words of the machine that Jones's program runs on
-const MOST_WARNINGS = 5;
 
 // Colours of the exact lines: drawn, or missing in the picture; and of what is lit where no line is. Of a pair in red and cyan the left eye's lines are red,
 // as its picture, and what is missing is yellow.
@@ -226,7 +225,7 @@ export class Pdp7Room {
     } else if (this.turns) {
       made = this.turning.make();
     } else if (example?.snapshot) {
-      made = restored = this.module.ask({do: 'make', snapshot: example.snapshot});
+      made = restored = this.module.ask({do: 'make', snapshot: example.snapshot, options: example.with});
     } else {
       const options = {'--display': true, [o.eae ? '--eae' : '--no-eae']: true, '--display-option': ['342', '347']};
       if (example?.file) {
@@ -289,15 +288,17 @@ export class Pdp7Room {
     }
     Object.assign(o, before);
     this.turning.made = turned;
-    const made = this.module.ask({do: 'make', snapshot: name});
-    if (made.error) return made.error;
+    // The tape that was in the reader is not in a snapshot.
+    let given = {}, made = this.module.ask({do: 'make', snapshot: name});
+    if (made.error && this.tape) made = this.module.ask({do: 'make', snapshot: name, options: given = {'--reader': this.tape}});
+    if (made.error) return made.error.includes('section "reader"') ? `${made.error}\nOpen the tape first, or choose the solid that turned, and then open the snapshot.` : made.error;
     o.eae = eae;
     for (const program of new Set([...likely, ...this.walks])) {
       const labels = this.walks.has(program) && this.labelsIn(made.id, program);
       if (labels) return this.goOn(program, {...made, labels});
     }
     const program = `snapshot ${name}`;
-    this.keep({name: program, snapshot: name});
+    this.keep({name: program, snapshot: name, with: given});
     return this.goOn(program, made);
   }
   goOn(program, made) {
@@ -461,7 +462,7 @@ export class Pdp7Room {
       if (result) {
         const reason = this.module.reason();
         this.go(false, stopName(result, reason));
-        this.warn();
+        addWarnings(this.module, this.id, this.warned, true);
         this.message.say([reason, ...this.warned].join('\n'));
       }
     }
@@ -480,20 +481,13 @@ export class Pdp7Room {
     if (this.sinceState > 0.25) {
       this.sinceState = 0;
       this.showState();
-      if (this.on && this.warn()) this.message.say(this.warned.join('\n'), true);
+      if (this.on && addWarnings(this.module, this.id, this.warned, false)) this.message.say(this.warned.join('\n'), true);
       if (this.turns && this.options.exact) this.sight();
       else if (this.lines) this.drawGlass();
     }
     // Pictures that come too slowly are drawn with fewer pixels.
     this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
     if (this.slow > 6 && !this.clock.frames && this.on && this.tube.coarser()) this.slow = 0;
-  }
-
-  // Whether the machine has something new to say of its program: it uses a device that is not there.
-  warn() {
-    const {warnings} = this.module.ask({do: 'warnings', id: this.id});
-    this.warned.push(...warnings.slice(0, MOST_WARNINGS - this.warned.length));
-    return warnings.length > 0;
   }
 
   showLights() {

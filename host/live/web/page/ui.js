@@ -1,5 +1,7 @@
 // Small things every room uses: elements, controls with names, files that are dropped, downloads.
 
+const MOST_WARNINGS = 5;
+
 export function element(tag, properties = {}, ...children) {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(properties)) {
@@ -91,6 +93,14 @@ export function takesKeys(target) {
 export function stopName(result, reason) {
   if (result === 1) return 'stopped at a breakpoint';
   return reason === 'stopped by halt' ? 'halted' : reason;
+}
+
+// What a machine has to say of its program that it has not said before: it uses a device that is not there. `told`: what it has said. A machine that
+// `halted` is not about to run what is at PC.
+export function addWarnings(module, id, told, halted) {
+  const fresh = module.ask({do: 'warnings', id}).warnings.filter(each => !(halted && each.includes('memory that is empty'))).slice(0, MOST_WARNINGS - told.length);
+  told.push(...fresh);
+  return fresh.length > 0;
 }
 
 export function download(name, bytes, type = 'application/octet-stream') {

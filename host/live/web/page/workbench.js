@@ -1,15 +1,14 @@
 // The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
 
-import {Clock, button, check, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
+import {Clock, addWarnings, button, check, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
 import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 import {named, optionsOf} from './links.js';
 
-const CPM_ORIGIN = 0x100;
+const CPM_ORIGIN = 0x100, LARGEST_MEMORY = 65536;
 const ERRORS = 'The source has errors.';
-const MOST_WARNINGS = 5;
 const MACHINES = {
-  pdp7: {title: 'PDP-7 with the Type 340', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
+  pdp7: {title: 'PDP-7', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
   i8080: {title: '8080', second: 3e6, dialects: ['common', 'mac', 'm80', 'intel'], options: {}},
 };
 
@@ -132,7 +131,7 @@ export class Workbench {
     // What lies at 100H and says no other start is a program for CP/M.
     if (!program && machine === 'i8080') {
       const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: example.text}]});
-      example.cpm = Boolean(made.right) && Math.min(...made.lines.map(each => each.at)) === CPM_ORIGIN && [null, CPM_ORIGIN].includes(made.start);
+      example.cpm = Boolean(made.right) && made.lowest === CPM_ORIGIN && [null, CPM_ORIGIN].includes(made.start);
     }
     this.own.add(name);
     const there = this.examples.findIndex(each => each.name === name);
@@ -219,10 +218,14 @@ export class Workbench {
     const made = this.module.ask({do: 'make', snapshot: name, symbols: source?.symbols ?? '', listing: source?.listing ?? '', lines: source?.lines ?? []});
     if (made.error) return this.message.say(made.error, true);
     this.load();
-    const lines = source?.lines ?? [];
-    const same = lines.filter(({at}) => this.module.word(this.id, at) === this.module.word(made.id, at)).length;
-    let {id} = made;
-    const known = same >= 0.9 * lines.length;
+    let {id} = made, words = 0, same = 0;
+    for (let at = 0; at < LARGEST_MEMORY; ++at) {
+      const word = this.id ? this.module.word(this.id, at) : 0;
+      if (!word) continue;
+      ++words;
+      if (word === this.module.word(id, at)) ++same;
+    }
+    const known = words > 0 && same >= 0.9 * words;  // a program changes some of its words
     if (!known) {
       this.module.ask({do: 'drop', id});
       ({id} = this.module.ask({do: 'make', snapshot: name}));
@@ -252,7 +255,7 @@ export class Workbench {
     // A program without a screen has its console in that place.
     this.root.classList.toggle('printing', !this.tube && !board);
     this.intro.say(`A program for the ${machine === 'pdp7' ? 'PDP-7' : '8080'}[ in its assembly language], run forward and back[, one instruction at a time if you like]. Press Run, then Back.`);
-    this.memoryAt.input.value = (this.made.lines[0]?.at ?? 0).toString(machine === 'pdp7' ? 8 : 16);
+    this.memoryAt.input.value = (this.made.lowest ?? 0).toString(machine === 'pdp7' ? 8 : 16);
     this.go(false, '');
     this.refresh();
   }
@@ -315,7 +318,7 @@ export class Workbench {
       if (this.on && this.sinceStatus > 0.2) {
         this.sinceStatus = 0;
         this.showProgress();
-        if (this.warn()) this.message.say(this.warned.join('\n'), true);
+        if (addWarnings(this.module, this.id, this.warned, false)) this.message.say(this.warned.join('\n'), true);
       }
     }
     if (!this.tube) this.showRaster();
@@ -324,14 +327,8 @@ export class Workbench {
   // Why the machine stands still, and what is to be said of its program.
   tell(reason) {
     this.waits = reason === 'waits for a key';
-    this.warn();
+    addWarnings(this.module, this.id, this.warned, true);
     this.message.say([this.waits ? 'The program waits for a key: type under Console.' : reason, ...this.warned].filter(Boolean).join('\n'));
-  }
-  // Whether the machine has something new to say of its program: it uses a device that is not there.
-  warn() {
-    const {warnings} = this.module.ask({do: 'warnings', id: this.id});
-    this.warned.push(...warnings.slice(0, MOST_WARNINGS - this.warned.length));
-    return warnings.length > 0;
   }
   // Before the state is shown: to list the last instructions the machine runs again from an earlier time, and forgets what it has drawn.
   drawTube(held) {

@@ -1022,6 +1022,7 @@ time.sleep(0.5)
 save_to("turn star.off.snap")
 choose("Program", "refresh.s")
 check(not js("return sightline.room.exact.checkVisibility()"), "a program without exact lines does not offer them")
+choose("Program", "turning.s")
 time.sleep(0.5)
 save_to("clock.snap")
 choose("Program", "house")
@@ -1047,6 +1048,23 @@ check(program() == ["turn star.off"] * 2 and js("return sightline.room.turns") a
 choose("Program", "house")
 open_saved("turn star.off.snap", "turn cube.off.snap")
 check(program() == ["house"] * 2 and wrong() and "tape" in said(), f"but not by a wrong one: {program()} {said()}")
+# A tape is not in a snapshot: it is taken from the page.
+choose("Program", "turning.s")
+drop("main", "square.rim", tape)
+wait(lambda: "in the reader" in said(), "a tape in the reader: " + said())
+save_to("tape.snap")
+choose("Program", "house")
+open_saved("tape.snap")
+check(program() == ["snapshot tape.snap"] * 2 and not wrong(), f"a snapshot with a tape in the reader: {program()} {said()}")
+with tempfile.TemporaryDirectory() as folder:
+    with open(os.path.join(folder, "t.rim"), "wb") as file:
+        file.write(tape)
+    subprocess.run([sightline, "run", "pdp7", "t.rim", "--reader", "t.rim", "--display", "--save", "t.snap"], cwd=folder, check=True, capture_output=True)
+    with open(os.path.join(folder, "t.snap"), "rb") as file:
+        content = file.read()
+go("jones/house")
+opened("t.snap", content)
+check(program() == ["house"] * 2 and wrong() and "Open the tape first" in said(), f"without the tape it says what to do: {said()}")
 # Of the command, with and without options.
 with tempfile.TemporaryDirectory() as folder:
     here = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../../host/examples")
@@ -1059,17 +1077,15 @@ with tempfile.TemporaryDirectory() as folder:
             go(room)
             drop("main", name + ".snap", content)
             wait(lambda: ticks() >= 2.9e8, f"{name}.snap of the command goes on in {room}: {said()}", 10)
-            check(not wrong(), f"{name}.snap of the command in {room}: {said()}")
+            check(not wrong() or name == "dark" and "does nothing" in said(), f"{name}.snap of the command in {room}: {said()}")
     press("Run")
     go("bench/refresh.s")
     drop("main", "plain.snap", content)
-    wait(lambda: "goes on from this snapshot" in said() and "loop" in js("return sightline.room.code.textContent"), "with the names of its source: " + said(), 10)
+    wait(lambda: "goes on from this snapshot" in said() and "wait," in js("return sightline.room.code.textContent"), "with the names of its source: " + said(), 10)
     choose("Example", "square.s")
     drop("main", "plain.snap", content)
     wait(lambda: "another program" in said(), "without those of another: " + said(), 10)
     check("begin" not in js("return sightline.room.code.textContent"), "no lines of the square beside it")
-    with open(os.path.join(folder, "disk.img"), "wb") as file:
-        file.write(b"")
 go("jones/turning.s")
 drop(".screen", "square.rim", tape)
 wait(lambda: "in the reader" in said(), "a tape: " + said())
@@ -1103,6 +1119,14 @@ for place in ["jones/house", "bench/square.s"]:
     wait(lambda: "does nothing" in said(), f"{place}: a device that is absent is told: {said()}", 10)
     time.sleep(0.6)
     check(said().count("does nothing") == 1, f"{place}: once: {said()}")
+for place in ["jones/house", "bench/square.s"]:
+    go(place)
+    drop("main", "ends.s", b"100/\nbegin,\tlaw 5\n\thlt\n\tstart begin\n")
+    wait(lambda: "ends.s" in driver.current_url, "a program is taken: " + said())
+    if place != "jones/house":
+        press("Run")
+    wait(lambda: "halt" in said(), f"{place}: it halts: {said()}", 10)
+    check(said() == "stopped by halt", f"{place}: a halt in its last word is no fault: {said()}")
 for place in ["house", "roberts", "turn star.off", "turning.s", "echo.s", "type.s", "pen.s", "refresh.s", "text.s", "calls.s", "increments.s"]:
     go("jones/" + place)
     time.sleep(0.6)

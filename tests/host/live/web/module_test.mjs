@@ -71,6 +71,23 @@ for (const scene of ['house', 'roberts', 'street4', 'corridor8', 'corridor32']) 
   for (let view = 0; view < views; ++view) compareJones(scene, view % 2 === 0, view === 0 ? 0 : dice(256) << 10 | dice(4));
 }
 
+// --- A snapshot of the command goes on in a machine of its own configuration: what is saved again has the same bytes, and the same bytes later.
+writeFileSync(join(folder, 'bare.oct'), '00100: 060110 600100\n');
+writeFileSync(join(folder, 'bare.hex'), ':03010000C3000138\n:00000001FF\n');
+for (const [machine, program, ...words] of [['pdp7', 'bare.oct'], ['pdp7', 'bare.oct', '--display', '--no-eae', '--memory', '32k', '--display-option', '342'], ['pdp7', 'bare.oct', '--timing', 'reader_line=5000000'],
+  ['i8080', 'bare.hex', '--board', 'ef9365', '--clock', '2000000', '--hold', '100+10/1000'], ['i8080', 'bare.hex', '--cpm', '--console', 'ascii'], ['i8080', 'bare.hex', '--terminal', '2sio', '--baud', '300']]) {
+  const start = machine === 'pdp7' ? ['--start', '100'] : words.includes('--cpm') ? [] : ['--start', '100'];
+  native('run', machine, program, ...start, ...words, '--max-instructions', '100', '--save', 'begun.snap', '--json');
+  native('run', machine, '--restore', 'begun.snap', ...words, '--max-instructions', '100', '--save', 'later.snap', '--json');
+  module.putFile('begun.snap', readFileSync(join(folder, 'begun.snap')));
+  const {id} = ask({do: 'make', snapshot: 'begun.snap'});
+  const saved = () => { ask({do: 'save', id}); return module.made(); };
+  check(same(saved(), readFileSync(join(folder, 'begun.snap'))), `${machine} ${words}: the snapshot again`);
+  module.run(id, 2 ** 50, 100);
+  check(same(saved(), readFileSync(join(folder, 'later.snap'))), `${machine} ${words}: the snapshot 100 instructions later`);
+  ask({do: 'drop', id});
+}
+
 // --- The exact lines over the picture of Jones's program: by blocks of 4 by 4 points, as the page counts them, every line is lit and nothing
 // beside the lines is. The guest's pieces end within a point or two of the true ones, less than a block.
 const spread = (x, y, visit) => {

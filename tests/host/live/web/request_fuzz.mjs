@@ -26,7 +26,7 @@ const value = depth => {
     default: return Object.fromEntries(Array.from({length: dice(4)}, () => [one(keys), value(depth + 1)]));
   }
 };
-const whats = ['make', 'assemble', 'jones', 'skala', 'turn', 'turn_sight', 'stripes', 'flight', 'flight_state', 'firmware', 'state', 'step', 'over', 'out', 'back', 'back_to_breakpoint', 'break', 'watch', 'breaks', 'unbreak', 'rows', 'memory', 'put', 'set', 'start', 'history', 'stack', 'who', 'evaluate',
+const whats = ['make', 'assemble', 'jones', 'skala', 'turn', 'turn_sight', 'stripes', 'flight', 'flight_state', 'firmware', 'state', 'warnings', 'step', 'over', 'out', 'back', 'back_to_breakpoint', 'break', 'watch', 'breaks', 'unbreak', 'rows', 'memory', 'put', 'set', 'start', 'history', 'stack', 'who', 'evaluate',
   'symbols', 'attach', 'load', 'save', 'restore', 'drop', 'draw', 'explain', 'scene', 'sight', 'cost', 'lists', 'file', 'kind'];
 const keys = ['machine', 'options', 'sources', 'name', 'text', 'id', 'at', 'count', 'before', 'word', 'register', 'value', 'instruction', 'device', 'file', 'scene', 'algorithm', 'camera', 'eye', 'forward', 'right', 'up', 'perspective', 'eae', 'stereo', 'immediate',
   'switches', 'memory', 'level', 'seconds', 'angle', 'priority_by_host', 'bits', 'plan', 'pieces', 'frames', 'scale', 'function', 'heights', 'range', 'points', 'slices', 'domain', 'picture', 'rotation', 'elevation', 'zoom', 'levels', 'visibility', 'condition', 'number', 'symbols', 'listing', 'lines', 'start'];
