@@ -7,7 +7,7 @@ begin,  law file        / address of the display file
         jmp .-1
         hlt
 
-file,   020137          / parameter word: scale 1 (twice the size), intensity 7; a point word follows
+file,   020137          / parameter word: scale 1 (x2), intensity 7; a point word follows
         220601          / Y = 601; another point word follows
         100601          / X = 601; vector words follow
         200177          / vector: 177 to the right

@@ -499,6 +499,8 @@ Answer Monitor::Inside::trace(std::string_view arguments) {
   if (path.empty()) throw Wrong{"expected a file, or off"};
   if (path != "off") {
     write_trace();
+    // A file that cannot be written is told now, not at the end.
+    if (const auto done = host_.write(path, {}); !done) throw Wrong{done.error().message};
     trace_file_ = path;
     machine_.probe()->on_instruction = [this](const Past::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
     return noted(fmt::format("{}: written by `trace off` or at the end of the session", path));

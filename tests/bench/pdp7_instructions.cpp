@@ -37,7 +37,7 @@ void load_refresh(Machine& machine) {
 
 // A picture of 100 lines, each placed by two point words and drawn by two vectors of 60 steps, then stop.
 void load_picture(Machine& machine) {
-  constexpr std::uint32_t point_mode = 0020117;   // parameter: point mode next, scale 1, intensity 7
+  constexpr std::uint32_t point_mode = 0020117;   // parameter: point mode next, scale 0, intensity 7
   constexpr std::uint32_t vector_mode = 0100000;  // bits 2-4 of a point word: vector mode next
   constexpr std::uint32_t vertical = 0200000;     // point word for Y
   pdp7::Address at = file_start;

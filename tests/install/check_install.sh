@@ -21,6 +21,7 @@ check_example() {
   case $1 in
     */pdp7_square) expected="halted: 508 flashes, x from 256 to 320, 846800 ns of the display" ;;
     */i8080_hello) expected="halted after 636 T-states, 83 instructions" ;;
+    */i8080_watched) expected="PC 0007 after 86 T-states: 5 times DCR B" ;;
   esac
   [ "$("$1" | tail -1)" = "$expected" ] || fail "$1 printed something else"
 }
@@ -89,8 +90,11 @@ cmake_build() { # cmake_build DIRECTORY "EXAMPLE..." OPTION...
   quietly cmake --build "$directory" --target $examples
   for example in $examples; do check_example "$directory/$example"; done
 }
-cmake_build package "pdp7_square i8080_hello" -DCMAKE_PREFIX_PATH="$tree"
+cmake_build package "pdp7_square i8080_hello i8080_watched" -DCMAKE_PREFIX_PATH="$tree"
 cmake_build subdirectory pdp7_square -DSIGHTLINE_SOURCE="$source"
+# A project that has the machines as a folder installs its own files alone.
+quietly cmake --install "$work/subdirectory" --prefix "$work/of-a-project"
+[ ! -e "$work/of-a-project" ] || fail "a project with add_subdirectory(emulators) installs $(find "$work/of-a-project" -type f | wc -l) files of it"
 if command -v pkg-config > /dev/null; then
   flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$tree" -name sightline.pc)") pkg-config --cflags --libs sightline)
   mkdir "$work/pkg-config"

@@ -13,8 +13,8 @@ using base::octal;
 using core::Word18;
 using type340::Mode;
 
-// Numbers that are points or steps are decimal, as the display's manual counts them; addresses and codes are
-// octal.
+// All numbers are octal, as in the word beside them and in sources; scale is the setting 0 to 3 with what it does.
+std::string number(unsigned value) { return octal(value, 1); }
 std::string pen_text(std::optional<bool> pen) {
   return !pen ? "" : *pen ? ", pen on" : ", pen off";
 }
@@ -25,7 +25,7 @@ std::string next_text(Mode mode) {
 std::string parameter(Word18 word) {
   const auto w = type340::decode_parameter(word);
   std::string text = pen_text(w.pen);
-  if (w.scale) text += ", scale " + std::to_string(1 << *w.scale);
+  if (w.scale) text += ", scale " + std::to_string(*w.scale) + " (x" + std::to_string(1 << *w.scale) + ")";
   if (w.intensity) text += ", intensity " + std::to_string(*w.intensity);
   if (w.stop) return text + (w.interrupt ? ", stop and interrupt" : ", stop");
   return text + next_text(w.next);
@@ -33,7 +33,7 @@ std::string parameter(Word18 word) {
 
 std::string point(Word18 word) {
   const auto w = type340::decode_point(word);
-  return (w.y ? ", y " : ", x ") + std::to_string(w.coordinate) + (w.intensify ? ", lit" : ", dark") +
+  return (w.y ? ", y " : ", x ") + number(w.coordinate) + (w.intensify ? ", lit" : ", dark") +
          pen_text(w.pen) + next_text(w.next);
 }
 
@@ -72,7 +72,7 @@ std::string characters(Word18 word) {
 std::string vector(Word18 word, Mode mode) {
   const auto w = type340::decode_vector(word);
   const auto component = [](bool negative, unsigned steps) {
-    return (negative && steps != 0 ? "-" : "+") + std::to_string(steps);
+    return (negative && steps != 0 ? "-" : "+") + number(steps);
   };
   const bool escapes = mode == Mode::vector && w.escape;
   return ", dx " + component(w.left, w.dx) + " dy " + component(w.down, w.dy) +

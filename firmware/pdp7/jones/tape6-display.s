@@ -1,6 +1,6 @@
 / Tape 6: display file
 
-/ Begin the file that is not shown: parameter word (pen off, scale 1,
+/ Begin the file that is not shown: parameter word (pen off, scale 0,
 / intensity 7) and stop.
 newfil, 0
         lac file

@@ -323,7 +323,7 @@ newfil, 0
         tad (777763
         cma
         dac room
-        lac (410117     / pen off, scale 1, intensity 7; endfil takes 400000 away
+        lac (410117     / pen off, scale 0, intensity 7; endfil takes 400000 away
         dac i 14
         dzm lastv
         jmp i newfil

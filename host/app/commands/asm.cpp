@@ -13,6 +13,7 @@
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/machine_command.hpp"
+#include "host/app/commands/program_sources.hpp"
 
 namespace sightline::app {
 
@@ -111,8 +112,10 @@ ExitCode assemble(const MachineDescription& machine, const Arguments& arguments)
       accepted(machine.assembler.assemble(sources, arguments, read_include));
   for (const auto& diagnostic : assembled.diagnostics)
     fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
-  if (assembler::any_errors(assembled.diagnostics))
+  if (assembler::any_errors(assembled.diagnostics)) {
+    say_whose_source(machine, sources, "asm", arguments.list("SOURCE"));
     throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
+  }
   write_files(machine, arguments, assembled);
   complain(summary(machine, arguments, assembled));
   return ExitCode::ok;

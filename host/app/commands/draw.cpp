@@ -419,8 +419,12 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   std::string summary = counted(strokes_drawn, "line");
   if (on_paper) summary += fmt::format(", {:.3g} m in all", length_drawn / 1000);
   if (arguments.turntable > 1) summary += fmt::format(", {} drawings", arguments.turntable);
-  say_written(arguments.output.file, fmt::format("{}, {}", summary, size_text(arguments.output, format)));
-  say_written(arguments.strokes, counted(strokes_drawn, "line"));
+  const auto written = [&arguments](const std::string& name) {
+    if (arguments.turntable == 1 || name.empty()) return name;
+    return fmt::format("{} ... {}", numbered(name, 1, arguments.turntable), numbered(name, arguments.turntable, arguments.turntable));
+  };
+  say_written(written(arguments.output.file), fmt::format("{}, {}", summary, size_text(arguments.output, format)));
+  say_written(written(arguments.strokes), counted(strokes_drawn, "line"));
   return ExitCode::ok;
 }
 

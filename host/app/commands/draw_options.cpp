@@ -365,8 +365,20 @@ void require_room(const picture::VectorDrawing& drawing, const DrawOutput& outpu
 
 namespace {
 
+// In cm/s: no plotter is told a speed that it does not have.
+std::optional<double> pen_speed(const DrawOutput& output) {
+  if (!output.speed || output.plotter() == nullptr) return output.speed;
+  return std::min(*output.speed, output.plotter()->speeds.down / 10);
+}
+
 picture::HpglOptions hpgl_options(const DrawOutput& output) {
-  return {output.plotter(), output.pens, output.speed, output.relative};
+  return {output.plotter(), output.pens, pen_speed(output), output.relative};
+}
+
+void warn_of_speed(const DrawOutput& output) {
+  if (pen_speed(output) == output.speed) return;
+  warn(fmt::format("--speed: found {:g} cm/s, which {} does not reach: the file says {:g}", *output.speed, output.plotter()->name,
+                   *pen_speed(output)));
 }
 
 // That layers can have.
@@ -443,6 +455,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& with_empty
                                         const std::string& title, Output& file) {
   const picture::VectorDrawing found = picture::without_empty_layers(with_empty);
   if (format == DrawingFormat::hpgl || format == DrawingFormat::steps) warn_of_pens(found, output);
+  if (format == DrawingFormat::hpgl) warn_of_speed(output);
   if (found.lines.empty() && found.facets.empty())
     warn(fmt::format("{}: the drawing is empty, nothing is in view", output.file));
   if (format == DrawingFormat::png) {

@@ -21,6 +21,10 @@ using guests::run::MachineDescription;
 using guests::run::OptionKind;
 
 ExitCode monitor(const MachineDescription& description, const Arguments& arguments) {
+  if (arguments.list("--load").empty() && !arguments.given("--restore")) {
+    throw Failure(ExitCode::usage, fmt::format("monitor {}: needs a PROGRAM or --load FILE: without a program there is nothing to look into",
+                                               description.name));
+  }
   MonitoredMachine made = make_monitored(description, arguments);
   for (const std::string& warning : made.prepared.warnings) warn(warning);
   Machine& machine = *made.prepared.machine;
@@ -34,7 +38,7 @@ ExitCode monitor(const MachineDescription& description, const Arguments& argumen
 MonitoredMachine make_monitored(const MachineDescription& description, Arguments arguments) {
   arguments.value("--monitor").flag = true;
   check_disk(arguments);
-  Programs programs = assemble_sources(description, arguments);
+  Programs programs = assemble_sources(description, arguments, "monitor");
   for (const std::string& path : arguments.list("--symbols"))
     static_cast<void>(value_of(programs.symbols.add_table(read_input_text(path)), path));
   for (const std::string& path : arguments.list("--listing")) programs.symbols.add_listing(read_input_text(path));

@@ -179,6 +179,9 @@ guests::run::Stop run_plainly(Machine& machine, const guests::run::Limits& limit
   std::optional<guests::run::Stop> stop;
   while (!stop) {
     stop = machine.run(limits, true);
+    // A monitor runs a machine in parts of so many instructions.
+    if (!stop || stop->name == "instruction_limit")
+      for (const std::string& warning : machine.take_early_warnings()) warn(warning);
     const std::string text = live::shown_text(machine.take_printed());
     heard(text);
     if (!printer.print(text) && !stop) stop = guests::run::Stop{guests::run::interrupted, {}};

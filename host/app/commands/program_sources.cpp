@@ -37,7 +37,20 @@ const guests::run::Option* dialect_option(const MachineDescription& machine) {
   return found == options.end() ? nullptr : &*found;
 }
 
-Programs assemble_sources(const MachineDescription& machine, Arguments& arguments) {
+void say_whose_source(const MachineDescription& machine, std::span<const assembler::SourceFile> sources, std::string_view command,
+                      std::span<const std::string> names) {
+  for (const MachineDescription* other : guests::run::machines()) {
+    if (other == &machine || other->assembler.assemble == nullptr) continue;
+    const auto assembled = other->assembler.assemble(sources, Arguments(other->assembler.options), read_include);
+    if (!assembled || assembler::any_errors(assembled->diagnostics)) continue;
+    std::string files;
+    for (const std::string& name : names) files += " " + name;
+    complain(fmt::format("this looks like {} source: sightline {} {}{}", other->name, command, other->name, files));
+    return;
+  }
+}
+
+Programs assemble_sources(const MachineDescription& machine, Arguments& arguments, std::string_view command) {
   Programs programs{{}, live::Symbols(machine.radix)};
   if (machine.assembler.assemble == nullptr) return programs;
   const auto form = std::find_if(machine.formats.begin(), machine.formats.end(), [&machine](const auto& format) {
@@ -56,8 +69,10 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
     const auto assembled = accepted(machine.assembler.assemble(sources, options, read_include));
     for (const auto& diagnostic : assembled.diagnostics)
       fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
-    if (assembler::any_errors(assembled.diagnostics))
+    if (assembler::any_errors(assembled.diagnostics)) {
+      say_whose_source(machine, sources, command, {first, last});
       throw Failure(ExitCode::bad_input, fmt::format("{}: the source has errors: {}", *first, first_error(assembled.diagnostics)));
+    }
     static_cast<void>(programs.symbols.add_table(assembled.symbol_table));
     programs.symbols.add_listing(assembled.listing);
     for (const guests::run::SourceLine& line : assembled.lines)

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "host/guests/run/engine.hpp"
 #include "host/live/symbols.hpp"
@@ -21,8 +23,14 @@ struct Programs {
 // The assembler's option of which language sources are in; null if it reads one.
 [[nodiscard]] const guests::run::Option* dialect_option(const guests::run::MachineDescription& machine);
 
+// Says on standard error if sources with errors are those of another machine: if its assembler finds none in them. `command`: that
+// which was given ("run"); `names`: the files as they were given.
+void say_whose_source(const guests::run::MachineDescription& machine, std::span<const assembler::SourceFile> sources,
+                      std::string_view command, std::span<const std::string> names);
+
 // Replaces sources in --load by what they assemble to; sources side by side are one program. Diagnostics go to standard error.
-// Failure bad_input or io.
-[[nodiscard]] Programs assemble_sources(const guests::run::MachineDescription& machine, guests::run::Arguments& arguments);
+// `command`: that which was given. Failure bad_input or io.
+[[nodiscard]] Programs assemble_sources(const guests::run::MachineDescription& machine, guests::run::Arguments& arguments,
+                                        std::string_view command);
 
 }  // namespace sightline::app

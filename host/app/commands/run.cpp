@@ -155,7 +155,7 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
     return base::Done{};
   };
   check_disk(arguments);
-  Programs programs = assemble_sources(description, arguments);
+  Programs programs = assemble_sources(description, arguments, "run");
   const guests::run::Prepared prepared = accepted(prepare(description, arguments, programs.reader(), restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;

@@ -70,6 +70,11 @@ scene::GridLayout layout_named(const std::string& name) {
   return name == "points" ? scene::GridLayout::points : scene::GridLayout::by_content;
 }
 
+bool named_as_mesh(std::string_view name) {
+  constexpr std::array<std::string_view, 7> endings{".off", ".obj", ".stl", ".ply", ".gltf", ".glb", ".3mf"};
+  return std::any_of(endings.begin(), endings.end(), [name](std::string_view ending) { return name.ends_with(ending); });
+}
+
 SkalaFunction from_file(const SkalaSource& source) {
   const std::string& file = source.name_or_file;
   std::error_code unknown;
@@ -81,6 +86,13 @@ SkalaFunction from_file(const SkalaSource& source) {
                                             .expected = "a grid file or one of " + scene::height_function_names(),
                                             .remedy = base::did_you_mean(file, names)}
                                     .message());
+  }
+  if (named_as_mesh(file)) {
+    throw Failure(ExitCode::bad_input, base::Error{.file = file,
+                                                   .found = "found a mesh",
+                                                   .expected = "a grid of heights",
+                                                   .remedy = "draw it by: sightline draw exact " + file}
+                                           .message());
   }
   if (source.points || source.slices)
     throw Failure(ExitCode::usage,
@@ -130,9 +142,7 @@ bool is_height_function(const std::string& name) {
   if (scene::builtin_scene_text(name)) return false;
   if (scene::height_function(name)) return true;
   std::error_code unknown;
-  constexpr std::array<std::string_view, 8> scene_endings{".json", ".off", ".obj", ".stl", ".ply", ".gltf", ".glb", ".3mf"};
-  const bool scene = std::any_of(scene_endings.begin(), scene_endings.end(), [&](std::string_view ending) { return name.ends_with(ending); });
-  return std::filesystem::exists(name, unknown) && !scene;
+  return std::filesystem::exists(name, unknown) && !named_as_mesh(name) && !name.ends_with(".json");
 }
 
 }  // namespace sightline::app

@@ -104,12 +104,14 @@ struct Loaded {
   std::optional<std::uint32_t> start;
   std::vector<std::pair<std::size_t, std::uint32_t>> registers;
   std::vector<std::string> warnings;
+  std::vector<bool> addresses;  // those with a word
 };
 
 // Later files win where two have a word for the same address, in the start address and in registers.
 Result<Loaded> load(const MachineDescription& description, const Arguments& arguments, const FileReader& read,
                     Machine& machine) {
   Loaded loaded;
+  loaded.addresses.resize(machine.words());
   for (const std::string& text : arguments.list("--load")) {
     const auto file = file_argument(description, "--load", text);
     if (!file) return file.error();
@@ -150,6 +152,7 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
                                      input.name, in_radix(word, description.radix),
                                      address_text(description, address), description.word_bits));
       machine.put(address, word);
+      loaded.addresses[address] = true;
     }
     if (!program->registers.empty()) loaded.registers = program->registers;
     if (!program->start) continue;
@@ -160,26 +163,38 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
   return loaded;
 }
 
+bool sets_pc(const Arguments& arguments) {
+  const std::vector<std::string>& settings = arguments.list("--set");
+  return std::any_of(settings.begin(), settings.end(),
+                     [](const std::string& setting) { return register_name(setting) == "PC"; });
+}
+
 // --start, else --set PC, else what was loaded says where. After a dump the machine continues without a start.
 Result<Done> start(const MachineDescription& description, const Arguments& arguments, const Loaded& loaded,
                    Machine& machine) {
   for (const auto& [number, value] : loaded.registers) machine.set(number, value);
-  const std::vector<std::string>& settings = arguments.list("--set");
-  const bool sets_pc = std::any_of(settings.begin(), settings.end(),
-                                   [](const std::string& setting) { return register_name(setting) == "PC"; });
   if (arguments.given("--start")) {
-    if (sets_pc && description.one_start) return usage("--set PC: found --start too, expected one of them");
+    if (sets_pc(arguments) && description.one_start) return usage("--set PC: found --start too, expected one of them");
     const auto address = number_argument("--start", arguments.text("--start"), description.radix,
                                          machine.words() - 1, description.an_address);
     if (!address) return address.error();
     machine.start(*address);
-  } else if (!sets_pc && loaded.registers.empty()) {
+  } else if (!sets_pc(arguments) && loaded.registers.empty()) {
     machine.start(machine.start_address(loaded.start));
   }
-  for (const std::string& setting : settings) {
+  for (const std::string& setting : arguments.list("--set")) {
     if (const auto done = set_register(description, machine, setting); !done) return done;
   }
   return Done{};
+}
+
+// What may help a program that runs into empty memory.
+std::string remedy_for_empty_memory(const Arguments& arguments, const Loaded& loaded, const Machine& machine) {
+  const auto lowest = std::find(loaded.addresses.begin(), loaded.addresses.end(), true) - loaded.addresses.begin();
+  const std::string_view system = machine.system_missing(static_cast<std::uint32_t>(lowest));
+  if (!system.empty()) return std::string(system);
+  const bool says_where = loaded.start || !loaded.registers.empty() || arguments.given("--start") || sets_pc(arguments);
+  return says_where ? "" : "--start names where the program begins";
 }
 
 Result<Limits> limits_of(const MachineDescription& description, const Arguments& arguments) {
@@ -367,6 +382,7 @@ Result<Prepared> prepare(const MachineDescription& description, const Arguments&
   if (!loaded) return loaded.error();
   if (const auto done = (*machine)->ready(); !done) return done.error();
   if (const auto done = start(description, arguments, *loaded, **machine); !done) return done.error();
+  (*machine)->watch_empty_memory(description, loaded->addresses, remedy_for_empty_memory(arguments, *loaded, **machine));
   return Prepared{std::move(*machine), *limits, loaded->warnings};
 }
 
@@ -376,7 +392,20 @@ std::vector<std::string> Machine::take_early_warnings() {
     if (!warned_.insert(each.what).second) continue;
     texts.push_back(each.times.empty() ? each.what : fmt::format("{} ({} so far)", each.what, each.times));
   }
+  // A word that is not 0 there was stored by the program, which may run it.
+  if (loaded_.empty() || halted()) return texts;
+  const std::uint32_t pc = get(program_counter(*description_));
+  if (pc >= loaded_.size() || loaded_[pc] || word(pc) != 0) return texts;
+  loaded_.clear();
+  texts.push_back(fmt::format("PC {}: executes memory that is empty: nothing was loaded there{}", address_text(*description_, pc),
+                              remedy_.empty() ? "" : "; " + remedy_));
   return texts;
+}
+
+void Machine::watch_empty_memory(const MachineDescription& description, std::vector<bool> loaded, std::string remedy) {
+  description_ = &description;
+  loaded_ = std::move(loaded);
+  remedy_ = std::move(remedy);
 }
 
 std::vector<std::string> Machine::early_warnings_left() const {

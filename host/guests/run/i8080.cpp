@@ -137,6 +137,10 @@ class I8080Run final : public Machine {
   void start(std::uint32_t address) override {
     processor_.registers().pc = static_cast<i8080::Address>(address);
   }
+  [[nodiscard]] bool halted() const override { return processor_.registers().halted; }
+  [[nodiscard]] std::string_view system_missing(std::uint32_t lowest) const override {
+    return !cpm_ && lowest == image::com_origin ? "--cpm gives a CP/M program its system" : "";
+  }
   [[nodiscard]] Result<Done> ready() override {
     if (!cpm_) return Done{};
     for (const auto& [address, byte] : cpm_->entries()) {

@@ -278,6 +278,8 @@ struct EarlyWarning {
 // --console, --speed, --expect and --send, the same for every machine.
 [[nodiscard]] std::vector<Option> console_options(std::string_view device);
 
+struct MachineDescription;
+
 // A machine put together for one run. Nothing here is called while an instruction is obeyed.
 class Machine {
  public:
@@ -383,6 +385,13 @@ class Machine {
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
   // Between slices of a run: those that have come up since the last call.
   [[nodiscard]] std::vector<std::string> take_early_warnings();
+  // From now on these tell, once, that the program has run into memory to which nothing was loaded. `loaded`: whether an
+  // address has a word of a program; `remedy`: what may help, may be empty; the description outlives the machine.
+  void watch_empty_memory(const MachineDescription& description, std::vector<bool> loaded, std::string remedy);
+  // The processor waits for an interrupt: the instruction at PC is not the next thing it does.
+  [[nodiscard]] virtual bool halted() const { return false; }
+  // What a program needs that is loaded from `lowest` on and runs into empty memory; may be empty.
+  [[nodiscard]] virtual std::string_view system_missing([[maybe_unused]] std::uint32_t lowest) const { return {}; }
   // What an output option asks for; not asked for --dump.
   [[nodiscard]] virtual Bytes output(std::string_view) const { return {}; }
 
@@ -394,6 +403,9 @@ class Machine {
 
  private:
   std::set<std::string, std::less<>> warned_;
+  const MachineDescription* description_ = nullptr;
+  std::vector<bool> loaded_;  // empty: not watched, or told
+  std::string remedy_;
 };
 
 struct MachineDescription {

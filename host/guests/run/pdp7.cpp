@@ -296,7 +296,7 @@ class Pdp7Machine final : public Machine {
     return {{"address", fmt::format("{:05o}, the word {:06o}", r.address, r.br.value())},
             {"mode", modes[static_cast<std::size_t>(r.mode)]},
             {"beam", fmt::format("x {}, y {} of 1023 (decimal)", r.x, r.y)},
-            {"scale", fmt::format("{}, a step is {} points", r.scale, r.step())},
+            {"scale", fmt::format("{} (x{})", r.scale, r.step())},
             {"intensity", fmt::format("{} of 7", r.intensity)},
             {"light pen", r.pen_enable ? "enabled" : "off"},
             {"flags", flags.empty() ? "none" : flags},

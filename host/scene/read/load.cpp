@@ -1,5 +1,7 @@
 #include "host/scene/read/load.hpp"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "host/base/file.hpp"
@@ -73,13 +75,27 @@ void take_complex(CheckedCellComplex complex, SceneReading& reading) {
   reading.loaded.decomposition = std::move(complex->decomposition);
 }
 
+// Of a file that is no JSON by its name and by how it begins.
+base::Error unknown_format(const SceneFile& file) {
+  const std::string_view rest = std::string_view(file.text).substr(std::min(file.text.find_first_not_of(" \t\r\n"), file.text.size()));
+  const bool numbers = !rest.empty() && std::string_view("0123456789+-.#").find(rest.front()) != std::string_view::npos;
+  return {file.name, "", "found no known format", "STL, PLY, OFF, OBJ, glTF, 3MF or a scene as JSON",
+          numbers ? "a grid of heights is drawn by: sightline draw skala" : "save it in one of these"};
+}
+
+bool begins_as_json(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+}
+
 // Which kind a document is, is known before anything in it is looked at.
 void read_json(const SceneFile& file, SceneReading& reading) {
   const bool names_its_schema = is_cell_complex(file.text);
   auto document = base::parse_json(file.text, file.name);
   if (!document) {
     reading.loaded.kind = names_its_schema ? SceneKind::cell_complex : SceneKind::cells;
-    reading.errors.push_back(std::move(document.error()));
+    const bool is_json = file.builtin || file.name.ends_with(".json") || begins_as_json(file.text);
+    reading.errors.push_back(is_json ? std::move(document.error()) : unknown_format(file));
   } else if (names_its_schema) {
     take_complex(cell_complex_of(*document, file.name), reading);
   } else if (is_poly_document(*document)) {

@@ -112,7 +112,7 @@ TEST_F(DisplayOptions, SpacesMoveDark) {
   put(0, {0060137, 0404040, 0373737, 0003000});
   run(0);
   EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {2, 34'600}, {3, 37'900}}));
-  EXPECT_EQ(display_.registers().x, 36);  // scale 2
+  EXPECT_EQ(display_.registers().x, 36);  // scale 1 (x2)
   EXPECT_EQ(display_.registers().y, 0);
   EXPECT_TRUE(sink_.points.empty());
 }

@@ -10,14 +10,14 @@ namespace {
 
 using core::Word18;
 
-// Light Pen Diagnostic (DEC, 1964): next mode point, pen on, scale 1, intensity 0; PIXIE: the same with intensity 7.
+// Light Pen Diagnostic (DEC, 1964): next mode point, pen on, scale 0, intensity 0; PIXIE: the same with intensity 7.
 static_assert(decode_parameter(Word18(0034110)).next == Mode::point);
 static_assert(decode_parameter(Word18(0034110)).pen == true);
 static_assert(decode_parameter(Word18(0034110)).scale == 0);
 static_assert(decode_parameter(Word18(0034110)).intensity == 0);
 static_assert(decode_parameter(Word18(0034117)).intensity == 7);
 static_assert(!decode_parameter(Word18(0034117)).stop);
-// PIXIE: vector, scale 8, intensity 7; the stop word of all programs; a word that does nothing.
+// PIXIE: vector, scale 3, intensity 7; the stop word of all programs; a word that does nothing.
 static_assert(decode_parameter(Word18(0100177)).next == Mode::vector);
 static_assert(decode_parameter(Word18(0100177)).scale == 3);
 static_assert(!decode_parameter(Word18(0100177)).pen.has_value());

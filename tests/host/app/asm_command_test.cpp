@@ -30,6 +30,22 @@ TEST_F(AsmCommand, OctalImageOnStandardOutput) {
   EXPECT_TRUE(has(ran.err, "3 words in 00100-00102, start 00100")) << ran.err;
 }
 
+TEST_F(AsmCommand, ASourceOfTheOtherMachineIsNamed) {
+  write("a.asm", "\tORG 100H\n\tLXI H,1234H\n\tHLT\n\tEND\n");
+  write("a.s", source);
+  write("wrong.s", "100/\n  lac nobody\n");
+  const auto err = [&](std::string command, std::string machine, std::string file) {
+    const auto ran = sightline({command, machine, file});
+    EXPECT_EQ(ran.exit_code, 4) << ran.err;
+    return ran.err;
+  };
+  for (const std::string command : {"asm", "run", "monitor"}) {
+    EXPECT_TRUE(has(err(command, "pdp7", "a.asm"), "sightline: this looks like i8080 source: sightline " + command + " i8080 a.asm\n"));
+    EXPECT_TRUE(has(err(command, "i8080", "a.s"), "sightline: this looks like pdp7 source: sightline " + command + " pdp7 a.s\n"));
+    EXPECT_FALSE(has(err(command, "pdp7", "wrong.s"), "looks like"));
+  }
+}
+
 TEST_F(AsmCommand, RimTapeIsTheDefault) {
   write("a.s", source);
   ASSERT_EQ(sightline({"asm", "pdp7", "a.s", "-o", "a.rim"}).exit_code, 0);

@@ -254,4 +254,13 @@ TEST_F(BadInput, PlacesThatTakeNothing) {
     expect_refused(arguments, 5, "standard output: cannot write: No space left on device");
 }
 
+TEST_F(BadInput, AFileOfAnotherKindIsToldWhatIsRead) {
+  write("s.fbx", "Kaydara FBX Binary");
+  write("s.csv", "1,2\n3,4\n");
+  write("s.stl", "solid\nendsolid\n");
+  expect_refused({"draw", "exact", "s.fbx", "-o", "to/a.svg"}, 4, "s.fbx: found no known format, expected STL, PLY, OFF, OBJ, glTF, 3MF");
+  expect_refused({"draw", "exact", "s.csv", "-o", "to/a.svg"}, 4, "a grid of heights is drawn by: sightline draw skala");
+  expect_refused({"draw", "skala", "s.stl", "-o", "to/a.svg"}, 4, "draw it by: sightline draw exact s.stl");
+}
+
 }  // namespace

@@ -34,6 +34,21 @@ TEST_F(MonitorCommand, ExitCodesAreThoseOfTheHelp) {
   EXPECT_EQ(ran.out, "1 = 1.\nunknown command \"nonsense\"; help lists them\n");
 }
 
+TEST_F(MonitorCommand, ATraceThatCannotBeWrittenIsToldAtOnce) {
+  const Ran ran = monitor("trace nowhere/t\nev 1\n");
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_EQ(ran.out.find("1 = 1."), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("nowhere/t"), std::string::npos) << ran.out;
+}
+
+// After the HLT comes what is empty: 0 is CAL, which goes on at 21.
+TEST_F(MonitorCommand, AProgramThatRunsIntoEmptyMemoryIsToldOnce) {
+  write("ends.s", "100/\nbegin, hlt\n  start begin\n");
+  const Ran ran = monitor("continue\nrun for 1s\nrun for 1s\n", {"ends.s"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.out;
+  EXPECT_EQ(ran.err, "sightline: warning: PC 00021: executes memory that is empty: nothing was loaded there\n");
+}
+
 // The manual's 60 seconds are of the program's time: a second or less here.
 TEST_F(MonitorCommand, AProgramThatOnlyWaitsForAKeyIsEnded) {
   for (const char* const command : {"go", "run"}) {

@@ -122,6 +122,7 @@ TEST_F(OptionNames, TheSamePictureBySlicesOfAName) {
 TEST_F(OptionNames, ARunNeedsAProgram) {
   expect_usage_error({"run", "pdp7"}, "run pdp7: needs a PROGRAM or --load FILE");
   expect_usage_error({"run", "i8080"}, "run i8080: needs a PROGRAM or --load FILE");
+  expect_usage_error({"monitor", "pdp7"}, "monitor pdp7: needs a PROGRAM or --load FILE");
 }
 
 TEST_F(OptionNames, AViewThatIsNoMomentOfATurnIsNamed) {

@@ -173,7 +173,7 @@ TEST_F(RunDevices, KeyboardScript) {
   EXPECT_TRUE(has(bad.err, "keys.txt:1: error:")) << bad.err;
 }
 
-// Starts the display at 110, waits for IDSP, IDRC, HLT. The file: pen on, scale 1, intensity 7; y 400; x 144,
+// Starts the display at 110, waits for IDSP, IDRC, HLT. The file: pen on, scale 0, intensity 7; y 400; x 144,
 // dark; a vector of 177 to the right, lit; stop. Every pulse of that vector moves one point to the right. The
 // pen at (151, 256) sees 147 first; the flag comes with the next pulse, at 148 = 2 * 112 octal; 256 = 2 *
 // 200.

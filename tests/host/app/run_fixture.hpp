@@ -15,7 +15,7 @@ class RunPdp7 : public CommandLine {
   static constexpr const char* add = "00100: 200103 340104 740040 000003 000005\n";
   // JMP .
   static constexpr const char* forever = "00100: 600100\n";
-  // Starts the display at 106 and waits for its stop interrupt, again and again. The file: scale 1, intensity
+  // Starts the display at 106 and waits for its stop interrupt, again and again. The file: scale 0, intensity
   // 7; y 400; x 400, lit; a vector of 100 to the right, lit, then mode 0; stop and interrupt.
   static constexpr const char* picture =
       "00100: 200105 700606 700601 600102 600100 000106 020117 220400 102400 600100 003000\n";

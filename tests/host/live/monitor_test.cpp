@@ -410,11 +410,11 @@ TEST(MonitorPdp7, ListsDisplayWordsWhereTheDisplayReadsThem) {
   EXPECT_NE(s(words).find(" 00106 220601  file+1: lac i 601  ; "), std::string::npos) << s(words);
   s("continue");
   const std::string list = s(words);
-  EXPECT_NE(list.find("00105 020137  file: parameter, scale 2, intensity 7, then point  ; "), std::string::npos) << list;
-  EXPECT_NE(list.find(" 00106 220601  file+1: point, y 385, dark, then point  ; "), std::string::npos) << list;
-  EXPECT_NE(list.find(" 00107 100601  file+2: point, x 385, dark, then vector  ; "), std::string::npos) << list;
-  EXPECT_NE(list.find(" 00110 200177  file+3: vector, dx +127 dy +0, lit  ; "), std::string::npos) << list;
-  EXPECT_NE(list.find(" 00111 677577  file+4: vector, dx +127 dy +127, lit, then parameter  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find("00105 020137  file: parameter, scale 1 (x2), intensity 7, then point  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00106 220601  file+1: point, y 601, dark, then point  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00107 100601  file+2: point, x 601, dark, then vector  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00110 200177  file+3: vector, dx +177 dy +0, lit  ; "), std::string::npos) << list;
+  EXPECT_NE(list.find(" 00111 677577  file+4: vector, dx +177 dy +177, lit, then parameter  ; "), std::string::npos) << list;
   EXPECT_NE(list.find(" 00112 003000  file+5: parameter, stop and interrupt  ; "), std::string::npos) << list;
   EXPECT_NE(list.find(" 00113 200177  file+6: lac 177  ; "), std::string::npos) << list;  // behind the stop
   EXPECT_NE(s("list 100-101").find(" 00101 700606  begin+1: idla  ; "), std::string::npos);

@@ -126,7 +126,7 @@ constexpr std::pair<std::uint32_t, std::uint32_t> busy_words[] = {
     {0330, 0200201}, {0331, 0700606}, {0332, 0600312},
     {0340, 0777774}, {0341, 0040007}, {0342, 0700044}, {0343, 0600316},
     {0350, 0700112}, {0351, 0700144}, {0352, 0700406}, {0353, 0600324},
-    // The display file: scale 1, intensity 7, pen on; y 400; x 400, lit; two lit vectors, the second with an escape;
+    // The display file: scale 0, intensity 7, pen on; y 400; x 400, lit; two lit vectors, the second with an escape;
     // increments; characters; stop with an interrupt.
     {0400, 0034117}, {0401, 0220400}, {0402, 0102400}, {0403, 0224074}, {0404, 0604236}, {0405, 0140000},
     {0406, 0271234}, {0407, 0652525}, {0410, 0060000}, {0411, 0010203}, {0412, 0401405}, {0413, 0373700},

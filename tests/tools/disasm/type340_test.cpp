@@ -22,12 +22,12 @@ TEST(DisassembleType340, AWorkedFileAndModeZeroAfterItsStop) {
   EXPECT_EQ(disassemble_type340(file_of(
                 {0020117, 0220400, 0100400, 0200144, 0236000, 0600344, 0003000, 0140000, 0764043, 0370000})),
             "00000/\n"
-            "        020117           / 00000 parameter, scale 1, intensity 7, then point\n"
-            "        220400           / 00001 point, y 256, dark, then point\n"
-            "        100400           / 00002 point, x 256, dark, then vector\n"
-            "        200144           / 00003 vector, dx +100 dy +0, lit\n"
-            "        236000           / 00004 vector, dx +0 dy +60, lit\n"
-            "        600344           / 00005 vector, dx -100 dy +0, lit, then parameter\n"
+            "        020117           / 00000 parameter, scale 0 (x1), intensity 7, then point\n"
+            "        220400           / 00001 point, y 400, dark, then point\n"
+            "        100400           / 00002 point, x 400, dark, then vector\n"
+            "        200144           / 00003 vector, dx +144 dy +0, lit\n"
+            "        236000           / 00004 vector, dx +0 dy +74, lit\n"
+            "        600344           / 00005 vector, dx -144 dy +0, lit, then parameter\n"
             "        003000           / 00006 parameter, stop and interrupt\n"
             "        140000           / 00007 parameter, then increment\n"
             "        764043           / 00010 increment, up-left right up down, lit, then parameter\n"
@@ -46,7 +46,7 @@ TEST(DisassembleType340, TheOtherModes) {
             "        705312           / 00005 subroutine, DJS jump and save to 05312, then vector\n"
             "        600001           / 00006 vector, dx +1 dy +0, lit, then parameter\n"
             "        120000           / 00007 parameter, then vector continue\n"
-            "        310010           / 00010 vector continue, dx +8 dy -16, lit\n"
+            "        310010           / 00010 vector continue, dx +10 dy -20, lit\n"
             "        040000           / 00011 parameter, then slave\n"
             "        000750           / 00012 slave, unit 2 on with pen, unit 3 on, then parameter\n"
             "        002000           / 00013 parameter, stop\n");

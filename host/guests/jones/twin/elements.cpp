@@ -34,7 +34,7 @@ namespace {
 
 using core::Word18;
 
-constexpr Word18 first_word{0010117};  // parameter: pen off, scale 1, intensity 7
+constexpr Word18 first_word{0010117};  // parameter: pen off, scale 0, intensity 7
 constexpr Word18 stop{0003000};        // parameter: stop, interrupt
 constexpr Word18 next_point{0020000};  // parameter: next mode point
 constexpr std::uint32_t point_y = 0220000;

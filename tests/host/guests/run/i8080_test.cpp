@@ -230,6 +230,25 @@ TEST(RunI8080, WhatThePlotterDrawsIsJoinedByStep) {
   EXPECT_TRUE(left.machine->warnings().empty());
 }
 
+// A program for CP/M without CP/M: its call of 5 runs through the empty bytes up to 0100.
+TEST(RunI8080, WarnsOnceOfMemoryThatIsEmpty) {
+  const auto warnings = [](bool cpm) {
+    MachineRun setup = run_of("BEGIN: MVI C,11\n  CALL 5\n  JMP BEGIN\n");
+    if (cpm) setup.set("--cpm");
+    auto ready = setup.prepared();
+    if (!ready) return std::vector<std::string>{ready.error().message};
+    std::vector<std::string> texts;
+    for (int slice = 0; slice < 20; ++slice) {
+      EXPECT_FALSE(ready->machine->run({}, true).has_value());
+      for (const std::string& text : ready->machine->take_early_warnings()) texts.push_back(text.substr(text.find(':')));
+    }
+    return texts;
+  };
+  EXPECT_EQ(warnings(false), std::vector<std::string>{": executes memory that is empty: nothing was loaded there; --cpm gives a CP/M program "
+                                                      "its system"});
+  EXPECT_EQ(warnings(true), std::vector<std::string>{});
+}
+
 TEST(RunI8080, Dump) {
   const Left left = run_of("  HLT\n")
                         .set("--set", "SP=FEDC")

@@ -46,7 +46,7 @@ std::string busy_core(unsigned interrupts = 0777766) {
          // DAC 202, CLC, DAC 7, CLON, LAC 203, IDLA, ISZ 201, SKP, HLT, LAC 202, ION, JMP I 0
          words_at(0300, {0040202, 0750001, 0040007, 0700044, 0200203, 0700606, 0440201, 0741000, 0740040,
                          0200202, 0700042, 0620000}) +
-         // Scale 1, intensity 7; y 400; x 400, lit; a vector of 100 to the right, lit; stop, without
+         // Scale 0, intensity 7; y 400; x 400, lit; a vector of 100 to the right, lit; stop, without
          // interrupt.
          words_at(0400, {0020117, 0220400, 0102400, 0600100, 0002000});
 }
@@ -67,6 +67,30 @@ TEST(RunPdp7, WarnsOnceWhileItRuns) {
   EXPECT_FALSE(machine.run({}, true).has_value());
   EXPECT_TRUE(machine.take_early_warnings().empty());
   EXPECT_TRUE(machine.warnings().empty());
+}
+
+// 0 is CAL, which goes on at 21; nothing was loaded there or says where the program begins.
+TEST(RunPdp7, WarnsOnceOfMemoryThatIsEmpty) {
+  const auto warnings = [](std::string_view core, std::string_view start) {
+    MachineRun setup = run_of(core);
+    if (!start.empty()) setup.set("--start", start);
+    auto ready = setup.prepared();
+    if (!ready) return std::vector<std::string>{ready.error().message};
+    std::vector<std::string> texts;
+    for (int slice = 0; slice < 3; ++slice) {
+      EXPECT_FALSE(ready->machine->run({}, true).has_value());
+      for (const std::string& text : ready->machine->take_early_warnings()) texts.push_back(text);
+    }
+    EXPECT_TRUE(ready->machine->warnings().empty());
+    return texts;
+  };
+  const std::string empty = "PC 00021: executes memory that is empty: nothing was loaded there";
+  EXPECT_EQ(warnings(words_at(0100, {0600100}), ""), std::vector<std::string>{empty + "; --start names where the program begins"});
+  EXPECT_EQ(warnings(words_at(0100, {0740000}), "100"), std::vector<std::string>{empty});
+  // LAC 103, DAC 200, JMP 200, where it has put itself: JMP 200.
+  EXPECT_EQ(warnings(words_at(0100, {0200103, 0040200, 0600200, 0600200}), "100"), std::vector<std::string>{});
+  // A 0 that was loaded: CAL, and at 21 CAL again.
+  EXPECT_EQ(warnings(words_at(020, {0, 0}), "20"), std::vector<std::string>{});
 }
 
 // A state that is refused leaves the machine without a display if it had none.
