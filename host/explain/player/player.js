@@ -269,7 +269,7 @@ function drawWords(context, words, width, height, colours, paper) {
   for (const {text, look, centred, x, y} of words) {
     const wide = context.measureText(text).width;
     const places = (centred ? [0, 1, -1, 2, -2].map(n => [x - wide / 2, y + n * line])
-      : [[x + 5, y - line / 2], [x - 5 - wide, y - line / 2], [x + 5, y + line / 2], [x - 5 - wide, y + line / 2]])
+      : [-1, 1, 3, -3, 5, -5, 7, -7].flatMap(n => [[x + 5, y + n * line / 2], [x - 5 - wide, y + n * line / 2]]))
       .map(([left, middle]) => [Math.max(2, Math.min(width - wide - 2, left)), Math.max(line / 2, Math.min(height - line / 2, middle))]);
     if (taken.some(other => other.x === x && other.y === y && (other.text === text || look === 'plain'))) continue;
     const free = places.find(([left, middle]) => !taken.some(other =>

@@ -324,6 +324,31 @@ TEST(Lessons, OfATurnAreOfTheExactPicture) {
   }
 }
 
+// The chart explains the colours of the groups of events that there are, as many as the caption counts.
+TEST(Lessons, OfATurnExplainTheEventsThatOccur) {
+  std::size_t with_less = 0;
+  for (const char* const name : {"house", "boxes-2", "boxes-3", "triangles-8"}) {
+    const scene::LoadedScene source = loaded(name);
+    const auto lesson = explain_scene(*find_explainer("plantinga"), source, source.scene.camera);
+    ASSERT_TRUE(lesson) << name;
+    for (const Step& step : lesson->steps) {
+      if (!step.caption.starts_with("The event list of a full turn")) continue;
+      const bool edge_on = step.caption.find("at 0 events a face") == std::string::npos;
+      const bool vertices = step.caption.find("at 0 a vertex") == std::string::npos;
+      const bool three = step.caption.find("at 0 three edges") == std::string::npos;
+      std::string shown;
+      for (const Layer& layer : step.changes)
+        if (layer.name == "legend")
+          for (const Mark& mark : layer.marks) shown += mark.text + '\n';
+      EXPECT_EQ(shown.find("plane edge-on") != std::string::npos, edge_on) << name << shown;
+      EXPECT_EQ(shown.find("EV: ") != std::string::npos, vertices) << name << shown;
+      EXPECT_EQ(shown.find("EEE: ") != std::string::npos, three) << name << shown;
+      with_less += edge_on && vertices && three ? 0 : 1;
+    }
+  }
+  EXPECT_GT(with_less, 0U);
+}
+
 // The picture is the camera's, not its mirror image, whichever way its right, up and forward turn.
 TEST(Lessons, OfATurnAreNotMirrored) {
   for (const char* const name : {"house", "boxes-3"}) {
