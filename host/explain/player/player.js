@@ -274,7 +274,7 @@ function drawWords(context, words, width, height, colours, paper) {
     if (taken.some(other => other.x === x && other.y === y && (other.text === text || look === 'plain'))) continue;
     const free = places.find(([left, middle]) => !taken.some(other =>
       left < other.left + other.wide + 3 && other.left < left + wide + 3 && Math.abs(middle - other.middle) < line));
-    if (!free && (look === 'plain' || look === 'faint')) continue;
+    if (!free && (look === 'plain' || look === 'faint' || (!centred && look !== 'now'))) continue;
     const [left, middle] = free ?? places[0];
     taken.push({text, x, y, left, middle, wide});
     context.strokeStyle = paper;
