@@ -106,7 +106,16 @@ std::optional<std::string> explain_unknown(const CLI::App& app) {
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   if (const auto unknown = explain_unknown(app)) return *unknown;
-  const CLI::App& command = *way_to_subcommand(app).back();
+  const auto way = way_to_subcommand(app);
+  const CLI::App& command = *way.back();
+  // `explain house jones`: the subcommand is found behind the words that should follow it.
+  if (way.size() > 2 && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    const CLI::App& parent = *way[way.size() - 2];
+    const auto before = parent.remaining();
+    if (!before.empty() && !is_option(before.front()))
+      return fmt::format("found \"{}\" before {}, expected it behind, as in `{} {} {}`", before.front(), command.get_name(), parent.get_name(),
+                         command.get_name(), before.front());
+  }
   // The library only says that a subcommand is required.
   if (!choices(command).empty())
     return "found no more arguments, expected one of " + base::joined(names_of(choices(command)), ", ");

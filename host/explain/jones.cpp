@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/algorithms/jones/sight_plane.hpp"
 #include "host/algorithms/jones/trace.hpp"
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/explain/stage.hpp"
@@ -21,6 +22,8 @@ using Planes = std::vector<std::array<double, 4>>;
 constexpr std::size_t plan = 1;
 // Of a scene with more cells than this only those that a caption names have a number in plan.
 constexpr std::size_t most_numbered_cells = 40;
+// Of more portals that are turned away a caption names these only.
+constexpr std::size_t most_named_portals = 8;
 
 // Where three planes meet; false if they do not meet in one point.
 bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
@@ -34,6 +37,16 @@ bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const 
   return true;
 }
 
+// "Portal 3 is", "Portals 3 and 5 are", "Portals 3, 5 and 7 are", without the verb.
+std::string names_of(const std::vector<std::uint32_t>& portals) {
+  const std::size_t named = std::min(portals.size(), most_named_portals);
+  std::string text = portals.size() == 1 ? "Portal " : "Portals ";
+  for (std::size_t i = 0; i < named; ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : i + 1 == portals.size() ? " and " : ", ", portals[i]);
+  if (named < portals.size()) text += fmt::format(" and {} more", portals.size() - named);
+  return text;
+}
+
 // What is no portal between cells, but a way out of the scene.
 bool leads_outside(const scene::ComplexOpening& opening) {
   return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
@@ -42,22 +55,34 @@ bool leads_outside(const scene::ComplexOpening& opening) {
 class JonesTeller final : public algorithms::jones::Trace {
  public:
   JonesTeller(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
-      : complex_(complex), stage_(stage), ground_(ground), steps_(steps), eye_(space(camera.eye)), perspective_(camera.perspective) {
+      : complex_(complex), stage_(stage), ground_(ground), steps_(steps), sight_(camera), eye_(space(camera.eye)), perspective_(camera.perspective) {
     count();
   }
 
+  [[nodiscard]] bool enough() const override { return steps_.full(); }
+
   void start(std::span<const scene::CellNumber> cells, bool outside) override {
     outside_ = outside;
-    if (perspective_) steps_.add(outside ? "The eye is outside all cells: the search begins with the portals in the outer walls."
-                                         : fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front()),
-                                 "Fig. 4 and 5, avenues of sight", {{plan, "eye", {dot(Look::now, ground_.at(eye_))}},
+    waiting_.assign(cells.begin(), cells.end());
+    std::vector<Mark> eye = ground_.arrow();
+    if (perspective_) eye.push_back(dot(Look::now, ground_.at(eye_)));
+    std::string where;
+    if (outside) {
+      where = fmt::format("{}: the search begins with the portals in the outer walls that face the eye.",
+                          perspective_ ? "The eye is outside all cells" : "In parallel projection the eye is outside, infinitely far away");
+    } else {
+      where = fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front());
+    }
+    steps_.add(std::move(where), "Fig. 4 and 5, avenues of sight", {{plan, "eye", std::move(eye)},
                                   {plan, "numbers", outside ? std::vector<Mark>() : numbers({cells.front()})}});
   }
 
   void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) override {
-    flush_lines();
-    waiting_.erase(std::remove(waiting_.begin(), waiting_.end(), cell), waiting_.end());
-    cell_ = cell;
+    flush();
+    const bool chosen = waiting_.size() > 1;
+    // A cell may wait more than once, each time with another mask.
+    if (const auto last = std::find(waiting_.rbegin(), waiting_.rend(), cell); last != waiting_.rend()) waiting_.erase(std::next(last).base());
+    const scene::CellNumber left = std::exchange(cell_, cell);
     in_cell_ = true;
     visited_.insert(cell);
     ++visits_;
@@ -74,31 +99,22 @@ class JonesTeller final : public algorithms::jones::Trace {
     const std::string seen = passed == 0 ? "It is seen as a whole"
                                          : fmt::format("It is {} portal{} from the eye and is seen through the mask only", passed, passed == 1 ? "" : "s");
     const std::size_t lines = complex_.lines_of(complex_.cells[cell]).size();
-    steps_.add(fmt::format("Cell {} is entered. {}. It has {} line{} and {} portal{} to other cells.", cell, seen, lines, lines == 1 ? "" : "s",
-                           portals, portals == 1 ? "" : "s"),
-               "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(here)},
-                                                     {image, "portal", {}},
-                                                     {image, "line", {}},
-                                                     {image, "numbers", label_in_image_},
-                                                     {plan, "portal", {}},
-                                                     {plan, "cells", cells()},
-                                                     {plan, "numbers", numbers({cell})}});
+    std::vector<Layer> changes{{image, "mask", std::move(here)}, {image, "portal", {}}, {image, "line", {}}, {image, "numbers", label_in_image_},
+                               {plan, "portal", {}}, cell_in_plan(cell), {plan, "numbers", numbers({cell})}};
+    if (left != cell) changes.push_back(cell_in_plan(left));
+    steps_.add(fmt::format("Cell {} is entered. {}{}. It has {} line{} and {} portal{} to other cells.", cell,
+                           chosen ? "Of the cells that wait the last one comes first. " : "", seen, lines, lines == 1 ? "" : "s", portals,
+                           portals == 1 ? "" : "s"),
+               "Fig. 4 and 5, avenues of sight", std::move(changes));
   }
 
   void line(scene::VertexIndex from, scene::VertexIndex to, bool seen, double low, double high) override {
-    ++lines_;
+    ++lines_here_;
+    if (!seen) return;
     const Space a = space(complex_.vertices[from]);
     const Space b = space(complex_.vertices[to]);
-    if (!seen) {
-      ++hidden_;
-      stage_.add_line(now_, Look::hidden, a, b);
-      return;
-    }
-    ++fragments_;
     const auto at = [&](double t) { return Space{a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t}; };
-    if (low > 0) stage_.add_line(now_, Look::hidden, a, at(low));
     stage_.add_line(now_, Look::now, at(low), at(high));
-    if (high < 1) stage_.add_line(now_, Look::hidden, at(high), b);
     stage_.add_line(seen_, Look::seen, at(low), at(high));
     ++pieces_here_;
   }
@@ -106,30 +122,21 @@ class JonesTeller final : public algorithms::jones::Trace {
   void portal(std::uint32_t number, scene::CellNumber beyond, PortalTest result, std::span<const Plane> mask) override {
     flush_lines();
     if (result == PortalTest::faces_away) {
-      ++turned_away_;
+      (sight_.eye_value(complex_.planes[complex_.openings[number].plane]) == 0 ? edge_on_ : turned_away_).push_back(number);
       return;
     }
-    ++portals_;
     count();
-    const std::vector<Space> corners = corners_of(number);
-    const std::string name = fmt::format("portal {}", number);
-    std::vector<Mark> in_image;
-    stage_.add_area(in_image, Look::other, corners);
-    std::vector<Mark> image_numbers = label_in_image_;
-    stage_.add_label(image_numbers, Look::other, corners, name);
-    std::vector<Mark> in_plan;
-    std::vector<Mark> plan_numbers = in_cell_ ? numbers({cell_, beyond}) : numbers({beyond});
-    std::vector<Point> outline;
-    for (const Space& corner : corners) outline.push_back(ground_.at(corner));
-    if (!outline.empty()) {
-      plan_numbers.push_back(label(Look::other, label_point(outline), name));
-      outline.push_back(outline.front());
-      in_plan.push_back(explain::line(Look::other, std::move(outline)));
-    }
+    PortalMarks marks{{}, label_in_image_, {}, in_cell_ ? numbers({cell_, beyond}) : numbers({beyond})};
+    add_portal(marks, number);
+    auto& [in_image, image_numbers, in_plan, plan_numbers] = marks;
     std::string what;
     switch (result) {
       case PortalTest::faces_away: break;
-      case PortalTest::nothing_left: what = "Clipped to the mask nothing is left of it: the cell beyond is not entered through it."; break;
+      case PortalTest::nothing_left:
+        what = "Clipped to the mask nothing is left of it: the cell beyond is not entered through it.";
+        ++portals_outside_;
+        count();
+        break;
       case PortalTest::waits: {
         what = fmt::format("Clipped to the mask a part with {} sides is left: cell {} waits with it as its mask.", mask.size(), beyond);
         waiting_.push_back(beyond);
@@ -147,19 +154,64 @@ class JonesTeller final : public algorithms::jones::Trace {
                {{image, "portal", std::move(in_image)},
                 {image, "numbers", std::move(image_numbers)},
                 {plan, "portal", std::move(in_plan)},
-                {plan, "cells", cells()},
+                cell_in_plan(beyond),
                 {plan, "numbers", std::move(plan_numbers)}});
   }
 
-  // The lines of a cell are one step.
-  void flush_lines() {
-    if (now_.empty()) return;
+  // The portals of a cell that are not taken are one step, after those that are.
+  void flush() {
+    flush_lines();
+    if (turned_away_.empty() && edge_on_.empty()) return;
+    portals_turned_away_ += turned_away_.size() + edge_on_.size();
     count();
-    const bool any = pieces_here_ != 0;
-    steps_.add(fmt::format("The lines of cell {} are clipped to the mask: {}.", cell_,
-                           any ? fmt::format("{} of them {} seen at least in part, and drawn", pieces_here_, pieces_here_ == 1 ? "is" : "are") : std::string("none is seen")),
-               "Fig. 4 and 5, avenues of sight", {{image, "line", std::exchange(now_, {})}, {image, "seen", seen_}});
-    pieces_here_ = 0;
+    PortalMarks marks{{}, label_in_image_, {}, numbers({cell_})};
+    std::string caption;
+    const auto tell = [&](std::vector<std::uint32_t>& portals, std::string_view one, std::string_view many) {
+      if (portals.empty()) return;
+      std::sort(portals.begin(), portals.end());
+      for (std::size_t i = 0; i < std::min(portals.size(), most_named_portals); ++i) add_portal(marks, portals[i]);
+      caption += fmt::format("{}{} {}.", caption.empty() ? "" : " ", names_of(portals), portals.size() == 1 ? one : many);
+      portals.clear();
+    };
+    tell(turned_away_, "leads back towards the eye: turned away", "lead back towards the eye: turned away");
+    tell(edge_on_, "is seen edge-on, so nothing is seen through it", "are seen edge-on, so nothing is seen through them");
+    steps_.add(std::move(caption), "Fig. 4 and 5, avenues of sight", {{image, "portal", std::move(marks.in_image)},
+                                                     {image, "numbers", std::move(marks.image_numbers)},
+                                                     {plan, "portal", std::move(marks.in_plan)},
+                                                     {plan, "numbers", std::move(marks.plan_numbers)}});
+  }
+
+  // The lines of a cell are one step; from outside, those in the outer walls.
+  void flush_lines() {
+    if (lines_here_ == 0) return;
+    // Lines that the search passes over without a word, because all of them lie beside the mask, count as well.
+    const std::uint64_t all = in_cell_ ? complex_.lines_of(complex_.cells[cell_]).size() : lines_here_;
+    const std::uint64_t outside = all - pieces_here_;
+    lines_outside_ += outside;
+    fragments_ += pieces_here_;
+    count();
+    const std::string drawn = pieces_here_ == 0 ? "none of them is seen"
+                                                : fmt::format("of {} a part or all is in it and drawn", pieces_here_);
+    const std::string rest = outside == 0 || pieces_here_ == 0 ? "" : fmt::format(", {} {} outside", outside, outside == 1 ? "is" : "are");
+    std::vector<Layer> changes{{image, "line", std::exchange(now_, {})}};
+    if (!in_cell_) changes.push_back({image, "mask", {area(Look::mask, stage_.region({}))}});
+    // Each step adds a layer of its own: all that is seen so far in each step would make a lesson as large as its square.
+    if (!seen_.empty()) changes.push_back({image, seen_layer(seen_layers_++), std::exchange(seen_, {})});
+    steps_.add(in_cell_ ? fmt::format("The lines of cell {} are clipped to the mask: {}{}.", cell_, drawn, rest)
+                        : fmt::format("The lines in the outer walls that face the eye are seen without a portal. The mask is the whole image: {}{}.", drawn, rest),
+               "Fig. 4 and 5, avenues of sight", std::move(changes));
+    pieces_here_ = lines_here_ = 0;
+  }
+
+  // The end: no cell is this step's, and the picture is one layer.
+  void finish(std::vector<Mark> seen) {
+    flush();
+    in_cell_ = false;
+    std::vector<Layer> changes{{image, "mask", {}}, {image, "portal", {}}, {image, "line", {}}, {image, "numbers", {}}, {image, "seen", std::move(seen)},
+                               {plan, "portal", {}}, cell_in_plan(cell_), {plan, "numbers", {}}};
+    for (std::size_t n = 0; n < seen_layers_; ++n) changes.push_back({image, seen_layer(n), {}});
+    steps_.add("No cell waits: the picture is complete. Cells that cannot be seen were never entered, so their number costs nothing.",
+               "Fig. 5, avenues of sight", std::move(changes));
   }
 
   // All cells in plan with their numbers, from the beginning; of a scene of many cells none.
@@ -177,6 +229,22 @@ class JonesTeller final : public algorithms::jones::Trace {
   }
 
  private:
+  struct PortalMarks {
+    std::vector<Mark> in_image, image_numbers, in_plan, plan_numbers;
+  };
+  void add_portal(PortalMarks& marks, std::uint32_t number) const {
+    const std::vector<Space> corners = corners_of(number);
+    const std::string name = fmt::format("portal {}", number);
+    stage_.add_area(marks.in_image, Look::other, corners);
+    stage_.add_label(marks.image_numbers, Look::other, corners, name);
+    std::vector<Point> outline;
+    for (const Space& corner : corners) outline.push_back(ground_.at(corner));
+    if (outline.empty()) return;
+    marks.plan_numbers.push_back(label(Look::other, label_point(outline), name));
+    outline.push_back(outline.front());
+    marks.in_plan.push_back(explain::line(Look::other, std::move(outline)));
+  }
+  static std::string seen_layer(std::size_t number) { return fmt::format("seen {}", number + 1); }
   [[nodiscard]] std::array<double, 4> plane_of(std::uint32_t number, bool turned = false) const {
     const geometry::Plane& plane = complex_.planes[number];
     const double sign = turned ? -1 : 1;
@@ -199,17 +267,17 @@ class JonesTeller final : public algorithms::jones::Trace {
     for (const scene::HalfSpace& bound : complex_.bounds_of(complex_.cells[cell])) planes.push_back(plane_of(bound.plane, bound.turned));
     return ground_.region(planes);
   }
-  // All cells in plan: entered, waiting, and this one.
-  [[nodiscard]] std::vector<Mark> cells() const {
-    std::vector<Mark> marks;
-    const auto add = [&](scene::CellNumber cell, Look look) {
-      if (auto outline = outline_in_plan(cell); outline.size() > 2) marks.push_back(area(look, std::move(outline)));
+  // A cell in plan: entered, waiting, and this step's. Each is a layer of its own, so that a step holds only the cells that it changes.
+  [[nodiscard]] Layer cell_in_plan(scene::CellNumber cell) const {
+    Layer layer{plan, name_of(cell), {}};
+    const auto add = [&](Look look) {
+      if (auto outline = outline_in_plan(cell); outline.size() > 2) layer.marks.push_back(area(look, std::move(outline)));
     };
-    for (const scene::CellNumber cell : visited_)
-      if (!in_cell_ || cell != cell_) add(cell, Look::seen);
-    for (const scene::CellNumber cell : waiting_) add(cell, Look::waiting);
-    if (in_cell_) add(cell_, Look::now);
-    return marks;
+    const bool here = in_cell_ && cell == cell_;
+    if (!here && visited_.count(cell) != 0) add(Look::seen);
+    if (std::find(waiting_.begin(), waiting_.end(), cell) != waiting_.end()) add(Look::waiting);
+    if (here) add(Look::now);
+    return layer;
   }
   void add_label_in_plan(std::vector<Mark>& marks, Look look, scene::CellNumber cell, std::string words) const {
     if (const auto outline = outline_in_plan(cell); !outline.empty()) marks.push_back(label(look, label_point(outline), std::move(words)));
@@ -224,18 +292,18 @@ class JonesTeller final : public algorithms::jones::Trace {
     steps_.count("cells of the scene", complex_.cells.size());
     steps_.count("cells entered", visited_.size());
     steps_.count("visits", visits_);
-    steps_.count("portals tested", portals_);
-    steps_.count("portals turned away", turned_away_);
-    steps_.count("masks made", masks_);
-    steps_.count("lines clipped", lines_);
-    steps_.count("hidden wholly", hidden_);
-    steps_.count("fragments drawn", fragments_);
+    steps_.count("portals with a part in the mask", masks_);
+    steps_.count("portals outside the mask", portals_outside_);
+    steps_.count("portals turned away", portals_turned_away_);
+    steps_.count("lines drawn in part or whole", fragments_);
+    steps_.count("lines outside the mask", lines_outside_);
   }
 
   const scene::CellComplex& complex_;
   const ImageStage& stage_;
   const PlanStage& ground_;
   Steps& steps_;
+  algorithms::jones::Sight sight_;
   Space eye_;
   bool perspective_;
   bool outside_ = false;  // the search began with the portals in the outer walls
@@ -244,9 +312,13 @@ class JonesTeller final : public algorithms::jones::Trace {
   std::vector<Mark> label_in_image_;  // of cell_
   std::set<scene::CellNumber> visited_;
   std::vector<scene::CellNumber> waiting_;
+  std::vector<std::uint32_t> turned_away_;  // portals of cell_ that were not told yet
+  std::vector<std::uint32_t> edge_on_;
   std::vector<Mark> now_;
   std::vector<Mark> seen_;
-  std::uint64_t turned_away_ = 0, visits_ = 0, portals_ = 0, masks_ = 0, lines_ = 0, hidden_ = 0, fragments_ = 0, pieces_here_ = 0;
+  std::size_t seen_layers_ = 0;
+  std::uint64_t visits_ = 0, portals_turned_away_ = 0, portals_outside_ = 0, masks_ = 0, lines_outside_ = 0, fragments_ = 0;
+  std::uint64_t lines_here_ = 0, pieces_here_ = 0;
 };
 
 }  // namespace
@@ -262,7 +334,7 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   Lesson lesson{"jones", "Jones 1971: from cell to cell through portals", scene.name, {}, {}};
   const ImageStage stage(scene, camera);
   const PlanStage ground(scene, camera);
-  lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above, the eye looks up the page")};
+  lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above; the arrow is the direction of view")};
   Steps steps(lesson);
   JonesTeller teller(*given, stage, ground, camera, steps);
   const auto& openings = given->openings;
@@ -275,17 +347,9 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
                                                {plan, "all cells", teller.all_cells()}});
   auto view = algorithms::jones::visible_edges(*given, camera, teller);
   if (!view) return std::move(view.error());
-  teller.flush_lines();
   std::vector<Mark> seen;
   for (const auto& piece : view->picture.pieces) stage.add_piece(seen, Look::seen, piece);
-  steps.add("No cell waits: the picture is complete. Cells that cannot be seen were never entered, so their number costs nothing.", "Fig. 5, avenues of sight",
-            {{image, "mask", {}},
-             {image, "portal", {}},
-             {image, "line", {}},
-             {image, "numbers", {}},
-             {plan, "portal", {}},
-             {image, "seen", std::move(seen)},
-             {plan, "numbers", {}}});
+  teller.finish(std::move(seen));
   return lesson;
 }
 

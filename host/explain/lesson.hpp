@@ -89,6 +89,7 @@ struct Lesson {
   std::string scene;
   std::vector<Sheet> sheets;
   std::vector<Step> steps;  // at least one
+  bool cut = false;         // there were more steps than most_steps
 };
 
 // A lesson longer than this ends with a step that says so.

@@ -269,7 +269,7 @@ class PlantingaTeller final : public pl::Trace {
          {circle, "candidates", {}},
          {circle, "found", {}},
          {circle, "events", std::move(dots)},
-         {circle, "legend", legend()},
+         {circle, "legend", legend(of)},
          {circle, "sight", stage_.radius(angle_)}});
     const bool with_views = list.events.size() <= most_events_with_views;
     for (std::size_t n = 0; n < list.events.size() && n < most_events_shown; ++n) {
@@ -545,10 +545,13 @@ class PlantingaTeller final : public pl::Trace {
     return {};
   }
 
-  static std::vector<Mark> legend() {
-    return {text(look_of(Group::edge_on), {-1.24, 1.2}, "plane edge-on"),
-            text(look_of(Group::vertex_and_edge), {-1.24, 1.07}, "EV: a vertex, an edge"),
-            text(look_of(Group::three_edges), {-1.24, 0.94}, "EEE: three edges")};
+  // Of the groups that have an event.
+  static std::vector<Mark> legend(const std::array<std::size_t, 3>& events) {
+    constexpr std::array<std::string_view, 3> words{"plane edge-on", "EV: a vertex, an edge", "EEE: three edges"};
+    std::vector<Mark> marks;
+    for (std::size_t group = 0; group < words.size(); ++group)
+      if (events[group] != 0) marks.push_back(text(look_of(static_cast<Group>(group)), {-1.24, 1.2 - 0.13 * static_cast<double>(marks.size())}, std::string(words[group])));
+    return marks;
   }
 
   [[nodiscard]] std::string name_of(pl::EdgeIndex edge, bool begins) const {

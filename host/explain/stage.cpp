@@ -18,7 +18,7 @@ Space between(const Space& a, const Space& b, double t) {
   return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
 }
 
-constexpr double widest = 1.43;  // the tangent of 55 degrees
+constexpr double widest = 1;  // the tangent of 45 degrees
 
 }  // namespace
 
@@ -42,6 +42,9 @@ ImageStage::ImageStage(const scene::PolyScene& scene, const scene::PolyCamera& c
   for (std::size_t a = 0; a < 2; ++a) {
     low_[a] -= margin;
     high_[a] += margin;
+    if (!camera.perspective) continue;
+    low_[a] = std::max(low_[a], -widest);
+    high_[a] = std::min(high_[a], widest);
   }
 }
 
@@ -189,7 +192,7 @@ Point label_point(const std::vector<Point>& outline, double height) {
   return {(crossings[longest] + crossings[longest + 1]) / 2, y};
 }
 
-PlanStage::PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene) {
+PlanStage::PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& camera) : scene_(scene), camera_(camera) {
   const auto largest = [](const scene::PolyPoint& v, std::size_t besides) {
     std::size_t found = besides == 0 ? 1 : 0;
     for (std::size_t a = 0; a < 3; ++a)
@@ -217,6 +220,26 @@ PlanStage::PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& cam
     low_[a] -= margin;
     high_[a] += margin;
   }
+}
+
+std::vector<Mark> PlanStage::arrow() const {
+  Point along = at(space(camera_.forward));
+  const double length = std::hypot(along[0], along[1]);
+  if (length == 0) return {};  // it looks along the axis of the plan
+  for (double& part : along) part /= length;
+  const double reach = std::max(high_[0] - low_[0], high_[1] - low_[1]) * 0.1;
+  Point from = at(space(camera_.eye));
+  if (!camera_.perspective) {
+    // Where the line through the middle of the sheet enters it.
+    double back = 1e300;
+    for (std::size_t a = 0; a < 2; ++a)
+      if (along[a] != 0) back = std::min(back, (high_[a] - low_[a]) / 2 / std::abs(along[a]));
+    for (std::size_t a = 0; a < 2; ++a) from[a] = (low_[a] + high_[a]) / 2 - along[a] * back;
+  }
+  const auto point = [&](double forward, double left) {
+    return Point{from[0] + reach * (forward * along[0] - left * along[1]), from[1] + reach * (forward * along[1] + left * along[0])};
+  };
+  return {line(Look::now, {from, point(1, 0)}), line(Look::now, {point(0.7, 0.15), point(1, 0), point(0.7, -0.15)})};
 }
 
 Sheet PlanStage::sheet(std::string title) const { return {std::move(title), low_, high_}; }
@@ -252,7 +275,7 @@ void Steps::count(std::string_view name, std::uint64_t value) {
 bool Steps::add(std::string caption, std::string section, std::vector<Layer> changes) {
   if (full_) return false;
   if (lesson_.steps.size() + 1 == most_steps) {
-    full_ = true;
+    full_ = lesson_.cut = true;
     lesson_.steps.push_back({"There are more steps than a lesson has room for: take a smaller scene to see the end.", {}, counts_, {}});
     return false;
   }

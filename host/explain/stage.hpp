@@ -29,7 +29,7 @@ class ImageStage {
  public:
   ImageStage(const scene::PolyScene& scene, const scene::PolyCamera& camera);
 
-  // All of the image, at most 110 degrees of it.
+  // All of the image, in perspective at most 90 degrees of it: the field of Jones's program on the PDP-7.
   [[nodiscard]] Sheet sheet(std::string title) const;
   // Any straight line or plane outline in space, each point joined to the next; empty if all of it is cut off.
   [[nodiscard]] std::vector<Point> line_in_image(const Space& from, const Space& to) const;
@@ -71,7 +71,7 @@ class ImageStage {
   Point high_{};
 };
 
-// The ground from above: the camera's forward is up on the sheet, its right to the right.
+// The ground from above, seen along an axis of the scene: up on the sheet is the axis that is nearest to the camera's forward.
 class PlanStage {
  public:
   PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& camera);
@@ -79,12 +79,15 @@ class PlanStage {
   [[nodiscard]] Sheet sheet(std::string title) const;
   [[nodiscard]] Point at(const Space& p) const { return {across_sign_ * p[across_], along_sign_ * p[along_]}; }
   [[nodiscard]] std::size_t vertical() const { return vertical_; }
+  // An arrow along the camera's forward: from the eye, or in parallel projection into the sheet from its border.
+  [[nodiscard]] std::vector<Mark> arrow() const;
   [[nodiscard]] std::vector<Mark> wire_frame(Look look = Look::faint) const;
   // The part of the sheet where a x + b y + c z <= d for the planes that stand upright; the others are left out.
   [[nodiscard]] std::vector<Point> region(std::span<const std::array<double, 4>> planes) const;
 
  private:
   const scene::PolyScene& scene_;
+  const scene::PolyCamera camera_;
   std::size_t vertical_ = 1;
   std::size_t across_ = 0;
   std::size_t along_ = 2;

@@ -155,7 +155,7 @@ base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prep
 // False if a sight line passes more cells than there are.
 template <class Arithmetic, class Listener>
 bool Search<Arithmetic, Listener>::Pass::walk() {
-  while (!search.waiting_.empty()) {
+  while (!search.waiting_.empty() && !search.listener_.enough()) {
     const Waiting next = search.waiting_.back();
     search.waiting_.pop_back();
     if (next.depth > prepared.complex().cells.size()) return false;

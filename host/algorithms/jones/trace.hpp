@@ -24,6 +24,8 @@ class Trace {
   using Plane = std::array<double, 4>;
 
   virtual ~Trace() = default;
+  // True ends the search before the next cell; the picture is then not complete.
+  [[nodiscard]] virtual bool enough() const { return false; }
   virtual void start(std::span<const scene::CellNumber> cells, bool outside) = 0;
   // The search is in a cell, which it sees within these planes.
   virtual void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) = 0;
@@ -36,6 +38,7 @@ class Trace {
 
 // The listener of a search that nobody watches.
 struct Unwatched {
+  static constexpr bool enough() { return false; }
   template <class Planes>
   void entered(scene::CellNumber, std::uint32_t, const Planes&) {}
   void portal(std::uint32_t, scene::CellNumber, PortalTest) {}
@@ -50,6 +53,8 @@ struct Unwatched {
 class Watched {
  public:
   explicit Watched(Trace& trace) : trace_(&trace) {}
+
+  [[nodiscard]] bool enough() const { return trace_->enough(); }
 
   template <class Planes>
   void entered(scene::CellNumber cell, std::uint32_t depth, const Planes& planes) {

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,8 +11,10 @@
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/app/scene_argument.hpp"
+#include "host/base/progress.hpp"
 #include "host/explain/explain.hpp"
 #include "host/explain/lesson_page.hpp"
+#include "host/scene/heights/read_grid.hpp"
 
 namespace sightline::app {
 namespace {
@@ -35,18 +38,30 @@ void check_name(const std::string& file) {
 void write_lesson(const explain::Lesson& lesson, const std::string& file, Output& output) {
   output.write(std::string_view(is_page(file) ? explain::page_of(lesson) : explain::json_of(lesson) + "\n"));
   output.commit();
-  say_written(file, counted(lesson.steps.size(), "step") + (is_page(file) ? "; open it in a browser" : ""));
+  say_written(file, (lesson.cut ? "cut after " : "") + counted(lesson.steps.size(), "step") + (is_page(file) ? "; open it in a browser" : ""));
+}
+
+// A grid of heights is no scene, but a lesson of skala can be had of it.
+scene::LoadedScene load_scene_of(const explain::Explainer& explainer, const std::string& name, const MeshArguments& mesh) {
+  try {
+    return load_scene(name, mesh);
+  } catch (const Failure&) {
+    if (name == "-" || !scene::load_height_grid(name)) throw;
+    throw Failure(ExitCode::bad_input, fmt::format("{0}: found a grid of heights, expected a scene for {1}; `sightline explain skala {0}` takes it", name, explainer.algorithm));
+  }
 }
 
 ExitCode explain_scene(const explain::Explainer& explainer, const ExplainArguments& arguments) {
   check_name(arguments.file);
   MeshArguments mesh;
   mesh.eye = eye_of(arguments.camera);
-  const scene::LoadedScene source = load_scene(arguments.scene, mesh);
+  const scene::LoadedScene source = load_scene_of(explainer, arguments.scene, mesh);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   Output output(arguments.file);
+  std::optional<base::ProgressClock> clock(fmt::format("making the lesson of {}", explainer.algorithm));
   explain::Lesson lesson = value_of(explain::explain_scene(explainer, source, camera), source.name);
   lesson.scene = source.name;
+  clock.reset();
   write_lesson(lesson, arguments.file, output);
   return ExitCode::ok;
 }

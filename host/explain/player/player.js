@@ -2,8 +2,8 @@
 //
 // The state of a step is the contents of all layers. States are built from the nearest kept one: every 64th is kept.
 //
-// In the address of the page, behind ? or #: step=5, the step shown first; embed=1, the player without the rest of the page, for a frame of
-// another page, and with it from=3 and to=12, the only steps shown.
+// In the address of the page, behind ? or #: step=5, the step shown first; from=3 and to=12, the only steps shown; embed=1, the player without
+// the rest of the page, for a frame of another page.
 
 const LOOKS = {
   faint: ['there for comparison', 1, []], plain: ['of the matter at hand', 1.5, []], now: ['this step', 2.5, []],
@@ -15,7 +15,7 @@ const KEPT = 64;
 // Drawn in this order, so that what a step is about is not under what was there before.
 const ORDER = ['faint', 'mask', 'plain', 'hidden', 'waiting', 'seen', 'other', 'now'];
 
-const asked = name => new URLSearchParams(location.search).get(name) ?? new RegExp(`[#&?]${name}=([^&]*)`).exec(location.hash)?.[1] ?? null;
+const asked = name => new RegExp(`[#&?]${name}=([^&]*)`).exec(location.hash)?.[1] ?? new URLSearchParams(location.search).get(name);
 
 // Whether the page is a frame of another one. The style sheet leaves out all but the player.
 const embedded = asked('embed') === '1';
@@ -23,7 +23,7 @@ document.documentElement.classList.toggle('embed', embedded);
 
 // A step that the address asks for, counted from 0; a sentence in `notes` if it cannot be had.
 function stepAsked(name, otherwise, length, notes) {
-  const text = embedded ? asked(name) : null;
+  const text = asked(name);
   if (text === null) return otherwise;
   if (!/^\d+$/.test(text)) {
     notes.push(`${name}=${text.slice(0, 20)} is ignored: expected the number of a step, from 1 to ${length}.`);
@@ -40,7 +40,8 @@ export function releaseKeys(element) {
   element.addEventListener('pointerup', event => { if (event.target.type === 'range') event.target.blur(); });
 }
 
-export function makePlayer(root, lesson) {
+// `moved` is called when the player rests on another step, never many times a second; with `addressed` the address says which is the first.
+export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = {}) {
   const notes = [];
   let first = stepAsked('from', 0, lesson.steps.length, notes);
   let last = stepAsked('to', lesson.steps.length - 1, lesson.steps.length, notes);
@@ -48,6 +49,7 @@ export function makePlayer(root, lesson) {
     [first, last] = [last, first];
     notes.push(`from comes after to: steps ${first + 1} to ${last + 1} are shown.`);
   }
+  const begin = Math.max(first, Math.min(last, addressed ? stepAsked('step', first, lesson.steps.length, notes) : first));
   const states = new Map();
   const order = lesson.sheets.map(() => []);
   for (const step of lesson.steps)
@@ -126,8 +128,9 @@ export function makePlayer(root, lesson) {
   root.replaceChildren(player);
   releaseKeys(player);
 
-  let at = first;
+  let at = begin;
   let timer = 0;
+  let settling = 0;
 
   function pause() {
     clearTimeout(timer);
@@ -147,7 +150,12 @@ export function makePlayer(root, lesson) {
     }, 1000 / Number(pace.value));
   }
   function show(n) {
+    const before = at;
     at = Math.max(first, Math.min(last, n));
+    if (at !== before) {
+      clearTimeout(settling);
+      settling = setTimeout(() => moved(at), 200);
+    }
     const step = lesson.steps[at];
     slider.value = at;
     place.textContent = last - first + 1 === lesson.steps.length ? `${at + 1} of ${lesson.steps.length}` : `${at + 1} (${first + 1} to ${last + 1} of ${lesson.steps.length})`;
@@ -173,7 +181,8 @@ export function makePlayer(root, lesson) {
     const whole = document.documentElement.scrollHeight <= innerHeight + 1;
     const forward = () => show(at + 1);
     const back = () => show(at - 1);
-    const act = {ArrowRight: forward, ArrowLeft: back, Home: () => show(first), End: () => show(last), ...(whole ? {PageDown: forward, PageUp: back} : {}),
+    const stop = act => () => { pause(); act(); };
+    const act = {ArrowRight: stop(forward), ArrowLeft: stop(back), Home: stop(() => show(first)), End: stop(() => show(last)), ...(whole ? {PageDown: stop(forward), PageUp: stop(back)} : {}),
       ...(target.matches?.('button, summary, input[type=checkbox]') ? {} : {' ': toggle})}[event.key];
     act?.();
     return Boolean(act);
@@ -182,11 +191,10 @@ export function makePlayer(root, lesson) {
   // Not at once: to draw changes the layout, and the browser calls it an error when sizes change while their observers are told of them.
   const observer = new ResizeObserver(() => requestAnimationFrame(draw));
   canvases.forEach(canvas => observer.observe(canvas));
-  const wanted = asked('step');
-  show(wanted === null ? first : parseInt(wanted, 10) - 1 || 0);
+  show(begin);
   return {
-    show, key, pause, get step() { return at; }, length: lesson.steps.length,
-    stop() { pause(); observer.disconnect(); },
+    show, key, pause, get step() { return at; }, first, length: lesson.steps.length,
+    stop() { pause(); clearTimeout(settling); observer.disconnect(); },
   };
 }
 
@@ -217,7 +225,7 @@ function drawSheet(canvas, sheet, layers, colours, cut) {
   const words = [];
   context.save();
   context.beginPath();
-  context.rect(X(sheet.low[0]) - margin, Y(sheet.high[1]) - margin, sx * (sheet.high[0] - sheet.low[0]) + 2 * margin, sy * (sheet.high[1] - sheet.low[1]) + 2 * margin);
+  context.rect(X(sheet.low[0]) - 1, Y(sheet.high[1]) - 1, sx * (sheet.high[0] - sheet.low[0]) + 2, sy * (sheet.high[1] - sheet.low[1]) + 2);
   if (cut) context.clip();
   for (const look of ORDER) {
     const [, thickness, dashes] = LOOKS[look];
@@ -262,12 +270,12 @@ function drawWords(context, words, width, height, colours, paper) {
   for (const {text, look, centred, x, y} of words) {
     const wide = context.measureText(text).width;
     const places = (centred ? [0, 1, -1, 2, -2].map(n => [x - wide / 2, y + n * line])
-      : [[x + 5, y - line / 2], [x - 5 - wide, y - line / 2], [x + 5, y + line / 2], [x - 5 - wide, y + line / 2]])
+      : [-1, 1, 3, -3, 5, -5, 7, -7].flatMap(n => [[x + 5, y + n * line / 2], [x - 5 - wide, y + n * line / 2]]))
       .map(([left, middle]) => [Math.max(2, Math.min(width - wide - 2, left)), Math.max(line / 2, Math.min(height - line / 2, middle))]);
     if (taken.some(other => other.x === x && other.y === y && (other.text === text || look === 'plain'))) continue;
     const free = places.find(([left, middle]) => !taken.some(other =>
       left < other.left + other.wide + 3 && other.left < left + wide + 3 && Math.abs(middle - other.middle) < line));
-    if (!free && (look === 'plain' || look === 'faint')) continue;
+    if (!free && (look === 'plain' || look === 'faint' || (!centred && look !== 'now'))) continue;
     const [left, middle] = free ?? places[0];
     taken.push({text, x, y, left, middle, wide});
     context.strokeStyle = paper;

@@ -82,12 +82,21 @@ TEST_F(ExplainCommand, HeightsFromAnExpression) {
 TEST_F(ExplainCommand, SaysWhatIsWrong) {
   expect_failure({"exact", "house", "-o", "steps.txt"}, 2, "ends in .json or .html, or - for JSON");
   expect_failure({"exact", "house"}, 2, "--output is required");
+  expect_failure({"house", "jones", "-o", "steps.json"}, 2, "found \"house\" before jones, expected it behind, as in `explain jones house`");
   expect_failure({"exact", "no_such_scene", "-o", "steps.json"}, 5, "no_such_scene: no such file");
   expect_failure({"exact", "house", "-o", "no/such/folder/steps.json"}, 5, "no/such/folder/steps.json");
   expect_failure({"nothing", "house", "-o", "steps.json"}, 2, "exact, jones, skala, montani-re, willis, plantinga");
   expect_failure({"exact", "house", "--orthographic", "0,0,0", "-o", "steps.json"}, 2, "--orthographic");
   expect_failure({"skala", "no_such_function", "-o", "steps.json"}, 5, "no function of that name");
   expect_failure({"skala", "sinc", "--elevate", "91", "-o", "steps.json"}, 2, "--elevate");
+}
+
+TEST_F(ExplainCommand, SendsAGridToSkala) {
+  write("hills.csv", "1,2,3\n4,5,6\n7,8,9\n");
+  const Ran ran = sightline({"explain", "jones", "hills.csv", "-o", "steps.json"});
+  EXPECT_EQ(ran.exit_code, 4);
+  EXPECT_TRUE(has(ran.err, "hills.csv: found a grid of heights, expected a scene for jones; `sightline explain skala hills.csv` takes it")) << ran.err;
+  EXPECT_EQ(sightline({"explain", "skala", "hills.csv", "-o", "steps.json"}).exit_code, 0);
 }
 
 TEST_F(ExplainCommand, ALessonThatCannotBeLeavesNoFile) {

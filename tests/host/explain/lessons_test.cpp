@@ -1,6 +1,8 @@
 // Laws of every lesson, on scenes of every kind.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
@@ -151,6 +153,142 @@ TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
   }
 }
 
+// The state of house at the end of Jones's lesson: no cell waits and none is the step's. On the way every portal that a visit meets is in one
+// count and no other, and a step names those that lead back towards the eye.
+TEST(Lessons, OfJonesTellEveryPortalOnce) {
+  for (const std::string name : {"house", "street4", "boxes-3"}) {
+    const scene::LoadedScene source = loaded(name);
+    const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
+    ASSERT_TRUE(lesson) << name;
+    std::uint64_t portals = 0, told = 0, named_away = 0;
+    std::vector<std::size_t> waiting;
+    for_each_state(*lesson, 1, [&](const Step& step, std::map<std::string, std::vector<Mark>>& layers) {
+      const auto number_before = [&](std::string_view words) {
+        const std::size_t end = step.caption.find(words);
+        return end == std::string::npos ? 0UL : std::stoul(step.caption.substr(step.caption.rfind(' ', end - 1) + 1));
+      };
+      portals += number_before(" portals to other cells");
+      told = count_of(step, "portals with a part in the mask") + count_of(step, "portals outside the mask") + count_of(step, "portals turned away");
+      if (step.caption.find("turned away.") != std::string::npos) ++named_away;
+      waiting.push_back(0);
+      for (const auto& [layer, marks] : layers) {
+        for (const Mark& mark : marks) {
+          if (mark.kind != Mark::Kind::area) continue;
+          waiting.back() += mark.look == Look::waiting ? 1 : 0;
+          if (&step == &lesson->steps.back()) {
+            EXPECT_EQ(mark.look, Look::seen) << name << ": " << layer << " at the end";
+          }
+        }
+      }
+    });
+    EXPECT_EQ(waiting.back(), 0U) << name;
+    if (name == "boxes-3") continue;  // the eye is outside
+    EXPECT_EQ(told, portals) << name;
+    EXPECT_GT(named_away, 1U) << name;
+    EXPECT_GT(*std::max_element(waiting.begin(), waiting.end()), 1U) << name;
+  }
+  // By hand, from the plan of the house: from cell 1 the doors to cells 0 and 2 lead back, and both other rooms wait after cell 0.
+  const scene::LoadedScene house = loaded("house");
+  const auto lesson = explain_scene(*find_explainer("jones"), house, house.scene.camera);
+  std::size_t last_first = 0;
+  for (std::size_t n = 0; n < lesson->steps.size(); ++n) {
+    if (lesson->steps[n].caption.find("Of the cells that wait the last one comes first") == std::string::npos) continue;
+    ++last_first;
+    EXPECT_TRUE(lesson->steps[n].caption.starts_with("Cell 1 is entered.")) << lesson->steps[n].caption;
+    EXPECT_EQ(lesson->steps[n + 2].caption, "Portals 0 and 2 lead back towards the eye: turned away.");
+  }
+  EXPECT_EQ(last_first, 1U);
+}
+
+// Whatever a step of lines draws lies within the mask of its step, and the sheet is the field of the program on the PDP-7: 90 degrees.
+TEST(Lessons, OfJonesDrawLinesWithinTheMask) {
+  for (const std::string name : {"house", "street4"}) {
+    const scene::LoadedScene source = loaded(name);
+    const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
+    ASSERT_TRUE(lesson) << name;
+    EXPECT_EQ(lesson->sheets[0].low, (Point{-1, -1})) << name;
+    EXPECT_EQ(lesson->sheets[0].high, (Point{1, 1})) << name;
+    std::size_t drawn = 0;
+    for_each_state(*lesson, 0, [&](const Step& step, std::map<std::string, std::vector<Mark>>& layers) {
+      if (step.caption.find("clipped to the mask: ") == std::string::npos) return;
+      if (layers["mask"].empty()) return;  // beside the sheet
+      const std::vector<Point>& mask = layers["mask"].front().points;
+      double area = 0;
+      for (std::size_t i = 0; i < mask.size(); ++i) {
+        const Point& p = mask[i];
+        const Point& q = mask[(i + 1) % mask.size()];
+        area += p[0] * q[1] - q[0] * p[1];
+      }
+      for (const Mark& mark : layers["line"]) {
+        EXPECT_EQ(mark.look, Look::now) << name << ": " << step.caption;
+        ++drawn;
+        if (lesson->sheets[0].low == *std::min_element(mask.begin(), mask.end())) continue;  // the sheet bounds it, not the mask
+        for (const Point& at : mark.points)
+          for (std::size_t i = 0; i < mask.size(); ++i) {
+            const Point& p = mask[i];
+            const Point& q = mask[(i + 1) % mask.size()];
+            // The border of the sheet is no side of the mask.
+            if ((p[0] == q[0] && std::abs(p[0]) == 1) || (p[1] == q[1] && std::abs(p[1]) == 1)) continue;
+            const double left = (q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0]);
+            EXPECT_GE(area > 0 ? left : -left, -1e-9) << name << ": " << step.caption;
+          }
+      }
+    });
+    EXPECT_GT(drawn, 30U) << name;
+  }
+}
+
+// With the eye outside the lines in the outer walls have a mask, and no cell is named before one is entered.
+TEST(Lessons, OfJonesFromOutsideHaveAMaskFirst) {
+  const scene::LoadedScene source = loaded("house");
+  const auto lesson = explain_scene(*find_explainer("jones"), source, parallel());
+  ASSERT_TRUE(lesson);
+  bool entered = false, mask = false;
+  std::size_t outer = 0;
+  for (const Step& step : lesson->steps) {
+    for (const Layer& layer : step.changes)
+      if (layer.sheet == 0 && layer.name == "mask") mask = !layer.marks.empty();
+    entered |= step.caption.find(" is entered.") != std::string::npos;
+    if (step.caption.find("lines ") == std::string::npos || entered) continue;
+    EXPECT_EQ(step.caption.find("ines of cell"), std::string::npos) << step.caption;
+    if (step.caption.starts_with("The lines in the outer walls")) {
+      ++outer;
+      EXPECT_TRUE(mask);
+    }
+  }
+  EXPECT_EQ(outer, 1U);
+}
+
+// The arrow of the plan is the direction of view, whichever axis is up the sheet.
+TEST(PlanStage, HasAnArrowInTheDirectionOfView) {
+  const scene::PolyScene scene = loaded("boxes-3").scene;
+  for (const bool perspective : {true, false}) {
+    const scene::PolyCamera camera{perspective, {10, 20, 30}, {70, 0, 71}, {71, 0, -70}, {0, 1, 0}};
+    const PlanStage ground(scene, camera);
+    const auto arrow = ground.arrow();
+    ASSERT_EQ(arrow.size(), 2U);
+    const Point& from = arrow[0].points[0];
+    const Point& to = arrow[0].points[1];
+    const Point ahead = ground.at({10 + 70, 20, 30 + 71});
+    const Point eye = ground.at({10, 20, 30});
+    const double across = (to[0] - from[0]) * (ahead[1] - eye[1]) - (to[1] - from[1]) * (ahead[0] - eye[0]);
+    EXPECT_NEAR(across, 0, 1e-6);
+    EXPECT_GT((to[0] - from[0]) * (ahead[0] - eye[0]) + (to[1] - from[1]) * (ahead[1] - eye[1]), 0);
+    if (perspective) {
+      EXPECT_EQ(from, eye);
+    }
+  }
+}
+
+// A lesson that has no room for more ends the search there, and says so.
+TEST(Lessons, OfJonesEndWhereTheyAreTooMany) {
+  const scene::LoadedScene source = loaded("boxes-40");
+  const auto lesson = explain_scene(*find_explainer("jones"), source, source.scene.camera);
+  ASSERT_TRUE(lesson);
+  EXPECT_EQ(lesson->cut, lesson->steps.size() == most_steps);
+  EXPECT_TRUE(lesson->cut);
+}
+
 // A lesson of a turn begins and ends with the picture of `exact`, and passes every event once.
 TEST(Lessons, OfATurnAreOfTheExactPicture) {
   for (const char* const name : {"house", "roberts", "boxes-4", "triangles-8"}) {
@@ -184,6 +322,31 @@ TEST(Lessons, OfATurnAreOfTheExactPicture) {
           EXPECT_GE(count_of(lesson->steps[i], count.name), count_of(lesson->steps[i - 1], count.name)) << name << ", step " << i;
       }
   }
+}
+
+// The chart explains the colours of the groups of events that there are, as many as the caption counts.
+TEST(Lessons, OfATurnExplainTheEventsThatOccur) {
+  std::size_t with_less = 0;
+  for (const char* const name : {"house", "boxes-2", "boxes-3", "triangles-8"}) {
+    const scene::LoadedScene source = loaded(name);
+    const auto lesson = explain_scene(*find_explainer("plantinga"), source, source.scene.camera);
+    ASSERT_TRUE(lesson) << name;
+    for (const Step& step : lesson->steps) {
+      if (!step.caption.starts_with("The event list of a full turn")) continue;
+      const bool edge_on = step.caption.find("at 0 events a face") == std::string::npos;
+      const bool vertices = step.caption.find("at 0 a vertex") == std::string::npos;
+      const bool three = step.caption.find("at 0 three edges") == std::string::npos;
+      std::string shown;
+      for (const Layer& layer : step.changes)
+        if (layer.name == "legend")
+          for (const Mark& mark : layer.marks) shown += mark.text + '\n';
+      EXPECT_EQ(shown.find("plane edge-on") != std::string::npos, edge_on) << name << shown;
+      EXPECT_EQ(shown.find("EV: ") != std::string::npos, vertices) << name << shown;
+      EXPECT_EQ(shown.find("EEE: ") != std::string::npos, three) << name << shown;
+      with_less += edge_on && vertices && three ? 0 : 1;
+    }
+  }
+  EXPECT_GT(with_less, 0U);
 }
 
 // The picture is the camera's, not its mirror image, whichever way its right, up and forward turn.

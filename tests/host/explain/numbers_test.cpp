@@ -36,7 +36,7 @@ Lesson lesson_of(const std::string& algorithm, const std::string& name) {
 // "cell 3", "portal 5", "face 7", "surface 12", and of an edge and a vertex the number alone: as the reader finds them in a caption.
 std::set<std::string> named_in(const std::string& caption) {
   static const std::regex thing(R"(\b(cell|portal|face|surface) (\d+))", std::regex::icase);
-  static const std::regex things(R"(\b(face|surface)s (\d+)(?: and |, )(\d+))", std::regex::icase);
+  static const std::regex things(R"(\b(face|surface|portal)s (\d+)(?: and |, )(\d+))", std::regex::icase);
   static const std::regex vertex(R"(\bvertex (\d+))", std::regex::icase);
   static const std::regex edge(R"(\bedge (\d+)-(\d+))", std::regex::icase);
   static const std::regex from_to(R"(\bedge from (\d+) to (\d+))", std::regex::icase);

@@ -21,6 +21,7 @@ const WALK = [
   ['left', 'ArrowLeft'], ['right', 'ArrowRight'], ['up', 'u'], ['down', 'd'],
   ['in', 'ArrowUp'], ['out', 'ArrowDown'], ['bigger', '+'], ['smaller', '-'],
 ];
+const ARROWS = {ArrowLeft: '\u2190', ArrowRight: '\u2192', ArrowUp: '\u2191', ArrowDown: '\u2193'};
 
 // What to try of an example.
 const TRY = {
@@ -96,11 +97,12 @@ export class Pdp7Room {
       element('div', {className: 'desk'},
         this.message,
         group('Program', this.programs),
-        this.walk = group('Walk: hold a switch, or its key', this.walkPad()), this.turning.group,
+        this.walk = group('Walk: hold a switch, or its key', this.walkPad(),
+          button('Back to the start', () => { o.switches = 0; this.restart(); }, 'Back to the start: the program begins again, from the place where the walk began')), this.turning.group,
         fold('Options', speed, this.glow,
           this.eae = check('EAE: multiply and divide in hardware', o.eae, set('eae'), 'The extended arithmetic element, an option of the PDP-7. Without it the program multiplies and divides by subroutines, and is slower.'),
           this.stereo = check('Stereo pair', o.stereo, set('stereo'), 'Two pictures side by side, one for each eye'),
-          this.redCyan = check('Pair as red and cyan', o.redCyan, value => { o.redCyan = value; this.drawGlass(); }, 'The two pictures of a stereo pair over each other, for red and cyan glasses'),
+          this.redCyan = check('Pair as red and cyan', o.redCyan, value => this.showRedCyan(value), 'The two pictures of a stereo pair over each other, for red and cyan glasses'),
           this.immediate = check('Lines at once', o.immediate, set('immediate'), 'Each line is shown as soon as it is computed, not the whole view when it is complete'),
           this.scale = field('Scale at the start', o.scale, value => { o.scale = Math.max(64, Math.min(4096, Number(value) || 512)); this.restart(); }, {type: 'number', min: 64, max: 4096, step: 64}, 'Size of the picture when the walk begins, 64 to 4096; at 512 the field of view is 90 degrees'),
           this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); }, 'Draws the visible lines as a program of today computes them over the picture, and marks where it differs')),
@@ -122,7 +124,7 @@ export class Pdp7Room {
   walkPad() {
     const pad = element('div', {className: 'pad'});
     this.pads = WALK.map(([name, key], bit) => {
-      const b = element('button', {type: 'button', className: 'hold', textContent: name, title: `AC switch ${bit}, key ${key}`});
+      const b = element('button', {type: 'button', className: 'hold', title: `${name}: AC switch ${bit}, key ${key}`}, `${name} `, element('kbd', {textContent: ARROWS[key] ?? key}));
       b.addEventListener('pointerdown', event => { b.setPointerCapture(event.pointerId); this.hold(bit, true); });
       for (const kind of ['pointerup', 'pointercancel', 'lostpointercapture']) b.addEventListener(kind, () => this.hold(bit, false));
       b.addEventListener('keydown', event => { if (event.key === ' ' || event.key === 'Enter') { event.preventDefault(); this.hold(bit, true); } });
@@ -131,6 +133,14 @@ export class Pdp7Room {
       return b;
     });
     return pad;
+  }
+
+  // The pair is switched on with its colours.
+  showRedCyan(value) {
+    this.options.redCyan = value;
+    if (!value || this.options.stereo) return this.drawGlass();
+    this.options.stereo = this.stereo.box.checked = true;
+    this.restart();
   }
 
   hold(bit, down) {
@@ -417,6 +427,7 @@ export class Pdp7Room {
   // `why`: the reason for which the machine stands still.
   go(on, why = 'paused') {
     this.on = on;
+    this.lamp.parentElement.style.visibility = on ? '' : 'hidden';  // its place stays free
     this.running.textContent = on ? 'Pause' : 'Run';
     this.stopped.textContent = on ? '' : why;
     this.stopped.hidden = on;

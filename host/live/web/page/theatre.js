@@ -36,7 +36,8 @@ export class Theatre {
     releaseKeys(this.root);
   }
   // Gives what went wrong, or ''.
-  play() {
+  // `addressed`: the address says which step is shown first.
+  play(addressed = false) {
     const o = this.options;
     const lesson = this.lessons.find(each => each.algorithm === o.algorithm) ?? this.lessons[0];
     if (!lesson) return '';
@@ -49,12 +50,12 @@ export class Theatre {
     this.message.say(answer.error ?? '', Boolean(answer.error));
     if (answer.error) return answer.error;
     this.lessonFile = '';
-    this.setPlayer(answer);
+    this.setPlayer(answer, addressed);
     return '';
   }
-  setPlayer(lesson) {
+  setPlayer(lesson, addressed = false) {
     this.player?.stop();
-    this.player = makePlayer(this.stage, lesson);
+    this.player = makePlayer(this.stage, lesson, {moved: this.remember, addressed});
     this.remember();
   }
   showChoices() {
@@ -98,7 +99,7 @@ export class Theatre {
     this.showChoices();
     return !error;
   }
-  enter() { if (!this.player) this.play(); }
+  enter() { if (!this.player) this.play(true); }
   leave() { this.player?.pause(); }
   key(event, down) { return down && Boolean(this.player?.key(event)); }
   link() {
@@ -108,6 +109,7 @@ export class Theatre {
     if (o.view === 'turned') { parts.set('rotation', o.rotation); parts.set('elevation', o.elevation); }
     const lesson = this.lessons.find(each => each.algorithm === o.algorithm);
     if (!lesson?.heights && this.own.has(o.scene)) parts.set('file', '1');
+    if (this.player && this.player.step !== this.player.first) parts.set('step', this.player.step + 1);
     const text = parts.toString();
     return `theatre/${o.algorithm}/${encodeURIComponent(lesson?.heights ? o.function : o.scene)}${text ? '?' + text : ''}`;
   }
@@ -127,7 +129,7 @@ export class Theatre {
     this.turn.input.value = o.rotation;
     this.tilt.input.value = o.elevation;
     this.showChoices();
-    this.play();
+    this.play(true);
   }
 }
 

@@ -216,6 +216,24 @@ for scene in ["roberts", "street4", "corridor8", "corridor32"]:
         ActionChains(driver).key_down(key).perform()
         wait(lambda: js("return [...sightline.room.where()]") != place, f"{scene}: a key moves the eye", 20)
         ActionChains(driver).key_up(key).perform()
+# Back to the start; the keys on the pad; the lamp of a machine that rests; a pair in red and cyan is a pair.
+go("jones/house")
+wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a view of the house")
+place = js("return [...sightline.room.where()]")
+ActionChains(driver).key_down(Keys.ARROW_UP).perform()
+wait(lambda: js("return [...sightline.room.where()]") != place, "in")
+ActionChains(driver).key_up(Keys.ARROW_UP).perform()
+press("Back to the start")
+wait(lambda: js("return [...sightline.room.where()]") == place, "Back to the start")
+check(js("return sightline.room.pads.map(b => b.textContent).join()") == "left \u2190,right \u2192,up u,down d,in \u2191,out \u2193,bigger +,smaller -", "the pad names its keys")
+LAMP = "return getComputedStyle(sightline.room.lamp).visibility"
+check(js(LAMP) == "visible", "the lamp of a machine that runs")
+press("Pause")
+check(js(LAMP) == "hidden", "no view is computed by a machine that is paused")
+press("Run")
+check(js(LAMP) == "visible", "the lamp is back")
+js("sightline.room.redCyan.box.click()")
+check(js("return sightline.room.options.stereo && sightline.room.stereo.box.checked && (sightline.module.get(sightline.room.id, 5) & 1) === 1"), "a pair in red and cyan is a stereo pair")
 go("jones/house?stereo=1&scale=300&eae=0")
 js("sightline.room.redCyan.box.click()")
 wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a pair without EAE")
@@ -698,6 +716,27 @@ left = js("return globalThis.theatre.player.step")
 type_key(Keys.ARROW_RIGHT)
 time.sleep(0.8)
 check(js("return globalThis.theatre.player.step") == left, "keys in another room leave the lesson alone, and it rests")
+# The keys of steps stop the play.
+for key in [Keys.ARROW_RIGHT, Keys.ARROW_LEFT, Keys.HOME, Keys.END]:
+    go("theatre/jones/house")
+    js("sightline.room.player.show(3)")
+    type_key(Keys.SPACE)
+    type_key(key)
+    check(js("return document.querySelector('.player button[title^=Play]').textContent") == "Play", f"{key!r} stops the play")
+# The address keeps the step; another lesson begins at its own beginning.
+go("theatre/jones/house")
+js("sightline.room.player.show(6)")
+wait(lambda: driver.current_url.endswith("#theatre/jones/house?step=7"), "the address keeps the step")
+driver.refresh()
+wait(lambda: js("return document.documentElement.dataset.ready"), "the page begins again")
+check(step() == 7, f"after a reload: step {step()}")
+js("const s = document.querySelector('.theatre select'); s.value = 'exact'; s.dispatchEvent(new Event('change', {bubbles: true}))")
+check(step() == 1 and "step=" not in driver.current_url, f"another algorithm begins with step 1: {step()}, {driver.current_url}")
+for query, expected, sentence in [("step=x", 1, "step=x is ignored"), ("step=99999", length, "step=99999: the lesson has steps 1 to"), ("step=0", 1, "step=0"), ("from=3&to=5", 3, ""), ("from=y", 1, "from=y is ignored")]:
+    go("theatre/jones/house?" + query)
+    check(step() == expected, f"{query}: step {step()}, expected {expected}")
+    noted = js("return [...document.querySelectorAll('.player .note')].map(e => e.textContent).join(' ')")
+    check(sentence in noted and bool(sentence) == bool(noted), f"{query}: it says {noted!r}")
 # What the player has drawn: in the plan each cell has its number, and a step names what it is about.
 go("theatre/jones/house")
 js("""globalThis.drawn = []; const fill = CanvasRenderingContext2D.prototype.fillText;
@@ -715,6 +754,19 @@ for scene in ["jones/house", "jones/street4", "montani-re/boxes-3", "willis/town
         check(not lying, f"{scene}, step {n + 1}: words on each other: {lying[:3]}")
         for kind, number in re.findall(r"(Portal|Face) (\d+)", drawn["caption"]):
             check(any(number in each["text"].split() for each in words), f"{scene}, step {n + 1}: no number {number} for: {drawn['caption']}")
+# In a small window, too: the legend of Plantinga's chart.
+for width, height, query in [(390, 844, ""), (400, 300, "?embed=1")]:
+    resize(width, height, not query)
+    go("theatre/plantinga/house", query)
+    js("""globalThis.drawn = []; const fill = CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, x, y) { const w = this.measureText(text).width;
+        globalThis.drawn.push({text, sheet: this.canvas.getAttribute('aria-label'), x, y, w, line: parseFloat(this.font.split(' ')[1])}); fill.apply(this, arguments); };
+      while (!document.querySelector('.caption').textContent.startsWith('The event list')) sightline.room.player.show(sightline.room.player.step + 1);""")
+    for n in range(4):
+        words = js("globalThis.drawn = []; sightline.room.player.show(sightline.room.player.step + arguments[0]); return globalThis.drawn", min(n, 1))
+        lying = [(a["text"], b["text"]) for i, a in enumerate(words) for b in words[:i] if a["sheet"] == b["sheet"] and abs(a["y"] - b["y"]) < 0.7 * a["line"] and a["x"] < b["x"] + b["w"] and b["x"] < a["x"] + a["w"]]
+        check(not lying and any("viewer at" in each["text"] for each in words), f"{width} by {height}: words on each other: {lying[:3]}")
+    shot(f"plantinga-{width}")
 # A projector: one window, and large enough to be read from the last row.
 resize(1920, 1080)
 go("theatre/jones/house")
@@ -778,6 +830,11 @@ with tempfile.TemporaryDirectory() as folder:
             check(not in_window([".player h1", ".player .controls", ".player figure", ".player .legend"]), f"{name}, {width} pixels: one window")
         type_key(Keys.END, Keys.HOME)
         check(place().startswith("1 of "), f"{name}: End and Home: {place()}")
+        type_key(Keys.ARROW_RIGHT)
+        wait(lambda: driver.current_url.endswith(name + "#step=2"), f"{name}: the address keeps the step")
+        driver.refresh()
+        check(place().startswith("2 of "), f"{name}: after a reload: {place()}")
+        check(driver.title == {"jones.html": "Jones 1971: house - Sightline", "plantinga.html": "Plantinga, Seales and Dyer 1990: house - Sightline"}[name], f"{name}: its title is {driver.title}")
     resize(390, 844, True)
     driver.get("file://" + os.path.join(folder, "jones.html"))
     check(not in_window([".player h1", ".player .controls", ".player .caption", ".player figure"]), "390 pixels: title, controls, caption and first sheet on one screen")
