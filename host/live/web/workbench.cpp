@@ -326,6 +326,7 @@ Json Workbench::assemble(const Json& request) {
               {"lines", std::move(lines)},
               {"words", assembled->program.words.size()},
               {"lowest", assembled->program.words.empty() ? Json() : Json(assembled->program.words.front().first)},
+              {"highest", assembled->program.words.empty() ? Json() : Json(assembled->program.words.back().first)},
               {"start", assembled->program.start ? Json(*assembled->program.start) : Json()},
               {"program", right ? Json(name) : Json()}};
 }
