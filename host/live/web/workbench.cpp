@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "host/base/text.hpp"
 #include "host/live/keys.hpp"
 #include "host/live/snapshot.hpp"
 #include "host/live/web/requests.hpp"
@@ -67,8 +68,8 @@ std::string take_configuration(const std::string& file, const Snapshot& snapshot
     const auto option = std::find_if(description.options.begin(), description.options.end(), [&](const auto& each) { return each.key() == name; });
     const bool flag = option != description.options.end() && option->kind == OptionKind::flag;
     if (option == description.options.end() || name == "--cpm-drive" || (!flag && value.empty()))
-      return fmt::format("{}: the machine of this snapshot has files of {}, which are not in it; go on with: sightline run {} --restore {} "
-                         "and the options of its first run", file, name, description.name, file);
+      return fmt::format("{}: the machine of this snapshot has files of {}, which are not in it; continue with: sightline run {} --restore {} "
+                         "and the options of its first run", file, name, description.name, base::shell_word(file));
     Arguments::Value& target = arguments.value(name);
     if (flag) target.flag = true;
     else if (option->kind == OptionKind::list || option->kind == OptionKind::files) target.list.push_back(value);
@@ -326,6 +327,7 @@ Json Workbench::assemble(const Json& request) {
               {"lines", std::move(lines)},
               {"words", assembled->program.words.size()},
               {"lowest", assembled->program.words.empty() ? Json() : Json(assembled->program.words.front().first)},
+              {"highest", assembled->program.words.empty() ? Json() : Json(assembled->program.words.back().first)},
               {"start", assembled->program.start ? Json(*assembled->program.start) : Json()},
               {"program", right ? Json(name) : Json()}};
 }

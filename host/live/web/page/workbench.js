@@ -5,7 +5,7 @@ import {RasterImage} from './raster.js';
 import {makeTube} from './tube.js';
 import {named, optionsOf} from './links.js';
 
-const CPM_ORIGIN = 0x100, LARGEST_MEMORY = 65536;
+const CPM_ORIGIN = 0x100, LARGEST_ADDRESS = 0xFFFF;
 const ERRORS = 'The source has errors.';
 const MACHINES = {
   pdp7: {title: 'PDP-7', second: 1e9, dialects: ['dec', 'bell'], options: {'--display': true, '--display-option': ['342', '347']}},
@@ -115,7 +115,7 @@ export class Workbench {
   // A file (files.js); false: not one for this room.
   take(file) {
     const {name, kind, machine} = file;
-    if (kind === 'snapshot' && this.id && machine === this.loaded) {
+    if (kind === 'snapshot') {
       this.restore(file);
       return true;
     }
@@ -214,30 +214,38 @@ export class Workbench {
   }
   // A snapshot: with the names and lines of the source, if its words are what the machine has.
   restore({name, machine, configuration}) {
-    const {made: source} = this;
-    const made = this.module.ask({do: 'make', snapshot: name, symbols: source?.symbols ?? '', listing: source?.listing ?? '', lines: source?.lines ?? []});
+    const source = machine === this.machine.select.value && this.made?.right ? this.made : null;
+    const make = known => this.module.ask({do: 'make', snapshot: name, ...(known ? {symbols: source.symbols, listing: source.listing, lines: source.lines} : {})});
+    let made = make(source);
     if (made.error) return this.message.say(made.error, true);
+    const known = source !== null && this.holds(made.id, source);
+    if (source && !known) {
+      this.module.ask({do: 'drop', id: made.id});
+      made = make(false);
+    }
+    if (machine !== this.machine.select.value) {
+      this.machine.select.value = machine;
+      this.offerDialects();
+    }
+    this.begin(made.id, machine, configuration.some(each => each.startsWith('--board')));
+    this.message.say(known ? `${name}: the machine goes on from this snapshot.` : `${name}: a snapshot of another program than this source.`);
+  }
+  // Whether a machine has the words of a source, but for a few, which a program may change.
+  holds(id, source) {
     this.load();
-    let {id} = made, words = 0, same = 0;
-    for (let at = 0; at < LARGEST_MEMORY; ++at) {
-      const word = this.id ? this.module.word(this.id, at) : 0;
+    let words = 0, same = 0;
+    for (let at = source.lowest ?? 0; this.id && at <= (source.highest ?? LARGEST_ADDRESS); ++at) {
+      const word = this.module.word(this.id, at);
       if (!word) continue;
       ++words;
       if (word === this.module.word(id, at)) ++same;
     }
-    const known = words > 0 && same >= 0.9 * words;  // a program changes some of its words
-    if (!known) {
-      this.module.ask({do: 'drop', id});
-      ({id} = this.module.ask({do: 'make', snapshot: name}));
-    }
-    this.begin(id, machine, configuration.some(each => each.startsWith('--board')));
-    this.message.say(known ? `${name}: the machine goes on from this snapshot.` : `${name}: a snapshot of another program than this source.`);
+    return words > 0 && same >= 0.9 * words;
   }
   begin(id, machine, board) {
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     this.id = id;
     this.warned = [];
-    this.loaded = machine;
     this.second = MACHINES[machine].second;
     this.breaks.clear();
     this.registers.clear();
@@ -255,7 +263,7 @@ export class Workbench {
     // A program without a screen has its console in that place.
     this.root.classList.toggle('printing', !this.tube && !board);
     this.intro.say(`A program for the ${machine === 'pdp7' ? 'PDP-7' : '8080'}[ in its assembly language], run forward and back[, one instruction at a time if you like]. Press Run, then Back.`);
-    this.memoryAt.input.value = (this.made.lowest ?? 0).toString(machine === 'pdp7' ? 8 : 16);
+    this.memoryAt.input.value = (this.made?.lowest ?? 0).toString(machine === 'pdp7' ? 8 : 16);
     this.go(false, '');
     this.refresh();
   }

@@ -1143,6 +1143,17 @@ with tempfile.TemporaryDirectory() as folder:
     drop("main", "plain.snap", content)
     wait(lambda: "another program" in said(), "without those of another: " + said(), 10)
     check("begin" not in js("return sightline.room.code.textContent"), "no lines of the square beside it")
+go("bench/square.s")
+with tempfile.TemporaryDirectory() as folder:
+    subprocess.run([sightline, "asm", "i8080", os.path.join(here, "boards/ef9365.asm"), "-o", "board.hex"], cwd=folder, check=True, capture_output=True)
+    subprocess.run([sightline, "run", "i8080", "board.hex", "--board", "ef9365", "--clock", "2e6", "--max-instructions", "2000", "--save", "board.snap"], cwd=folder, capture_output=True)
+    with open(os.path.join(folder, "board.snap"), "rb") as file:
+        content = file.read()
+for place, sentence in [("square.s", "another program"), ("greet.asm", "another program"), ("ef9365.asm", "goes on from this snapshot")]:
+    go("bench/" + place)
+    drop("main", "board.snap", content)
+    wait(lambda: sentence in said(), f"an 8080 goes on beside {place}: {said()}", 10)
+    check(js("return sightline.module.instructions(sightline.room.id)") == 2000 and js("return sightline.room.machine.select.value") == "i8080", f"after 2000 instructions, beside {place}")
 go("jones/turning.s")
 drop(".screen", "square.rim", tape)
 wait(lambda: "in the reader" in said(), "a tape: " + said())
