@@ -14,7 +14,11 @@ using core::Word18;
 using type340::Mode;
 
 // All numbers are octal, as in the word beside them and in sources; scale is the setting 0 to 3 with what it does.
-std::string number(unsigned value) { return octal(value, 1); }
+std::string number(unsigned value) {
+  unsigned digits = 1;
+  for (unsigned rest = value >> 3; rest != 0; rest >>= 3) ++digits;
+  return octal(value, digits);
+}
 std::string pen_text(std::optional<bool> pen) {
   return !pen ? "" : *pen ? ", pen on" : ", pen off";
 }

@@ -281,7 +281,7 @@ TEST_F(DrawCommand, OptionsOfOtherPictures) {
                      "--pixels: found without");
   expect_usage_error({"draw", "exact", "boxes-2", "-o", "s.png", "--size", "90x70", "--pixels", "9x9"},
                      "--pixels: found with --size");
-  const Ran fast = sightline({"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--speed", "60"});
+  const auto fast = sightline({"draw", "exact", "boxes-2", "-o", "s.plt", "--device", "hp7475a", "--speed", "60"});
   EXPECT_TRUE(has(fast.err, "warning: --speed: found 60 cm/s, which hp7475a does not reach: the file says 38.1")) << fast.err;
   EXPECT_TRUE(has(read("s.plt"), "VS38.1;")) << fast.err;
   std::filesystem::remove(path("s.plt"));

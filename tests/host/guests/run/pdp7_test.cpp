@@ -71,7 +71,7 @@ TEST(RunPdp7, WarnsOnceWhileItRuns) {
 
 // 0 is CAL, which goes on at 21; nothing was loaded there or says where the program begins.
 TEST(RunPdp7, WarnsOnceOfMemoryThatIsEmpty) {
-  const auto warnings = [](std::string_view core, std::string_view start) {
+  const auto warnings = [](const std::string& core, std::string_view start) {
     MachineRun setup = run_of(core);
     if (!start.empty()) setup.set("--start", start);
     auto ready = setup.prepared();
