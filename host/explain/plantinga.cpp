@@ -550,7 +550,8 @@ class PlantingaTeller final : public pl::Trace {
     constexpr std::array<std::string_view, 3> words{"plane edge-on", "EV: vertex, edge", "EEE: three edges"};
     std::vector<Mark> marks;
     for (std::size_t group = 0; group < words.size(); ++group)
-      if (events[group] != 0) marks.push_back(text(look_of(static_cast<Group>(group)), {-1.24, 1.2 - 0.13 * static_cast<double>(marks.size())}, std::string(words[group])));
+      if (events[group] != 0)
+        marks.push_back(text(look_of(static_cast<Group>(group)), {-1.24, 1.2 - 0.13 * static_cast<double>(marks.size())}, std::string(words[group])));
     return marks;
   }
 
