@@ -68,12 +68,15 @@ class JonesTeller final : public algorithms::jones::Trace {
     if (perspective_) eye.push_back(dot(Look::now, ground_.at(eye_)));
     std::string where;
     if (outside) {
-      where = fmt::format("{}: the search begins with the portals in the outer walls that face the eye.",
+      where = fmt::format("{}: the search begins with the portals in the outer walls that face the eye, and its mask is the whole image.",
                           perspective_ ? "The eye is outside all cells" : "In parallel projection the eye is outside, infinitely far away");
     } else {
       where = fmt::format("The eye is in cell {}. The search begins there, and sees all of it.", cells.front());
     }
-    steps_.add(std::move(where), "Fig. 4 and 5, avenues of sight", {{plan, "eye", std::move(eye)},
+    std::vector<Mark> whole;
+    if (outside) whole.push_back(area(Look::mask, stage_.region({})));
+    steps_.add(std::move(where), "Fig. 4 and 5, avenues of sight", {{image, "mask", std::move(whole)},
+                                  {plan, "eye", std::move(eye)},
                                   {plan, "numbers", outside ? std::vector<Mark>() : numbers({cells.front()})}});
   }
 
@@ -194,11 +197,10 @@ class JonesTeller final : public algorithms::jones::Trace {
                                                 : fmt::format("of {} a part or all is in it and drawn", pieces_here_);
     const std::string rest = outside == 0 || pieces_here_ == 0 ? "" : fmt::format(", {} {} outside", outside, outside == 1 ? "is" : "are");
     std::vector<Layer> changes{{image, "line", std::exchange(now_, {})}};
-    if (!in_cell_) changes.push_back({image, "mask", {area(Look::mask, stage_.region({}))}});
     // Each step adds a layer of its own: all that is seen so far in each step would make a lesson as large as its square.
     if (!seen_.empty()) changes.push_back({image, seen_layer(seen_layers_++), std::exchange(seen_, {})});
     steps_.add(in_cell_ ? fmt::format("The lines of cell {} are clipped to the mask: {}{}.", cell_, drawn, rest)
-                        : fmt::format("The lines in the outer walls that face the eye are seen without a portal. The mask is the whole image: {}{}.", drawn, rest),
+                        : fmt::format("The lines in the outer walls that face the eye are seen without a portal: {}{}.", drawn, rest),
                "Fig. 4 and 5, avenues of sight", std::move(changes));
     pieces_here_ = lines_here_ = 0;
   }

@@ -547,10 +547,11 @@ class PlantingaTeller final : public pl::Trace {
 
   // Of the groups that have an event.
   static std::vector<Mark> legend(const std::array<std::size_t, 3>& events) {
-    constexpr std::array<std::string_view, 3> words{"plane edge-on", "EV: a vertex, an edge", "EEE: three edges"};
+    constexpr std::array<std::string_view, 3> words{"plane edge-on", "EV: vertex, edge", "EEE: three edges"};
     std::vector<Mark> marks;
     for (std::size_t group = 0; group < words.size(); ++group)
-      if (events[group] != 0) marks.push_back(text(look_of(static_cast<Group>(group)), {-1.24, 1.2 - 0.13 * static_cast<double>(marks.size())}, std::string(words[group])));
+      if (events[group] != 0)
+        marks.push_back(text(look_of(static_cast<Group>(group)), {-1.24, 1.2 - 0.13 * static_cast<double>(marks.size())}, std::string(words[group])));
     return marks;
   }
 

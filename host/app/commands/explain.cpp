@@ -47,7 +47,8 @@ scene::LoadedScene load_scene_of(const explain::Explainer& explainer, const std:
     return load_scene(name, mesh);
   } catch (const Failure&) {
     if (name == "-" || !scene::load_height_grid(name)) throw;
-    throw Failure(ExitCode::bad_input, fmt::format("{0}: found a grid of heights, expected a scene for {1}; `sightline explain skala {0}` takes it", name, explainer.algorithm));
+    throw Failure(ExitCode::bad_input, fmt::format("{0}: found a grid of heights, expected a scene for {1}; `sightline explain skala {0}` takes it",
+                                                   name, explainer.algorithm));
   }
 }
 
