@@ -12,6 +12,6 @@ for needed in chromium chromedriver; do
 done
 /usr/bin/python3 -c 'import selenium' 2>/dev/null || { echo "check page: skipped, python3-selenium is not installed"; exit 0; }
 [ -f "$page" ] || { echo "check page: skipped, the page was not built: clang 14 and wasi-libc are not installed"; exit 0; }
-run() { timeout 600 /usr/bin/python3 "$root/tests/host/live/web/check_page.py" "$page" "$sightline" ${3:+"$3"}; }
+run() { timeout 1200 /usr/bin/python3 "$root/tests/host/live/web/check_page.py" "$page" "$sightline" ${3:+"$3"}; }
 # A browser that was starved of time gets a second chance; a fault of the page fails twice.
 run "$@" || { echo "check page: failed, tried again"; run "$@"; }
