@@ -104,8 +104,8 @@ Verdict jones_verdict(const DemoResults& results) {
   }
   const MethodRange range = range_of(results.answer, compare::jones_pdp7_name, "lines");
   return {"Jones 1971 on the PDP-7",
-          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % of the length different along the "
-                      "lines, points lit up to {:.1f} beside them",
+          fmt::format("a view in {} s, {} s without the EAE (paper: \"a few seconds\"); up to {:.2f} % different along lines, "
+                      "points up to {:.1f} beside",
                       with.text(2), without.text(2), range.wrong.high(), range.farthest),
           verdict_text(range, without.high() <= a_few_seconds ? "" : "slower than the paper"), complete && range.all_right()};
 }
@@ -147,10 +147,9 @@ Verdict flight_verdict(const DemoResults& results) {
   }
   const MethodRange range = range_of(results.answer, "willis-8080", "faces");
   return {"Willis 1977 on the 8080",
-          fmt::format("flights at {} pictures a second (paper: 25), up to {:.2f} % of pairs of faces out of order, in 8 bits; {} in 16; the "
-                      "faces in still views",
+          fmt::format("{} pictures/s (paper: 25), up to {:.2f} % of pairs out of order, in 8 bits; {} in 16",
                       frames_8.text(1), wrong_8.high(), frames_16.text(1)),
-          verdict_text(range, fmt::format("as fast as the paper in {} of {}", fast, flights)), range.all_right()};
+          "still views " + verdict_text(range, fmt::format("as fast in {} of {} flights", fast, flights)), range.all_right()};
 }
 
 Verdict stripes_verdict(const DemoResults& results) {
@@ -189,8 +188,8 @@ Verdict skala_verdict(const DemoResults& results) {
   const MethodRange range = range_of(results.answer, "skala-8080", "dots");
   const bool right = within_dots(range, guests::skala::Device::ef9365);
   return {"Skala 1985 on the 8080",
-          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; of lines up to {:.2f} % more than a dot off, at most {:.1f}{}",
-                      lines.text(2), others.text(1), range.wrong.high(), range.farthest, right ? ", as rounding explains" : ""),
+          fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; up to {:.2f} % over a dot off, at most {:.1f}{}",
+                      lines.text(2), others.text(1), range.wrong.high(), range.farthest, right ? ", by rounding" : ""),
           fmt::format("{}lines {} than the paper", right ? "" : "WRONG, ", lines.high() <= about_two_seconds ? "faster" : "slower"), right};
 }
 

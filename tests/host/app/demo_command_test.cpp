@@ -31,7 +31,7 @@ TEST_F(DemoCommand, PrintsTenLinesAndWritesThePageWithItsPictures) {
   EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 11) << ran.out;
   EXPECT_FALSE(has(ran.out, "WRONG")) << ran.out;
   for (const char* text :
-       {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "of the length different along the lines, points lit up to ", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ",
+       {"Jones 1971 on the PDP-7: a view in ", "\"a few seconds\"", "% different along lines, points up to ", "still views right in 7 of 7", "right in 5 of 5", "Plantinga 1990 on the PDP-7: ",
         "Willis 1977 on the 8080: ", "Montani and Re 1985 on the 8080: ", "Skala 1985 on the 8080: ", "about 2 s", "about 15 %",
         "CalComp 565", "This computer, exact lines: ", "pictures/index.html"})
     EXPECT_TRUE(has(ran.out, text)) << text << '\n' << ran.out;

@@ -130,7 +130,7 @@ const std::string drawing_data = std::string(SIGHTLINE_TEST_DATA) + "/drawing/";
 TEST_F(ScenePolyCommand, AVertexOnAnEdgeOfAnotherFace) {
   const std::string cube = drawing_data + "t-vertex-cube.obj";
   const Ran info = sightline({"scene", "info", cube});
-  EXPECT_TRUE(has(info.out, "1 solids, 0 sheets")) << info.out;
+  EXPECT_TRUE(has(info.out, "1 solid, 0 sheets")) << info.out;
   EXPECT_TRUE(has(info.out, "6 planes")) << info.out;
   EXPECT_EQ(info.err, "sightline: warning: mended: 1 edge divided at vertices of other faces\n");
   EXPECT_TRUE(has(sightline({"scene", "check", cube}).err, "1 edge divided at vertices of other faces"));
@@ -163,7 +163,7 @@ TEST_F(ScenePolyCommand, AnOpenPartNamesTheDistanceThatClosesIt) {
   write("gap.off", "OFF\n7 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n0.03 0 0\n10 0 0.02\n0 0.01 10\n3 0 2 1\n3 4 5 6\n3 1 2 3\n3 0 3 2\n");
   const Ran ran = sightline({"scene", "info", "gap.off"});
   EXPECT_TRUE(has(ran.err, "sightline: warning: 2 parts are open; --weld 0.05 closes them\n")) << ran.err;
-  EXPECT_TRUE(has(sightline({"scene", "info", "gap.off", "--weld", "0.05"}).out, "1 solids, 0 sheets"));
+  EXPECT_TRUE(has(sightline({"scene", "info", "gap.off", "--weld", "0.05"}).out, "1 solid, 0 sheets"));
 }
 
 // A pipe can be read once.

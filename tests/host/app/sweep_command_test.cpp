@@ -31,7 +31,7 @@ class SweepCommand : public sightline::test::CommandLine {
 TEST_F(SweepCommand, ALineAViewWhateverTheThreads) {
   const auto ran = sightline(sweep({"--jobs", "1"}));
   ASSERT_EQ(ran.exit_code, 0) << ran.err;
-  EXPECT_TRUE(has(ran.err, "exact               lines          20      20       0, exact")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "exact               lines          20      20           0, exact")) << ran.err;
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 20);
   EXPECT_TRUE(ran.out.starts_with("{\"schema\":\"sightline/sweep/2\",\"scene\":\"boxes-4\","));
   EXPECT_TRUE(has(ran.out, "\"view\":19,"));
