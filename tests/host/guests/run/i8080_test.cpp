@@ -233,8 +233,8 @@ TEST(RunI8080, WhatThePlotterDrawsIsJoinedByStep) {
 // A program for CP/M without CP/M: its call of 5 runs through the empty bytes up to 0100.
 TEST(RunI8080, WarnsOnceOfMemoryThatIsEmpty) {
   const auto warnings = [](bool cpm) {
-    MachineRun setup = run_of("BEGIN: MVI C,11\n  CALL 5\n  JMP BEGIN\n");
-    if (cpm) setup.set("--cpm");
+    MachineRun setup = run_of("BEGIN: MVI C,2\n  MVI E,2AH\n  CALL 5\n  JMP BEGIN\n");
+    if (cpm) setup.set("--cpm").set("--console-out");
     auto ready = setup.prepared();
     if (!ready) return std::vector<std::string>{ready.error().message};
     std::vector<std::string> texts;
