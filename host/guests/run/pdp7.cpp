@@ -483,7 +483,6 @@ class Pdp7Machine final : public Machine {
     // The last boundary of a run by number is not asked for.
     if (reason == machines::StopReason::instruction_limit)
       static_cast<void>(observer.stop(machine_.now(), machine_.registers().pc));
-    static_cast<void>(observer.told());
     return reason;
   }
 
