@@ -114,10 +114,11 @@ class I8080Machine {
   template <class Watcher>
   I8080StopReason run_frame(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher, const I8080Limits& limits,
                             std::uint64_t& count) {
-    const std::uint64_t begun = instructions_;
+    [[maybe_unused]] const std::uint64_t begun = instructions_;
+    bool in_hold = false;  // where the run has to end: no boundary
     while (true) {
       if constexpr (Watcher::stops) {
-        if (!state_.halted && frame.arrives(frame.registers.pc)) {
+        if (!state_.halted && !in_hold && frame.arrives(frame.registers.pc)) {
           if (core::reads_machine(watcher)) publish(frame, begun + count);
           if (watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
@@ -132,7 +133,11 @@ class I8080Machine {
         if (found.stop) return found.reason;
         if (found.again) continue;
         if (found.by_pins) {
-          if (step_by_pins(frame, watcher, limits.until)) ++count;
+          in_hold = !state_.halted;
+          if (step_by_pins(frame, watcher, limits.until)) {
+            ++count;
+            in_hold = false;
+          }
           continue;
         }
       }
