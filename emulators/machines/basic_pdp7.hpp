@@ -166,6 +166,7 @@ class BasicPdp7 {
     std::uint64_t left = limits.instructions;
     const StopReason reason = run_frame(frame, watcher, limits, left);
     publish(frame, limits.instructions - left);
+    if (display_) display_->advance(now_);
     return reason;
   }
 
@@ -225,7 +226,6 @@ class BasicPdp7 {
     state_ = frame.processor.registers.state();
     now_ = frame.now();
     counts_.instructions = before_run_ + instructions;
-    if (display_) display_->advance(now_);
   }
 
   // Instructions up to the next boundary at which something is due, one at least; one, if the observer follows each.

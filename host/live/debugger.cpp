@@ -183,7 +183,7 @@ void Debugger::watch_conditions(const std::string& goal) {
   if (!goal.empty()) all.emplace_back(condition_of(goal), false);
   for (const Breakpoint& each : breakpoints_.all())
     if (each.kind == Breakpoint::Kind::condition) all.emplace_back(condition_of(each.condition), each.was_true);
-  machine_.probe()->look = [all = std::move(all)] {
+  machine_.probe()->condition_changed = [all = std::move(all)] {
     for (const auto& [expression, was_true] : all)
       if ((expression == nullptr || expression->holds()) != was_true) return true;
     return false;
@@ -371,7 +371,7 @@ Halted Debugger::run(const Goal& goal) {
       if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
     }
   }
-  probe.look = nullptr;
+  probe.condition_changed = nullptr;
   show_printed();
   if (reason) {
     const auto why = reason->breakpoint == 0 ? Halted::Why::goal : Halted::Why::breakpoint;

@@ -168,7 +168,7 @@ class I8080Run final : public Machine {
     if (cpm_) {
       const bool waited = cpm_->waits_for_key();
       if (!watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
-      if (waited && look()) return Stop{stopped_by_probe, {}};
+      if (waited && condition_changed()) return Stop{stopped_by_probe, {}};
     }
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
@@ -190,7 +190,7 @@ class I8080Run final : public Machine {
       case machines::I8080StopReason::ports: {
         const auto call = ports_.take_call();
         const auto stop = call ? answer(*call) : unanswered();
-        if (stop || !look()) return stop;
+        if (stop || !condition_changed()) return stop;
         return Stop{stopped_by_probe, {}};
       }
       case machines::I8080StopReason::observer: break;
@@ -411,9 +411,9 @@ class I8080Run final : public Machine {
   }
 
   // CP/M has been at work: whether what it has changed is waited for.
-  bool look() {
-    if (!probe_ || !probe_->looks() || !probe_->look()) return false;
-    probe_->add({Probe::Kind::look, ticks(), processor_.registers().pc, 0});
+  bool condition_changed() {
+    if (!probe_ || !probe_->has_conditions() || !probe_->condition_changed()) return false;
+    probe_->add({Probe::Kind::condition, ticks(), processor_.registers().pc, 0});
     return true;
   }
 

@@ -31,7 +31,7 @@ class Probe {
   static constexpr std::uint8_t is_written = 4;
   static constexpr std::uint8_t at_interrupt = 8;  // set by mark_interrupts() alone
 
-  enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt, look };
+  enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt, condition };
   struct Event {
     Kind kind;
     std::int64_t time;      // in the machine's unit
@@ -96,7 +96,7 @@ class Probe {
 
   // Asked at each boundary, when registers, memory, time and counts are those of the boundary; true: the run ends there, with an
   // event. Empty: nobody waits for conditions.
-  std::function<bool()> look;
+  std::function<bool()> condition_changed;
 
   std::vector<Key> keys;  // all, in order
 
@@ -106,8 +106,8 @@ class Probe {
 
   // For the machine: what a run is to be watched for.
   [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
-  [[nodiscard]] bool looks() const { return static_cast<bool>(look); }
-  [[nodiscard]] bool watches_boundaries() const { return looks() || marked_; }
+  [[nodiscard]] bool has_conditions() const { return static_cast<bool>(condition_changed); }
+  [[nodiscard]] bool watches_boundaries() const { return has_conditions() || marked_; }
   // As many as the machine has, for its observer.
   [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
   [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }
@@ -142,10 +142,10 @@ class Watch {
   [[nodiscard]] bool stop(std::int64_t now, std::uint32_t next) {
     if (now == begun_) return told_;
     if (has(next, Probe::executed)) add(Probe::Kind::execution, now, next, 0);
-    if (probe_->look && probe_->look()) add(Probe::Kind::look, now, next, 0);
+    if (probe_->condition_changed && probe_->condition_changed()) add(Probe::Kind::condition, now, next, 0);
     return told_;
   }
-  [[nodiscard]] bool reads_machine() const { return probe_->looks(); }
+  [[nodiscard]] bool reads_machine() const { return probe_->has_conditions(); }
 
   [[nodiscard]] bool has(std::uint32_t address, std::uint8_t marks) const { return (places_[address] & marks) != 0; }
   [[nodiscard]] bool port_has(std::uint32_t port, std::uint8_t marks) const { return (ports_[port] & marks) != 0; }

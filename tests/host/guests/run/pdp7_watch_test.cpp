@@ -101,14 +101,14 @@ Run observed(Machine& machine, const Watched& watched, std::uint64_t instruction
   Run done;
   Probe& probe = *machine.probe();
   bool held = watched.question && watched.question->holds(machine);
-  if (watched.question) probe.look = [&] { return watched.question->holds(machine) != held; };
+  if (watched.question) probe.condition_changed = [&] { return watched.question->holds(machine) != held; };
   watched.mark(probe);
   while (machine.instructions() < instructions) {
     guests::run::Limits limits;
     limits.instructions = std::min(instructions, machine.instructions() + 1 + random() % 700);
     const auto stop = machine.run(limits, false);
     std::vector<Probe::Event> events = probe.events();
-    std::erase_if(events, [](const Probe::Event& event) { return event.kind == Probe::Kind::look; });
+    std::erase_if(events, [](const Probe::Event& event) { return event.kind == Probe::Kind::condition; });
     probe.resume();
     const bool holds = watched.question && watched.question->holds(machine);
     if (!events.empty() || holds != held) done.met.push_back({machine.ticks(), machine.get(pc), events, holds});
@@ -116,7 +116,7 @@ Run observed(Machine& machine, const Watched& watched, std::uint64_t instruction
     if (stop && stop->name != guests::run::stopped_by_probe && stop->name != "instruction_limit") break;
   }
   probe.clear_marks();
-  probe.look = nullptr;
+  probe.condition_changed = nullptr;
   done.state = state_of(machine);
   return done;
 }
