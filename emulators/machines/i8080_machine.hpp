@@ -115,7 +115,7 @@ class I8080Machine {
   I8080StopReason run_frame(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher, const I8080Limits& limits,
                             std::uint64_t& count) {
     [[maybe_unused]] const std::uint64_t begun = instructions_;
-    bool in_hold = false;  // where the run has to end: no boundary
+    [[maybe_unused]] bool in_hold = false;  // where the run has to end: no boundary
     while (true) {
       if constexpr (Watcher::stops) {
         if (!state_.halted && !in_hold && frame.arrives(frame.registers.pc)) {
@@ -125,7 +125,7 @@ class I8080Machine {
       }
       if (frame.due()) {
         if constexpr (core::Filtered<Watcher>) {
-          if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
+          if (!state_.halted && !in_hold && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
         const std::int64_t most = instructions_of(limits, count);
         const Attention found = attend(frame.now(), limits, count, most);
