@@ -208,18 +208,40 @@ class Pdp7Machine final : public Machine {
     return {{disk_path_, disk_image(*disk)}};
   }
   [[nodiscard]] std::vector<std::pair<std::string_view, bool>> conditions() override {
-    constexpr std::array names{"clock", "reader", "punch", "keyboard", "printer", "disk", "edge", "pen", "stop"};
-    std::vector<std::pair<std::string_view, bool>> flags;
-    for (std::size_t n = 0; n < names.size(); ++n) {
-      if (n == flag_of_disk && !machine_.devices().disk) continue;
-      if (n > flag_of_disk && machine_.display() == nullptr) continue;
-      flags.emplace_back(names[n], flag(n));
+    const pdp7::Peripherals& devices = machine_.devices();
+    std::vector<std::pair<std::string_view, bool>> flags{{"clock", devices.clock.flag()},
+                                                         {"reader", devices.reader.flag()},
+                                                         {"punch", devices.punch.flag()},
+                                                         {"keyboard", devices.keyboard.flag()},
+                                                         {"printer", devices.printer.flag()}};
+    if (devices.disk) {
+      constexpr std::uint32_t over = pdp7::rb09::status::done | pdp7::rb09::status::error;
+      flags.emplace_back("disk", (devices.disk->status() & over) != 0);
+    }
+    if (auto* display = machine_.display()) {
+      // The display has come to the machine's own time: to ask it changes nothing.
+      flags.emplace_back("edge", display->vertical_edge(now()) || display->horizontal_edge(now()));
+      flags.emplace_back("pen", display->light_pen_flag(now()));
+      flags.emplace_back("stop", display->stop_interrupt(now()));
     }
     return flags;
   }
+  // The order of conditions().
   [[nodiscard]] bool condition(std::size_t number) override {
-    const bool left_out = number >= flag_of_disk && !machine_.devices().disk;
-    return flag(number + (left_out ? 1 : 0));
+    const pdp7::Peripherals& devices = machine_.devices();
+    switch (number) {
+      case 0: return devices.clock.flag();
+      case 1: return devices.reader.flag();
+      case 2: return devices.punch.flag();
+      case 3: return devices.keyboard.flag();
+      case 4: return devices.printer.flag();
+      default: break;
+    }
+    auto* const display = machine_.display();
+    const std::size_t of_display = number - (devices.disk ? 6 : 5);
+    if (display == nullptr || of_display > 2) return conditions().at(number).second;
+    if (of_display == 0) return display->vertical_edge(now()) || display->horizontal_edge(now());
+    return of_display == 1 ? display->light_pen_flag(now()) : display->stop_interrupt(now());
   }
   [[nodiscard]] std::vector<ReportLine> device_lines() const override {
     const pdp7::Peripherals& devices = machine_.devices();
@@ -451,24 +473,6 @@ class Pdp7Machine final : public Machine {
   }
 
  private:
-  static constexpr std::size_t flag_of_disk = 5;
-  // By its place among all that there may be. The display has come to the machine's own time, or comes there: to ask it changes nothing.
-  [[nodiscard]] bool flag(std::size_t n) {
-    constexpr std::uint32_t disk_is_done = pdp7::rb09::status::done | pdp7::rb09::status::error;
-    const pdp7::Peripherals& devices = machine_.devices();
-    switch (n) {
-      case 0: return devices.clock.flag();
-      case 1: return devices.reader.flag();
-      case 2: return devices.punch.flag();
-      case 3: return devices.keyboard.flag();
-      case 4: return devices.printer.flag();
-      case flag_of_disk: return (devices.disk->status() & disk_is_done) != 0;
-      case 6: return machine_.display()->vertical_edge(now()) || machine_.display()->horizontal_edge(now());
-      case 7: return machine_.display()->light_pen_flag(now());
-      default: return machine_.display()->stop_interrupt(now());
-    }
-  }
-
   machines::StopReason run_observed(const machines::Limits& limits) {
     if constexpr (Sink::consumes) {
       if (tracer_ || vcd_) return run_watched(limits, Pdp7Reporter(tracer_ ? &*tracer_ : nullptr, vcd_ ? &*vcd_ : nullptr));
