@@ -162,7 +162,6 @@ class BasicPdp7 {
   [[gnu::noinline]] StopReason run(const Limits& limits, Watcher& watcher) {
     Pdp7Frame<BasicPdp7, Watcher> frame(*this, watcher);
     forget_deadlines();
-    before_run_ = counts_.instructions;
     std::uint64_t left = limits.instructions;
     const StopReason reason = run_frame(frame, watcher, limits, left);
     publish(frame, limits.instructions - left);
@@ -225,7 +224,7 @@ class BasicPdp7 {
   void publish(const Frame& frame, std::uint64_t instructions) {
     state_ = frame.processor.registers.state();
     now_ = frame.now();
-    counts_.instructions = before_run_ + instructions;
+    counts_.instructions = frame.begun + instructions;
   }
 
   // Instructions up to the next boundary at which something is due, one at least; one, if the observer follows each.
@@ -416,7 +415,6 @@ class BasicPdp7 {
   core::Instant devices_due_{};
   bool devices_request_ = false;  // an interrupt, up to devices_due_
   Counts counts_;
-  std::uint64_t before_run_ = 0;  // instructions
   std::vector<Unanswered> unanswered_;
   Observer& observer_;
 };

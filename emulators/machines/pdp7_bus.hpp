@@ -33,7 +33,8 @@ struct Pdp7Frame {
         core(of.core_.data()),
         words(of.core_.size()),
         bank(enter(of.state_.pc & pdp7::bank_mask)),
-        processor(of.configuration_.model, of.configuration_.timing, of.state_) {
+        processor(of.configuration_.model, of.configuration_.timing, of.state_),
+        begun(of.counts_.instructions) {
     look_around_at(of.now_, of.now_, 1);
   }
 
@@ -58,6 +59,7 @@ struct Pdp7Frame {
   std::uint32_t bank_words = 0;  // likewise, from the beginning of the bank on
   core::Word18* bank;            // where direct addresses lie
   pdp7::Processor processor;
+  std::uint64_t begun;    // instructions before the run
   core::Instant horizon;  // the last instant that is not due
   Allowance allowance{core::Duration(0), 0};
 };

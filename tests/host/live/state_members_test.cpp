@@ -47,7 +47,7 @@ TEST(StateMembers, AreVisited) {
   expect_size<type340::Display<>>(968, "type340::Display<>");
   expect_size<machines::Counts>(24, "machines::Counts");
   expect_size<machines::Unanswered>(24, "machines::Unanswered");
-  expect_size<machines::Pdp7<>>(2224, "machines::Pdp7<>");
+  expect_size<machines::Pdp7<>>(2216, "machines::Pdp7<>");
   expect_size<core::Raster>(65536, "core::Raster");
   expect_size<i8080::State>(16, "i8080::State");
   expect_size<devices::Alt256>(65592, "devices::Alt256");
