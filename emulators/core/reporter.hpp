@@ -6,29 +6,10 @@
 //   using Filter = ...;
 //   Filter filter() const;
 //     bool arrives(Address next) const      stop() is asked at these boundaries, and at the one after a cycle that was told
-//     bool wants(const Cycle&) const        only these are told; where the observer wants cycles
+//     bool wants(const Cycle&) const        only these are told; where the observer wants cycles; none that a device takes
 //     bool asks_again() const               optional, PDP-7 only; true: stop() is asked at the next boundary, too. Asked after the devices have
 //                                           been served, because a sink may have asked for a stop there
-//
-// An observer that looks at registers has a value of another kind, which the run keeps, too:
-//   using Look = ...;
-//   Look look() const;
-//     bool asks(Address next, const View&) const               out of line: asked where a test of few host instructions behind
-//                                           an instruction said so, which may be too often, and where something is due. The view has
-//                                           the registers as the processor has them at work; its bus names it
-// Which tests those are the machines say: i8080_looking.hpp, and of one that has marks the following.
-// One that has marks, too, finds places by marks in the words of memory (of the PDP-7: pdp7/core_memory.hpp):
-//   marked_places() const                 pairs of an address and its marks
-//   in its Look: changes() const          what an instruction has to change to be followed by a question
-//     marks() const                       all marks of these places
-//     bool may_ask<changes>(const View&) const    after an instruction that may have changed what the set says (`change` of isa.hpp)
-//     bool may_ask(const View&) const             after any instruction
-//     void see(flags)                     before asks() outside the instructions: what gives the flags of all devices
-//     bool looks_again(flags, broken_into)    the same, where devices have been attended to and may have broken into memory: it is to
-//                                         be asked at the next boundary, too
-//     void answered()                     stop() has been asked, and the run goes on
-// stop() is asked where asks() says true, and finds the machine's registers and time up to date; told() says whether a cycle that
-// was told is to end the run.
+// One that is asked at every boundary has none.
 #pragma once
 
 #include "inline.hpp"
@@ -38,16 +19,13 @@ namespace sightline::core {
 template <class Observer>
 concept Filtered = requires { typename Observer::Filter; };
 
+// An observer that is asked or told after every instruction: a run executes one at a time.
 template <class Observer>
-concept Looks = requires { typename Observer::Look; };
-
-template <class Observer>
-concept Marks = Looks<Observer> && requires(const Observer& observer) { observer.marked_places(); };
+inline constexpr bool follows_instructions = Observer::instructions || (Observer::stops && !Filtered<Observer>);
 
 template <class Observer, bool wanted = Observer::cycles>
 class Reporter {
  public:
-  static constexpr bool has_marks = Marks<Observer>;
   // The observer outlives the reporter.
   explicit constexpr Reporter(Observer& observer) : observer_(&observer) {}
   // True: stop() is to be asked at the next boundary.
@@ -64,7 +42,6 @@ class Reporter {
 template <Filtered Observer>
 class Reporter<Observer, true> {
  public:
-  static constexpr bool has_marks = Marks<Observer>;
   explicit constexpr Reporter(Observer& observer) : observer_(&observer), filter_(observer.filter()) {}
   template <class Cycle>
   SIGHTLINE_INLINE constexpr bool operator()(const Cycle& cycle) const {
@@ -82,7 +59,6 @@ class Reporter<Observer, true> {
 template <class Observer>
 class Reporter<Observer, false> {
  public:
-  static constexpr bool has_marks = Marks<Observer>;
   explicit constexpr Reporter(Observer&) {}
   template <class Cycle>
   constexpr bool operator()(const Cycle&) const {
@@ -101,8 +77,7 @@ class Arrivals {
   }
 };
 
-template <class Observer>
-  requires(Filtered<Observer> && !Looks<Observer>)
+template <Filtered Observer>
 class Arrivals<Observer> {
  public:
   explicit constexpr Arrivals(const Observer& observer) : filter_(observer.filter()) {}
@@ -119,15 +94,11 @@ class Arrivals<Observer> {
   typename Observer::Filter filter_;
 };
 
-template <Looks Observer>
-class Arrivals<Observer> {
- public:
-  explicit constexpr Arrivals(const Observer& observer) : look_(observer.look()) {}
-  [[nodiscard]] constexpr typename Observer::Look& look() { return look_; }
-  [[nodiscard]] constexpr const typename Observer::Look& look() const { return look_; }
-
- private:
-  typename Observer::Look look_;
-};
+// Whether stop() is to find the machine's registers, time and counts as they are at its boundary.
+template <class Observer>
+[[nodiscard]] constexpr bool reads_machine(const Observer& observer) {
+  if constexpr (requires { observer.reads_machine(); }) return observer.reads_machine();
+  else return false;
+}
 
 }  // namespace sightline::core

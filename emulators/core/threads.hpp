@@ -14,9 +14,7 @@
 //   template <unsigned code> bool is_rare() const    the instruction taken has to be executed by execute_any()
 //   template <unsigned code> void execute()          without a call
 //   void execute_any()
-//   template <unsigned code> bool leaves() const     at the boundary after that: the run has to be left
-//   bool leaves() const                 the same after execute_any()
-//   static constexpr bool looks         leaves<code>() may say so too often: leaves() has the last word
+//   bool leaves() const                 at the boundary after that: the run has to be left
 //   void leave()                        puts all into the frame
 //
 // The jump is a call in tail position. clang is made to turn it into a jump by an attribute; g++ does so where it optimises
@@ -84,13 +82,9 @@ struct PlainLoop {
     Thread* thread;
     template <unsigned code>
     SIGHTLINE_INLINE bool execute() const {
-      if (thread->template is_rare<code>()) {
-        thread->execute_any();
-        return thread->leaves();
-      }
-      thread->template execute<code>();
-      if constexpr (Thread::looks) return thread->template leaves<code>() && thread->leaves();
-      else return thread->template leaves<code>();
+      if (thread->template is_rare<code>()) thread->execute_any();
+      else thread->template execute<code>();
+      return thread->leaves();
     }
   };
 };
@@ -139,10 +133,9 @@ class Threads {
     if (thread.template is_rare<code>()) SIGHTLINE_JUMP any(frame, a, b, c, d, e);
     thread.template execute<code>();
     const Table* const of = table_of(e);
-    if (thread.template leaves<code>()) [[unlikely]] {
+    if (thread.leaves()) [[unlikely]] {
       const HostWords last = thread.host_words();
-      if constexpr (Thread::looks) SIGHTLINE_JUMP look(frame, last.a, last.b, last.c, static_cast<Index>(last.d), last_of(last, of));
-      else SIGHTLINE_JUMP leave(frame, last.a, last.b, last.c, static_cast<Index>(last.d), last_of(last, of));
+      SIGHTLINE_JUMP leave(frame, last.a, last.b, last.c, static_cast<Index>(last.d), last_of(last, of));
     }
     const unsigned next = thread.code();
     const HostWords words = thread.host_words();
@@ -157,15 +150,6 @@ class Threads {
     const HostWords words = thread.host_words();
     const Table* const of = table_of(e);
     if (leaves) SIGHTLINE_JUMP leave(frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
-    SIGHTLINE_JUMP of->functions[next](frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
-  }
-
-  SIGHTLINE_OUT_OF_LINE static void look(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
-    Thread thread = Thread::resume(frame, words_of(a, b, c, d, e));
-    if (thread.leaves()) SIGHTLINE_JUMP leave(frame, a, b, c, d, e);
-    const unsigned next = thread.code();
-    const HostWords words = thread.host_words();
-    const Table* const of = table_of(e);
     SIGHTLINE_JUMP of->functions[next](frame, words.a, words.b, words.c, static_cast<Index>(words.d), last_of(words, of));
   }
 

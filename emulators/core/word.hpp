@@ -21,13 +21,6 @@ class Word {
   constexpr Word() = default;
   // Keeps the low `Bits` bits of value.
   constexpr explicit Word(std::uint32_t value) : value_(value & mask) {}
-  // With marks in the bits above the word, for memory that keeps them there: value(), twos_complement() and == see them, and an operator takes them off.
-  [[nodiscard]] static constexpr Word with_marks(std::uint32_t value) {
-    Word word;
-    word.value_ = value;
-    return word;
-  }
-  [[nodiscard]] constexpr Word without_marks() const { return Word(value_); }
 
   [[nodiscard]] constexpr std::uint32_t value() const { return value_; }
   [[nodiscard]] constexpr bool negative() const { return (value_ & sign) != 0; }

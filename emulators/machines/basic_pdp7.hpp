@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "../core/inline.hpp"
-#include "../core/marked_threads.hpp"
 #include "../core/reporter.hpp"
+#include "../core/threads.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "../pdp7/console.hpp"
@@ -174,11 +174,8 @@ class BasicPdp7 {
     Pdp7Frame<BasicPdp7, Watcher> frame(*this, watcher);
     forget_deadlines();
     std::uint64_t left = limits.instructions;
-    const StopReason reason = run_frame(frame, watcher, limits.until, left);
-    counts_.instructions += limits.instructions - left;
-    state_ = frame.processor.registers.state();
-    now_ = frame.now();
-    frame.take_marks_off(watcher);
+    const StopReason reason = run_frame(frame, watcher, limits, left);
+    publish(frame, limits.instructions - left);
     if (display_) display_->advance(now_);
     return reason;
   }
@@ -186,7 +183,7 @@ class BasicPdp7 {
  private:
   template <class, class>
   friend struct Pdp7Frame;
-  template <class, class, bool>
+  template <class, class>
   friend class Pdp7Bus;
 
   static Configuration completed(Configuration configuration) {
@@ -203,41 +200,27 @@ class BasicPdp7 {
   }
 
   template <class Frame, class Watcher>
-  StopReason run_frame(Frame& frame, Watcher& watcher, core::Instant until, std::uint64_t& left) {
+  StopReason run_frame(Frame& frame, Watcher& watcher, const Limits& limits, std::uint64_t& left) {
     const auto pc = [&frame] { return frame.processor.registers.pc(); };
-    [[maybe_unused]] const core::Instant begun = frame.now();
+    const core::Instant until = limits.until;
     for (;;) {
-      if constexpr (core::Looks<Watcher>) {
-        if (asks(frame)) {
-          publish(frame);
-          if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
-          // Where a run begins nothing is asked: what the observer has not seen yet it is asked about at the next boundary.
-          if (frame.now() != begun) frame.arrives.look().answered();
-        }
-      } else if constexpr (Watcher::stops) {
-        if (frame.arrives(pc())) {
-          if (left != 0 && watcher.stop(frame.now(), pc())) return StopReason::observer;
+      if constexpr (Watcher::stops) {
+        if (frame.arrives(pc()) && left != 0) {
+          if (core::reads_machine(watcher)) publish(frame, limits.instructions - left);
+          if (watcher.stop(frame.now(), pc())) return StopReason::observer;
         }
       }
       if (frame.due()) {
         if (left == 0) return StopReason::instruction_limit;
-        if constexpr (core::Looks<Watcher>) {
-          if (watcher.told()) return StopReason::observer;
-        } else if constexpr (core::Filtered<Watcher>) {
+        if constexpr (core::Filtered<Watcher>) {
           if (watcher.stop(frame.now(), pc())) return StopReason::observer;
         }
         if (frame.now() >= until) return StopReason::time_limit;
-        [[maybe_unused]] const core::Instant arrived = frame.now();
         const bool interrupted = attend(frame, until, left);
-        if constexpr (core::Filtered<Watcher> && !core::Looks<Watcher>) {
+        if constexpr (core::Filtered<Watcher>) {
           if (frame.arrives.asks_again()) frame.look_around_at(frame.now(), frame.now(), 1);
         }
         if (interrupted) continue;
-        // What the devices have done here an observer that looks sees at the next boundary: a flag, or a word by a break, which takes time.
-        if constexpr (core::Looks<Watcher>) {
-          if (frame.arrives.look().looks_again([this, &frame] { return device_flags(frame.now()); }, frame.now() != arrived))
-            frame.look_around_at(frame.now(), frame.now(), 1);
-        }
       }
       const std::int64_t before = frame.allowance.instructions();
       go_on(frame, watcher);
@@ -247,39 +230,15 @@ class BasicPdp7 {
     }
   }
 
-  // Whether an observer that looks is to be asked at this boundary.
+  // What the machine shows, at a boundary so many instructions after the beginning of the run.
   template <class Frame>
-  bool asks(Frame& frame) {
-    const pdp7::Registers& registers = frame.processor.registers;
-    frame.arrives.look().see([this, &frame] { return device_flags(frame.now()); });
-    return frame.arrives.look().asks(registers.pc(), Pdp7View{registers.accumulator.bits(), &registers, frame.now(), {frame.core, frame.words}});
-  }
-  // All flags that devices have raised, whatever the order of the bits.
-  [[nodiscard]] std::uint32_t device_flags(core::Instant now) {
-    std::uint32_t flags = 0;
-    const auto add = [&flags](bool up) { flags = flags << 1 | (up ? 1U : 0U); };
-    add(devices_.clock.flag());
-    add(devices_.reader.flag());
-    add(devices_.punch.flag());
-    add(devices_.keyboard.flag());
-    add(devices_.printer.flag());
-    std::uint32_t others = devices_.disk ? devices_.disk->status() & (pdp7::rb09::status::done | pdp7::rb09::status::error) : 0;
-    if (display_) {
-      add(display_->vertical_edge(now));
-      add(display_->horizontal_edge(now));
-      add(display_->light_pen_flag(now));
-      add(display_->stop_interrupt(now));
-    }
-    return flags << 18 | others;
-  }
-  template <class Frame>
-  void publish(const Frame& frame) {
+  void publish(const Frame& frame, std::uint64_t instructions) {
     state_ = frame.processor.registers.state();
     now_ = frame.now();
-    if (display_) display_->advance(now_);
+    counts_.instructions = frame.begun + instructions;
   }
 
-  // Instructions up to the next boundary at which something is due, one at least; one, if each has to be told.
+  // Instructions up to the next boundary at which something is due, one at least; one, if the observer follows each.
   template <class Watcher>
   void go_on(Pdp7Frame<BasicPdp7, Watcher>& frame, Watcher& watcher) {
     using Thread = Pdp7Thread<BasicPdp7, Watcher>;
@@ -290,9 +249,10 @@ class BasicPdp7 {
       Thread(frame).step();
       watcher.instruction(
           InstructionRecord{begun, frame.now(), before.pc, word, before, frame.processor.registers.state()});
+    } else if constexpr (core::follows_instructions<Watcher>) {
+      Thread(frame).step();
     } else {
-      if constexpr (Thread::has_marks) core::MarkedThreads<Thread>::run(frame);
-      else core::Runner<Thread, Watcher>::run(frame);
+      core::Runner<Thread, Watcher>::run(frame);
     }
   }
 
@@ -309,7 +269,7 @@ class BasicPdp7 {
     registers.modes &= ~pdp7::mode::interrupts_deferred;
     frame.look_around_at(found.now, deferred ? found.now : found.deadline, instructions);
     if (found.interrupt) {
-      typename Pdp7Thread<BasicPdp7, Watcher>::Telling execution(Pdp7Bus<BasicPdp7, Watcher>(frame), frame.processor);
+      typename Pdp7Thread<BasicPdp7, Watcher>::Execution execution(Pdp7Bus<BasicPdp7, Watcher>(frame), frame.processor);
       execution.interrupt();
       execution.save();
     }
@@ -326,59 +286,28 @@ class BasicPdp7 {
   template <class Report>
   SIGHTLINE_INLINE Attention look_around(core::Instant now, bool interrupts_open, core::Instant until,
                                                std::int64_t instructions, const Report& report) {
-    bool asked = false;
-    if (now < devices_due_) display_break(now, Tell<Report>{report, asked});
-    if (now >= earlier(display_due_, devices_due_)) {
-      const Served served = serve_all(now, report);
-      now = served.now;
-      asked = asked || served.asked;
-    }
+    if (now < devices_due_) display_break(now, report);
+    if (now >= earlier(display_due_, devices_due_)) now = serve_all(now, report);
     const bool interrupt = interrupts_open && (devices_request_ || (display_ && display_->interrupt_request()));
-    const core::Instant event = asked ? now : earlier(display_due_, devices_due_);
+    const core::Instant event = earlier(display_due_, devices_due_);
     // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
     // but their number to be compared only with the other deadlines.
     const core::Instant shortest = now + pdp7::machine_cycle * instructions;
     return {now, earlier(event, earlier(until, shortest)), interrupt};
   }
 
-  // To the observer, if it wants cycles.
-  template <class Report>
-  struct Tell {
-    static constexpr bool has_marks = Report::has_marks;
-    const Report& report;
-    bool& asked;
-    SIGHTLINE_INLINE void operator()(const pdp7::Cycle& cycle) const { asked = report(cycle) || asked; }
-  };
-  // Core as a data break of a run finds it.
-  template <class Report>
-  [[nodiscard]] SIGHTLINE_INLINE core::Word18 word_for_break(pdp7::Address address) const {
-    if constexpr (Report::has_marks) return core_.read(address);
-    else return core_.data()[address & pdp7::address_mask];
-  }
-  template <class Report>
-  SIGHTLINE_INLINE void put_by_break(pdp7::Address address, core::Word18 word) {
-    if constexpr (Report::has_marks) core_.write_under_marks(address, word);
-    else core_.write(address, word);
-  }
-
   static constexpr core::Instant earlier(core::Instant a, core::Instant b) { return a < b ? a : b; }
 
-  struct Served {
-    core::Instant now;
-    bool asked;  // the observer wants to be asked
-  };
   template <class Report>
-  [[gnu::noinline]] Served serve_all(core::Instant now, const Report& report) {
-    bool asked = false;
-    const Tell<Report> tell{report, asked};
-    while (disk_break(now, tell) || display_break(now, tell) || clock_tick(now, tell)) {
+  [[gnu::noinline]] core::Instant serve_all(core::Instant now, const Report& report) {
+    while (disk_break(now, report) || display_break(now, report) || clock_tick(now, report)) {
     }
     if (now >= devices_due_) {
       devices_.advance(now);
       devices_due_ = devices_.deadline();
       devices_request_ = devices_.interrupt_request();
     }
-    return {now, asked};
+    return now;
   }
 
   // One data break of the disk, which waits least: it comes before the display's.
@@ -387,12 +316,12 @@ class BasicPdp7 {
     if (now < devices_due_ || !devices_.disk) return false;
     const auto request = devices_.disk->request(now);
     if (!request) return false;
-    const core::Word18 word = request->to_core ? request->word : word_for_break<Report>(request->address);
+    const core::Word18 word = request->to_core ? request->word : core_.read(request->address);
     const pdp7::Verb verb = request->to_core ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request->address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
-    if (request->to_core) put_by_break<Report>(request->address, word);
+    if (request->to_core) core_.write(request->address, word);
     devices_.disk->served(word);
     return true;
   }
@@ -418,13 +347,13 @@ class BasicPdp7 {
   // The request is copied: it is the display's own and goes as soon as it is met.
   template <class Request, class Report>
   SIGHTLINE_INLINE void grant(const Request request, core::Instant& now, Report report) {
-    const core::Word18 word = request.write ? request.word : word_for_break<Report>(request.address);
+    const core::Word18 word = request.write ? request.word : core_.read(request.address);
     const pdp7::Verb verb = request.write ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request.address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
     if (request.write) [[unlikely]] {
-      put_by_break<Report>(request.address, word);
+      core_.write(request.address, word);
       display_->deposited(now);
       // It raises the next request at once, which is no deadline any more (Type 347).
       display_due_ = display_->break_request() != nullptr ? now : display_->deadline();
@@ -439,7 +368,7 @@ class BasicPdp7 {
     constexpr pdp7::Address counter = 7;
     if (now < devices_due_ || !devices_.clock.take_tick(now)) return false;
     const core::Word18 count = core_.read(counter) + core::Word18(1);
-    put_by_break<Report>(counter, count);
+    core_.write(counter, count);
     const core::Duration length = pdp7::machine_cycle * configuration_.timing.clock_tick_cycles;
     report(pdp7::Cycle{now, length, pdp7::Verb::break_modify, counter, count});
     now += length;

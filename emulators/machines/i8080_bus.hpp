@@ -6,9 +6,7 @@
 // register; every verb is inlined into the instruction for the same reason.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <cstring>
 
 #include "../core/allowance.hpp"
 #include "../core/inline.hpp"
@@ -17,55 +15,10 @@
 #include "../core/tstates.hpp"
 #include "../i8080/bus.hpp"
 #include "../i8080/cpu.hpp"
-#include "../i8080/isa.hpp"
 #include "../i8080/state.hpp"
 #include "i8080_observer.hpp"
-#include "i8080_store.hpp"
 
 namespace sightline::machines {
-
-// What an observer that looks at registers sees: those in host registers, the time, and what is in the frame.
-struct I8080View {
-  std::uint32_t a;
-  std::uint32_t hl;
-  const i8080::Registers* others;
-  const i8080::Control* control;
-  core::TStateInstant now;
-  I8080Store* store;
-};
-
-// The places of memory that an instruction touches beside its own bytes: one, or two behind each other.
-struct I8080Touch {
-  enum class By : std::uint8_t { hl, pair, operand, stack };
-  int bytes = 0;
-  std::uint8_t marks = 0;  // of I8080Store, that such an access may have
-  By by = By::hl;
-  int from_sp = 0;
-};
-
-// A conditional instruction is one that is executed.
-[[nodiscard]] constexpr I8080Touch touch_of(i8080::Byte opcode) {
-  using i8080::CycleKind;
-  const i8080::Instruction& row = i8080::lookup(opcode);
-  int reads = 1 - row.bytes(), writes = 0;
-  bool stack = false;
-  for (const i8080::MachineCycle& cycle : row.taken) {
-    const bool by_stack = cycle.kind == CycleKind::stack_read || cycle.kind == CycleKind::stack_write;
-    stack = stack || by_stack;
-    reads += cycle.kind == CycleKind::read || cycle.kind == CycleKind::stack_read ? 1 : 0;
-    writes += cycle.kind == CycleKind::write || cycle.kind == CycleKind::stack_write ? 1 : 0;
-  }
-  I8080Touch touch{std::max(reads, writes), static_cast<std::uint8_t>((reads > 0 ? I8080Store::is_read : 0) | (writes > 0 ? I8080Store::is_written : 0))};
-  if (stack) {
-    touch.by = I8080Touch::By::stack;
-    touch.from_sp = reads > 0 ? 0 : -2;
-  } else if (row.operands[0] == i8080::Operand::pair_b_d) {
-    touch.by = I8080Touch::By::pair;
-  } else if (row.operands[0] == i8080::Operand::address) {
-    touch.by = I8080Touch::By::operand;
-  }
-  return touch;
-}
 
 // One run of a machine.
 template <class Machine, class Observer>
@@ -76,7 +29,7 @@ struct I8080Frame {
       : machine(&of),
         report(observer),
         arrives(observer),
-        store(of.store_),
+        memory(of.memory_),
         registers(of.state_),
         control(&of.state_) {
     registers.f = i8080::as_flags(registers.f);
@@ -95,11 +48,10 @@ struct I8080Frame {
   Machine* machine;
   [[no_unique_address]] core::Reporter<Observer> report;
   [[no_unique_address]] core::Arrivals<Observer> arrives;
-  I8080Store* store;
+  i8080::Byte* memory;
   i8080::Registers registers;
   i8080::Control* control;
   core::TStateInstant horizon;  // the last instant that is not due
-  bool by_pins = false;         // of an observer that looks: the next instruction is to be executed T-state by T-state
   Allowance allowance{core::TStates(0), 0};
 };
 
@@ -109,17 +61,17 @@ class I8080Bus {
   using Frame = I8080Frame<Machine, Observer>;
   using Allowance = typename Frame::Allowance;
 
-  SIGHTLINE_INLINE explicit I8080Bus(Frame& frame) : I8080Bus(frame, frame.store, frame.allowance) {}
-  SIGHTLINE_INLINE I8080Bus(Frame& frame, I8080Store* store, Allowance allowance)
-      : frame_(&frame), store_(store), allowance_(allowance) {}
+  SIGHTLINE_INLINE explicit I8080Bus(Frame& frame) : I8080Bus(frame, frame.memory, frame.allowance) {}
+  SIGHTLINE_INLINE I8080Bus(Frame& frame, i8080::Byte* memory, Allowance allowance)
+      : frame_(&frame), memory_(memory), allowance_(allowance) {}
 
-  [[nodiscard]] I8080Store* store() const { return store_; }
+  [[nodiscard]] i8080::Byte* memory() const { return memory_; }
   [[nodiscard]] Allowance allowance() const { return allowance_; }
   void count_instruction() { allowance_.count_instruction(); }
   void save() { frame_->allowance = allowance_; }
 
   // The opcode of the next instruction, before its cycle, and the cycle that takes it.
-  [[nodiscard]] SIGHTLINE_INLINE i8080::Byte peek(i8080::Address address) const { return store_->bytes[address]; }
+  [[nodiscard]] SIGHTLINE_INLINE i8080::Byte peek(i8080::Address address) const { return memory_[address]; }
   SIGHTLINE_INLINE void fetch_peeked(i8080::Status cycle, i8080::Address address, i8080::Byte opcode) {
     const core::TStateInstant begun = begin(i8080::CycleKind::fetch, address);
     report_at(begun, cycle, address, opcode);
@@ -139,7 +91,7 @@ class I8080Bus {
   SIGHTLINE_INLINE void write(i8080::Status cycle, i8080::Address address, i8080::Byte byte) {
     report(cycle, address, byte);
     wait(kind_of(cycle, i8080::CycleKind::write, i8080::CycleKind::stack_write), address);
-    store_->bytes[address] = byte;
+    memory_[address] = byte;
     allowance_.pass(core::TStates(3));
   }
   i8080::Byte in(i8080::Status cycle, i8080::Byte port) {
@@ -183,7 +135,7 @@ class I8080Bus {
   SIGHTLINE_INLINE i8080::Byte take(i8080::CycleKind kind, i8080::Status cycle, i8080::Address address,
                                           core::TStates length, bool operand) {
     const core::TStateInstant begun = begin(kind, address);
-    const i8080::Byte byte = store_->bytes[address];
+    const i8080::Byte byte = memory_[address];
     report_at(begun, cycle, address, byte, operand);
     allowance_.pass(length);
     return byte;
@@ -214,19 +166,13 @@ class I8080Bus {
     // Every access of every opcode is compiled with it: an observer of instructions too is slow by itself.
     if constexpr (Observer::cycles && Observer::instructions) {
       if (frame_->machine->report_out_of_line({begun, cycle, address, data, operand}, frame_->report)) attention();
-    } else if constexpr (core::Looks<Observer>) {
-      // An instruction that touches a marked place of memory is not executed here (i8080_looking.hpp).
-      if ((cycle & (i8080::status::input | i8080::status::output)) == 0) return;
-      if (frame_->machine->template report_at_once<false>({begun, cycle, address, data, operand}, frame_->report)) attention();
     } else if constexpr (Observer::cycles) {
-      constexpr bool ends_of_halts = wants_ends_of_halts<Observer>;
-      if (frame_->machine->template report_at_once<ends_of_halts>({begun, cycle, address, data, operand}, frame_->report))
-        attention();
+      if (frame_->machine->report_at_once({begun, cycle, address, data, operand}, frame_->report)) attention();
     }
   }
 
   Frame* frame_;
-  I8080Store* store_;
+  i8080::Byte* memory_;
   Allowance allowance_;
 };
 
@@ -245,12 +191,12 @@ class I8080Thread {
 
   SIGHTLINE_INLINE static I8080Thread resume(Frame& frame, const core::HostWords& words) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): it was made by host_words()
-    auto* const store = reinterpret_cast<I8080Store*>(static_cast<std::uintptr_t>(words.a));
-    const Bus bus(frame, store, typename Bus::Allowance(words.b));
+    auto* const memory = reinterpret_cast<i8080::Byte*>(static_cast<std::uintptr_t>(words.a));
+    const Bus bus(frame, memory, typename Bus::Allowance(words.b));
     return I8080Thread(frame, Execution(bus, frame.registers, *frame.control, words.c, static_cast<std::uint32_t>(words.d), words.e));
   }
   [[nodiscard]] SIGHTLINE_INLINE core::HostWords host_words() const {
-    return {reinterpret_cast<std::uintptr_t>(execution_.bus().store()), execution_.bus().allowance().host_word(),
+    return {reinterpret_cast<std::uintptr_t>(execution_.bus().memory()), execution_.bus().allowance().host_word(),
             execution_.a(), execution_.hl(), execution_.pc()};
   }
 
@@ -261,9 +207,7 @@ class I8080Thread {
   static constexpr bool leaves_memory = Execution::template is_rare<code>;
   template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE bool is_rare() const {
-    if constexpr (leaves_memory<code>) return true;
-    else if constexpr (looks) return touches_marked<code>();
-    else return false;
+    return leaves_memory<code>;
   }
   template <unsigned code>
   SIGHTLINE_INLINE void execute() {
@@ -271,36 +215,15 @@ class I8080Thread {
     if constexpr (!leaves_memory<code>) execution_.template step_as<code>();
   }
   void execute_any() {
-    if constexpr (looks) {
-      const auto opcode = static_cast<i8080::Byte>(code());
-      if (opcode != 0xDB && opcode != 0xD3 && opcode != 0x76) {
-        frame_->by_pins = true;
-        return;
-      }
-    }
     execution_.bus().count_instruction();
     execution_.step_rare(static_cast<i8080::Byte>(code()));
   }
-  // In the plain loop a boundary after an instruction that may have changed what the observer looks at is always a question.
-  static constexpr bool looks = core::Looks<Observer>;
-  template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
-    if constexpr (looks) {
-      constexpr std::uint16_t changes = i8080::registers_changed_by(static_cast<i8080::Byte>(code));
-      return due() || store()->places[pc()] != 0 || (frame_->arrives.look().tested() & changes) != 0;
-    } else {
-      return leaves();
-    }
-  }
-  [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
-    if constexpr (looks) {
-      if (frame_->by_pins || asks()) return true;
-    } else if constexpr (Observer::stops) {
+    if constexpr (Observer::stops) {
       if (frame_->arrives(static_cast<i8080::Address>(execution_.pc()))) [[unlikely]] return true;
     }
-    return due();
+    return execution_.bus().due();
   }
-  [[nodiscard]] SIGHTLINE_INLINE bool due() const { return execution_.bus().due(); }
   SIGHTLINE_INLINE void leave() { execution_.save(); }
 
   // One instruction, whatever its opcode.
@@ -310,52 +233,7 @@ class I8080Thread {
     leave();
   }
 
-  [[nodiscard]] SIGHTLINE_INLINE I8080Store* store() const { return execution_.bus().store(); }
-  // Of an observer that looks.
-  [[nodiscard]] SIGHTLINE_INLINE i8080::Address pc() const { return static_cast<i8080::Address>(execution_.pc()); }
-  // The instruction that is next touches a marked place, and a run leaves it to the pins, which tell.
-  template <unsigned code>
-  [[nodiscard]] SIGHTLINE_INLINE bool touches_marked() const {
-    constexpr I8080Touch touch = touch_of(static_cast<i8080::Byte>(code));
-    if constexpr (touch.bytes == 0) {
-      return false;
-    } else {
-      const auto first = static_cast<i8080::Address>(touched_by<code>());
-      if constexpr (touch.bytes == 1) {
-        return (store()->accesses[first] & touch.marks) != 0;
-      } else {
-        std::uint16_t both = 0;
-        std::memcpy(&both, &store()->accesses[first], sizeof both);
-        return (both & touch.marks * 0x0101U) != 0;
-      }
-    }
-  }
-  void leave_to_pins() { frame_->by_pins = true; }
-  [[nodiscard]] bool asks() const { return frame_->arrives.look().asks(pc(), view()); }
-  template <unsigned test>
-  [[nodiscard]] SIGHTLINE_INLINE bool hits() const {
-    return frame_->arrives.look().template hits<test>(view());
-  }
-
  private:
-  [[nodiscard]] SIGHTLINE_INLINE I8080View view() const {
-    return {execution_.a(), execution_.hl(), &frame_->registers, frame_->control, execution_.bus().now(), execution_.bus().store()};
-  }
-  template <unsigned code>
-  [[nodiscard]] SIGHTLINE_INLINE std::uint32_t touched_by() const {
-    constexpr auto opcode = static_cast<i8080::Byte>(code);
-    constexpr I8080Touch touch = touch_of(opcode);
-    if constexpr (touch.by == I8080Touch::By::hl) {
-      return execution_.hl();
-    } else if constexpr (touch.by == I8080Touch::By::pair) {
-      return (code >> 4 & 1) != 0 ? frame_->registers.de : frame_->registers.bc;
-    } else if constexpr (touch.by == I8080Touch::By::operand) {
-      const auto at = [this](unsigned n) { return store()->bytes[static_cast<i8080::Address>(execution_.pc() + n)]; };
-      return i8080::joined(at(2), at(1));
-    } else {
-      return static_cast<std::uint32_t>(frame_->registers.sp + touch.from_sp);
-    }
-  }
   SIGHTLINE_INLINE I8080Thread(Frame& frame, const Execution& execution)
       : frame_(&frame), execution_(execution) {}
 

@@ -16,19 +16,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 
 #include "../core/inline.hpp"
 #include "../core/reporter.hpp"
+#include "../core/threads.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/cpu.hpp"
 #include "../i8080/state.hpp"
 #include "i8080_bus.hpp"
-#include "i8080_looking.hpp"
 #include "i8080_observer.hpp"
 #include "i8080_pins.hpp"
 #include "i8080_run.hpp"
-#include "i8080_store.hpp"
 
 namespace sightline::machines {
 
@@ -36,22 +34,20 @@ template <class Ports, class Observer = NoI8080Observer>
 class I8080Machine {
  public:
   // Both must outlive the machine.
-  I8080Machine(Ports& ports, Observer& observer) : ports_(ports), observer_(observer), store_(new I8080Store) {
-    store_->bytes.fill(0);
-  }
+  I8080Machine(Ports& ports, Observer& observer) : ports_(ports), observer_(observer), memory_(new i8080::Byte[memory_size]{}) {}
   I8080Machine(const I8080Machine&) = delete;
   I8080Machine& operator=(const I8080Machine&) = delete;
-  ~I8080Machine() { delete store_; }
+  ~I8080Machine() { delete[] memory_; }
 
   // Registers, between runs.
   [[nodiscard]] i8080::State& registers() { return state_; }
   [[nodiscard]] const i8080::State& registers() const { return state_; }
 
   // Memory, without time: the door for loaders, dumps and tests.
-  [[nodiscard]] i8080::Byte peek(i8080::Address address) const { return store_->bytes[address]; }
-  void deposit(i8080::Address address, i8080::Byte byte) { store_->bytes[address] = byte; }
-  [[nodiscard]] std::span<i8080::Byte> memory() { return store_->bytes; }
-  [[nodiscard]] std::span<const i8080::Byte> memory() const { return store_->bytes; }
+  [[nodiscard]] i8080::Byte peek(i8080::Address address) const { return memory_[address]; }
+  void deposit(i8080::Address address, i8080::Byte byte) { memory_[address] = byte; }
+  [[nodiscard]] std::span<i8080::Byte> memory() { return {memory_, memory_size}; }
+  [[nodiscard]] std::span<const i8080::Byte> memory() const { return {memory_, memory_size}; }
 
   [[nodiscard]] core::TStateInstant now() const { return now_; }
   // Since the machine was made; those a device supplied included.
@@ -82,7 +78,7 @@ class I8080Machine {
       fields("held", held_);
       fields.require(!pins_.waking || state_.halted, "waking", "only in a halt");
     });
-    visit.section("memory", [this](auto& fields) { fields.bytes("bytes", std::span<i8080::Byte>(store_->bytes), 0xFF); });
+    visit.section("memory", [this](auto& fields) { fields.bytes("bytes", memory(), 0xFF); });
   }
 
   // The RESET pin; memory stays, and so do all registers but PC and INTE.
@@ -100,13 +96,11 @@ class I8080Machine {
   // The same, watched by another than the machine's own observer.
   template <class Watcher>
   [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits, Watcher& watcher) {
-    if constexpr (core::Looks<Watcher>) I8080LookingThreads<I8080Machine, Ports, Watcher>::prepare(*store_, watcher);
     I8080Frame<I8080Machine, Watcher> frame(*this, watcher);
+    const std::uint64_t begun = instructions_;
     std::uint64_t count = 0;
     const I8080StopReason reason = run_frame(frame, watcher, limits, count);
-    instructions_ += count;
-    static_cast<i8080::Registers&>(state_) = frame.registers;
-    now_ = frame.now();
+    publish(frame, begun + count);
     bring_ports_to(now_);
     return reason;
   }
@@ -120,30 +114,18 @@ class I8080Machine {
   template <class Watcher>
   I8080StopReason run_frame(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher, const I8080Limits& limits,
                             std::uint64_t& count) {
+    [[maybe_unused]] const std::uint64_t begun = instructions_;
+    [[maybe_unused]] bool in_hold = false;  // where the run has to end: no boundary
     while (true) {
-      if constexpr (core::Looks<Watcher>) {
-        if (!state_.halted && asks(frame)) {
-          publish(frame);
+      if constexpr (Watcher::stops) {
+        if (!state_.halted && !in_hold && frame.arrives(frame.registers.pc)) {
+          if (core::reads_machine(watcher)) publish(frame, begun + count);
           if (watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
-        }
-      } else if constexpr (Watcher::stops) {
-        if (frame.arrives(frame.registers.pc)) {
-          if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
-        }
-      }
-      if constexpr (core::Looks<Watcher>) {
-        if (std::exchange(frame.by_pins, false)) {
-          bring_ports_to(frame.now());
-          state_.deferred = true;  // whether an interrupt comes here has been found out
-          if (step_by_pins(frame, watcher, limits.until)) ++count;
-          continue;
         }
       }
       if (frame.due()) {
-        if constexpr (core::Looks<Watcher>) {
-          if (!state_.halted && watcher.told()) return I8080StopReason::observer;
-        } else if constexpr (core::Filtered<Watcher>) {
-          if (!state_.halted && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
+        if constexpr (core::Filtered<Watcher>) {
+          if (!state_.halted && !in_hold && watcher.stop(frame.now(), frame.registers.pc)) return I8080StopReason::observer;
         }
         const std::int64_t most = instructions_of(limits, count);
         const Attention found = attend(frame.now(), limits, count, most);
@@ -151,7 +133,11 @@ class I8080Machine {
         if (found.stop) return found.reason;
         if (found.again) continue;
         if (found.by_pins) {
-          if (step_by_pins(frame, watcher, limits.until)) ++count;
+          in_hold = !state_.halted;
+          if (step_by_pins(frame, watcher, limits.until)) {
+            ++count;
+            in_hold = false;
+          }
           continue;
         }
       }
@@ -161,16 +147,12 @@ class I8080Machine {
     }
   }
 
-  // Whether an observer that looks is to be asked at this boundary.
+  // What the machine shows, as it is at a boundary.
   template <class Frame>
-  static bool asks(Frame& frame) {
-    const i8080::Registers& registers = frame.registers;
-    return frame.arrives.look().asks(registers.pc, I8080View{registers.a, registers.hl, &registers, frame.control, frame.now(), frame.store});
-  }
-  template <class Frame>
-  void publish(const Frame& frame) {
+  void publish(const Frame& frame, std::uint64_t instructions) {
     static_cast<i8080::Registers&>(state_) = frame.registers;
     now_ = frame.now();
+    instructions_ = instructions;
   }
 
   // Instructions of one allowance.
@@ -180,7 +162,7 @@ class I8080Machine {
         std::min(left, static_cast<std::uint64_t>(core::Allowance<core::TState>::most)));
   }
 
-  // Instructions up to the next boundary at which something is due, one at least; one, if each has to be told.
+  // Instructions up to the next boundary at which something is due, one at least; one, if the observer follows each.
   template <class Watcher>
   void go_on(I8080Frame<I8080Machine, Watcher>& frame, Watcher& watcher) {
     using Thread = I8080Thread<I8080Machine, Ports, Watcher>;
@@ -190,8 +172,8 @@ class I8080Machine {
       const std::array<i8080::Byte, 3> bytes = bytes_at(before.pc);
       Thread(frame).step();
       watcher.instruction({begun, frame.now(), before.pc, bytes, false, before, frame.state()});
-    } else if constexpr (core::Looks<Watcher>) {
-      I8080LookingThreads<I8080Machine, Ports, Watcher>::run(frame);
+    } else if constexpr (core::follows_instructions<Watcher>) {
+      Thread(frame).step();
     } else {
       core::Runner<Thread, Watcher>::run(frame);
     }
@@ -203,13 +185,7 @@ class I8080Machine {
     using Frame = I8080Frame<I8080Machine, Watcher>;
     I8080Tell tell{&frame};
     if constexpr (Watcher::cycles) {
-      tell.cycle = [](void* to, const I8080Cycle& told) {
-        I8080Cycle cycle = told;
-        if constexpr (!wants_ends_of_halts<Watcher>) {
-          if ((cycle.status & i8080::status::first) != 0) cycle.status &= static_cast<i8080::Status>(~i8080::status::halt);
-        }
-        static_cast<Frame*>(to)->report(cycle);
-      };
+      tell.cycle = [](void* to, const I8080Cycle& cycle) { static_cast<Frame*>(to)->report(cycle); };
     }
     if constexpr (requires(const I8080HoldPins& pins) { watcher.hold(pins); }) {
       tell.to_holds = &watcher;
@@ -343,7 +319,7 @@ class I8080Machine {
     latches.woken = !state_.halted && halt_ended_ == now;
     latches.halted = state_.halted || latches.woken;
     supplied_ = {};
-    I8080Board<Ports> board(ports_, store_->bytes.data(), supplied_, now, latches.hold_acknowledge, tell);
+    I8080Board<Ports> board(ports_, memory_, supplied_, now, latches.hold_acknowledge, tell);
     I8080PinBus<Ports> bus(board, state_.interrupts_on, latches);
     I8080PinStep step;
     if (state_.halted) wait_on_pins(board, bus, until);
@@ -390,7 +366,7 @@ class I8080Machine {
   }
 
   [[nodiscard]] std::array<i8080::Byte, 3> bytes_at(i8080::Address address) const {
-    const auto at = [&](unsigned i) { return store_->bytes[static_cast<i8080::Address>(address + i)]; };
+    const auto at = [&](unsigned i) { return memory_[static_cast<i8080::Address>(address + i)]; };
     return {at(0), at(1), at(2)};
   }
 
@@ -404,11 +380,9 @@ class I8080Machine {
   }
 
   // The fetch that ends a halt still says HLTA.
-  template <bool ends_of_halts = true, class Report>
+  template <class Report>
   SIGHTLINE_INLINE bool report_at_once(I8080Cycle cycle, Report report) {
-    if constexpr (ends_of_halts) {
-      if (cycle.time == halt_ended_) cycle.status |= i8080::status::halt;
-    }
+    if (cycle.time == halt_ended_) cycle.status |= i8080::status::halt;
     return report(cycle);
   }
   template <class Report>
@@ -421,7 +395,8 @@ class I8080Machine {
   i8080::State state_;
   core::TStateInstant now_{};
   std::uint64_t instructions_ = 0;
-  I8080Store* const store_;  // owned; <memory> would make each reader of this header read half of the library
+  static constexpr std::size_t memory_size = 0x10000;
+  i8080::Byte* const memory_;  // owned; <memory> would make each reader of this header read half of the library
   core::TStateInstant halt_sampled_{};  // the next T-state in which a halted processor looks at INT
   core::TStateInstant halt_ended_ = core::never_t;  // T1 of the fetch after the last halt
   i8080::PinLatches pins_;  // all false between instructions at which nothing is in hand

@@ -9,24 +9,16 @@
 //   void cycle(const I8080Cycle&);
 //   bool stop(core::TStateInstant now, i8080::Address next);   true ends the run there, before the fetch from `next`; not
 //                                         asked while a halt lasts
-// An observer of cycles that has
-//   static constexpr bool ends_of_halts = false;
-// does not need HLTA in the fetch that ends a halt, which each cycle would be asked for. It may have a filter
-// (../core/reporter.hpp), and
+// An observer of cycles may have
 //   void hold(const I8080HoldPins&);      called when one of them has changed; cycle() is told of a cycle when its byte is known
-// An observer that looks at registers (the same file) has
-//   std::optional<I8080Wanted> renewed();     what it wants of a run that begins; nothing: the same as at the last run of this machine
-// and its Look, in place of arrives() and of enter(),
-//   static constexpr unsigned tests;      how many tests there are
-//   bool hits<test>(const I8080View&) const   a test of few host instructions that may say true too often; not asked: false at all times
-//   std::uint16_t tested() const          I8080Wanted::tested
-// A cycle of memory is told where I8080Wanted has a mark for it, one of a port where the filter wants it.
+// and one that is asked
+//   bool reads_machine() const;           true: stop() finds the machine's registers, time and count of instructions up to date
+// It may have a filter (../core/reporter.hpp).
 // An observer sees; it must not write to the machine.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "../core/tstates.hpp"
 #include "../i8080/bus.hpp"
@@ -63,21 +55,6 @@ struct I8080HoldPins {
 
   friend constexpr bool operator==(const I8080HoldPins&, const I8080HoldPins&) = default;
 };
-
-// What an observer that looks wants of a run.
-struct I8080Wanted {
-  const std::uint8_t* places;    // by addresses, bit 0 set: a run is asked there
-  const std::uint8_t* accesses;  // marks of I8080Store, by addresses
-  bool watches;                  // there are such marks
-  std::uint16_t tested;          // a set of i8080::changed: it is asked after instructions that may change one of them, if the test hits
-  std::optional<unsigned> test;  // nothing: each time. Each time, too, if the instruction may change memory and that is in the set
-};
-
-template <class Observer>
-inline constexpr bool wants_ends_of_halts = true;
-template <class Observer>
-  requires requires { Observer::ends_of_halts; }
-inline constexpr bool wants_ends_of_halts<Observer> = Observer::ends_of_halts;
 
 struct NoI8080Observer {
   static constexpr bool instructions = false;

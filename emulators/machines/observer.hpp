@@ -8,7 +8,10 @@
 //   void instruction(const InstructionRecord&);
 //   void cycle(const pdp7::Cycle&);
 //   bool stop(core::Instant now, pdp7::Address next);   true ends the run there, before the fetch from `next`
-// It may have a filter (../core/reporter.hpp).
+// An observer that is asked may have
+//   bool reads_machine() const;   true: stop() finds the machine's registers, time and counts up to date; the display's flags come there
+//                                 when they are asked for
+// and a filter (../core/reporter.hpp).
 // An observer sees; it must not write to the machine.
 #pragma once
 

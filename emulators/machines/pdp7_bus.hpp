@@ -4,14 +4,9 @@
 // What changes with every cycle, the allowance of time, is a value in the hands of the processor; the rest is in the frame of
 // the run. The machine is touched only on the slow paths, by value, so that a compiler can keep the allowance in a
 // register; every verb is inlined into the instruction for the same reason.
-//
-// A run with an observer of marks (core/reporter.hpp) has two buses. An instruction that comes to no marked word is executed on one that tells
-// nothing and leaves marks alone; every other, and what is rare, on one that tells all.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
 
 #include "../core/allowance.hpp"
 #include "../core/inline.hpp"
@@ -26,14 +21,6 @@
 
 namespace sightline::machines {
 
-// What an observer that looks at registers sees: L and AC as pdp7::Accumulator has them, the time, and what is in the frame.
-struct Pdp7View {
-  std::uint32_t accumulator;
-  const pdp7::Registers* others;
-  core::Instant now;
-  std::span<const core::Word18> core;
-};
-
 // One run of a machine.
 template <class Machine, class Observer>
 struct Pdp7Frame {
@@ -46,22 +33,9 @@ struct Pdp7Frame {
         core(of.core_.data()),
         words(of.core_.size()),
         bank(enter(of.state_.pc & pdp7::bank_mask)),
-        processor(of.configuration_.model, of.configuration_.timing, of.state_) {
+        processor(of.configuration_.model, of.configuration_.timing, of.state_),
+        begun(of.counts_.instructions) {
     look_around_at(of.now_, of.now_, 1);
-    if constexpr (core::Marks<Observer>) {
-      for (const auto& [place, marks] : observer.marked_places()) of.core_.mark(place, marks);
-      of.core_.mark_outside(end_of_banks());
-    }
-  }
-  // After the run, with the same observer.
-  void take_marks_off(const Observer& observer) {
-    if constexpr (core::Marks<Observer>)
-      for (const auto& [place, marks] : observer.marked_places()) machine->core_.unmark(place);
-    if constexpr (core::Marks<Observer>) machine->core_.unmark_outside(end_of_banks());
-  }
-  // Behind all that the processor can reach.
-  [[nodiscard]] pdp7::Address end_of_banks() const {
-    return (processor.model->extend ? pdp7::address_mask : pdp7::in_bank_mask) + 1;
   }
 
   [[nodiscard]] core::Instant now() const { return horizon - allowance.left(); }
@@ -85,14 +59,14 @@ struct Pdp7Frame {
   std::uint32_t bank_words = 0;  // likewise, from the beginning of the bank on
   core::Word18* bank;            // where direct addresses lie
   pdp7::Processor processor;
+  std::uint64_t begun;    // instructions before the run
   core::Instant horizon;  // the last instant that is not due
   Allowance allowance{core::Duration(0), 0};
 };
 
-template <class Machine, class Observer, bool tells = Observer::cycles>
+template <class Machine, class Observer>
 class Pdp7Bus {
  public:
-  static constexpr bool has_marks = core::Marks<Observer>;
   using Frame = Pdp7Frame<Machine, Observer>;
   using Allowance = typename Frame::Allowance;
 
@@ -107,45 +81,21 @@ class Pdp7Bus {
     frame_->bank = bank_;
     frame_->allowance = allowance_;
   }
-  void restore() {
-    bank_ = frame_->bank;
-    allowance_ = frame_->allowance;
-  }
   void enter(pdp7::Address bank) { bank_ = frame_->enter(bank); }
 
-  // The word of the next instruction, before its cycle; with its marks.
+  // The word of the next instruction, before its cycle.
   [[nodiscard]] SIGHTLINE_INLINE core::Word18 peek(pdp7::Here here) const { return bank_[here.place]; }
   // The cycle that takes it.
   SIGHTLINE_INLINE void fetch_peeked(pdp7::Here here, core::Word18 word) { pass(pdp7::Verb::fetch, here, word); }
 
-  // Of a run with marks.
-  [[nodiscard]] SIGHTLINE_INLINE bool marked(pdp7::Here here) const {
-    if (cell(here)->value() > core::Word18::mask) return true;
-    // Outside core every word that a processor without extension can reach has a mark, and behind these there is nothing but
-    // CAL, which is not executed here: put() need not look whether this one can be written.
-    if (here.place >= frame_->bank_words) __builtin_unreachable();
-    return false;
-  }
-  [[nodiscard]] SIGHTLINE_INLINE bool marked_for_reading(pdp7::Here here) const {
-    return (cell(here)->value() & pdp7::core_mark::read) != 0;
-  }
-
   template <class At>
   SIGHTLINE_INLINE core::Word18 fetch(At at) {
-    const core::Word18 word = word_at(at);
+    const core::Word18 word = *cell(at);
     pass(pdp7::Verb::fetch, at, word);
     return word;
   }
   template <class At>
   SIGHTLINE_INLINE core::Word18 read(At at) {
-    const core::Word18 word = word_at(at);
-    pass(pdp7::Verb::read, at, word);
-    return word;
-  }
-  // The same, for those who do not look at the bits above L.
-  template <class At>
-    requires(has_marks && !tells)
-  SIGHTLINE_INLINE core::Word18 read_with_marks(At at) {
     const core::Word18 word = *cell(at);
     pass(pdp7::Verb::read, at, word);
     return word;
@@ -163,7 +113,7 @@ class Pdp7Bus {
     return word;
   }
   void interrupt(core::Word18 word) {
-    put_into(frame_->core[0], word);
+    frame_->core[0] = word;
     pass(pdp7::Verb::interrupt, pdp7::Address{0}, word);
   }
   pdp7::IotReply iot(std::uint32_t word, core::Word18 ac) {
@@ -194,20 +144,10 @@ class Pdp7Bus {
   }
   // Outside core nothing is written.
   SIGHTLINE_INLINE void put(pdp7::Here here, core::Word18 word) {
-    if (here.place < frame_->bank_words) [[likely]] put_into(*cell(here), word);
+    if (here.place < frame_->bank_words) [[likely]] *cell(here) = word;
   }
   SIGHTLINE_INLINE void put(pdp7::Address address, core::Word18 word) {
-    if (address < frame_->words) put_into(*cell(address), word);
-  }
-  // Who tells nothing has looked whether the word has a mark.
-  SIGHTLINE_INLINE static void put_into(core::Word18& cell, core::Word18 word) {
-    if constexpr (has_marks && tells) pdp7::CoreMemory::put_under_marks(cell, word);
-    else cell = word;
-  }
-  template <class At>
-  [[nodiscard]] SIGHTLINE_INLINE core::Word18 word_at(At at) const {
-    if constexpr (has_marks) return cell(at)->without_marks();
-    else return *cell(at);
+    if (address < frame_->words) *cell(address) = word;
   }
 
   SIGHTLINE_INLINE void take_asynchronous(core::Duration duration) {
@@ -219,7 +159,7 @@ class Pdp7Bus {
     allowance_.pass(pdp7::machine_cycle);
   }
   SIGHTLINE_INLINE void report(core::Duration length, pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
-    if constexpr (tells) {
+    if constexpr (Observer::cycles) {
       if (frame_->report(pdp7::Cycle{now(), length, verb, address, word})) attention();
     }
   }
@@ -233,10 +173,8 @@ class Pdp7Bus {
 template <class Machine, class Observer>
 class Pdp7Thread {
  public:
-  static constexpr bool has_marks = core::Marks<Observer>;
   using Frame = Pdp7Frame<Machine, Observer>;
-  using Telling = pdp7::Execution<Pdp7Bus<Machine, Observer>>;
-  using Bus = Pdp7Bus<Machine, Observer, Observer::cycles && !has_marks>;
+  using Bus = Pdp7Bus<Machine, Observer>;
   using Execution = pdp7::Execution<Bus>;
   static constexpr unsigned codes = Execution::codes;
   static constexpr bool has_spare_word = true;
@@ -270,63 +208,15 @@ class Pdp7Thread {
   }
   void execute_any() {
     execution_.bus().count_instruction();
-    if constexpr (has_marks) {
-      const Bus& bus = execution_.bus();
-      Telling telling(Pdp7Bus<Machine, Observer>(*frame_, bus.bank(), bus.allowance()), frame_->processor, execution_.accumulator(),
-                      execution_.next().place);
-      const pdp7::Outcome outcome = telling.step(word_ & core::Word18::mask);
-      execution_ = Execution(Bus(*frame_, telling.bus().bank(), telling.bus().allowance()), frame_->processor, telling.accumulator(),
-                             telling.next().place);
-      take(outcome);
-    } else {
-      take(execution_.step(word_));
-    }
-  }
-  static constexpr bool looks = false;  // who looks has marks
-  template <unsigned code>
-  [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
-    return leaves();
+    take(execution_.step(word_));
   }
   [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
-    if constexpr (has_marks) {
-      if (frame_->arrives.look().asks(pdp7::Address{execution_.next()}, view())) return true;
-    } else if constexpr (Observer::stops) {
+    if constexpr (Observer::stops) {
       if (frame_->arrives(pdp7::Address{execution_.next()})) [[unlikely]] return true;
     }
     return execution_.bus().due();
   }
   SIGHTLINE_INLINE void leave() { execution_.save(); }
-
-  // For marked_threads.hpp. Tests are bits of pdp7::change, of what an instruction may have changed, and two more.
-  static constexpr unsigned first_mark = pdp7::core_mark::first_bit - 13, mark_bits = pdp7::core_mark::bits;
-  static constexpr unsigned of_reads = 0x100, of_writes = 0x200;
-  static constexpr std::array<unsigned, 6> kinds{
-      pdp7::change::eae,
-      pdp7::change::eae | pdp7::change::accumulator,
-      of_writes,
-      of_writes | of_reads,
-      of_writes | of_reads | pdp7::change::eae | pdp7::change::accumulator,
-      of_writes | of_reads | pdp7::change::eae | pdp7::change::accumulator | pdp7::change::memory};
-  [[nodiscard]] static unsigned tests_of(const Frame& frame) {
-    const auto& look = frame.arrives.look();
-    return (look.changes() & ~unsigned{pdp7::change::modes}) | ((look.marks() & pdp7::core_mark::read) != 0 ? of_reads : 0U) |
-           (look.marks() != 0 ? of_writes : 0U);
-  }
-  // Only rare instructions change the modes.
-  template <unsigned code>
-  static constexpr unsigned useful_tests = (Execution::template is_always_rare<code> ? 0U : Execution::template changes<code>) |
-                                           (Execution::template may_read<code> ? of_reads : 0U) |
-                                           (Execution::template may_write<code> ? of_writes : 0U);
-  template <unsigned code, unsigned tests>
-  [[nodiscard]] SIGHTLINE_INLINE bool is_rare() const {
-    return is_rare<code>() || execution_.template meets_mark<code, (tests & of_reads) != 0, (tests & of_writes) != 0>(word_);
-  }
-  template <unsigned code, unsigned tests>
-  [[nodiscard]] SIGHTLINE_INLINE bool leaves() const {
-    if (execution_.bus().due()) [[unlikely]] return true;
-    return frame_->arrives.look().template may_ask<tests & useful_tests<code>>(view());
-  }
-  [[nodiscard]] bool leaves_after_any() const { return execution_.bus().due() || frame_->arrives.look().may_ask(view()); }
 
   // One instruction, whatever its code.
   void step() {
@@ -339,9 +229,6 @@ class Pdp7Thread {
   SIGHTLINE_INLINE Pdp7Thread(Frame& frame, const Execution& execution, std::uint32_t word)
       : frame_(&frame), execution_(execution), word_(word) {}
 
-  [[nodiscard]] SIGHTLINE_INLINE Pdp7View view() const {
-    return {execution_.accumulator().bits(), &frame_->processor.registers, execution_.bus().now(), {frame_->core, frame_->words}};
-  }
   void take(pdp7::Outcome outcome) {
     if (outcome == pdp7::Outcome::completed) return;
     frame_->processor.outcome = outcome;

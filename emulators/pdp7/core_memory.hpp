@@ -12,18 +12,6 @@
 
 namespace sightline::pdp7 {
 
-// Marks above the 18 bits of a word. A run that is watched for places sets them when it begins and takes them off when it ends;
-// its bus, its data breaks and what it shows its observer come across them, and nobody else. A fetch pays nothing for them, because they lie beside the bits
-// that choose the code of an instruction; nor do most that read into AC, because they lie above L, where an Accumulator may have
-// anything.
-namespace core_mark {
-inline constexpr unsigned first_bit = 19, bits = 3;
-inline constexpr std::uint32_t asked = 1U << first_bit;  // the boundary before the instruction here
-inline constexpr std::uint32_t read = asked << 1;        // an access that reads, but for the fetch of an instruction
-inline constexpr std::uint32_t written = asked << 2;
-inline constexpr std::uint32_t any = asked | read | written;
-}  // namespace core_mark
-
 class CoreMemory {
  public:
   // `words` is 4096, 8192, 16384 or 32768; anything larger is taken as 32768.
@@ -31,30 +19,9 @@ class CoreMemory {
       : words_(words < most_words ? words : most_words), contents_(most_words) {}
 
   [[nodiscard]] std::uint32_t size() const { return words_; }
-  [[nodiscard]] core::Word18 read(Address a) const { return contents_[a & address_mask].without_marks(); }
+  [[nodiscard]] core::Word18 read(Address a) const { return contents_[a & address_mask]; }
   void write(Address a, core::Word18 word) {
     if ((a & address_mask) < words_) contents_[a & address_mask] = word;
-  }
-
-  // In a run that sets marks: they stay.
-  void write_under_marks(Address a, core::Word18 word) {
-    if ((a & address_mask) < words_) put_under_marks(contents_[a & address_mask], word);
-  }
-  static void put_under_marks(core::Word18& cell, core::Word18 word) {
-    cell = core::Word18::with_marks((cell.value() & core_mark::any) | word.value());
-  }
-  // Sets marks, or takes all off, at any of the 32768 addresses.
-  void mark(Address a, std::uint32_t marks) {
-    core::Word18& cell = contents_[a & address_mask];
-    cell = core::Word18::with_marks(cell.value() | marks);
-  }
-  void unmark(Address a) { contents_[a & address_mask] = read(a); }
-  // The same from the end of this core on, up to `end`.
-  void mark_outside(Address end) {
-    for (Address a = words_; a < end; ++a) mark(a, core_mark::written);
-  }
-  void unmark_outside(Address end) {
-    for (Address a = words_; a < end; ++a) unmark(a);
   }
 
   // The 32768 words; only the first size() may be written.

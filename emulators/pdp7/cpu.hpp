@@ -81,10 +81,6 @@ struct Here {
 // is in a Processor, and save() puts these there, too.
 template <Bus B>
 class Execution {
-  template <unsigned operation>
-  static constexpr bool writes_operand = operation == detail::code(Operation::dac) || operation == detail::code(Operation::jms) ||
-                                         operation == detail::code(Operation::dzm) || operation == detail::code(Operation::isz);
-
  public:
   template <unsigned code>
   static constexpr bool is_always_rare = code >> 1 == detail::code(Operation::cal) ||
@@ -143,10 +139,6 @@ class Execution {
     place_ &= in_bank_mask;
   }
 
-  // What those may change that are not rare.
-  template <unsigned code>
-  static constexpr std::uint8_t changes = static_cast<std::uint8_t>(changes_of(code << 13) | changes_of(code << 13 | 0600));
-
   // What leaves PC's bank or the processor, or may not end as usual.
   template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE constexpr bool is_rare(std::uint32_t word) const {
@@ -159,35 +151,6 @@ class Execution {
     else if constexpr ((code & 1U) != 0) return processor_->registers.is(mode::extend | mode::extend_restore);
     else return false;
   }
-
-  // Of an instruction that is not rare: whether it comes to a marked word of a bus with marks, one with a mark for reading, or any
-  // that it may write. Before it has changed anything.
-  template <unsigned code, bool looks_at_reads, bool looks_at_writes>
-  [[nodiscard]] SIGHTLINE_INLINE constexpr bool meets_mark(std::uint32_t word) const {
-    constexpr unsigned operation = code >> 1;
-    constexpr bool reads = looks_at_reads && may_read<code>, writes = looks_at_writes && may_write<code>;
-    if constexpr (!reads && !writes) {
-      return false;
-    } else if constexpr (operation == detail::code(Operation::eae_setup)) {
-      return bus_.marked_for_reading(Here{processor_->registers.bank, (place_ + 1) & in_bank_mask});
-    } else if constexpr ((code & 1U) != 0) {
-      const Here lies_at = InPlace{this}(word);
-      const bool counts = (lies_at.place & ~Address{07}) == 010;
-      if (counts ? writes && bus_.marked(lies_at) : reads && bus_.marked_for_reading(lies_at)) return true;
-      const core::Word18 pointer = bus_.peek(lies_at);
-      return operand_meets_mark<operation, reads, writes>(address_in(counts ? pointer + core::Word18(1) : pointer, lies_at));
-    } else {
-      return operand_meets_mark<operation, reads, writes>(InPlace{this}(word));
-    }
-  }
-  template <unsigned code>
-  static constexpr bool may_read = !is_always_rare<code> && code >> 1 != detail::code(Operation::opr) &&
-                                   ((code & 1U) != 0 || !(writes_operand<(code >> 1)> || code >> 1 == detail::code(Operation::jmp)));
-  // An indirect address may count up a word.
-  template <unsigned code>
-  static constexpr bool may_write = !is_always_rare<code> && (writes_operand<(code >> 1)> ||
-                                    ((code & 1U) != 0 && code >> 1 != detail::code(Operation::opr) &&
-                                     code >> 1 != detail::code(Operation::eae_setup)));
 
   // The program interrupt: the Break cycle that stores the saved word at 0; the next fetch is at 1.
   constexpr void interrupt() {
@@ -217,13 +180,6 @@ class Execution {
     Address bank;
     SIGHTLINE_INLINE constexpr Address operator()(std::uint32_t word) const { return bank | (word & in_bank_mask); }
   };
-
-  template <unsigned operation, bool reads, bool writes>
-  [[nodiscard]] SIGHTLINE_INLINE constexpr bool operand_meets_mark([[maybe_unused]] Here at) const {
-    if constexpr (operation == detail::code(Operation::jmp)) return false;
-    else if constexpr (writes_operand<operation>) return writes && bus_.marked(at);
-    else return reads && bus_.marked_for_reading(at);
-  }
 
   // The memory references but CAL and XCT, LAW, and OPR without HLT and OAS.
   template <unsigned code, class Direct>
@@ -261,28 +217,21 @@ class Execution {
     } else if constexpr (operation == detail::code(Operation::dzm)) {
       bus_.write(at, core::Word18(0));
     } else if constexpr (operation == detail::code(Operation::lac)) {
-      accumulator_.set_ac(operand(at));
+      accumulator_.set_ac(bus_.read(at));
     } else if constexpr (operation == detail::code(Operation::xor_)) {
-      accumulator_.exclusive_or(operand(at));
+      accumulator_.exclusive_or(bus_.read(at));
     } else if constexpr (operation == detail::code(Operation::add)) {
       ones_complement_add(bus_.read(at));
     } else if constexpr (operation == detail::code(Operation::tad)) {
-      accumulator_.add(operand(at));
+      accumulator_.add(bus_.read(at));
     } else if constexpr (operation == detail::code(Operation::and_)) {
-      accumulator_.and_(operand(at));
+      accumulator_.and_(bus_.read(at));
     } else if constexpr (operation == detail::code(Operation::isz)) {
       skip_if(bus_.modify(at).value() == 0);
     } else {
       static_assert(operation == detail::code(Operation::sad));
       skip_if(bus_.read(at) != accumulator_.ac());
     }
-  }
-
-  // What goes into AC.
-  template <class At>
-  [[nodiscard]] SIGHTLINE_INLINE constexpr core::Word18 operand(At at) {
-    if constexpr (requires { bus_.read_with_marks(at); }) return bus_.read_with_marks(at);
-    else return bus_.read(at);
   }
 
   // Any instruction, and whatever an XCT leads to.

@@ -121,41 +121,6 @@ static_assert(detail::every_word_matches_one_row());
   return instructions[detail::row_table[detail::decode_index(word)]];
 }
 
-// What an instruction may change besides PC, as bits of a set. Bit 0 is free for those who keep such sets by address.
-namespace change {
-inline constexpr std::uint8_t accumulator = 02;  // AC or L
-inline constexpr std::uint8_t eae = 04;          // MQ or SC
-inline constexpr std::uint8_t memory = 010;
-inline constexpr std::uint8_t modes = 020;  // of the interrupt system and the memory extension
-inline constexpr std::uint8_t anything = 0376;
-}  // namespace change
-
-// An indirect address may count up a word of memory. Where an XCT leads is unknown.
-[[nodiscard]] constexpr std::uint8_t changes_of(std::uint32_t word) {
-  constexpr std::uint32_t indirect_bit = 0020000;
-  const Instruction& row = instruction_of(word);
-  const std::uint8_t counted = row.operands == Operands::address && (word & indirect_bit) != 0 ? change::memory : 0;
-  switch (row.operation) {
-    case Operation::cal:
-    case Operation::xct:
-    case Operation::iot: return change::anything;
-    case Operation::dac:
-    case Operation::jms:
-    case Operation::dzm:
-    case Operation::isz: return change::memory;
-    case Operation::lac:
-    case Operation::xor_:
-    case Operation::add:
-    case Operation::tad:
-    case Operation::and_: return change::accumulator | counted;
-    case Operation::sad: return counted;
-    case Operation::jmp: return counted != 0 ? counted | change::modes : 0;
-    case Operation::opr:
-    case Operation::law: return change::accumulator;
-    default: return change::accumulator | change::eae;
-  }
-}
-
 // Names inside the augmented classes. `name` is a permanent symbol of the assembler.
 struct Microinstruction {
   std::string_view name;

@@ -61,7 +61,7 @@ bool Breakpoints::counts(Breakpoint& breakpoint, const Condition& holds) {
 std::optional<Breakpoints::Hit> Breakpoints::meet(const std::vector<Probe::Event>& events, const Condition& holds) {
   std::optional<Hit> hit;
   for (const Probe::Event& event : events) {
-    if (event.kind == Probe::Kind::look) continue;
+    if (event.kind == Probe::Kind::condition) continue;
     const auto [kind, access] = [&event]() -> std::pair<Breakpoint::Kind, std::uint8_t> {
       switch (event.kind) {
         case Probe::Kind::execution: return {Breakpoint::Kind::execution, Probe::executed};
@@ -71,7 +71,7 @@ std::optional<Breakpoints::Hit> Breakpoints::meet(const std::vector<Probe::Event
         case Probe::Kind::interrupt_write: return {Breakpoint::Kind::memory, Probe::is_written};
         case Probe::Kind::port_read: return {Breakpoint::Kind::port, Probe::is_read};
         case Probe::Kind::port_write: return {Breakpoint::Kind::port, Probe::is_written | Probe::executed};
-        case Probe::Kind::look:
+        case Probe::Kind::condition:
         case Probe::Kind::interrupt: break;
       }
       return {Breakpoint::Kind::interrupt, Probe::executed};

@@ -36,9 +36,7 @@ Debugger::Debugger(const guests::run::MachineDescription& description, Machine& 
              [this](std::string_view name) { return reader_of(name); }},
       holds_([this](const std::string& condition) {
         const Expression* const expression = condition_of(condition);
-        if (expression == nullptr) return true;
-        const auto value = expression->value();
-        return !value || *value != 0;
+        return expression == nullptr || expression->holds();
       }) {
   for (std::size_t n = 0; n < description.registers.size(); ++n)
     if (description.registers[n].name == "PC") pc_ = n;
@@ -162,11 +160,13 @@ std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
 std::function<std::int64_t()> Debugger::reader_of(std::string_view name) const {
   if (const auto n = register_named(name)) return [this, n = *n] { return std::int64_t{machine_.get(n)}; };
   if (const auto pair = pair_named(name); pair && !is_state(name)) return [this, of = *pair] { return std::int64_t{pair_value(of)}; };
-  if (!is_state(name)) return nullptr;
+  const std::string lowered = base::lower_case(name);
+  if (lowered == "time") return [this] { return machine_.ticks(); };
+  if (lowered == "instructions") return [this] { return static_cast<std::int64_t>(machine_.instructions()); };
   const auto conditions = machine_.conditions();
   for (std::size_t n = 0; n < conditions.size(); ++n)
-    if (conditions[n].first == base::lower_case(name)) return [this, n] { return std::int64_t{machine_.condition(n) ? 1 : 0}; };
-  return [this, text = std::string(name)] { return value_of(text).value_or(0); };
+    if (conditions[n].first == lowered) return [this, n] { return std::int64_t{machine_.condition(n) ? 1 : 0}; };
+  return nullptr;
 }
 
 const Expression* Debugger::condition_of(const std::string& text) {
@@ -178,134 +178,31 @@ const Expression* Debugger::condition_of(const std::string& text) {
   return known->second ? &*known->second : nullptr;
 }
 
-std::optional<std::vector<std::uint32_t>> Debugger::places_of_conditions(const std::string& goal) {
-  std::vector<std::uint32_t> places;
-  const auto add = [&](const std::string& condition) {
-    const Expression* const expression = condition_of(condition);
-    if (expression == nullptr || !expression->places() || holds_(condition)) return false;
-    for (const std::int64_t at : *expression->places()) places.push_back(static_cast<std::uint32_t>(at));
-    return true;
-  };
-  if (!goal.empty() && !add(goal)) return std::nullopt;
-  for (const Breakpoint& each : breakpoints_.all())
-    if (each.kind == Breakpoint::Kind::condition && !add(each.condition)) return std::nullopt;
-  return places;
-}
-
-guests::run::Condition Debugger::compiled(const Expression& expression, bool is_true) const {
-  using guests::run::ConditionStep;
-  guests::run::Condition made;
-  made.is_true = is_true;
-  made.steps = expression.steps();
-  made.words = expression.has_words();
-  std::vector<std::string> names;
-  for (const std::string& name : expression.names()) names.push_back(base::lower_case(name));
-  for (ConditionStep& step : made.steps) {
-    if (step.kind != ConditionStep::Kind::name) continue;
-    const std::string& name = names[static_cast<std::size_t>(step.number)];
-    if (const auto number = register_named(name)) {
-      step = {ConditionStep::Kind::register_value, {}, static_cast<std::int64_t>(*number)};
-      made.registers.push_back(*number);
-    } else if (name == "time") {
-      step.kind = ConditionStep::Kind::time;
-      made.time = true;
-    } else if (is_state(name)) {
-      made.devices = true;
-    } else {
-      const Pair pair = *pair_named(name);
-      step = {ConditionStep::Kind::register_pair, {}, static_cast<std::int64_t>(pair.high)};
-      made.registers.insert(made.registers.end(), {pair.high, pair.low});
-    }
-  }
-  made.steps = made.devices ? std::vector<ConditionStep>{} : guests::run::fused(made.steps);
-  // Nothing: a name that is in no register.
-  const auto place_of = [&](const Expression::Range& part) -> std::optional<guests::run::MaskedRegister> {
-    const std::string& name = names[part.name];
-    if (const auto number = register_named(name)) return guests::run::MaskedRegister{*number, false, part.mask};
-    if (is_state(name)) return std::nullopt;
-    return guests::run::MaskedRegister{pair_named(name)->high, true, part.mask};
-  };
-  if (const auto relation = expression.relation()) {
-    const auto left = place_of(relation->name), right = place_of(relation->other);
-    if (left && right) made.relation = {*left, relation->sign, *right, relation->offset};
-  }
-  auto range = expression.range();
-  if (!range || (is_true && !range->exact)) return made;
-  // Where it becomes false again.
-  if (is_true) {
-    range->first += range->span + 1;
-    range->span = std::uint32_t{0} - range->span - 2;
-  }
-  if (const auto of = place_of(*range)) made.range = {*of, {range->first, range->span}};
-  return made;
-}
-
-bool Debugger::look_at_conditions(const std::string& goal) {
-  Probe& probe = *machine_.probe();
-  probe.look = nullptr;
-  if (probe.watches_instructions()) return false;
+void Debugger::watch_conditions(const std::string& goal) {
   std::vector<std::pair<const Expression*, bool>> all;
-  const auto add = [&](const std::string& condition, bool was_true) {
-    const Expression* const expression = condition_of(condition);
-    if (expression == nullptr) return false;
-    if (turns_of(*expression)) return true;
-    if (!can_be_looked_at(*expression)) return false;
-    all.emplace_back(expression, was_true);
-    return true;
-  };
-  if (!goal.empty() && !add(goal, false)) return false;
+  if (!goal.empty()) all.emplace_back(condition_of(goal), false);
   for (const Breakpoint& each : breakpoints_.all())
-    if (each.kind == Breakpoint::Kind::condition && !add(each.condition, each.was_true)) return false;
-  std::vector<guests::run::Condition> conditions;
-  for (const auto& [expression, was_true] : all) conditions.push_back(compiled(*expression, was_true));
-  probe.wait_for(std::move(conditions));
-  if (all.empty()) return true;
-  probe.look = [all = std::move(all)] {
-    return std::any_of(all.begin(), all.end(), [](const auto& each) {
-      const auto value = each.first->value();
-      return (!value || *value != 0) != each.second;
-    });
+    if (each.kind == Breakpoint::Kind::condition) all.emplace_back(condition_of(each.condition), each.was_true);
+  machine_.probe()->condition_changed = [all = std::move(all)] {
+    for (const auto& [expression, was_true] : all)
+      if ((expression == nullptr || expression->holds()) != was_true) return true;
+    return false;
   };
-  return true;
 }
 
-std::optional<std::vector<Debugger::Turn>> Debugger::turns_of(const Expression& expression) const {
-  const auto turns = expression.turns();
-  if (!turns || turns->empty()) return std::nullopt;
-  std::vector<Turn> found;
-  for (const Expression::Turn& each : *turns) {
-    const std::string name = base::lower_case(expression.names()[each.name]);
-    if (name != "time" && name != "instructions") return std::nullopt;
-    found.push_back({name == "time", each.at});
-  }
-  return found;
-}
-
-void Debugger::end_at_turns(const std::string& goal, Limits& limits) {
-  const auto end_at_turns_of = [&](const std::string& condition, bool was_true) {
+void Debugger::end_at_times(const std::string& goal, Limits& limits) {
+  const auto end_at_times_of = [&](const std::string& condition) {
     const Expression* const expression = condition_of(condition);
-    const auto turns = expression == nullptr ? std::nullopt : turns_of(*expression);
+    const auto turns = expression == nullptr ? std::nullopt : expression->turns();
     if (!turns) return;
-    if (holds_(condition) != was_true) limits.instructions = std::min(limits.instructions, machine_.instructions() + 1);
-    for (const auto& [is_time, at] : *turns) {
-      if (is_time && at > machine_.ticks()) limits.until = std::min(limits.until, at);
-      if (!is_time && at > static_cast<std::int64_t>(machine_.instructions()))
-        limits.instructions = std::min(limits.instructions, static_cast<std::uint64_t>(at));
-    }
+    for (const std::string& name : expression->names())
+      if (base::lower_case(name) != "time") return;
+    for (const std::int64_t at : *turns)
+      if (at > machine_.ticks()) limits.until = std::min(limits.until, at);
   };
-  if (!goal.empty()) end_at_turns_of(goal, false);
+  if (!goal.empty()) end_at_times_of(goal);
   for (const Breakpoint& each : breakpoints_.all())
-    if (each.kind == Breakpoint::Kind::condition) end_at_turns_of(each.condition, each.was_true);
-}
-
-// The count of instructions is not known while they are obeyed. The machine keeps the halves of a pair together, but those of AF.
-bool Debugger::can_be_looked_at(const Expression& expression) const {
-  return std::all_of(expression.names().begin(), expression.names().end(), [this](const std::string& text) {
-    const std::string name = base::lower_case(text);
-    if (register_named(name)) return true;
-    if (is_state(name)) return name != "instructions";
-    return pair_named(name) && name != "af";
-  });
+    if (each.kind == Breakpoint::Kind::condition) end_at_times_of(each.condition);
 }
 
 bool Debugger::is_state(std::string_view name) const {
@@ -429,30 +326,6 @@ Debugger::Reason Debugger::reason_of(const Breakpoints::Hit& hit) const {
   return {number, text};
 }
 
-// Looks at conditions after each instruction.
-Stop Debugger::run_by_instructions(const Limits& limits, const std::string& condition, std::optional<Reason>& reason) {
-  constexpr std::uint64_t between_questions = 4096;
-  Probe& probe = *machine_.probe();
-  for (std::uint64_t n = 1;; ++n) {
-    Limits one = limits;
-    one.instructions = std::min(limits.instructions, machine_.instructions() + 1);
-    std::optional<Stop> stop;
-    while (!stop && !machine_.waits_for_key()) stop = machine_.run(one, false);
-    const bool one_done = stop && stop->name == "instruction_limit" && machine_.instructions() < limits.instructions;
-    if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
-    probe.resume();
-    if (const auto hit = breakpoints_.condition_met(holds_); hit && !reason) reason = reason_of(*hit);
-    if (!reason && !condition.empty() && holds_(condition)) reason = Reason{0, condition};
-    if (reason) return {guests::run::stopped_by_probe, {}};
-    if (stop && !one_done && stop->name != guests::run::stopped_by_probe) return *stop;
-    if (machine_.waits_for_key()) return {end_of_input, {}};
-    if (n % between_questions == 0) {
-      show_printed();
-      if (host_.interrupted()) return {guests::run::interrupted, {}};
-    }
-  }
-}
-
 Halted Debugger::run(const Goal& goal) {
   inside_.reset();
   Limits limits = limits_;
@@ -461,14 +334,8 @@ Halted Debugger::run(const Goal& goal) {
     limits.instructions = begun + goal.instructions;
   limits.until = std::min(limits.until, goal.until);
   const bool conditions = !goal.condition.empty() || breakpoints_.has_conditions();
-  // What only words of memory decide need not be evaluated until one of them is written.
-  const auto places = conditions ? places_of_conditions(goal.condition) : std::nullopt;
   Probe& probe = *machine_.probe();
   breakpoints_.mark(probe);
-  const bool looks = conditions && !places && look_at_conditions(goal.condition);
-  const bool by_instructions = conditions && !places && !looks;
-  if (places)
-    for (const std::uint32_t at : *places) probe.mark(at, Probe::is_written);
   probe.resume();
   std::optional<Reason> reason;
   const bool for_ever = goal.instructions == Goal{}.instructions && goal.until == Goal{}.until && goal.condition.empty();
@@ -477,15 +344,14 @@ Halted Debugger::run(const Goal& goal) {
   while (!reason && stop.name == guests::run::stopped_by_probe) {
     type_next();
     past_.remember();
-    if (looks) static_cast<void>(look_at_conditions(goal.condition));
+    if (conditions) watch_conditions(goal.condition);
     Limits part = limits;
     part.instructions = std::min(limits.instructions, machine_.instructions() + past_.instructions_apart());
-    if (looks) end_at_turns(goal.condition, part);
+    if (conditions) end_at_times(goal.condition, part);
     constexpr std::int64_t looks_for_keys_a_second = 50;
     if (!keys_.empty())
       part.until = std::min(part.until, machine_.ticks() + machine_.ticks_a_second() / looks_for_keys_a_second);
-    stop = by_instructions ? run_by_instructions(part, goal.condition, reason)
-                           : host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
+    stop = host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
     const bool part_done = (stop.at_until && machine_.ticks() < limits.until) ||
                            (stop.name == "instruction_limit" && machine_.instructions() < limits.instructions);
     const bool key_due = stop.name == end_of_input && !keys_.empty();
@@ -498,17 +364,14 @@ Halted Debugger::run(const Goal& goal) {
                                         host_.patience)};
     }
     if (stop.name == guests::run::stopped_by_probe && host_.interrupted()) stop = {guests::run::interrupted, {}};
-    if (!by_instructions) {
-      if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
-      probe.resume();
-      if (conditions) {
-        if (const auto hit = breakpoints_.condition_met(holds_); hit && !reason) reason = reason_of(*hit);
-        if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
-      }
+    if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
+    probe.resume();
+    if (conditions) {
+      if (const auto hit = breakpoints_.condition_met(holds_); hit && !reason) reason = reason_of(*hit);
+      if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
     }
   }
-  probe.look = nullptr;
-  probe.wait_for({});
+  probe.condition_changed = nullptr;
   show_printed();
   if (reason) {
     const auto why = reason->breakpoint == 0 ? Halted::Why::goal : Halted::Why::breakpoint;

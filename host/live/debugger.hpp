@@ -187,23 +187,12 @@ class Debugger {
   [[nodiscard]] std::function<std::int64_t()> reader_of(std::string_view name) const;
   // Null: it cannot be read.
   [[nodiscard]] const Expression* condition_of(const std::string& text);
-  // Where the words are that the conditions look at; nothing: they look at something else, too, or one holds already.
-  [[nodiscard]] std::optional<std::vector<std::uint32_t>> places_of_conditions(const std::string& goal);
-  // Lets the run look at the conditions between instructions; false: they must be evaluated here, instruction by instruction.
-  [[nodiscard]] bool look_at_conditions(const std::string& goal);
-  [[nodiscard]] bool can_be_looked_at(const Expression& expression) const;
-  // A condition on time or the count of instructions alone can change where these come to one of these numbers: a run need not look
-  // for it, but end there.
-  struct Turn {
-    bool is_time;
-    std::int64_t at;
-  };
-  [[nodiscard]] std::optional<std::vector<Turn>> turns_of(const Expression& expression) const;
-  void end_at_turns(const std::string& goal, guests::run::Limits& limits);
-  [[nodiscard]] guests::run::Condition compiled(const Expression& expression, bool is_true) const;
+  // Lets the run ask at each boundary whether a condition has become true, or false again.
+  void watch_conditions(const std::string& goal);
+  // What only the time decides can change while the processor stands still in a halt or a HOLD, where there is no boundary: the
+  // run ends at the times where it changes.
+  void end_at_times(const std::string& goal, guests::run::Limits& limits);
   [[nodiscard]] Reason reason_of(const Breakpoints::Hit& hit) const;
-  [[nodiscard]] guests::run::Stop run_by_instructions(const guests::run::Limits& limits, const std::string& condition,
-                                                      std::optional<Reason>& reason);
   [[nodiscard]] Halted run_to_return(const Frame& frame);
   [[nodiscard]] std::uint32_t behind(std::uint32_t at, std::uint32_t words) const;
   void type_next();

@@ -7,7 +7,6 @@
 #include <array>
 #include <cctype>
 #include <limits>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -15,11 +14,12 @@
 
 namespace sightline::live {
 
-using guests::run::applied;
-using guests::run::Sign;
-using guests::run::ConditionStep;
-
 namespace {
+
+constexpr int highest_level = 9;  // of a binary operator
+constexpr int deepest = 200;      // parentheses and signs
+// Within each of them one operand of every level waits, and at the end one more.
+constexpr std::size_t most_operands = std::size_t{deepest + 1} * (highest_level + 1) + 1;
 
 bool in_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '$' || c == '?' || c == '@';
@@ -45,7 +45,6 @@ class ExpressionReader {
  public:
   ExpressionReader(std::string_view text, const Names& names) : text_(text), names_(names) {
     made_.names_ = &names;
-    made_.places_.emplace();
   }
 
   base::Result<Expression> all() {
@@ -57,9 +56,7 @@ class ExpressionReader {
   }
 
  private:
-  using Kind = ConditionStep::Kind;
-  static constexpr int highest_level = 9;
-  static constexpr int deepest = 200;
+  using Kind = Expression::Step::Kind;
 
   void skip_blanks() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
@@ -75,7 +72,6 @@ class ExpressionReader {
     at_ = text_.size();
   }
   void add(Kind kind, std::int64_t number = 0, Sign sign = Sign::either) { made_.steps_.push_back({kind, sign, number}); }
-  void nothing_is_fixed() { made_.places_.reset(); }
 
   [[nodiscard]] const BinaryOperator* operator_here() {
     skip_blanks();
@@ -125,7 +121,6 @@ class ExpressionReader {
     if (auto reader = names_.reader ? names_.reader(word) : nullptr) {
       made_.readers_.push_back(std::move(reader));
       made_.read_names_.emplace_back(word);
-      nothing_is_fixed();
       return add(Kind::name, static_cast<std::int64_t>(made_.readers_.size()) - 1);
     }
     if (const auto value = names_.value(word)) return add(Kind::number, *value);
@@ -146,20 +141,8 @@ class ExpressionReader {
     if (at_ == text_.size() || text_[at_] != end) return fail(fmt::format("\"{}\"", end));
     ++at_;
   }
-  // Its address is fixed if nothing in it changes.
   void word() {
-    const std::size_t first = made_.steps_.size();
     enclosed(']');
-    if (!error_.found.empty()) return;
-    Expression address;
-    address.names_ = &names_;
-    address.steps_.assign(made_.steps_.begin() + static_cast<std::ptrdiff_t>(first), made_.steps_.end());
-    const bool changes = std::any_of(address.steps_.begin(), address.steps_.end(), [](const ConditionStep& step) {
-      return step.kind == Kind::name || step.kind == Kind::word;
-    });
-    const auto at = changes ? base::Result<std::int64_t>(base::fail("")) : address.value();
-    if (!at) nothing_is_fixed();
-    if (at && made_.places_) made_.places_->push_back(*at);
     add(Kind::word);
   }
 
@@ -175,169 +158,100 @@ base::Result<Expression> Expression::read(std::string_view text, const Names& na
   return ExpressionReader(text, names).all();
 }
 
-base::Result<std::int64_t> Expression::value() const {
-  struct Values {
-    const Expression& of;
-    std::optional<std::int64_t>& missing;
-    [[nodiscard]] std::int64_t name(std::size_t n) const { return of.readers_[n](); }
-    static std::int64_t register_value(std::size_t) { return 0; }
-    static std::int64_t register_pair(std::size_t) { return 0; }
-    static std::int64_t time() { return 0; }
-    [[nodiscard]] std::optional<std::int64_t> word(std::int64_t address) const {
-      const auto word = of.names_->memory(address);
-      if (!word) missing = address;
-      return word;
-    }
-  };
-  std::optional<std::int64_t> missing;  // address
-  if (const auto value = guests::run::value_of(steps_, Values{*this, missing})) return *value;
-  if (missing) return base::Error{.found = fmt::format("found address {}", *missing), .expected = "an address in memory"};
-  return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
-}
-
 namespace {
 
-using Range = Expression::Range;
-using NamesRelation = Expression::Relation;
-
-// What is known of a part of an expression: a constant; a name with a mask, less another one, and an offset; where it can be true.
-struct Known {
-  std::optional<std::int64_t> constant;
-  std::optional<Range> name;  // its mask alone counts
-  std::optional<Range> less;  // likewise
-  std::int64_t offset = 0;
-  std::optional<Range> truth;
-  std::optional<NamesRelation> relation = {};
-
-  [[nodiscard]] bool plain_name() const { return name && !less && offset == 0; }
-};
+// Does it to `a`; false: a division by 0.
+bool apply(Sign sign, std::int64_t& a, std::int64_t b) {
+  const auto x = static_cast<std::uint64_t>(a);
+  const auto y = static_cast<std::uint64_t>(b);
+  const auto is = [&a](bool truth) { return a = truth ? 1 : 0, true; };
+  const auto is_wrapped = [&a](std::uint64_t value) { return a = static_cast<std::int64_t>(value), true; };
+  switch (sign) {
+    case Sign::either: return is(a != 0 || b != 0);
+    case Sign::both: return is(a != 0 && b != 0);
+    case Sign::bit_or: return is_wrapped(x | y);
+    case Sign::bit_xor: return is_wrapped(x ^ y);
+    case Sign::bit_and: return is_wrapped(x & y);
+    case Sign::equal: return is(a == b);
+    case Sign::unequal: return is(a != b);
+    case Sign::at_most: return is(a <= b);
+    case Sign::at_least: return is(a >= b);
+    case Sign::less: return is(a < b);
+    case Sign::more: return is(a > b);
+    case Sign::shift_left: return is_wrapped(b < 0 || b > 63 ? 0 : x << y);
+    case Sign::shift_right: return is_wrapped(b < 0 || b > 63 ? 0 : x >> y);
+    case Sign::plus: return is_wrapped(x + y);
+    case Sign::minus: return is_wrapped(x - y);
+    case Sign::times: return is_wrapped(x * y);
+    case Sign::divide:
+    case Sign::remainder: break;
+  }
+  if (b == 0) return false;
+  if (b == -1) return is_wrapped(sign == Sign::divide ? std::uint64_t{0} - x : 0);
+  a = sign == Sign::divide ? a / b : a % b;
+  return true;
+}
 
 bool is_comparison(Sign sign) {
   return sign == Sign::equal || sign == Sign::unequal || sign == Sign::less || sign == Sign::at_most || sign == Sign::more || sign == Sign::at_least;
 }
 
-// Of DIFFERENCE sign 0.
-Known compared(const Known& difference, Sign sign) {
-  Known made;
-  if (!difference.name) return made;
-  if (difference.less) {
-    made.relation = NamesRelation{*difference.name, sign, *difference.less, -difference.offset};
-  } else if (const auto range = guests::run::range_where(sign, -difference.offset)) {
-    made.truth = difference.name;
-    made.truth->first = range->first;
-    made.truth->span = range->span;
-    made.truth->exact = true;
-  }
-  return made;
-}
-
-// A name, or bits of it, is true when not 0.
-std::optional<Range> truth_of(const Known& known) {
-  return known.truth || !known.plain_name() ? known.truth : compared(known, Sign::unequal).truth;
-}
-
-// Nothing is known where there would be two names to add, or a number that is no offset of a register.
-Known difference(const Known& a, const Known& b) {
-  constexpr std::int64_t most = std::int64_t{1} << 40;
-  Known made;
-  if (a.constant.value_or(0) > most || a.constant.value_or(0) < -most || b.constant.value_or(0) > most || b.constant.value_or(0) < -most) return made;
-  const bool right_is_constant = b.constant && !b.name, left_is_constant = a.constant && !a.name;
-  if (a.name && right_is_constant) {
-    made.name = a.name;
-    made.less = a.less;
-    made.offset = a.offset - *b.constant;
-  } else if (a.name && b.name && !a.less && !b.less) {
-    made.name = a.name;
-    made.less = b.name;
-    made.offset = a.offset - b.offset;
-  } else if (left_is_constant && b.name && b.less) {
-    made.name = b.less;
-    made.less = b.name;
-    made.offset = *a.constant - b.offset;
-  }
-  if (made.offset > most || made.offset < -most) return {};
-  return made;
-}
-
-Known combined(const Known& a, Sign sign, const Known& b) {
-  Known made;
-  if (sign == Sign::both) {
-    const auto left = truth_of(a), right = truth_of(b);
-    made.truth = !left || (right && right->span < left->span) ? right : left;
-    if (made.truth) made.truth->exact = false;
-  } else if (a.constant && b.constant) {
-    made.constant = applied(sign, *a.constant, *b.constant);
-  } else if (sign == Sign::bit_and && ((a.plain_name() && b.constant) || (a.constant && b.plain_name()))) {
-    made.name = a.name ? a.name : b.name;
-    made.name->mask &= static_cast<std::uint32_t>(a.name ? *b.constant : *a.constant);
-  } else if (sign == Sign::minus) {
-    made = difference(a, b);
-  } else if (sign == Sign::plus && (a.constant || b.constant)) {
-    Known constant;
-    constant.constant = applied(Sign::minus, 0, a.constant ? *a.constant : *b.constant);
-    made = difference(a.constant ? b : a, constant);
-  } else if (is_comparison(sign)) {
-    made = a.constant ? compared(difference(b, a), guests::run::turned(sign)) : compared(difference(a, b), sign);
-  }
-  return made;
-}
-
-// Of the whole.
-Known known_of(std::span<const ConditionStep> steps) {
-  using Kind = ConditionStep::Kind;
-  std::vector<Known> stack;
-  for (const ConditionStep& step : steps) {
-    Known made;
-    if (step.kind == Kind::number) made.constant = step.number;
-    if (step.kind == Kind::name) made.name = Range{.name = static_cast<std::size_t>(step.number)};
-    if (step.kind == Kind::binary) {
-      const Known right = stack.back();
-      stack.pop_back();
-      made = combined(stack.back(), step.sign, right);
-      stack.pop_back();
-    } else if (step.kind != Kind::number && step.kind != Kind::name) {
-      if (step.kind == Kind::no && stack.back().plain_name()) made = compared(stack.back(), Sign::equal);
-      stack.pop_back();
-    }
-    stack.push_back(made);
-  }
-  return stack.back();
-}
-
 }  // namespace
 
-bool Expression::has_words() const {
-  return std::any_of(steps_.begin(), steps_.end(), [](const ConditionStep& step) { return step.kind == ConditionStep::Kind::word; });
+Expression::Calculated Expression::calculated() const {
+  using End = Calculated::End;
+  std::array<std::int64_t, most_operands> operands;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
+  std::int64_t* end = operands.data();
+  for (const Step& step : steps_) {
+    switch (step.kind) {
+      case Step::Kind::number: *end++ = step.number; break;
+      case Step::Kind::name: *end++ = readers_[static_cast<std::size_t>(step.number)](); break;
+      case Step::Kind::word: {
+        const auto word = names_->memory(end[-1]);
+        if (!word) return {End::no_word, end[-1]};
+        end[-1] = *word;
+        break;
+      }
+      case Step::Kind::negative: end[-1] = static_cast<std::int64_t>(std::uint64_t{0} - static_cast<std::uint64_t>(end[-1])); break;
+      case Step::Kind::complement: end[-1] = ~end[-1]; break;
+      case Step::Kind::no: end[-1] = end[-1] == 0 ? 1 : 0; break;
+      case Step::Kind::binary:
+        --end;
+        if (!apply(step.sign, end[-1], *end)) return {End::division_by_0};
+        break;
+    }
+  }
+  return {End::value, operands.front()};
 }
 
-std::optional<Range> Expression::range() const {
-  return truth_of(known_of(steps_));
+base::Result<std::int64_t> Expression::value() const {
+  const Calculated calculated = this->calculated();
+  switch (calculated.end) {
+    case Calculated::End::value: break;
+    case Calculated::End::no_word:
+      return base::Error{.found = fmt::format("found address {}", calculated.number), .expected = "an address in memory"};
+    case Calculated::End::division_by_0: return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
+  }
+  return calculated.number;
 }
 
-std::optional<NamesRelation> Expression::relation() const {
-  return known_of(steps_).relation;
+bool Expression::holds() const {
+  const Calculated calculated = this->calculated();
+  return calculated.end != Calculated::End::value || calculated.number != 0;
 }
 
-std::optional<std::vector<Expression::Turn>> Expression::turns() const {
-  using Kind = ConditionStep::Kind;
-  struct Part {
-    Kind kind = Kind::no;  // number, name, or no: a truth
-    std::int64_t number = 0;
-  };
-  std::vector<Turn> turns;
-  std::vector<Part> stack;
-  const auto turn_at = [&turns](const Part& name, std::int64_t at) { turns.push_back({static_cast<std::size_t>(name.number), at}); };
+std::optional<std::vector<std::int64_t>> Expression::turns() const {
+  using Kind = Step::Kind;
+  std::vector<std::int64_t> turns;
+  std::vector<Step> stack;  // numbers, names, and in place of a truth `no`
   // A name alone is true when it is not 0.
   const auto take_truth = [&] {
-    if (stack.back().kind == Kind::name) {
-      turn_at(stack.back(), 0);
-      turn_at(stack.back(), 1);
-    }
+    if (stack.back().kind == Kind::name) turns.insert(turns.end(), {0, 1});
     stack.pop_back();
   };
-  for (const ConditionStep& step : steps_) {
+  for (const Step& step : steps_) {
     if (step.kind == Kind::number || step.kind == Kind::name) {
-      stack.push_back({step.kind, step.number});
+      stack.push_back(step);
       continue;
     }
     if (step.kind == Kind::no) {
@@ -346,18 +260,17 @@ std::optional<std::vector<Expression::Turn>> Expression::turns() const {
       take_truth();
       take_truth();
     } else if (step.kind == Kind::binary && is_comparison(step.sign)) {
-      const Part right = stack.back(), left = stack[stack.size() - 2];
+      const Step right = stack.back(), left = stack[stack.size() - 2];
       const bool by_number = left.kind == Kind::name && right.kind == Kind::number;
       if (!by_number && !(left.kind == Kind::number && right.kind == Kind::name)) return std::nullopt;
-      const Part& name = by_number ? left : right;
       const std::int64_t number = by_number ? right.number : left.number;
-      turn_at(name, number);
-      if (number != std::numeric_limits<std::int64_t>::max()) turn_at(name, number + 1);
+      turns.push_back(number);
+      if (number != std::numeric_limits<std::int64_t>::max()) turns.push_back(number + 1);
       stack.resize(stack.size() - 2);
     } else {
       return std::nullopt;
     }
-    stack.push_back({});
+    stack.push_back({Kind::no});
   }
   take_truth();
   return turns;

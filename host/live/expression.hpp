@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/guests/run/condition.hpp"
 
 namespace sightline::live {
 
@@ -26,6 +25,11 @@ struct Names {
   std::function<std::function<std::int64_t()>(std::string_view name)> reader = {};
 };
 
+// A binary operator.
+enum class Sign : std::uint8_t {
+  either, both, equal, unequal, shift_left, shift_right, at_most, at_least, bit_or, bit_xor, bit_and, less, more, plus, minus, times, divide, remainder
+};
+
 // An expression that has been read once, to be evaluated again and again.
 class Expression {
  public:
@@ -34,46 +38,42 @@ class Expression {
 
   // Arithmetic is that of 64 bits, without overflow (it wraps around).
   [[nodiscard]] base::Result<std::int64_t> value() const;
-  // If it has nothing in it that changes but words of memory at fixed addresses: these.
-  [[nodiscard]] const std::optional<std::vector<std::int64_t>>& places() const { return places_; }
-
+  // Its value is not 0. One that has no value counts as true.
+  [[nodiscard]] bool holds() const;
   // The names that are read again each time.
   [[nodiscard]] const std::vector<std::string>& names() const { return read_names_; }
-  // While it is true, (name & mask) - first <= span, in 32 bits, for one of names(); `exact`: and only then.
-  struct Range {
-    std::size_t name = 0;
-    bool exact = true;
-    std::uint32_t mask = ~std::uint32_t{0};
-    std::uint32_t first = 0;
-    std::uint32_t span = 0;
-  };
-  // The narrowest that its comparisons with constants tell; nothing: they tell none.
-  [[nodiscard]] std::optional<Range> range() const;
-  // All of it is name sign other name + offset; the masks of the names count.
-  struct Relation {
-    Range name;
-    guests::run::Sign sign;
-    Range other;
-    std::int64_t offset;
-  };
-  [[nodiscard]] std::optional<Relation> relation() const;
-  [[nodiscard]] bool has_words() const;  // of memory
-  // If all of it is comparisons of names with constants, joined by && || and !: where its truth can change, a name that has come to `at`.
-  struct Turn {
-    std::size_t name = 0;
-    std::int64_t at = 0;
-  };
-  [[nodiscard]] std::optional<std::vector<Turn>> turns() const;
-  // As a run evaluates it, once each name is one that the run knows.
-  [[nodiscard]] const std::vector<guests::run::ConditionStep>& steps() const { return steps_; }
+  // If all of it is comparisons of names with constants, joined by && || and !: the numbers at which, when a name comes to them, its truth
+  // can change.
+  [[nodiscard]] std::optional<std::vector<std::int64_t>> turns() const;
 
  private:
   friend class ExpressionReader;
+  // Of a program for a stack: operands come before their operator.
+  struct Step {
+    enum class Kind : std::uint8_t {
+      number,
+      name,  // by its place in readers_
+      word,  // of memory, whose address is on the stack
+      negative,
+      complement,
+      no,
+      binary
+    };
+    Kind kind = Kind::number;
+    Sign sign = Sign::either;
+    std::int64_t number = 0;
+  };
+  struct Calculated {
+    enum class End : std::uint8_t { value, no_word, division_by_0 };
+    End end = End::value;
+    std::int64_t number = 0;  // the value, or the address where there is no word
+  };
+  [[nodiscard]] Calculated calculated() const;
+
   const Names* names_ = nullptr;
-  std::vector<guests::run::ConditionStep> steps_;
+  std::vector<Step> steps_;
   std::vector<std::function<std::int64_t()>> readers_;
   std::vector<std::string> read_names_;  // of them
-  std::optional<std::vector<std::int64_t>> places_;
 };
 
 // Of an expression that is evaluated once.

@@ -68,7 +68,8 @@ std::string as_utf8(std::string_view bytes) {
 }
 
 // Registers B to L, numbers 2 to 7: halves of pairs.
-i8080::Address& pair_of(i8080::State& state, std::size_t number) {
+template <class State>
+auto& pair_of(State& state, std::size_t number) {
   return number < 4 ? state.bc : number < 6 ? state.de : state.hl;
 }
 
@@ -103,7 +104,7 @@ class I8080Run final : public Machine {
   }
 
   [[nodiscard]] std::uint32_t get(std::size_t number) const override {
-    i8080::State s = processor_.registers();
+    const i8080::State& s = processor_.registers();
     switch (number) {
       case 0: return s.a;
       case 1: return s.f;
@@ -167,7 +168,11 @@ class I8080Run final : public Machine {
 
   // Each call of BDOS ends a slice: a program that prints all the time never comes to the end of a long one.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
-    if (cpm_ && !watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
+    if (cpm_) {
+      const bool waited = cpm_->waits_for_key();
+      if (!watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
+      if (waited && condition_changed()) return Stop{stopped_by_probe, {}};
+    }
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
         asked ? std::min(limit, processor_.now() + slice()) : limit;
@@ -188,8 +193,7 @@ class I8080Run final : public Machine {
       case machines::I8080StopReason::ports: {
         const auto call = ports_.take_call();
         const auto stop = call ? answer(*call) : unanswered();
-        if (stop || !probe_ || !probe_->looks() || !probe_->look()) return stop;
-        probe_->add({Probe::Kind::look, ticks(), processor_.registers().pc, 0});
+        if (stop || !condition_changed()) return stop;
         return Stop{stopped_by_probe, {}};
       }
       case machines::I8080StopReason::observer: break;
@@ -393,25 +397,14 @@ class I8080Run final : public Machine {
   }
   machines::I8080StopReason run_observed(const machines::I8080Limits& limits) {
     if (recorder_) return run_watched(limits, I8080Reporter(*recorder_));
-    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_, watcher()));
-    if (probe_ && probe_->watches_boundaries()) return run_watched(limits, watcher());
+    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_));
+    if (probe_ && probe_->watches_boundaries()) return run_watched(limits, I8080Watcher(*probe_));
     return processor_.run(limits);
   }
   template <class Observer>
-  machines::I8080StopReason run_watched(const machines::I8080Limits& limits, Observer&& observer) {
+  machines::I8080StopReason run_watched(const machines::I8080Limits& limits, Observer observer) {
     observer.begin(processor_.now());
-    const auto reason = processor_.run(limits, observer);
-    static_cast<void>(observer.told());
-    return reason;
-  }
-
-  // The one there is, while the probe wants the same: a program that calls CP/M all the time ends a run with each call.
-  I8080Watcher& watcher() {
-    if (!watcher_ || watched_version_ != probe_->version()) {
-      watcher_.emplace(*probe_);
-      watched_version_ = probe_->version();
-    }
-    return *watcher_;
+    return processor_.run(limits, observer);
   }
 
   template <class Visitor>
@@ -440,6 +433,13 @@ class I8080Run final : public Machine {
       if (now != before[n]) probe_->add({Probe::Kind::write, ticks(), at, now});
     }
     return done;
+  }
+
+  // CP/M has been at work: whether what it has changed is waited for.
+  bool condition_changed() {
+    if (!probe_ || !probe_->has_conditions() || !probe_->condition_changed()) return false;
+    probe_->add({Probe::Kind::condition, ticks(), processor_.registers().pc, 0});
+    return true;
   }
 
   // Nothing: the run goes on.
@@ -523,8 +523,6 @@ class I8080Run final : public Machine {
   RunPorts ports_;
   std::optional<I8080Recorder> recorder_;
   std::optional<Probe> probe_;
-  std::optional<I8080Watcher> watcher_;
-  std::uint64_t watched_version_ = 0;
   I8080Processor processor_;
   std::bitset<0x10000> loaded_;
   TextTaker console_;

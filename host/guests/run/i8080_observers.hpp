@@ -1,7 +1,6 @@
 // Who hears what happens in a run of the 8080: traces, logs and dumps, and what a monitor has asked for.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,15 +13,11 @@
 #include "emulators/core/inline.hpp"
 #include "emulators/core/tstates.hpp"
 #include "emulators/i8080/bus.hpp"
-#include "emulators/i8080/isa.hpp"
 #include "emulators/i8080/state.hpp"
-#include "emulators/machines/i8080_bus.hpp"
 #include "emulators/machines/i8080_observer.hpp"
 #include "host/base/text.hpp"
-#include "host/guests/run/i8080_outlook.hpp"
 #include "host/guests/run/i8080_vcd.hpp"
 #include "host/guests/run/machine.hpp"
-#include "host/guests/run/outlook.hpp"
 #include "host/guests/run/probe.hpp"
 #include "tools/disasm/i8080.hpp"
 
@@ -115,88 +110,53 @@ class I8080Recorder {
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
 };
 
-// What a monitor's marks leave of the cycles of a run. The status of a cycle is known where it is compiled
-// in, so that one test is left of each.
-struct I8080Marked {
-  const std::uint8_t* places;
-  const std::uint8_t* ports;
+// The observer of a monitor that has marked places or waits for conditions.
+class I8080Watcher {
+ public:
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
 
-  explicit I8080Marked(const Probe& probe) : places(probe.marks()), ports(probe.port_marks()) {}
-  SIGHTLINE_INLINE bool wants(const machines::I8080Cycle& cycle) const {
+  explicit I8080Watcher(Probe& probe) : watch_(probe) {}
+
+  void begin(core::TStateInstant now) { watch_.begin(core::t_states_of(now)); }
+  [[nodiscard]] bool reads_machine() const { return watch_.reads_machine(); }
+  [[nodiscard]] bool stop(core::TStateInstant now, i8080::Address next) { return watch_.stop(core::t_states_of(now), next); }
+  SIGHTLINE_INLINE void cycle(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
     // The bytes of the instruction itself are not asked for.
-    if (cycle.operand || (cycle.status & status::halt) != 0) return false;
-    if ((cycle.status & status::first) != 0)
-      return (cycle.status & status::acknowledge) != 0 && (places[0] & Probe::at_interrupt) != 0;
-    if ((cycle.status & status::input) != 0) return (ports[port_of(cycle)] & Probe::is_read) != 0;
-    if ((cycle.status & status::output) != 0) return (ports[port_of(cycle)] & Probe::is_written) != 0;
-    if ((cycle.status & status::read) != 0) return (places[cycle.address] & Probe::is_read) != 0;
-    return (places[cycle.address] & Probe::is_written) != 0;
-  }
-  static std::uint8_t port_of(const machines::I8080Cycle& cycle) { return static_cast<std::uint8_t>(cycle.address); }
-};
-
-// The observer of a monitor that waits for conditions and has marked places. It may be used for many runs, until the probe says that
-// it has others.
-class I8080Watcher : public Looker<I8080Outlook> {
- public:
-  static constexpr bool cycles = true;
-  static constexpr bool ends_of_halts = false;
-  using Filter = I8080Marked;
-  using Look = I8080Look;
-
-  explicit I8080Watcher(Probe& probe) : Looker(probe), plan_(table(), probe) {}
-  [[nodiscard]] Look look() const { return Look(table(), probe(), plan_); }
-  [[nodiscard]] std::optional<machines::I8080Wanted> renewed() {
-    if (std::exchange(told_wants_, true)) return std::nullopt;
-    static_assert(Probe::executed == 1 && machines::I8080Store::is_read == Probe::is_read && machines::I8080Store::is_written == Probe::is_written);
-    return machines::I8080Wanted{table().places(), probe().marks(), probe().watches_memory(), plan_.tested, plan_.test};
-  }
-  [[nodiscard]] I8080Marked filter() const { return I8080Marked(probe()); }
-
-  // Kept until the boundary, without a call: one would cost every instruction the registers that it might spoil.
-  SIGHTLINE_INLINE void cycle(const machines::I8080Cycle& cycle) {
-    kept_[kept_count_] = cycle;
-    if (kept_count_ + 1 < kept_.size()) ++kept_count_;
-  }
-  [[nodiscard]] SIGHTLINE_INLINE bool told() {
-    if (kept_count_ != 0) [[unlikely]] tell_kept();
-    return Looker::told();
-  }
-  bool stop(core::TStateInstant now, i8080::Address next) {
-    static_cast<void>(told());
-    return Looker::stop(now, next);
-  }
-  void tell(const machines::I8080Cycle& cycle) {
-    namespace status = i8080::status;
-    if ((cycle.status & status::first) != 0) return add(Probe::Kind::interrupt, cycle.time, cycle.address, 0);
-    if ((cycle.status & status::input) != 0)
-      return add(Probe::Kind::port_read, cycle.time, I8080Marked::port_of(cycle), cycle.data);
-    if ((cycle.status & status::output) != 0)
-      return add(Probe::Kind::port_write, cycle.time, I8080Marked::port_of(cycle), cycle.data);
+    if (cycle.operand) return;
+    if ((cycle.status & status::first) != 0) {
+      if ((cycle.status & status::acknowledge) != 0 && watch_.at_interrupts()) add(Probe::Kind::interrupt, cycle, cycle.address);
+      return;
+    }
+    if ((cycle.status & status::halt) != 0) return;
     const bool reads = (cycle.status & status::read) != 0;
-    add(reads ? Probe::Kind::read : Probe::Kind::write, cycle.time, cycle.address, cycle.data);
+    const std::uint8_t mark = reads ? Probe::is_read : Probe::is_written;
+    if ((cycle.status & (status::input | status::output)) != 0) {
+      const std::uint32_t port = i8080::low(cycle.address);
+      if (watch_.port_has(port, mark)) add(reads ? Probe::Kind::port_read : Probe::Kind::port_write, cycle, port);
+    } else if (watch_.has(cycle.address, mark)) {
+      add(reads ? Probe::Kind::read : Probe::Kind::write, cycle, cycle.address);
+    }
   }
 
  private:
-  [[gnu::noinline]] void tell_kept() {
-    for (std::size_t n = 0; n < kept_count_; ++n) tell(kept_[n]);
-    kept_count_ = 0;
+  // Of an interrupt the byte is none of memory's, and not told.
+  [[gnu::noinline]] void add(Probe::Kind kind, const machines::I8080Cycle& cycle, std::uint32_t address) {
+    watch_.add(kind, core::t_states_of(cycle.time), address, kind == Probe::Kind::interrupt ? 0 : cycle.data);
   }
 
-  I8080Plan plan_;
-  bool told_wants_ = false;
-  // More than an instruction and the breaks before it have.
-  std::array<machines::I8080Cycle, 64> kept_{};
-  std::size_t kept_count_ = 0;
+  Watch watch_;
 };
 
 // The same, and tells each instruction.
 class I8080Listener {
  public:
-  I8080Listener(Probe& probe, I8080Watcher& watcher) : probe_(probe), watcher_(watcher) {}
+  explicit I8080Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
 
   void begin(core::TStateInstant now) { watcher_.begin(now); }
+  [[nodiscard]] bool reads_machine() const { return watcher_.reads_machine(); }
   bool stop(core::TStateInstant now, i8080::Address next) { return watcher_.stop(now, next); }
   void instruction(const machines::I8080InstructionRecord& record) {
     entry_.time = core::t_states_of(record.time);
@@ -211,7 +171,7 @@ class I8080Listener {
   }
   void cycle(const machines::I8080Cycle& cycle) {
     namespace status = i8080::status;
-    if (watcher_.filter().wants(cycle)) watcher_.tell(cycle);
+    watcher_.cycle(cycle);
     if (probe_.on_cycle) {
       const std::int64_t least = (cycle.status & status::first) != 0 ? 4 : 3;
       probe_.on_cycle({core::t_states_of(cycle.time), least, name_of(cycle.status), true, cycle.address, cycle.data});
@@ -237,7 +197,7 @@ class I8080Listener {
   }
 
   Probe& probe_;
-  I8080Watcher& watcher_;
+  I8080Watcher watcher_;
   Probe::Entry entry_;
 };
 
@@ -250,13 +210,13 @@ class I8080Reporter {
   static constexpr bool stops = true;
 
   explicit I8080Reporter(I8080Recorder& recorder) : recorder_(&recorder) {}
-  I8080Reporter(Probe& probe, I8080Watcher& watcher) : listener_(std::in_place, probe, watcher) {}
+  explicit I8080Reporter(Probe& probe) : listener_(std::in_place, probe) {}
 
   void begin(core::TStateInstant now) {
     if (listener_) listener_->begin(now);
   }
   bool stop(core::TStateInstant now, i8080::Address next) { return listener_ && listener_->stop(now, next); }
-  static bool told() { return false; }
+  [[nodiscard]] bool reads_machine() const { return listener_ && listener_->reads_machine(); }
   [[gnu::noinline]] void instruction(const machines::I8080InstructionRecord& record) {
     if (recorder_ != nullptr) recorder_->instruction(record);
     if (listener_) listener_->instruction(record);

@@ -247,8 +247,13 @@ class Pdp7Machine final : public Machine {
       case 2: return devices.punch.flag();
       case 3: return devices.keyboard.flag();
       case 4: return devices.printer.flag();
-      default: return conditions().at(number).second;
+      default: break;
     }
+    auto* const display = machine_.display();
+    const std::size_t of_display = number - (devices.disk ? 6 : 5);
+    if (display == nullptr || of_display > 2) return conditions().at(number).second;
+    if (of_display == 0) return display->vertical_edge(now()) || display->horizontal_edge(now());
+    return of_display == 1 ? display->light_pen_flag(now()) : display->stop_interrupt(now());
   }
   [[nodiscard]] std::vector<ReportLine> device_lines() const override {
     const pdp7::Peripherals& devices = machine_.devices();
@@ -558,7 +563,6 @@ class Pdp7Machine final : public Machine {
     // The last boundary of a run by number is not asked for.
     if (reason == machines::StopReason::instruction_limit)
       static_cast<void>(observer.stop(machine_.now(), machine_.registers().pc));
-    static_cast<void>(observer.told());
     return reason;
   }
 

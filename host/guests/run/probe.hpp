@@ -1,22 +1,17 @@
 // What a monitor wants to know of a run: where it is to stop, and which instructions it obeys.
 //
-// A machine made with `--monitor` has one and looks at it when a run begins: without marks and listener the run has no
-// observer, with marks each access is compared with them, with conditions each instruction that may change one of them is followed
-// by a test, with a listener each instruction is told. An event ends the run at
-// the boundary that follows it. The caller of Machine::run calls resume() first: a run from a place with a breakpoint passes
-// over it once.
+// A machine made with `--monitor` has one and looks at it when a run begins: without marks, condition and listener the run has no
+// observer. Else it goes instruction by instruction: each access is compared with the marks, and at each boundary between two
+// instructions the run is asked about. An event ends it at the boundary that follows. The caller of Machine::run calls resume()
+// first: a run from a place with a breakpoint passes over it once.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
-
-#include "host/guests/run/condition.hpp"
 
 namespace sightline::guests::run {
 
@@ -36,7 +31,7 @@ class Probe {
   static constexpr std::uint8_t is_written = 4;
   static constexpr std::uint8_t at_interrupt = 8;  // set by mark_interrupts() alone
 
-  enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt, look };
+  enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt, condition };
   struct Event {
     Kind kind;
     std::int64_t time;      // in the machine's unit
@@ -81,37 +76,27 @@ class Probe {
   void mark(std::uint32_t address, std::uint8_t marks) {
     if ((marks & ~addresses_.at(address) & is_written) != 0) written_places_.push_back(address);
     addresses_.at(address) |= marks;
-    marked_ |= marks;
-    version_.renew();
+    marked_ = true;
   }
   void mark_port(std::uint32_t port, std::uint8_t marks) {
     ports_.at(port) |= marks;
-    marked_ |= at_port;
-    version_.renew();
+    marked_ = true;
   }
   void mark_interrupts() { mark(0, at_interrupt); }
   void clear_marks() {
     std::fill(addresses_.begin(), addresses_.end(), std::uint8_t{0});
     std::fill(ports_.begin(), ports_.end(), std::uint8_t{0});
     written_places_.clear();
-    marked_ = 0;
-    version_.renew();
+    marked_ = false;
   }
   [[nodiscard]] std::size_t ports() const { return ports_.size(); }
 
   std::function<void(const Entry&)> on_instruction;  // empty: nobody listens
   std::function<void(const Cycle&)> on_cycle;        // of a run with on_instruction; empty: nobody listens
 
-  // What a run waits for, evaluated between its instructions.
-  void wait_for(std::vector<Condition> conditions) {
-    if (conditions == conditions_) return;
-    conditions_ = std::move(conditions);
-    version_.renew();
-  }
-  [[nodiscard]] const std::vector<Condition>& conditions() const { return conditions_; }
-  // Asked where one of them may have changed, when registers, memory and time are those of the boundary; true: the run ends there,
-  // with an event. Empty: nobody waits for conditions.
-  std::function<bool()> look;
+  // Asked at each boundary, when registers, memory, time and counts are those of the boundary; true: the run ends there, with an
+  // event. Empty: nobody waits for conditions.
+  std::function<bool()> condition_changed;
 
   std::vector<Key> keys;  // all, in order
 
@@ -121,11 +106,8 @@ class Probe {
 
   // For the machine: what a run is to be watched for.
   [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
-  [[nodiscard]] bool looks() const { return static_cast<bool>(look); }
-  [[nodiscard]] bool watches_boundaries() const { return looks() || marked_ != 0; }
-  [[nodiscard]] bool watches_memory() const { return (marked_ & (is_read | is_written)) != 0; }
-  // Another number after each change of marks and conditions: what is made from them can be used until then.
-  [[nodiscard]] std::uint64_t version() const { return version_.number(); }
+  [[nodiscard]] bool has_conditions() const { return static_cast<bool>(condition_changed); }
+  [[nodiscard]] bool watches_boundaries() const { return has_conditions() || marked_; }
   // As many as the machine has, for its observer.
   [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
   [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }
@@ -138,32 +120,48 @@ class Probe {
   }
 
  private:
-  static constexpr std::uint8_t at_port = 16;
-
-  // Of one probe, whatever is put into it.
-  class Version {
-   public:
-    Version() = default;
-    Version(const Version&) = default;
-    Version& operator=(const Version& other) {
-      number_ = std::max(number_, other.number_) + 1;
-      return *this;
-    }
-    ~Version() = default;
-    void renew() { ++number_; }
-    [[nodiscard]] std::uint64_t number() const { return number_; }
-
-   private:
-    std::uint64_t number_ = 0;
-  };
-
   std::vector<std::uint8_t> addresses_;
   std::vector<std::uint8_t> ports_;
   std::vector<std::uint32_t> written_places_;
   std::vector<Event> events_;
-  std::vector<Condition> conditions_;
-  Version version_;
-  std::uint8_t marked_ = 0;  // all marks of all places
+  bool marked_ = false;  // a place or a port
+};
+
+// What a run does for its probe, whatever the machine. Times are in the machine's unit.
+class Watch {
+ public:
+  // The probe outlives it; it must not get others marks while the run lasts.
+  explicit Watch(Probe& probe) : probe_(&probe), places_(probe.marks()), ports_(probe.port_marks()) {}
+
+  // A run begins here: an instruction at this place is passed over.
+  void begin(std::int64_t now) {
+    begun_ = now;
+    told_ = !probe_->events().empty();
+  }
+  // At a boundary; true: the run ends there.
+  [[nodiscard]] bool stop(std::int64_t now, std::uint32_t next) {
+    if (now == begun_) return told_;
+    if (has(next, Probe::executed)) add(Probe::Kind::execution, now, next, 0);
+    if (probe_->condition_changed && probe_->condition_changed()) add(Probe::Kind::condition, now, next, 0);
+    return told_;
+  }
+  [[nodiscard]] bool reads_machine() const { return probe_->has_conditions(); }
+
+  [[nodiscard]] bool has(std::uint32_t address, std::uint8_t marks) const { return (places_[address] & marks) != 0; }
+  [[nodiscard]] bool port_has(std::uint32_t port, std::uint8_t marks) const { return (ports_[port] & marks) != 0; }
+  [[nodiscard]] bool at_interrupts() const { return has(0, Probe::at_interrupt); }
+  void add(Probe::Kind kind, std::int64_t time, std::uint32_t address, std::uint32_t value) {
+    probe_->add({kind, time, address, value});
+    told_ = true;
+  }
+  [[nodiscard]] Probe& probe() const { return *probe_; }
+
+ private:
+  Probe* probe_;
+  const std::uint8_t* places_;
+  const std::uint8_t* ports_;
+  std::int64_t begun_ = 0;
+  bool told_ = false;
 };
 
 }  // namespace sightline::guests::run

@@ -157,38 +157,5 @@ TEST(I8080SingleStep, EveryCaseOfEveryOpcodeIsThatOfTheChip) {
   }
 }
 
-// The set that the table gives for each opcode is all that the chip changed in its cases: nothing is missing, and nothing is there
-// that none of them shows.
-TEST(I8080SingleStep, ChangesAreThoseOfTheTable) {
-  namespace change = i8080::change;
-  std::array<unsigned, 256> seen{};
-  for (const Case& one : read_cases()) {
-    const auto opcode = std::find_if(one.memory_before.begin(), one.memory_before.end(),
-                                     [&one](const Cell& cell) { return cell.address == one.initial.pc; });
-    ASSERT_NE(opcode, one.memory_before.end()) << one.name;
-    const i8080::State& from = one.initial;
-    const i8080::State& to = one.final;
-    const bool writes = std::any_of(one.transfers.begin(), one.transfers.end(),
-                                    [](const std::string& transfer) { return transfer[0] == 'W' || transfer[0] == 'w'; });
-    unsigned changed = writes ? change::memory : 0U;
-    const auto differs = [&changed](bool is, unsigned what) { changed |= is ? what : 0U; };
-    differs(from.a != to.a, change::a);
-    differs(from.f != to.f, change::f);
-    differs(from.bc != to.bc, change::bc);
-    differs(from.de != to.de, change::de);
-    differs(from.hl != to.hl, change::hl);
-    differs(from.sp != to.sp || from.interrupts_on != to.interrupts_on, change::sp);
-    seen[opcode->byte] |= changed;
-  }
-  for (unsigned opcode = 0; opcode < 256; ++opcode) {
-    const unsigned told = i8080::changes_of(static_cast<std::uint8_t>(opcode));
-    EXPECT_EQ(seen[opcode] & ~told, 0U) << hexadecimal(opcode, 2);
-    // MOV A,A and its like, ANA A and ORA A change nothing; INTE, which EI and DI change, is set later on the pin.
-    const bool to_itself = ((opcode & 0xC0U) == 0x40 && (opcode >> 3 & 7U) == (opcode & 7U)) || opcode == 0xA7 || opcode == 0xB7;
-    const bool of_interrupts = opcode == 0xF3 || opcode == 0xFB;
-    if (!to_itself && !of_interrupts) { EXPECT_EQ(told & ~seen[opcode], 0U) << hexadecimal(opcode, 2); }
-  }
-}
-
 }  // namespace
 }  // namespace sightline

@@ -1,6 +1,6 @@
 // The 8080 beside the machine of an earlier version (../reference), on random programs that modify themselves, with random
 // INT and READY, ports, halts and jammed instructions: the same bus cycles, registers, times and memory, in the same pieces.
-// Three ways through the machine take part: with every cycle told, with nothing told, and by the portable loop.
+// Four ways through the machine take part: with every cycle told, with nothing told, by the portable loop, and asked at every boundary.
 //
 // How to run more than a few: lockstep.hpp.
 #include <gtest/gtest.h>
@@ -102,6 +102,18 @@ struct SumCyclesInALoop : SumCycles {
   static constexpr bool plain_loop = true;
 };
 
+// Is asked at every boundary, as a monitor that waits for a condition; stops at some.
+struct Follower {
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+  std::uint64_t boundaries = 0;
+  std::uint64_t every = 97;
+  void cycle(const machines::I8080Cycle&) {}
+  [[nodiscard]] static bool reads_machine() { return true; }
+  bool stop(core::TStateInstant, i8080::Address) { return ++boundaries % every == 0; }
+};
+
 std::uint8_t random_byte(std::mt19937_64& random) {
   const std::uint64_t r = random();
   switch (r & 31U) {
@@ -135,6 +147,7 @@ bool run_one(std::mt19937_64& random, Done& done) {
   SumCycles cycles;
   SumCyclesInALoop cycles_in_a_loop;
   machines::NoI8080Observer no_observer;
+  Follower follower;
   const auto reference =
       std::make_unique<reference_8080::I8080Machine<Ports, WatchedCycles>>(ports[0], of_reference);
   const auto told = std::make_unique<machines::I8080Machine<Ports, SumCycles>>(ports[1], cycles);
@@ -161,7 +174,16 @@ bool run_one(std::mt19937_64& random, Done& done) {
     machines::I8080Limits limits{random() % 2 == 0 ? random() % 30 + 1 : random() % 6000, core::never_t};
     if (random() % 3 == 0) limits.until = told->now() + core::TStates(static_cast<std::int64_t>(random() % 3000));
     const auto reason = reference->run(limits);
-    const bool same = told->run(limits) == reason && looped->run(limits) == reason && untold->run(limits) == reason;
+    // Where the follower has stopped it the run is taken up again.
+    machines::I8080Limits rest = limits;
+    auto last = reason;
+    do {
+      const std::uint64_t before = untold->instructions();
+      last = random() % 2 == 0 ? untold->run(rest, follower) : untold->run(rest);
+      rest.instructions -= untold->instructions() - before;
+    } while (last == machines::I8080StopReason::observer && rest.instructions != 0);
+    if (last == machines::I8080StopReason::observer) last = machines::I8080StopReason::instruction_limit;
+    const bool same = told->run(limits) == reason && looped->run(limits) == reason && last == reason;
     const auto alike = [&](const auto& machine) {
       return machine.registers() == reference->registers() && machine.now() == reference->now() &&
              machine.instructions() == reference->instructions();

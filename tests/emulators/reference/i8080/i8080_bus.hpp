@@ -119,7 +119,7 @@ class I8080Bus {
     if constexpr (Observer::cycles && Observer::instructions) {
       if (machine_->report_out_of_line({begun, cycle, address, data, operand}, report_)) attention();
     } else if constexpr (Observer::cycles) {
-      if (machine_->template report_at_once<wants_ends_of_halts<Observer>>({begun, cycle, address, data, operand}, report_))
+      if (machine_->report_at_once({begun, cycle, address, data, operand}, report_))
         attention();
     }
   }

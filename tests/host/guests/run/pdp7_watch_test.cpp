@@ -21,15 +21,14 @@
 namespace sightline::test {
 namespace {
 
-using guests::run::Condition;
-using guests::run::ConditionStep;
 using guests::run::Machine;
 using guests::run::Pdp7Setup;
 using guests::run::Probe;
-using guests::run::Sign;
 
 constexpr std::uint32_t address_mask = 077777, word_mask = 0777777;
 constexpr std::size_t pc = 0, ac = 1, link = 2, mq = 3, ion = 6;
+
+enum class Sign : std::uint8_t { equal, unequal, less, at_most, more, at_least };
 
 // REGISTER sign CONSTANT, or REGISTER sign REGISTER.
 struct Question {
@@ -41,27 +40,16 @@ struct Question {
 
   [[nodiscard]] bool holds(const Machine& machine) const {
     const std::int64_t a = machine.get(left) & mask;
-    return *guests::run::applied(sign, a, right ? machine.get(*right) + constant : constant) != 0;
-  }
-  [[nodiscard]] Condition condition(bool is_true) const {
-    using Kind = ConditionStep::Kind;
-    Condition made;
-    made.is_true = is_true;
-    made.steps = {{Kind::register_value, {}, static_cast<std::int64_t>(left)}, {Kind::number, {}, mask}, {Kind::binary, Sign::bit_and}};
-    made.registers = {left};
-    if (right) {
-      made.steps.insert(made.steps.end(), {{Kind::register_value, {}, static_cast<std::int64_t>(*right)},
-                                           {Kind::number, {}, constant}, {Kind::binary, Sign::plus}});
-      made.registers.push_back(*right);
-      if (mask == word_mask) made.relation = guests::run::Relation{{left}, sign, {*right}, constant};
-    } else {
-      made.steps.push_back({Kind::number, {}, constant});
-      const auto range = guests::run::range_where(is_true ? guests::run::opposite(sign) : sign, constant);
-      if (range) made.range = Condition::Range{{left, false, mask}, *range};
+    const std::int64_t b = right ? machine.get(*right) + constant : constant;
+    switch (sign) {
+      case Sign::equal: return a == b;
+      case Sign::unequal: return a != b;
+      case Sign::less: return a < b;
+      case Sign::at_most: return a <= b;
+      case Sign::more: return a > b;
+      case Sign::at_least: return a >= b;
     }
-    made.steps.push_back({Kind::binary, sign});
-    made.steps = guests::run::fused(made.steps);
-    return made;
+    return false;
   }
 };
 
@@ -113,19 +101,14 @@ Run observed(Machine& machine, const Watched& watched, std::uint64_t instruction
   Run done;
   Probe& probe = *machine.probe();
   bool held = watched.question && watched.question->holds(machine);
-  const auto wait = [&] {
-    if (!watched.question) return;
-    probe.wait_for({watched.question->condition(held)});
-    probe.look = [&] { return watched.question->holds(machine) != held; };
-  };
+  if (watched.question) probe.condition_changed = [&] { return watched.question->holds(machine) != held; };
   watched.mark(probe);
   while (machine.instructions() < instructions) {
-    wait();
     guests::run::Limits limits;
     limits.instructions = std::min(instructions, machine.instructions() + 1 + random() % 700);
     const auto stop = machine.run(limits, false);
     std::vector<Probe::Event> events = probe.events();
-    std::erase_if(events, [](const Probe::Event& event) { return event.kind == Probe::Kind::look; });
+    std::erase_if(events, [](const Probe::Event& event) { return event.kind == Probe::Kind::condition; });
     probe.resume();
     const bool holds = watched.question && watched.question->holds(machine);
     if (!events.empty() || holds != held) done.met.push_back({machine.ticks(), machine.get(pc), events, holds});
@@ -133,8 +116,7 @@ Run observed(Machine& machine, const Watched& watched, std::uint64_t instruction
     if (stop && stop->name != guests::run::stopped_by_probe && stop->name != "instruction_limit") break;
   }
   probe.clear_marks();
-  probe.wait_for({});
-  probe.look = nullptr;
+  probe.condition_changed = nullptr;
   done.state = state_of(machine);
   return done;
 }
@@ -312,7 +294,7 @@ void expect_same_stops(std::uint64_t seed, std::uint64_t instructions, std::size
   ASSERT_EQ(found.met.size(), expected.met.size()) << "seed " << seed;
   ASSERT_EQ(found.state == expected.state, true) << "seed " << seed;
   stops += found.met.size();
-  // A mark that were left in core would spoil what nobody watches any more.
+  // What was watched is no more.
   const auto state_later = [](Machine& unwatched) {
     guests::run::Limits limits;
     limits.instructions = unwatched.instructions() + 500;
