@@ -547,7 +547,11 @@ TEST_F(DrawMesh, TheUnitOfAFile) {
   EXPECT_FALSE(has(sightline({"scene", "info", "a.off"}).out, "unit"));
   const auto ran = sightline({"scene", "info", "a.off", "--unit", "mm"});
   EXPECT_TRUE(has(ran.out, "unit           mm")) << ran.out;
-  EXPECT_TRUE(has(ran.err, "steps of 0.01 mm")) << ran.err;
+  // Nothing is rounded. Of the other file's three numbers the largest, 12345.678, is farthest from a multiple of an eighth: 0.053.
+  EXPECT_EQ(ran.err, "");
+  write("rounded.off", "OFF\n4 4 0\n0 0 0\n1.25 0 0\n0 1.25 0\n0 0 12345.678\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const auto rounded = sightline({"scene", "info", "rounded.off", "--unit", "mm"});
+  EXPECT_TRUE(has(rounded.err, "rounded to a step of 0.125 mm, by at most 0.053 mm")) << rounded.err;
   EXPECT_TRUE(has(sightline({"scene", "info", "a.off", "--unit", "inch", "--json"}).out, "\"unit\": \"inch\""));
   EXPECT_TRUE(has(sightline({"draw", "exact", "boxes-3", "--unit", "mm", "-o", "b.svg"}).err, "--unit: boxes-3 is no mesh"));
   EXPECT_EQ(sightline({"scene", "info", "a.off", "--unit", "furlong"}).exit_code, 2);

@@ -57,7 +57,7 @@ TEST_F(ScenePolyCommand, AFormatIsToldByTheTextWhereTheNameDoesNot) {
   EXPECT_TRUE(exists("t.svg"));
   EXPECT_TRUE(has(sightline({"scene", "info", "-"}, "{").err, "standard input: line 1"));
   write("nothing.txt", "words\n");
-  EXPECT_TRUE(has(sightline({"scene", "info", "nothing.txt"}).err, "syntax error"));
+  EXPECT_TRUE(has(sightline({"scene", "info", "nothing.txt"}).err, "nothing.txt: found no known format, expected STL"));
 }
 
 TEST_F(ScenePolyCommand, WhatIsWrongIsNamedAndNothingWritten) {
