@@ -6,7 +6,7 @@
 //   using Filter = ...;
 //   Filter filter() const;
 //     bool arrives(Address next) const      stop() is asked at these boundaries, and at the one after a cycle that was told
-//     bool wants(const Cycle&) const        only these are told; where the observer wants cycles; none that a device takes
+//     bool wants(const Cycle&) const        which cycles are told; cycles that a device takes must be refused, because stop() is not asked after them
 //     bool asks_again() const               optional, PDP-7 only; true: stop() is asked at the next boundary, too. Asked after the devices have
 //                                           been served, because a sink may have asked for a stop there
 // One that is asked at every boundary has none.

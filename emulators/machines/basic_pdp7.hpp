@@ -88,8 +88,8 @@ class BasicPdp7 {
   Display& attach_display(Arguments&&... arguments) {
     return display_.emplace(std::forward<Arguments>(arguments)...);
   }
-  // The same, plugged in by the first IOT of such a display (uses_display): nothing can tell it from one that was there all the time,
-  // and a program that does not use it has none.
+  // The same, plugged in by the first IOT of such a display (uses_display): a program that uses it cannot tell it from one that was there all the
+  // time, unless it begins with an IOT of a Graphic-2, such as 700547, and a program that does not use it has none.
   template <class... Arguments>
   void attach_display_when_used(Arguments&&... arguments) {
     spare_display_.emplace(std::forward<Arguments>(arguments)...);

@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "../core/time.hpp"
-#include "../pdp7/absent_devices.hpp"
 #include "../core/word.hpp"
+#include "../pdp7/absent_devices.hpp"
 #include "../pdp7/bus.hpp"
 
 namespace sightline::machines {

@@ -193,14 +193,14 @@ class JonesTeller final : public algorithms::jones::Trace {
     lines_outside_ += outside;
     fragments_ += pieces_here_;
     count();
-    const std::string drawn = pieces_here_ == 0 ? "none of them is seen"
-                                                : fmt::format("of {} a part or all is in it and drawn", pieces_here_);
+    const std::string drawn = pieces_here_ == 0 ? "none is seen"
+                                                : fmt::format("{} {} drawn, in part or whole", pieces_here_, pieces_here_ == 1 ? "is" : "are");
     const std::string rest = outside == 0 || pieces_here_ == 0 ? "" : fmt::format(", {} {} outside", outside, outside == 1 ? "is" : "are");
     std::vector<Layer> changes{{image, "line", std::exchange(now_, {})}};
     // Each step adds a layer of its own: all that is seen so far in each step would make a lesson as large as its square.
     if (!seen_.empty()) changes.push_back({image, seen_layer(seen_layers_++), std::exchange(seen_, {})});
     steps_.add(in_cell_ ? fmt::format("The lines of cell {} are clipped to the mask: {}{}.", cell_, drawn, rest)
-                        : fmt::format("The lines in the outer walls that face the eye are seen without a portal: {}{}.", drawn, rest),
+                        : fmt::format("The lines in the outer walls that face the eye need no portal: {}{}.", drawn, rest),
                "Fig. 4 and 5, avenues of sight", std::move(changes));
     pieces_here_ = lines_here_ = 0;
   }

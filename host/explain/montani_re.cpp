@@ -21,7 +21,7 @@ namespace mr = algorithms::montani_re;
 constexpr std::size_t chart = 1;
 // Pairs beyond these are summed up.
 constexpr std::size_t most_pairs = 150;
-// On a chart of more faces only those that the caption names have a number, and in the image at most so many have one in a step.
+// On a chart of more faces only those that the caption names have a number, and the image numbers those that a step names, unless they are more than `most_named`.
 constexpr std::size_t most_numbered_faces = 60;
 constexpr std::size_t most_named = 12;
 

@@ -488,7 +488,7 @@ Answer Monitor::Inside::screenshot(std::string_view arguments) {
   // Of a vector display the photograph of its screen, of a raster board what it shows.
   auto picture = machine_.output("--phosphor");
   if (picture.empty()) picture = machine_.output("--png");
-  if (picture.empty()) throw Wrong{"this machine has no display or raster board; attach one when you begin"};
+  if (picture.empty()) throw Wrong{"this machine has no display or raster board, or its program has not used the display yet"};
   const auto done = host_.write(path, picture);
   if (!done) throw Wrong{done.error().message};
   return noted(fmt::format("{}: {} bytes", path, picture.size()));

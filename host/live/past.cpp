@@ -11,14 +11,16 @@ namespace sightline::live {
 using guests::run::Probe;
 
 Past::Past(std::string_view name, guests::run::Machine& machine)
-    : name_(name), machine_(machine), instructions_apart_(std::uint64_t{1} << (machine.display_lines().empty() ? 20 : 18)) {}
+    : name_(name), machine_(machine) {}
+
+std::uint64_t Past::instructions_apart() const { return std::uint64_t{1} << (machine_.display_lines().empty() ? 20 : 18); }
 
 void Past::remember() {
   constexpr std::size_t most_calls = 100'000;  // of the host's files
   const std::int64_t repeats_from = machine_.trim_journal(most_calls);
   std::erase_if(places_, [repeats_from](const Place& place) { return place.ticks < repeats_from; });
   const std::uint64_t obeyed = machine_.instructions();
-  const bool far = places_.empty() || obeyed - std::min(obeyed, places_.back().instructions) >= instructions_apart_;
+  const bool far = places_.empty() || obeyed - std::min(obeyed, places_.back().instructions) >= instructions_apart();
   if (!changed_ && !far) return;
   // Where a run begins counts, whatever was there before.
   while (!places_.empty() && places_.back().instructions >= obeyed) {

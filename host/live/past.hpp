@@ -25,8 +25,8 @@ class Past {
   // The machine has a probe and outlives the past; `name` is that of its description.
   Past(std::string_view name, guests::run::Machine& machine);
 
-  // How far snapshots lie apart: it runs again in some milliseconds, beside a display that draws in some tens.
-  [[nodiscard]] std::uint64_t instructions_apart() const { return instructions_apart_; }
+  // How far snapshots lie apart: it runs again in some milliseconds, beside a display, which may be plugged in by the program, in some tens.
+  [[nodiscard]] std::uint64_t instructions_apart() const;
 
   // To be called where a run begins, and at least every instructions_apart() while it lasts.
   void remember();
@@ -90,7 +90,6 @@ class Past {
 
   std::string_view name_;
   guests::run::Machine& machine_;
-  std::uint64_t instructions_apart_;
   std::vector<Place> places_;  // in order of instructions
   std::size_t next_key_ = 0;   // of a run that is repeated
   bool changed_ = true;

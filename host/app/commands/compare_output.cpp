@@ -61,7 +61,7 @@ std::string guest_text(const compare::GuestCheck& guest) {
 
 std::string turn_text(const compare::TurnCheck& turn) {
   if (!turn.difference.empty()) return "turn-pdp7 differs: " + turn.difference + "\n";
-  return fmt::format("turn-pdp7 draws the solid at a size of its own: its per cent are of {:.1f} px of visible lines\n"
+  return fmt::format("turn-pdp7 draws the solid at a size of its own: percentages are of {:.1f} px of visible lines\n"
                      "turn-pdp7 and its twin, the same program in C++, give the same {} display words, {} flashes at {:.4f} degrees{}\n",
                      turn.metrics.true_length, turn.words, turn.flashes, turn.angle * 360.0 / (1 << 18),
                      turn.agrees() ? fmt::format("; its words explain a distance of up to {:.2f}", turn.bound)

@@ -353,8 +353,8 @@ std::string demo_page(const DemoPage& page, const DemoAnswer& answer) {
       "\"In numbers\". "
       "Different is what is missing and what is drawn though hidden, along the lines, in per cent of the visible length, or of the points of "
       "the picture; farthest is the greatest distance of the two pictures, beside the lines too, in points of the screen (px); wrong is the "
-      "different that is farther than a point from what is visible. In \"nothing wrong\" dots have no count: Skala's program rounds to dots "
-      "in a way that alone puts some more than one beside their lines, so what counts for them is the greatest distance.</p>\n",
+      "different that is farther than a point from what is visible. Skala's dots have no count in \"nothing "
+      "wrong\": rounding alone puts some more than a point off, and the greatest distance is their measure.</p>\n",
       answer.scenes.size(), answer.functions.size());
   text += "<h2>Time against error</h2>\n<div class=\"plots\">\n";
   text += compare::panel_svg(answer.plotted, compare::PlotPanel::emulated) +

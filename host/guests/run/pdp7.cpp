@@ -230,7 +230,7 @@ class Pdp7Machine final : public Machine {
       flags.emplace_back("disk", (devices.disk->status() & over) != 0);
     }
     if (setup_.machine.display) {
-      // The display has come to the machine's own time: to ask it changes nothing. One that is not plugged in yet has no flag up.
+      // Asked, the display comes to the machine's time, as the run makes it do later. One that is not plugged in yet has no flag up.
       auto* const display = machine_.display();
       flags.emplace_back("edge", display != nullptr && (display->vertical_edge(now()) || display->horizontal_edge(now())));
       flags.emplace_back("pen", display != nullptr && display->light_pen_flag(now()));
@@ -365,6 +365,8 @@ class Pdp7Machine final : public Machine {
       }
       return done;
     }
+    // An output, or --display, asks for one whatever the snapshot has.
+    if (setup_.machine.display && !setup_.machine.display_when_used && machine_.display() == nullptr) plug_in_display(true);
     switches_ = machine_.console().switches(machine_.now());
     heard_of_printed_ = taken_of_printed_ = machine_.devices().printer.printed().size();
     sink_.forget_after(machine_.now());
@@ -573,7 +575,10 @@ class Pdp7Machine final : public Machine {
     if (!input.name.empty()) {
       if (auto done = read_light_pen(input, script); !done) return done;
     }
-    if (machine_.display() == nullptr) plug_in_display(true);
+    if (machine_.display() == nullptr) {
+      if (input.name.empty()) return Done{};  // no pen is there to be taken away
+      plug_in_display(true);
+    }
     pen_script_ = std::move(script);
     next_move_ = 0;
     machine_.display()->point_light_pen(std::nullopt);

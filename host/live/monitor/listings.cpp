@@ -118,7 +118,7 @@ std::string state(Debugger& debugger, std::string_view arguments) {
     text = labelled(debugger.machine().device_lines());
   } else if (is("display")) {
     text = labelled(debugger.machine().display_lines());
-    if (text.empty()) text = "no display is attached\n";
+    if (text.empty()) text = "no display is attached, or the program has not used it yet\n";
   } else if (is("stack")) {
     for (const Frame& frame : debugger.stack())
       text += fmt::format("{} called from {}  {}\n", debugger.address(frame.entry), debugger.address(frame.caller),

@@ -428,14 +428,14 @@ TEST(MonitorPdp7, ListsDisplayWordsWhereTheDisplayReadsThem) {
 TEST(MonitorPdp7, TheDisplayIsThereWhenItIsUsed) {
   auto m = pdp7_session("begin, law file\n idla\nloop, idsi\n jmp loop\n jmp begin\nfile, 020137\n 220601\n 100601\n 200177\n 677577\n 003000\n start begin\n");
   Session& s = *m;
-  EXPECT_EQ(s("show display"), "no display is attached\n");
+  EXPECT_EQ(s("show display"), "no display is attached, or the program has not used it yet\n");
   EXPECT_NE(s("show devices").find("display      not used yet\n"), std::string::npos);
   s("break when stop");
   s("continue");
   EXPECT_NE(s("show devices").find("display      6 words, 1 passes complete of 1 started"), std::string::npos) << s("show devices");
   EXPECT_NE(s("show display").find("stopped by its file"), std::string::npos);
   s("back " + std::to_string(s.machine().instructions()));
-  EXPECT_EQ(s("show display"), "no display is attached\n");
+  EXPECT_EQ(s("show display"), "no display is attached, or the program has not used it yet\n");
   s("delete");
   walk_back_and_forth(s, "pdp7");
 }
@@ -1140,7 +1140,7 @@ const std::vector<VerbCase>& verb_cases() {
       {"back", {"step 3"}, "back", at_store},
       {"save", {"step 2", "save s.snap", "step 2"}, "restore s.snap", at_store},
       {"restore", {}, "restore nowhere", "restore: nowhere: no such file\n", Kind::wrong},
-      {"screenshot", {}, "screenshot a.png", "screenshot: this machine has no display or raster board; attach one when you begin\n", Kind::wrong},
+      {"screenshot", {}, "screenshot a.png", "screenshot: this machine has no display or raster board, or its program has not used the display yet\n", Kind::wrong},
       {"trace", {"trace t", "step", "trace off"}, "do t", "", Kind::wrong},
       {"speed", {}, "speed real", "speed: there is no console\n", Kind::wrong},
       {"do", {}, "do commands", "3 = 3.\n"},

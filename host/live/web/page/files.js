@@ -47,10 +47,11 @@ export class Files {
       }
       const reasons = [];
       offers = this.offers(file, reasons);
-      wrong = Boolean(file.error) && (offers.length > 0 || !reasons.length);
-      complaints.push(wrong ? file.error : this.describe(file, offers, reasons));
+      const failed = Boolean(file.error) && (offers.length > 0 || !reasons.length);
+      wrong ||= failed;
+      complaints.push(failed ? file.error : this.describe(file, offers, reasons));
     }
-    if (complaints.length || changes.length) this.page.say([...complaints, ...changes].join('\n'), wrong, offers);
+    if (complaints.length || changes.length) this.page.say([...complaints, ...changes].join('\n'), wrong, complaints.length === 1 ? offers : []);
     ++this.opened;
   }
 

@@ -70,7 +70,7 @@ export class I8080Room {
             this.saver = button('Save state', () => this.saveState(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker('Open a file')))));
     // The arrows turn the picture when something has been chosen from a list, too.
-    room.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement) this.canvas.focus({preventScroll: true}); });
+    room.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement && document.activeElement !== event.target) this.canvas.focus({preventScroll: true}); });
     return room;
   }
 
@@ -131,11 +131,12 @@ export class I8080Room {
     if (program === 'stripes' && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';
   }
 
-  request(what) {
+  // `name`: of a function or a file; empty: the expression, which may be wrong: that is thrown.
+  request(what, name = this.options.function) {
     const o = this.options;
     if (what === 'stripes') return {do: what, scene: o.scene, device: o.device, camera: camera(o.rotation, Math.max(0, Math.min(80, o.elevation)))};
     const request = {do: what, picture: o.picture, device: o.device, rotation: o.rotation, elevation: o.elevation, zoom: o.zoom, levels: o.levels, visibility: o.visibility};
-    if (o.function !== '') return {...request, function: o.function, points: o.points, slices: o.slices};
+    if (name !== '') return {...request, function: name, points: o.points, slices: o.slices};
     return {...request, function: o.text, ...sampled(o.text, 6, Math.max(2, Math.min(128, o.points)), Math.max(2, Math.min(128, o.slices)))};
   }
 
@@ -173,6 +174,7 @@ export class I8080Room {
       const done = this.module.ask({do: 'restore', id: this.id, file: name});
       if (done.error) return refuse(done.error);
       this.message.say('');
+      this.clearPaper();
       this.ended = this.shown = false;
       this.go(true);
       return true;
@@ -180,7 +182,7 @@ export class I8080Room {
     if (kind !== 'grid' && kind !== 'scene') return false;
     const program = kind === 'grid' ? 'skala' : this.flies && !way ? 'flight' : 'stripes';
     // Asked for before anything changes: a flight that cannot be made leaves the one before, too.
-    const tried = this.module.ask({skala: () => ({...this.request(program), function: name, heights: undefined}), stripes: () => ({...this.request(program), scene: name}),
+    const tried = this.module.ask({skala: () => this.request(program, name), stripes: () => ({...this.request(program), scene: name}),
       flight: () => this.flight.request(name)}[program]());
     if (tried.error) { file.error = said(file, tried.error); return false; }
     if (tried.id) this.module.ask({do: 'drop', id: tried.id});

@@ -79,7 +79,9 @@ export async function begin(wasm, shelf) {
   addEventListener('hashchange', show);
   addEventListener('keydown', event => { if (current?.key(event, true)) event.preventDefault(); });
   addEventListener('keyup', event => { if (current?.key(event, false)) event.preventDefault(); });
-  addEventListener('error', event => message.say(`Something went wrong: ${event.message}. Reload the page to begin again.`, true));
+  const failed = text => message.say(`Something went wrong: ${text}. Reload the page to begin again.`, true);
+  addEventListener('error', event => failed(event.message));
+  addEventListener('unhandledrejection', event => failed(event.reason?.message ?? event.reason));
   show();
   document.documentElement.dataset.ready = String(Math.round(performance.now() - began));
   // For tests and for people who like to look inside.

@@ -674,6 +674,7 @@ export class Pdp7Room {
     this.programs.select.value = o.program;
     this.eae.box.checked = o.eae;
     this.stereo.box.checked = o.stereo;
+    this.immediate.box.checked = o.immediate;
     this.exact.box.checked = o.exact;
     this.glow.select.value = o.glow;
     this.setGlow();

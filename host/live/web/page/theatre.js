@@ -41,8 +41,7 @@ export class Theatre {
     const o = this.options;
     const lesson = this.lessons.find(each => each.algorithm === o.algorithm) ?? this.lessons[0];
     if (!lesson) return '';
-    this.scene.hidden = this.view.hidden = lesson.heights;
-    this.function.hidden = !lesson.heights;
+    this.showChoices();
     const request = lesson.heights
       ? {do: 'explain', algorithm: lesson.algorithm, function: o.function, points: 13, slices: 9, rotation: o.rotation, elevation: o.elevation}
       : {do: 'explain', algorithm: lesson.algorithm, scene: o.scene, ...(o.view === 'turned' ? {camera: camera(o.rotation, o.elevation)} : {})};
@@ -60,6 +59,9 @@ export class Theatre {
   }
   showChoices() {
     const o = this.options;
+    const heights = this.lessons.find(each => each.algorithm === o.algorithm)?.heights ?? false;
+    this.scene.hidden = this.view.hidden = heights;
+    this.function.hidden = !heights;
     this.pick.select.value = o.algorithm;
     this.scene.select.value = o.scene;
     this.function.select.value = o.function;

@@ -79,9 +79,9 @@ export class Turning {
   put(word) { this.room.setSwitches(word); this.room.remember(); }
   flip(bit) { this.put(this.word ^ bit); }
   hold(down) { this.put(down ? this.word | EVENT : this.word & ~EVENT); }
-  standStill() { this.put(this.word & SPEED ? this.word & ~SPEED : this.word | this.step()); }
+  standStill() { if (this.made) this.put(this.word & SPEED ? this.word & ~SPEED : this.word | this.step()); }
   setSpeed() { if (this.made) this.put(this.word & ~SPEED | this.step()); }
-  faster(times) { this.put(this.word & ~SPEED | Math.max(1, Math.min(SPEED, Math.round((this.word & SPEED || this.step()) * times)))); }
+  faster(times) { if (this.made) this.put(this.word & ~SPEED | Math.max(1, Math.min(SPEED, Math.round((this.word & SPEED || this.step()) * times)))); }
 
   // Whether a key that goes down is one of this program.
   key(event) {

@@ -13,13 +13,17 @@ export function element(tag, properties = {}, ...children) {
 }
 
 export function button(label, act, title = label) {
-  return element('button', {type: 'button', textContent: label, title, 'aria-label': title, onclick: act});
+  return element('button', {type: 'button', textContent: label, title, onclick: act});
 }
 
-// A named choice; `entries`: texts, or [value, text]. It gives the focus back when something is chosen, so that the keys are the room's again.
+// A named choice; `entries`: texts, or [value, text]. It gives the focus back when something is chosen, so that the keys are the room's again; not
+// when the arrow keys go through a closed list, where each of them chooses.
 // `title`, here and below: what the control does, shown to a pointer that rests on it.
 export function choice(label, entries, value, act, title = '') {
-  const select = element('select', {onchange: () => { act(select.value); select.blur(); }},
+  let passing = false;
+  const select = element('select', {
+    onkeydown: event => { passing = event.key !== 'Enter' && event.key !== ' '; }, onpointerdown: () => { passing = false; },
+    onchange: () => { act(select.value); if (!passing) select.blur(); }},
     ...entries.map(entry => {
       const [each, text] = Array.isArray(entry) ? entry : [entry, entry];
       return element('option', {value: each, textContent: text, selected: String(each) === String(value)});
@@ -95,7 +99,7 @@ export function stopName(result, reason) {
   return reason === 'stopped by halt' ? 'halted' : reason;
 }
 
-// What a machine has to say of its program that it has not said before: it uses a device that is not there. `told`: what it has said. A machine that
+// What a machine has to say of its program that it has not said before: it uses a device that is not there, or executes empty memory. `told`: what it has said. A machine that
 // `halted` is not about to run what is at PC.
 export function addWarnings(module, id, told, halted) {
   const fresh = module.ask({do: 'warnings', id}).warnings.filter(each => !(halted && each.includes('memory that is empty'))).slice(0, MOST_WARNINGS - told.length);

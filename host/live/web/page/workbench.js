@@ -165,7 +165,10 @@ export class Workbench {
     const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: this.editor.value}],
       options: {...(this.current?.options ?? {}), '--dialect': this.dialect.select.value}});
     if (made.error) {
-      this.unload();
+      this.made = null;
+      this.errors.replaceChildren();
+      this.listing.textContent = this.symbols.textContent = '';
+      this.unload(made.error);
       return this.message.say(made.error, true);
     }
     this.errors.replaceChildren(...made.diagnostics.slice(0, 100).map(each => element('li', {className: each.severity},
@@ -174,7 +177,7 @@ export class Workbench {
     this.listing.textContent = made.listing;
     this.symbols.textContent = made.symbols;
     if (!made.right) {
-      this.unload();
+      this.unload(ERRORS);
       return this.message.say(ERRORS, true);
     }
     this.message.say(`${made.words} ${machine === 'pdp7' ? 'words' : 'bytes'} assembled and loaded.`);
@@ -188,8 +191,9 @@ export class Workbench {
     this.editor.scrollTop = Math.max(0, (line - 5) * (this.editor.scrollHeight / Math.max(1, lines.length)));
   }
 
-  // Nothing is loaded: the source has errors.
-  unload() {
+  // Nothing is loaded, for a reason that Run and Reset say again.
+  unload(complaint) {
+    this.complaint = complaint;
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     this.id = 0;
     this.go(false, '');
@@ -199,7 +203,7 @@ export class Workbench {
     for (const each of [this.status, this.registerBox, this.past, this.memory, this.output]) each.replaceChildren();
   }
   load() {
-    if (!this.made?.right) return this.message.say(ERRORS, true);
+    if (!this.made?.right) return this.message.say(this.made ? this.complaint : 'Press Assemble first.', true);
     const machine = this.machine.select.value;
     const options = {...MACHINES[machine].options, ...(this.current?.run ?? {}), '--load': [...(this.current?.load ?? []), `${this.made.program}${this.current?.at ?? ''}`]};
     const cpm = machine === 'i8080' && this.cpm.box.checked;
@@ -207,7 +211,7 @@ export class Workbench {
     if (machine === 'i8080' && this.made.start !== null && !cpm) options['--start'] = this.made.start.toString(16);
     const made = this.module.ask({do: 'make', machine, options, symbols: this.made.symbols, listing: this.made.listing, lines: this.made.lines});
     if (made.error) {
-      this.unload();
+      this.unload(made.error);
       return this.message.say(made.error, true);
     }
     this.begin(made.id, machine, Boolean(options['--board']));
@@ -226,6 +230,7 @@ export class Workbench {
     if (machine !== this.machine.select.value) {
       this.machine.select.value = machine;
       this.offerDialects();
+      this.made = null;  // it is a program of the other machine
     }
     this.begin(made.id, machine, configuration.some(each => each.startsWith('--board')));
     this.message.say(known ? `${name}: the machine goes on from this snapshot.` : `${name}: a snapshot of another program than this source.`);
@@ -292,7 +297,7 @@ export class Workbench {
 
   // `why`: the reason for which the machine stands still.
   go(on, why = 'paused') {
-    if (on && !this.id) return this.message.say(ERRORS, true);
+    if (on && !this.id) return this.message.say(this.complaint, true);
     this.on = on;
     if (on) this.waits = false;
     this.stopped.textContent = on ? '' : why;
@@ -335,7 +340,7 @@ export class Workbench {
   // Why the machine stands still, and what is to be said of its program.
   tell(reason) {
     this.waits = reason === 'waits for a key';
-    addWarnings(this.module, this.id, this.warned, true);
+    addWarnings(this.module, this.id, this.warned, reason === 'stopped by halt');
     this.message.say([this.waits ? 'The program waits for a key: type under Console.' : reason, ...this.warned].filter(Boolean).join('\n'));
   }
   // Before the state is shown: to list the last instructions the machine runs again from an earlier time, and forgets what it has drawn.
