@@ -386,14 +386,14 @@ Result<Prepared> prepare(const MachineDescription& description, const Arguments&
   return Prepared{std::move(*machine), *limits, loaded->warnings};
 }
 
-std::vector<std::string> Machine::take_early_warnings() {
+std::vector<std::string> Machine::take_early_warnings(bool runs_on) {
   std::vector<std::string> texts;
   for (const EarlyWarning& each : early_warnings()) {
     if (!warned_.insert(each.what).second) continue;
     texts.push_back(each.times.empty() ? each.what : fmt::format("{} ({} so far)", each.what, each.times));
   }
   // A word that is not 0 there was stored by the program, which may run it.
-  if (loaded_.empty() || halted()) return texts;
+  if (!runs_on || loaded_.empty() || halted()) return texts;
   const std::uint32_t pc = get(program_counter(*description_));
   if (pc >= loaded_.size() || loaded_[pc] || word(pc) != 0) return texts;
   loaded_.clear();

@@ -383,8 +383,9 @@ class Machine {
   virtual void add_details(base::Json&) const {}
   // After the run; without those that take_early_warnings() has handed out.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
-  // Between slices of a run: those that have come up since the last call.
-  [[nodiscard]] std::vector<std::string> take_early_warnings();
+  // Between slices of a run: those that have come up since the last call. A program that does not run on is not about to execute what is
+  // at PC.
+  [[nodiscard]] std::vector<std::string> take_early_warnings(bool runs_on = true);
   // From now on these tell, once, that the program has run into memory to which nothing was loaded. `loaded`: whether an
   // address has a word of a program; `remedy`: what may help, may be empty; the description outlives the machine.
   void watch_empty_memory(const MachineDescription& description, std::vector<bool> loaded, std::string remedy);

@@ -345,7 +345,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
   if (what == "state") return state_json(desk);
   if (what == "warnings") {
     Json warnings = Json::array();
-    for (const std::string& each : machine.take_early_warnings()) warnings.push_back(each);
+    for (const std::string& each : machine.take_early_warnings(!flag_of(request, "halted"))) warnings.push_back(each);
     return Json{{"warnings", std::move(warnings)}};
   }
   if (what == "step") {

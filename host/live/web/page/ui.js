@@ -102,7 +102,7 @@ export function stopName(result, reason) {
 // What a machine has to say of its program that it has not said before: it uses a device that is not there, or executes empty memory. `told`: what it has said. A machine that
 // `halted` is not about to run what is at PC.
 export function addWarnings(module, id, told, halted) {
-  const fresh = module.ask({do: 'warnings', id}).warnings.filter(each => !(halted && each.includes('memory that is empty'))).slice(0, MOST_WARNINGS - told.length);
+  const fresh = module.ask({do: 'warnings', id, halted}).warnings.slice(0, MOST_WARNINGS - told.length);
   told.push(...fresh);
   return fresh.length > 0;
 }

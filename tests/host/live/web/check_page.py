@@ -1195,6 +1195,11 @@ for place in ["jones/house", "bench/square.s"]:
         press("Run")
     wait(lambda: "halt" in said(), f"{place}: it halts: {said()}", 10)
     check(said() == "stopped by halt", f"{place}: a halt in its last word is no fault: {said()}")
+go("bench/square.s")
+drop("main", "astray.s", b"100/\nbegin,\tjmp 300\n\tstart begin\n")
+wait(lambda: "astray.s" in driver.current_url, "a program is taken: " + said())
+press("Run")
+wait(lambda: "memory that is empty" in said(), "a program that runs into empty memory is told: " + said(), 15)
 for place in ["house", "roberts", "turn star.off", "turning.s", "echo.s", "type.s", "pen.s", "refresh.s", "text.s", "calls.s", "increments.s"]:
     go("jones/" + place)
     time.sleep(0.6)
