@@ -1,6 +1,9 @@
 // The output of calligraphic display hardware, and the interface of its consumers.
 //
-// One Stroke is one flash of the beam: everything the Type 340 draws consists of them. A sink is a type with
+// One Stroke is one flash of the beam: everything the Type 340 draws consists of them. A plotter makes one of each step of
+// its lowered pen. A device puts them into a StrokeBuffer, which hands them on in blocks.
+//
+// (Until the machines are ordinary classes:) A sink is a type with
 //   static constexpr bool consumes;             false: the display may skip the work of finding single flashes
 //   void begin_pass(Instant);                   the program started the display (IDLA)
 //   void stroke(const Stroke&);                 in the order of time within one display
@@ -10,7 +13,10 @@
 // Consumers (raster, phosphor, logs, statistics) use no other output of a display.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "time.hpp"
 
@@ -24,6 +30,51 @@ struct Stroke {
   std::uint16_t address = 0;  // core address of the display word that lit it
 
   friend constexpr bool operator==(const Stroke&, const Stroke&) = default;
+};
+
+// Whoever wants what is drawn: raster, phosphor, logs, statistics. They use no other output of a display.
+class StrokeTaker {
+ public:
+  // In the order of time within one device.
+  virtual void strokes(std::span<const Stroke> strokes) = 0;
+  virtual void begin_pass(Instant) {}  // the program started the display (IDLA)
+  virtual void end_pass(Instant) {}    // the display stopped (stop word or edge)
+
+ protected:
+  ~StrokeTaker() = default;
+};
+
+class StrokeBuffer {
+ public:
+  // Null: nobody wants strokes, and a device may skip the work of finding single ones. The taker must outlive the buffer.
+  void hand_to(StrokeTaker* taker) {
+    flush();
+    taker_ = taker;
+  }
+  [[nodiscard]] bool wanted() const { return taker_ != nullptr; }
+
+  void put(const Stroke& stroke) {
+    if (count_ == strokes_.size()) flush();
+    strokes_[count_++] = stroke;
+  }
+  void begin_pass(Instant t) {
+    flush();
+    if (taker_ != nullptr) taker_->begin_pass(t);
+  }
+  void end_pass(Instant t) {
+    flush();
+    if (taker_ != nullptr) taker_->end_pass(t);
+  }
+  // What is waiting goes to the taker; a machine does so at the end of each run.
+  void flush() {
+    if (taker_ != nullptr && count_ != 0) taker_->strokes({strokes_.data(), count_});
+    count_ = 0;
+  }
+
+ private:
+  std::array<Stroke, 1024> strokes_;
+  std::size_t count_ = 0;
+  StrokeTaker* taker_ = nullptr;
 };
 
 // A sink that discards everything.

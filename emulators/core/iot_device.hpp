@@ -1,0 +1,85 @@
+// A device on the PDP-7's IOT bus.
+//
+// Bits 6-11 of an IOT choose the device, bits 12-13 its subdevice (040, 020), bits 15-17 make pulses 4, 2, 1, which act
+// in the order 1, 2, 4. A device that wants a word moved from or to core memory asks for a data break, which is granted
+// at the first instruction boundary at or after the request. Source: PDP-4 manual pages 16, 23 and 65.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "device.hpp"
+#include "time.hpp"
+#include "word.hpp"
+
+namespace sightline::core {
+
+// An IOT, by the name that the assembler and the disassembler have for it.
+struct IotName {
+  std::string_view mnemonic;  // lower case
+  std::uint32_t word;
+  std::string_view what;
+};
+
+// What a PDP-7 knows of a device before it is attached.
+struct IotDeviceInfo {
+  std::string_view name;  // of the device, of its section in a snapshot
+  std::string_view help;  // one line
+  std::span<const std::uint8_t> codes;  // of the device, bits 6-11 of an IOT
+  std::span<const IotName> iots = {};
+  std::span<const DeviceOption> options = {};
+};
+
+// What an IOT is answered.
+struct IotReply {
+  Word18 ac;  // AC with what the devices put on the information collector
+  bool skip = false;
+  std::uint32_t answered = 0;  // the pulses (4, 2, 1) that some device obeyed
+
+  // A skip pulse: skips if the flag is up.
+  constexpr void test(std::uint32_t word, bool flag) {
+    answered |= word & 01U;
+    if ((word & 01U) != 0 && flag) skip = true;
+  }
+  constexpr void collect(Word18 bits) { ac = ac | bits; }
+};
+
+// A word that a device wants moved.
+struct DataBreak {
+  enum class Direction : std::uint8_t {
+    from_core,  // to the device
+    to_core,
+    count,      // the word in core counts up by one, and the device gets the sum
+  };
+  Direction direction = Direction::from_core;
+  std::uint16_t address = 0;  // 15 bits
+  Word18 word{};              // to_core: this one
+  int cycles = 1;             // that the processor waits
+};
+
+class IotDevice : public Device<Nanosecond> {
+ public:
+  // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. Up to date is brought the device first.
+  virtual void iot(Instant now, std::uint32_t word, IotReply& reply) = 0;
+
+  // As of the last advance.
+  [[nodiscard]] virtual bool interrupt_request() const { return false; }
+  // Its bits of the word that IORS reads, at `now`.
+  [[nodiscard]] virtual std::uint32_t status(Instant now) { return static_cast<void>(now), 0; }
+  // CAF clears all flags.
+  virtual void clear_flags(Instant now) { static_cast<void>(now); }
+  // The START key.
+  virtual void power_clear(Instant now) { clear_flags(now); }
+
+  // A data break that is asked for as of the last advance; null: none. Of several devices the first in the machine's
+  // list is served first.
+  [[nodiscard]] virtual const DataBreak* data_break() const { return nullptr; }
+  // The break has ended: `word` is the one moved, or the sum.
+  virtual void served(Instant end, Word18 word) { static_cast<void>(end), static_cast<void>(word); }
+
+  // After a restored device: relations to the machine's time (StateVisitor::require).
+  virtual void require_time(StateVisitor& visit, Instant now) { static_cast<void>(visit), static_cast<void>(now); }
+};
+
+}  // namespace sightline::core

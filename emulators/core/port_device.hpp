@@ -1,0 +1,100 @@
+// A device on the ports of an 8080.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "device.hpp"
+#include "raster.hpp"
+#include "tstates.hpp"
+
+namespace sightline::core {
+
+struct PortRange {
+  std::uint8_t first;
+  std::uint8_t last;  // included
+};
+
+// What a device is: a host offers the devices of a kind under one option. Any other device it attaches by name.
+enum class PortDeviceKind : std::uint8_t {
+  raster_board,  // has a raster
+  plotter,       // draws strokes
+  link,          // exchanges bytes with a host
+  terminal,      // has a keyboard and a printer: where a console can be
+  other,
+  special,       // of one program's machine: a host does not offer it
+};
+
+// What an 8080 knows of a device before it is attached.
+struct PortDeviceInfo {
+  std::string_view name;  // of the device, of its section in a snapshot
+  std::string_view help;  // one line
+  std::string_view choice;  // of its kind's option; empty: the name
+  PortDeviceKind kind;
+  std::span<const PortRange> reads;   // ports that answer an IN
+  std::span<const PortRange> writes;  // ports that take an OUT
+  std::span<const std::string_view> lines = {};  // of interrupt: names for options
+  std::span<const DeviceOption> options = {};
+};
+
+// The other end of a link: a host computer that sends bytes and takes some.
+class LinkHost {
+ public:
+  // The bytes must stay where they are.
+  virtual void send(std::span<const std::uint8_t> bytes) = 0;
+  // What the host has taken, and how many bytes beyond what is kept.
+  [[nodiscard]] virtual std::vector<std::uint8_t> received() const = 0;
+  [[nodiscard]] virtual std::uint64_t left_out() const = 0;
+
+ protected:
+  ~LinkHost() = default;
+};
+
+class Terminal {
+ public:
+  virtual void type(std::uint8_t code) = 0;
+  // All keys have been read, and the program has looked for another.
+  [[nodiscard]] virtual bool wants_key() const = 0;
+  // What has been printed since the last call.
+  [[nodiscard]] virtual std::vector<std::uint8_t> take_printed() = 0;
+
+ protected:
+  ~Terminal() = default;
+};
+
+class PortDevice : public Device<TState> {
+ public:
+  // At T3 of the input cycle; a port without a device floats high.
+  [[nodiscard]] virtual std::uint8_t in(std::uint8_t port, TStateInstant at) {
+    return static_cast<void>(port), static_cast<void>(at), std::uint8_t{0xFF};
+  }
+  // At T3 of the output cycle.
+  virtual void out(std::uint8_t port, std::uint8_t value, TStateInstant at) {
+    static_cast<void>(port), static_cast<void>(value), static_cast<void>(at);
+  }
+
+  // Bit n: interrupt line n of its PortDeviceInfo is up, as of the last call above.
+  [[nodiscard]] virtual unsigned requests() const { return 0; }
+
+  // A device that drives INT itself and puts the instruction on the bus, byte by byte, at T3 of each acknowledge cycle.
+  [[nodiscard]] virtual bool interrupts() const { return false; }
+  [[nodiscard]] virtual std::uint8_t acknowledge(TStateInstant at) { return static_cast<void>(at), std::uint8_t{0xFF}; }
+
+  // A device that takes the bus knows beforehand when: the first T-state at or after t in which HOLD is high, and the
+  // first in which it is low.
+  [[nodiscard]] virtual TStateInstant next_hold(TStateInstant t) const { return static_cast<void>(t), never_t; }
+  [[nodiscard]] virtual TStateInstant hold_ends(TStateInstant t) const { return t; }
+
+  // What a kind of device gives; null: it does not.
+  [[nodiscard]] virtual const Raster* raster() const { return nullptr; }
+  [[nodiscard]] virtual LinkHost* link_host() { return nullptr; }
+  [[nodiscard]] virtual Terminal* terminal() { return nullptr; }
+  // Of a plotter: how long a step is.
+  [[nodiscard]] virtual std::int64_t micrometres_a_step() const { return 0; }
+};
+
+}  // namespace sightline::core
