@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "host/guests/pdp7/machine.hpp"
+#include "emulators/machines/pdp7.hpp"
+#include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::turn {
 
@@ -13,13 +14,14 @@ namespace watching {
 class Watch final : public GuestWatch {
  public:
   explicit Watch(const Labels& labels, std::uint32_t first_file, std::uint32_t file_words) : labels_(labels), file_words_(file_words) {
-    mark(labels.wait, fetched);
-    mark(labels.waited, fetched);
-    mark(labels.file, written);
-    for (pdp7::Address address = first_file; address < model_end(Memory::words_8k); ++address) mark(address, written);
+    mark(labels.wait, pdp7::mark::fetched);
+    mark(labels.waited, pdp7::mark::fetched);
+    mark(labels.file, pdp7::mark::written);
+    for (pdp7::Address address = first_file; address < model_end(Memory::words_8k); ++address)
+      mark(address, pdp7::mark::written);
   }
 
-  void told(const pdp7::Cycle& cycle) override {
+  void cycle(const pdp7::Cycle& cycle) override {
     if (cycle.verb == pdp7::Verb::fetch) {
       if (cycle.address == labels_.wait && !waits_) {
         waits_ = true;
@@ -28,6 +30,8 @@ class Watch final : public GuestWatch {
         waits_ = false;
         waiting_ += cycle.time - wait_begun_;
       }
+    } else if (cycle.verb != pdp7::Verb::write) {
+      return;
     } else if (cycle.address == labels_.file) {
       published_ = cycle.data.value();
       ended_ = cycle.time + cycle.length;
@@ -101,11 +105,11 @@ namespace {
 
 constexpr std::uint32_t stop_word = 0003000;
 
-machines::Pdp7Options options_for(const Program& program) {
-  machines::Pdp7Options options;
-  options.configuration.model.eae = program.eae;
-  if (program.memory == Memory::words_32k) options.configuration.core_words = 32768;
-  options.display.emplace();
+pdp7::Options options_for(const Program& program) {
+  pdp7::Options options;
+  options.model.eae = program.eae;
+  if (program.memory == Memory::words_32k) options.core_words = 32768;
+  options.devices.emplace_back("display");
   return options;
 }
 
@@ -118,14 +122,13 @@ class Guest::Machine {
         watch_(program.labels, first_file, file_words),
         sink_(watch_, strokes == Strokes::kept),
         machine_(options_for(program), sink_, watch_) {
-    for (pdp7::Address address = 0; address < program.core.size(); ++address)
-      machine_.deposit(address, program.core[address]);
+    machine_.load(0, program.core);
   }
 
   Program program_;
   watching::Watch watch_;
   watching::Sink sink_;
-  GuestPdp7 machine_;
+  pdp7::Machine machine_;
   core::Instant last_{};
   bool first_ = true;
   bool halted_ = false;
@@ -137,7 +140,7 @@ Guest::Guest(const Program& program, const Tape& tape, Strokes strokes)
   auto& machine = machine_->machine_;
   const Labels& labels = program.labels;
   const std::uint32_t base = model_base(program.memory);
-  for (std::uint32_t i = 0; i < tape.words.size(); ++i) machine.deposit(base + i, tape.words[i]);
+  machine.load(base, tape.words);
   machine.deposit(labels.count, core::Word18(static_cast<std::uint32_t>(tape.words.size())));
   machine.deposit(labels.checksum, checksum(tape.words));
   machine.start(labels.begin);
@@ -145,7 +148,7 @@ Guest::Guest(const Program& program, const Tape& tape, Strokes strokes)
 
 Guest::Guest(const Program& program, const base::Bytes& tape, Strokes strokes)
     : machine_(std::make_unique<Machine>(program, model_end(Memory::words_8k), 0, strokes)) {
-  machine_->machine_.devices().reader.load(tape);
+  machine_->machine_.find<pdp7::Reader>()->load(tape);
   machine_->machine_.start(program.labels.start);
 }
 
@@ -156,11 +159,11 @@ bool Guest::next(std::uint32_t switches, GuestPicture& picture, core::Duration l
   Machine& m = *machine_;
   const Labels& labels = m.program_.labels;
   m.machine_.console().set(core::Word18(switches));
-  machines::Limits limits;
+  pdp7::Limits limits;
   limits.until = m.machine_.now() + limit;
-  const auto reason = m.machine_.run(limits);
-  m.halted_ = reason == machines::StopReason::halt;
-  if (reason != machines::StopReason::observer) return false;
+  const auto reason = m.machine_.run(limits, m.watch_);
+  m.halted_ = reason == pdp7::StopReason::halt;
+  if (reason != pdp7::StopReason::observer) return false;
   const auto peek = [&m](pdp7::Address address) { return m.machine_.peek(address).value(); };
   picture.angle = peek(labels.angle);
   picture.wire = (peek(labels.switches) & wire_switch) != 0;
