@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "emulators/core/time.hpp"
-#include "emulators/machines/pdp7.hpp"
+#include "emulators/machines/pdp7_machine.hpp"
 
 namespace sightline::guests {
 
@@ -21,7 +21,7 @@ class GuestWatch : public pdp7::Observer {
   bool stop(core::Instant, pdp7::Address) override { return std::exchange(stop_, false); }
 
  protected:
-  ~GuestWatch() override = default;
+  ~GuestWatch() = default;
 
   // `what`: one or several of pdp7::mark.
   void mark(pdp7::Address address, std::uint8_t what) { table_[address & pdp7::address_mask] |= what; }

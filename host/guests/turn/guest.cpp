@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "emulators/machines/pdp7.hpp"
+#include "emulators/machines/pdp7_machine.hpp"
 #include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::turn {
