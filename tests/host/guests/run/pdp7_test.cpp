@@ -194,7 +194,7 @@ TEST(RunPdp7, ThePenMovesAtTheFirstBoundaryAtOrAfterItsTime) {
 TEST(RunPdp7, APenWithoutADisplayIsNothing) {
   run::Pdp7Setup setup;
   setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{}}};
-  const auto machine = make_pdp7(setup);
+  const auto machine = make_pdp7(setup).value();
   machine->put(0, 0600000);  // JMP 0
   EXPECT_EQ(run_to_stop(*machine, {.instructions = 1000}).name, "instruction_limit");
 }
