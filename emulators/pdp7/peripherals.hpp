@@ -114,8 +114,7 @@ class Peripherals {
   }
 
   // A further device is a further section: snapshots of machines without it have none of that name.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.section("clock", clock);
     visit.section("reader", reader);
     visit.section("punch", punch);
