@@ -60,7 +60,8 @@ struct DataBreak {
 
 class IotDevice : public Device<Nanosecond> {
  public:
-  // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. Up to date is brought the device first.
+  // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. The device brings
+  // itself up to `now` first; a machine calls `advance` when the deadline has passed and at the end of a run.
   virtual void iot(Instant now, std::uint32_t word, IotReply& reply) = 0;
 
   // As of the last advance.
