@@ -16,6 +16,7 @@
 #include <concepts>
 #include <cstdint>
 
+#include "../core/iot_device.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "state.hpp"
@@ -36,11 +37,7 @@ struct Cycle {
   friend constexpr bool operator==(const Cycle&, const Cycle&) = default;
 };
 
-struct IotReply {
-  core::Word18 ac;  // AC with what the devices put on the information collector
-  bool skip = false;
-  std::uint32_t answered = 0;  // the pulses (bits 15-17: 4, 2, 1) that some device obeyed
-};
+using core::IotReply;
 
 // Codes of the IOTs that clear all flags and read the status word, which devices elsewhere take part in.
 [[nodiscard]] constexpr bool clears_all_flags(std::uint32_t word) {
