@@ -11,6 +11,8 @@
 
 #include "emulators/core/state_visitor.hpp"
 #include "emulators/machines/pdp7_devices.hpp"
+#include "emulators/pdp7/cpu.hpp"
+#include "emulators/pdp7/isa.hpp"
 #include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/disk_image.hpp"
@@ -79,7 +81,7 @@ Bytes bytes_of(std::string_view text) {
 constexpr std::string_view display_name = type340::Display::info.name;
 
 std::vector<core::Setting> settings_of(const type340::Options& display) {
-  return {{"347", display.subroutines_347 ? 1 : 0}, {"342", display.characters_342 ? 1 : 0}, {"flash_again", display.flash_again ? 1 : 0}};
+  return {{"347", display.subroutines_347 ? 1 : 0}, {"342", display.characters_342 ? 1 : 0}, {"flash-again", display.flash_again ? 1 : 0}};
 }
 
 class Pdp7Machine final : public Machine {
@@ -97,7 +99,7 @@ class Pdp7Machine final : public Machine {
       if (error.empty()) error = machine_.attach(name, settings);
     };
     if (setup_.disk) attach(pdp7::Rb09::info.name);
-    for (const DeviceChoice& device : setup_.devices) attach(device.name, device.settings);
+    for (const DeviceChoice& device : setup_.devices) attach(device.name, device.settings());
     if (setup_.display) {
       const auto settings = settings_of(*setup_.display);
       if (!setup_.display_when_used) attach(display_name, settings);
@@ -234,14 +236,14 @@ class Pdp7Machine final : public Machine {
     return {{disk_path_, disk_image(*disk_)}};
   }
   [[nodiscard]] std::vector<std::pair<std::string_view, bool>> conditions() override {
-    std::vector<std::pair<std::string_view, bool>> flags{{"clock", clock_.flag()},
-                                                         {"reader", reader_.flag()},
-                                                         {"punch", punch_.flag()},
-                                                         {"keyboard", keyboard_.flag()},
-                                                         {"printer", printer_.flag()}};
+    std::vector<std::pair<std::string_view, bool>> flags{{"clock", clock_.interrupt_request()},
+                                                         {"reader", reader_.interrupt_request()},
+                                                         {"punch", punch_.interrupt_request()},
+                                                         {"keyboard", keyboard_.interrupt_request()},
+                                                         {"printer", printer_.interrupt_request()}};
     if (disk_ != nullptr) {
       constexpr std::uint32_t over = pdp7::rb09::status::done | pdp7::rb09::status::error;
-      flags.emplace_back("disk", (disk_->status() & over) != 0);
+      flags.emplace_back("disk", (disk_->status_word() & over) != 0);
     }
     if (setup_.display) {
       // Asked, the display comes to the machine's time, as the run makes it do later. One that is not plugged in yet has no flag up.
@@ -255,11 +257,11 @@ class Pdp7Machine final : public Machine {
   // The order of conditions().
   [[nodiscard]] bool condition(std::size_t number) override {
     switch (number) {
-      case 0: return clock_.flag();
-      case 1: return reader_.flag();
-      case 2: return punch_.flag();
-      case 3: return keyboard_.flag();
-      case 4: return printer_.flag();
+      case 0: return clock_.interrupt_request();
+      case 1: return reader_.interrupt_request();
+      case 2: return punch_.interrupt_request();
+      case 3: return keyboard_.interrupt_request();
+      case 4: return printer_.interrupt_request();
       default: break;
     }
     auto* const display = this->display();
@@ -271,18 +273,18 @@ class Pdp7Machine final : public Machine {
   [[nodiscard]] std::vector<ReportLine> device_lines() const override {
     const auto flag = [](bool up) { return up ? "flag up" : "flag down"; };
     std::vector<ReportLine> lines{
-        {"clock", fmt::format("{}, {}", clock_.on() ? "on" : "off", flag(clock_.flag()))},
-        {"reader", fmt::format("{}, {}, buffer {:06o}{}", tape_in_reader(), flag(reader_.flag()), reader_.buffer().value(),
+        {"clock", fmt::format("{}, {}", clock_.on() ? "on" : "off", flag(clock_.interrupt_request()))},
+        {"reader", fmt::format("{}, {}, buffer {:06o}{}", tape_in_reader(), flag(reader_.interrupt_request()), reader_.buffer().value(),
                                reader_.out_of_tape() ? ", waits for tape" : "")},
-        {"punch", fmt::format("{}, {} lines punched", flag(punch_.flag()), punch_.tape().size())},
-        {"keyboard", fmt::format("{}, buffer {:03o}", flag(keyboard_.flag()), keyboard_.buffer())},
-        {"printer", fmt::format("{}, {} characters typed", flag(printer_.flag()), printer_.printed().size())}};
+        {"punch", fmt::format("{}, {} lines punched", flag(punch_.interrupt_request()), punch_.tape().size())},
+        {"keyboard", fmt::format("{}, buffer {:03o}", flag(keyboard_.interrupt_request()), keyboard_.buffer())},
+        {"printer", fmt::format("{}, {} characters typed", flag(printer_.interrupt_request()), printer_.printed().size())}};
     if (disk_ != nullptr) {
       const std::uint32_t track = disk_->address() / pdp7::rb09::words_a_track;
       const std::uint32_t sector = disk_->address() / pdp7::rb09::words % pdp7::rb09::sectors;
       lines.push_back({"disk", fmt::format("{}, status {:06o}, track {} sector {} word {} (decimal), core {:05o}, count {:06o}",
                                            disk_->attached() ? disk_path_.empty() ? "read only" : disk_path_ : "none in the drive",
-                                           disk_->status(), track, sector, disk_->address() % pdp7::rb09::words,
+                                           disk_->status_word(), track, sector, disk_->address() % pdp7::rb09::words,
                                            disk_->core_address(), disk_->word_count())});
     }
     if (const auto* const display = this->display()) {

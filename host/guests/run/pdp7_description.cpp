@@ -239,7 +239,7 @@ std::vector<std::string> configuration_of(const Pdp7Setup& setup) {
   if (!setup.display) words.emplace_back("--no-display");
   if (setup.display && setup.display->characters_342) words.emplace_back("--display-option 342");
   if (setup.display && setup.display->subroutines_347) words.emplace_back("--display-option 347");
-  for (const DeviceChoice& device : setup.devices) words.push_back("--device " + device_text(device));
+  for (const DeviceChoice& device : setup.devices) words.push_back("--device " + device.text);
   return words;
 }
 
@@ -249,8 +249,7 @@ const std::vector<ListedDevice>& further_devices() {
     std::vector<std::string_view> known = sightline::pdp7::Options{}.devices;
     known.insert(known.end(), {sightline::pdp7::Rb09::info.name, type340::Display::info.name});
     std::vector<ListedDevice> others;
-    for (const auto& listed : sightline::pdp7::device_list()) {
-      const core::IotDeviceInfo& info = *listed.info;
+    for (const core::IotDeviceInfo& info : sightline::pdp7::device_infos) {
       if (std::find(known.begin(), known.end(), info.name) == known.end()) others.push_back({info.name, info.help, info.options});
     }
     return others;
@@ -298,7 +297,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     if (auto done = read_light_pen(read(arguments.text("--light-pen")), setup.pen_script); !done)
       return done.error();
   }
-  auto devices = read_devices(arguments.list("--device"), further_devices());
+  auto devices = read_devices(arguments.list("--device"));
   if (!devices) return devices.error();
   setup.devices = std::move(*devices);
   setup.configuration = configuration_of(setup);
