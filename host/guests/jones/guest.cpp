@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "emulators/machines/pdp7_machine.hpp"
+#include "host/guests/pdp7/stroke_keeper.hpp"
 #include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::jones {
@@ -53,9 +54,9 @@ class Watch final : public GuestWatch {
 };
 
 // Keeps one pass of one display file and stops the run when it has what it waits for.
-class PassWatch final : public GuestSink {
+class PassWatch final : public StrokeKeeper {
  public:
-  explicit PassWatch(Watch& watch) : watch_(watch) {}
+  explicit PassWatch(pdp7::Machine& machine) : machine_(machine) {}
 
   // Wait for a pass that begins at or after `from`: the run stops when it is complete, and again when the next pass begins.
   void wait_from(core::Instant from) { from_ = from; }
@@ -74,7 +75,7 @@ class PassWatch final : public GuestSink {
   [[nodiscard]] core::Duration period() const;
 
  private:
-  Watch& watch_;
+  pdp7::Machine& machine_;
   core::Instant from_ = core::never;
   std::optional<core::Instant> begun_;  // of the pass waited for
   bool ended_ = false;
@@ -147,14 +148,14 @@ void PassWatch::begin_pass(core::Instant t) {
   }
   if (next_begun_) return;
   next_begun_ = t;
-  watch_.request_stop();
+  machine_.request_stop();
 }
 
 void PassWatch::end_pass(core::Instant) {
   if (!begun_ || ended_) return;
   ended_ = true;
   keep_strokes(false);
-  watch_.request_stop();
+  machine_.request_stop();
 }
 
 std::vector<core::Stroke> PassWatch::take_pass() {
@@ -249,8 +250,9 @@ GuestRun run_guest(const Program& program, const GuestOptions& options) {
 
 GuestRun run_guest(const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
   Watch watch(program, options.immediate);
-  PassWatch passes(watch);
-  GuestPdp7 machine(machine_for(options), passes, watch);
+  pdp7::Machine machine(machine_for(options));
+  PassWatch passes(machine);
+  machine.strokes().hand_to(&passes);
   load(machine, program, core, options);
   pdp7::Limits limits;
   limits.until = core::Instant(options.time_limit);

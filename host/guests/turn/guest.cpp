@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/pdp7/paper_tape.hpp"
+#include "host/guests/pdp7/stroke_keeper.hpp"
 #include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::turn {
@@ -72,9 +74,9 @@ class Watch final : public GuestWatch {
   std::uint64_t torn_ = 0;
 };
 
-class Sink final : public GuestSink {
+class Passes final : public StrokeKeeper {
  public:
-  Sink(Watch& watch, bool keeps) : watch_(watch), keeps_(keeps) {}
+  Passes(Watch& watch, bool keeps) : watch_(watch), keeps_(keeps) {}
   void begin_pass(core::Instant) override {
     watch_.pass_begins();
     keep(keeps_ && watch_.pictures() != pictures_);
@@ -120,14 +122,15 @@ class Guest::Machine {
   Machine(const Program& program, std::uint32_t first_file, std::uint32_t file_words, Strokes strokes)
       : program_(program),
         watch_(program.labels, first_file, file_words),
-        sink_(watch_, strokes == Strokes::kept),
-        machine_(options_for(program), sink_, watch_) {
+        passes_(watch_, strokes == Strokes::kept),
+        machine_(options_for(program)) {
+    machine_.strokes().hand_to(&passes_);
     machine_.load(0, program.core);
   }
 
   Program program_;
   watching::Watch watch_;
-  watching::Sink sink_;
+  watching::Passes passes_;
   pdp7::Machine machine_;
   core::Instant last_{};
   bool first_ = true;
@@ -173,7 +176,7 @@ bool Guest::next(std::uint32_t switches, GuestPicture& picture, core::Duration l
   m.last_ = ended;
   picture.waiting = m.watch_.take_waiting();
   picture.passes = m.watch_.take_passes();
-  picture.shown = m.sink_.take();
+  picture.shown = m.passes_.take();
   picture.display_file.clear();
   for (pdp7::Address address = peek(labels.file_begun); address < model_end(Memory::words_8k); ++address) {
     picture.display_file.push_back(m.machine_.peek(address));
