@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "device.hpp"
+#include "stroke.hpp"
 #include "time.hpp"
 #include "word.hpp"
 
@@ -29,6 +30,13 @@ struct IotDeviceInfo {
   std::span<const std::uint8_t> codes;  // of the device, bits 6-11 of an IOT
   std::span<const IotName> iots = {};
   std::span<const DeviceOption> options = {};
+};
+
+// What a device is made from.
+struct IotDeviceSetup {
+  std::span<const Setting> settings;  // of its options, within their bounds; those that are not there are as initial
+  StrokeBuffer& strokes;
+  std::uint16_t address_mask;  // where the core address of a data break wraps
 };
 
 // What an IOT is answered.

@@ -12,8 +12,8 @@
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
+#include "device_setup.hpp"
 #include "status.hpp"
-#include "timing.hpp"
 
 namespace sightline::pdp7 {
 
@@ -30,6 +30,7 @@ class Clock final : public core::IotDevice {
 
   // `hertz` of 1 or more; less is taken as 1. `tick_cycles`: machine cycles of a tick.
   explicit Clock(std::int64_t hertz, int tick_cycles = 1) : hertz_(hertz < 1 ? 1 : hertz) { tick_.cycles = tick_cycles; }
+  explicit Clock(const DeviceSetup& setup) : Clock(setup.timing.clock_hertz, setup.timing.clock_tick_cycles) {}
 
   [[nodiscard]] bool on() const { return on_; }
   [[nodiscard]] bool flag() const { return flag_; }

@@ -13,6 +13,7 @@
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
+#include "device_setup.hpp"
 #include "status.hpp"
 
 namespace sightline::pdp7 {
@@ -36,6 +37,7 @@ class Reader final : public core::IotDevice {
 
   // `line`: the time of one.
   explicit Reader(core::Duration line) : line_(line) {}
+  explicit Reader(const DeviceSetup& setup) : Reader(setup.timing.reader_line) {}
 
   // Puts a tape in, one byte a line, hole 8 = 0200; the reader stops and its flag falls.
   void load(std::vector<std::uint8_t> tape) {
@@ -176,6 +178,7 @@ class Punch final : public core::IotDevice {
 
   // `line`: the time of one.
   explicit Punch(core::Duration line) : line_(line) {}
+  explicit Punch(const DeviceSetup& setup) : Punch(setup.timing.punch_line) {}
 
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     advance(now);

@@ -25,6 +25,7 @@
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
+#include "device_setup.hpp"
 #include "state.hpp"
 
 namespace sightline::pdp7 {
@@ -91,6 +92,12 @@ class Rb09 final : public core::IotDevice {
 
   // `core_mask`: where the core address wraps.
   explicit Rb09(const rb09::Choices& choices, Address core_mask = in_bank_mask) : choices_(choices), core_mask_(core_mask) {}
+  explicit Rb09(const DeviceSetup& setup)
+      : Rb09({.word = setup.timing.disk_word,
+              .clear_stops = setup.timing.disk_clear_stops,
+              .late_stops = setup.timing.disk_late_stops,
+              .after_last = setup.timing.disk_after_last},
+             setup.address_mask) {}
 
   // A disk of words_of_disk words in address order; its number tells snapshots whether it is the same. A locked track
   // cannot be written.
@@ -131,13 +138,14 @@ class Rb09 final : public core::IotDevice {
   void advance(core::Instant now) override {
     passed_ = false;
     if (now < next_) return;
-    if (now > next_ + choices_.word) {
-      ++counters_.timing_errors;
-      status_ |= rb09::status::timing;
-      if (choices_.late_stops) return stop();
+    const bool late = now > next_ + choices_.word;
+    if (late && choices_.late_stops) {
+      note_late();
+      return stop();
     }
     const bool writes = (status_ & rb09::status::write) != 0;
     if (writes && (locks_ >> (address_ / rb09::words_a_track / rb09::tracks_a_lock) & 1U) != 0) {
+      if (late) note_late();
       fail(rb09::status::illegal);
       status_ |= rb09::status::done;
       return;
@@ -149,8 +157,9 @@ class Rb09 final : public core::IotDevice {
               .word = writes ? Word(0) : word(address_)};
   }
   [[nodiscard]] const core::DataBreak* data_break() const override { return passed_ ? &break_ : nullptr; }
-  void served(core::Instant, Word moved) override {
+  void served(core::Instant end, Word moved) override {
     passed_ = false;
+    if (end - machine_cycle > next_ + choices_.word) note_late();
     if ((status_ & rb09::status::write) != 0) {
       put(address_, moved);
       ++counters_.words_written;
@@ -285,6 +294,11 @@ class Rb09 final : public core::IotDevice {
     const std::int64_t place = choices_.word.count() * (address_ % rb09::words_a_track);
     const std::int64_t since = now.time_since_epoch().count() - place;
     next_ = core::Instant(core::Duration(place + (since < 0 ? 0 : since / turn + 1) * turn));
+  }
+  // A break that comes later than the next word.
+  void note_late() {
+    ++counters_.timing_errors;
+    status_ |= rb09::status::timing;
   }
   void fail(std::uint32_t error) {
     status_ |= error;

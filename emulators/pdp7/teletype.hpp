@@ -16,6 +16,7 @@
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
+#include "device_setup.hpp"
 #include "status.hpp"
 
 namespace sightline::pdp7 {
@@ -31,6 +32,7 @@ class Keyboard final : public core::IotDevice {
 
   // `character`: the time of one.
   explicit Keyboard(core::Duration character) : character_(character) {}
+  explicit Keyboard(const DeviceSetup& setup) : Keyboard(setup.timing.teletype_character) {}
 
   // Someone presses a key (7-bit code) at `when`, not before any key already pressed; it is in the buffer one
   // character time later.
@@ -116,6 +118,7 @@ class Printer final : public core::IotDevice {
 
   // `character`: the time of one.
   explicit Printer(core::Duration character) : character_(character) {}
+  explicit Printer(const DeviceSetup& setup) : Printer(setup.timing.teletype_character) {}
 
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     advance(now);

@@ -105,6 +105,7 @@ class Display final : public core::IotDevice {
 
   // The strokes go into `strokes`, which outlives the display.
   Display(Options options, core::StrokeBuffer& strokes) : options_(options), strokes_(strokes) {}
+  explicit Display(const core::IotDeviceSetup& setup) : Display(options_of(setup.settings), setup.strokes) {}
 
   // --- On the IOT bus
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override;
