@@ -10,7 +10,7 @@
 
 #include "emulators/core/state_visitor.hpp"
 #include "emulators/machines/i8080_machine.hpp"
-#include "emulators/machines/pdp7.hpp"
+#include "emulators/machines/pdp7_machine.hpp"
 #include "emulators/machines/skala_ports.hpp"
 #include "table.hpp"
 
@@ -92,11 +92,9 @@ class Describer final : public core::StateVisitor {
 }  // namespace
 
 std::string snapshot_pdp7() {
-  core::NoStrokes sink;
-  machines::NoObserver observer;
-  machines::Pdp7Options options{{}, type340::Options{}};
-  options.configuration.devices.disk = true;
-  machines::Pdp7<> machine(options, sink, observer);
+  pdp7::Options options;
+  options.devices.insert(options.devices.end(), {"rb09", "display"});
+  pdp7::Machine machine(options);
   Table table{"section", "fields"};
   Describer describer(table);
   machine.visit_state(describer);
