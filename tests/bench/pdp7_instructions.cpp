@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/type340/display.hpp"
 
 namespace sightline {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "host/guests/jones/guest.hpp"
 #include "tests/firmware/jones_core.hpp"
 #include "tests/firmware/jones_drawn_points.hpp"

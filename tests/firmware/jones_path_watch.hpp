@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "tests/firmware/jones_core.hpp"
 
 namespace sightline::guests::jones {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string_view>
 
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "host/guests/jones/twin/number.hpp"
 #include "tests/firmware/jones_core.hpp"
 

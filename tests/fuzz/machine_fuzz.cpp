@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/paper_tape.hpp"
 #include "emulators/pdp7/teletype.hpp"
 #include "emulators/type340/display.hpp"

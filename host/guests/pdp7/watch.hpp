@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "emulators/core/time.hpp"
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 
 namespace sightline::guests {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/type340/display.hpp"
 #include "host/guests/run/device_option.hpp"
 #include "host/guests/run/machine.hpp"

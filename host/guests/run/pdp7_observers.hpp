@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/guests/run/pdp7_vcd.hpp"
 #include "host/guests/run/probe.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "emulators/core/time.hpp"
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/bus.hpp"
 #include "emulators/type340/registers.hpp"
 #include "host/guests/run/vcd.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/paper_tape.hpp"
 #include "host/guests/pdp7/stroke_keeper.hpp"
 #include "host/guests/pdp7/watch.hpp"

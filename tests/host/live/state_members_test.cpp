@@ -10,7 +10,7 @@
 
 #include "emulators/machines/i8080_machine.hpp"
 #include "emulators/machines/pdp7_devices.hpp"
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/pdp7_scripts.hpp"
 

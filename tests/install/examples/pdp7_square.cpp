@@ -1,6 +1,6 @@
 // A PDP-7 with a Type 340 display: a program of five words shows a display file of eight, a square of 64 points.
 #include <cstdio>
-#include <sightline/machines/pdp7_machine.hpp>
+#include <sightline/machines/pdp7.hpp>
 using namespace sightline;
 struct Screen : core::StrokeTaker {  // takes every flash of the beam
   void strokes(std::span<const core::Stroke> strokes) override { flashes += strokes.size(); }

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "emulators/machines/pdp7_machine.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::jones {
