@@ -58,13 +58,15 @@ struct DataBreak {
   int cycles = 1;             // that the processor waits
 };
 
+// The device brings itself up to date in every function that is given the time. A machine calls `advance` when the deadline
+// has passed, and at the end of a run.
 class IotDevice : public Device<Nanosecond> {
  public:
-  // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. The device brings
-  // itself up to `now` first; a machine calls `advance` when the deadline has passed and at the end of a run.
+  // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. Pulse 1 only tests: it changes nothing that
+  // the processor waits for.
   virtual void iot(Instant now, std::uint32_t word, IotReply& reply) = 0;
 
-  // As of the last advance.
+  // As of the last call above or below.
   [[nodiscard]] virtual bool interrupt_request() const { return false; }
   // Its bits of the word that IORS reads, at `now`.
   [[nodiscard]] virtual std::uint32_t status(Instant now) { return static_cast<void>(now), 0; }

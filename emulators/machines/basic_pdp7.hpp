@@ -314,15 +314,17 @@ class BasicPdp7 {
   template <class Report>
   bool disk_break(core::Instant& now, Report report) {
     if (now < devices_due_ || !devices_.disk) return false;
-    const auto request = devices_.disk->request(now);
-    if (!request) return false;
-    const core::Word18 word = request->to_core ? request->word : core_.read(request->address);
-    const pdp7::Verb verb = request->to_core ? pdp7::Verb::break_write : pdp7::Verb::break_read;
+    devices_.disk->advance(now);
+    const core::DataBreak* const request = devices_.disk->data_break();
+    if (request == nullptr) return false;
+    const bool to_core = request->direction == core::DataBreak::Direction::to_core;
+    const core::Word18 word = to_core ? request->word : core_.read(request->address);
+    const pdp7::Verb verb = to_core ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request->address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
-    if (request->to_core) core_.write(request->address, word);
-    devices_.disk->served(word);
+    if (to_core) core_.write(request->address, word);
+    devices_.disk->served(now, word);
     return true;
   }
 
@@ -366,14 +368,14 @@ class BasicPdp7 {
   template <class Report>
   bool clock_tick(core::Instant& now, Report report) {
     constexpr pdp7::Address counter = 7;
-    if (now < devices_due_ || !devices_.clock.take_tick(now)) return false;
+    if (now < devices_due_ || now < devices_.clock.deadline()) return false;
     const core::Word18 count = core_.read(counter) + core::Word18(1);
     core_.write(counter, count);
     const core::Duration length = pdp7::machine_cycle * configuration_.timing.clock_tick_cycles;
     report(pdp7::Cycle{now, length, pdp7::Verb::break_modify, counter, count});
     now += length;
     counts_.stolen_cycles += static_cast<std::uint64_t>(configuration_.timing.clock_tick_cycles);
-    if (count.value() == 0) devices_.clock.raise_flag();
+    devices_.clock.served(now, count);
     return true;
   }
 

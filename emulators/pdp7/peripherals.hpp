@@ -12,69 +12,17 @@
 #include <cstdint>
 #include <optional>
 
-#include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "bus.hpp"
+#include "clock.hpp"
 #include "paper_tape.hpp"
 #include "rb09.hpp"
+#include "status.hpp"
 #include "teletype.hpp"
 #include "timing.hpp"
 
 namespace sightline::pdp7 {
-
-// The real-time clock: while it is on, every period of the mains counts location 7 up by one in a stolen
-// cycle; when the count passes from 777777 to 0 the clock flag rises and asks for a program interrupt.
-//
-// The mains runs from instant zero whether the clock is on or not, so the first tick after CLON comes within
-// a period. The machine does the counting (it owns core memory); this holds the switch, the flag and the
-// phase.
-class Clock {
- public:
-  // `hertz` of 1 or more; less is taken as 1.
-  explicit constexpr Clock(std::int64_t hertz) : hertz_(hertz < 1 ? 1 : hertz) {}
-
-  constexpr void turn_on(core::Instant now) {
-    on_ = true;
-    flag_ = false;
-    const std::int64_t seconds = core::nanoseconds_of(now) / nanoseconds_in_a_second;
-    const std::int64_t rest = core::nanoseconds_of(now) % nanoseconds_in_a_second;
-    next_period_ = seconds * hertz_ + rest * hertz_ / nanoseconds_in_a_second + 1;
-  }
-  constexpr void turn_off() { on_ = flag_ = false; }
-
-  [[nodiscard]] constexpr bool on() const { return on_; }
-  [[nodiscard]] constexpr bool flag() const { return flag_; }
-  constexpr void raise_flag() { flag_ = true; }
-
-  // The next tick; instants are rounded down to a nanosecond, without drift.
-  [[nodiscard]] constexpr core::Instant deadline() const {
-    if (!on_) return core::never;
-    return core::at_nanoseconds(next_period_ / hertz_ * nanoseconds_in_a_second +
-                                next_period_ % hertz_ * nanoseconds_in_a_second / hertz_);
-  }
-  // True once for every tick at or before `now`.
-  constexpr bool take_tick(core::Instant now) {
-    if (now < deadline()) return false;
-    ++next_period_;
-    return true;
-  }
-
-  void visit_state(core::StateVisitor& visit) {
-    visit("next_period", next_period_, longest_run * hertz_);
-    visit("on", on_);
-    visit("flag", flag_);
-  }
-
- private:
-  static constexpr std::int64_t nanoseconds_in_a_second = 1'000'000'000;
-  static constexpr std::int64_t longest_run = 9'200'000'000;  // seconds that fit into an Instant
-
-  std::int64_t hertz_;
-  std::int64_t next_period_ = 0;
-  bool on_ = false;
-  bool flag_ = false;
-};
 
 // Which devices the machine was bought with.
 struct Devices {
@@ -85,17 +33,11 @@ struct Devices {
   bool disk = false;  // the RB09's controller
 };
 
-// Bits of the IORS word; bit 0, interrupts on, is the processor's own.
-namespace status {
-inline constexpr std::uint32_t reader = 0200000, punch = 0100000, keyboard = 0040000, printer = 0020000,
-                               light_pen = 0010000, clock = 0004000, clock_on = 0002000;
-}
-
 class Peripherals {
  public:
   // `core_mask`: where the core address of a data break wraps.
   Peripherals(const Devices& present, const Timing& timing, Address core_mask = in_bank_mask)
-      : clock(timing.clock_hertz),
+      : clock(timing.clock_hertz, timing.clock_tick_cycles),
         reader(timing.reader_line),
         punch(timing.punch_line),
         keyboard(timing.teletype_character),
@@ -115,11 +57,23 @@ class Peripherals {
     advance(now);
     IotReply reply{ac};
     switch ((word >> 6) & 077U) {
-      case 000: clock_pulses(now, word, reply); break;
-      case 001: reader_pulses(now, word, reply); break;
-      case 002: punch_pulses(now, word, reply); break;
-      case 003: keyboard_pulses(word, reply, elsewhere); break;
-      case 004: printer_pulses(now, word, reply); break;
+      case 000:
+        if (present_.clock) clock.iot(now, word, reply);
+        break;
+      case 001:
+        if (present_.reader) reader.iot(now, word, reply);
+        break;
+      case 002:
+        if (present_.punch) punch.iot(now, word, reply);
+        break;
+      case 003:
+        if (present_.teletype) keyboard.iot(now, word, reply);
+        if ((word & 04U) != 0) reply.collect(core::Word18(flags(now) | elsewhere));
+        reply.answered |= word & 04U;
+        break;
+      case 004:
+        if (present_.teletype) printer.iot(now, word, reply);
+        break;
       case 033: control_pulses(now, word, reply); break;
       case 071:
         if (disk) disk->iot(now, word, reply);
@@ -144,18 +98,19 @@ class Peripherals {
   }
 
   [[nodiscard]] bool interrupt_request() const {
-    return clock.flag() || reader.flag() || punch.flag() || keyboard.flag() || printer.flag() ||
+    return clock.interrupt_request() || reader.interrupt_request() || punch.interrupt_request() ||
+           keyboard.interrupt_request() || printer.interrupt_request() ||
            (disk && disk->interrupt_request());
   }
 
   // CAF and START: flags down, transfers abandoned, clock off.
   void clear(core::Instant now) {
-    clock.turn_off();
-    reader.reset(now);
-    punch.reset();
-    keyboard.clear_flag();
-    printer.reset();
-    if (disk) disk->clear();
+    clock.clear_flags(now);
+    reader.clear_flags(now);
+    punch.clear_flags(now);
+    keyboard.clear_flags(now);
+    printer.clear_flags(now);
+    if (disk) disk->clear_flags(now);
   }
 
   // A further device is a further section: snapshots of machines without it have none of that name.
@@ -178,94 +133,17 @@ class Peripherals {
  private:
   static constexpr std::uint32_t subdevice = 040;
 
-  // A skip pulse: skips if the flag is up.
-  static void test(std::uint32_t word, bool flag, IotReply& reply) {
-    reply.answered |= word & 01U;
-    if ((word & 01U) != 0 && flag) reply.skip = true;
-  }
-  static void collect(IotReply& reply, std::uint32_t bits) { reply.ac = reply.ac | core::Word18(bits); }
-
-  // CLSF 700001, CLOF 700004, CLON 700044.
-  void clock_pulses(core::Instant now, std::uint32_t word, IotReply& reply) {
-    if (!present_.clock) return;
-    test(word, clock.flag(), reply);
-    if ((word & 04U) == 0) return;
-    reply.answered |= 04U;
-    if ((word & subdevice) != 0) {
-      clock.turn_on(now);
-    } else {
-      clock.turn_off();
-    }
-  }
-
-  // RSF 700101, RCF 700102, RRB 700112, RSA 700104, RSB 700144.
-  void reader_pulses(core::Instant now, std::uint32_t word, IotReply& reply) {
-    if (!present_.reader) return;
-    test(word, reader.flag(), reply);
-    if ((word & 02U) != 0) {
-      collect(reply, reader.buffer().value());
-      reader.clear_flag();
-    }
-    if ((word & 04U) != 0) {
-      if ((word & subdevice) != 0) {
-        reader.start_word(now);
-      } else {
-        reader.start_line(now);
-      }
-    }
-    reply.answered |= word & 06U;
-  }
-
-  // PSF 700201, PCF 700202, PSA 700204, PLS 700206, PSB 700244.
-  void punch_pulses(core::Instant now, std::uint32_t word, IotReply& reply) {
-    if (!present_.punch) return;
-    test(word, punch.flag(), reply);
-    if ((word & 02U) != 0) punch.clear_flag();
-    if ((word & 04U) != 0) {
-      const std::uint32_t line = reply.ac.value();
-      punch.start(now,
-                  static_cast<std::uint8_t>((word & subdevice) != 0 ? (line & 077U) | 0200U : line & 0377U));
-    }
-    reply.answered |= word & 06U;
-  }
-
-  // KSF 700301, KRB 700312, IORS 700314; IORS is part of the interface and needs no teletype.
-  void keyboard_pulses(std::uint32_t word, IotReply& reply, std::uint32_t elsewhere) {
-    if (present_.teletype) {
-      test(word, keyboard.flag(), reply);
-      if ((word & 01U) != 0 && !keyboard.flag()) keyboard.ask();
-      if ((word & 02U) != 0) {
-        collect(reply, keyboard.buffer());
-        keyboard.clear_flag();
-      }
-      reply.answered |= word & 02U;
-    }
-    if ((word & 04U) != 0) collect(reply, flags() | elsewhere);
-    reply.answered |= word & 04U;
-  }
-
-  // TSF 700401, TCF 700402, TLS 700406.
-  void printer_pulses(core::Instant now, std::uint32_t word, IotReply& reply) {
-    if (!present_.teletype) return;
-    test(word, printer.flag(), reply);
-    if ((word & 02U) != 0) printer.clear_flag();
-    if ((word & 04U) != 0) printer.start(now, static_cast<std::uint8_t>(reply.ac.value() & 0377U));
-    reply.answered |= word & 06U;
-  }
-
   // TTS 703301 (skips if there is a teletype), CAF 703302.
   void control_pulses(core::Instant now, std::uint32_t word, IotReply& reply) {
     const std::uint32_t pulses = word & 07U;
     if (!device_33_each_pulse_ && (pulses & (pulses - 1)) != 0) return;
-    if ((word & subdevice) == 0) test(word, present_.teletype, reply);
+    if ((word & subdevice) == 0) reply.test(word, present_.teletype);
     if ((word & 02U) != 0) clear(now);
     reply.answered |= word & 02U;
   }
 
-  [[nodiscard]] std::uint32_t flags() const {
-    return (reader.flag() ? status::reader : 0U) | (punch.flag() ? status::punch : 0U) |
-           (keyboard.flag() ? status::keyboard : 0U) | (printer.flag() ? status::printer : 0U) |
-           (clock.flag() ? status::clock : 0U) | (clock.on() ? status::clock_on : 0U);
+  [[nodiscard]] std::uint32_t flags(core::Instant now) {
+    return reader.status(now) | punch.status(now) | keyboard.status(now) | printer.status(now) | clock.status(now);
   }
 
   bool device_33_each_pulse_;  // Timing
