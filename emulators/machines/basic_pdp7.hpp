@@ -17,21 +17,24 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "../core/inline.hpp"
 #include "../core/reporter.hpp"
+#include "../core/stroke.hpp"
 #include "../core/state_visitor.hpp"
 #include "../core/threads.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
+#include "../pdp7/absent_devices.hpp"
 #include "../pdp7/console.hpp"
 #include "../pdp7/core_memory.hpp"
 #include "../pdp7/cpu.hpp"
 #include "../pdp7/peripherals.hpp"
 #include "../pdp7/timing.hpp"
-#include "display_iots.hpp"
+#include "../type340/display.hpp"
 #include "observer.hpp"
 #include "pdp7_bus.hpp"
 
@@ -89,12 +92,9 @@ class BasicPdp7 {
   Display& attach_display(Arguments&&... arguments) {
     return display_.emplace(std::forward<Arguments>(arguments)...);
   }
-  // The same, plugged in by the first IOT of such a display (uses_display): a program that uses it cannot tell it from one that was there all the
+  // The same, plugged in by the first IOT of such a display: a program that uses it cannot tell it from one that was there all the
   // time, unless it begins with an IOT of a Graphic-2, such as 700547, and a program that does not use it has none.
-  template <class... Arguments>
-  void attach_display_when_used(Arguments&&... arguments) {
-    spare_display_.emplace(std::forward<Arguments>(arguments)...);
-  }
+  void attach_display_when_used(const type340::Options& options) { spare_display_ = options; }
   // Of a machine with such a display, between runs: plugs it in as new, or takes it out.
   void plug_in_display(bool in) {
     if (in) plug_in_spare_display();
@@ -102,6 +102,8 @@ class BasicPdp7 {
   }
   [[nodiscard]] Display* display() { return display_ ? &*display_ : nullptr; }
   [[nodiscard]] const Display* display() const { return display_ ? &*display_ : nullptr; }
+  // What the display draws.
+  [[nodiscard]] core::StrokeBuffer& strokes() { return strokes_; }
 
   // Registers, between runs.
   [[nodiscard]] pdp7::State& registers() { return state_; }
@@ -145,7 +147,7 @@ class BasicPdp7 {
     visit.require(devices_.clock.deadline() > now_ - core::seconds(1), "clock", "no tick of an earlier second");
     if (display_) {
       visit.section("display", *display_);
-      visit.require(display_->next_pulse() > now_, "display", "all pulses after the time");
+      display_->require_time(visit, now_);
     }
     visit.section("unanswered", [this](auto& fields) {
       fields.list("words", unanswered_, [&fields](Unanswered& entry) {
@@ -177,6 +179,7 @@ class BasicPdp7 {
     const StopReason reason = run_frame(frame, watcher, limits, left);
     publish(frame, limits.instructions - left);
     if (display_) display_->advance(now_);
+    strokes_.flush();
     return reason;
   }
 
@@ -337,7 +340,7 @@ class BasicPdp7 {
       return false;
     }
     display_->advance(now);
-    const auto* const request = display_->break_request();
+    const core::DataBreak* const request = display_->data_break();
     if (request == nullptr) {
       display_due_ = display_->deadline();
       return false;
@@ -347,22 +350,18 @@ class BasicPdp7 {
   }
 
   // The request is copied: it is the display's own and goes as soon as it is met.
-  template <class Request, class Report>
-  SIGHTLINE_INLINE void grant(const Request request, core::Instant& now, Report report) {
-    const core::Word18 word = request.write ? request.word : core_.read(request.address);
-    const pdp7::Verb verb = request.write ? pdp7::Verb::break_write : pdp7::Verb::break_read;
+  template <class Report>
+  SIGHTLINE_INLINE void grant(const core::DataBreak request, core::Instant& now, Report report) {
+    const bool writes = request.direction == core::DataBreak::Direction::to_core;
+    const core::Word18 word = writes ? request.word : core_.read(request.address);
+    const pdp7::Verb verb = writes ? pdp7::Verb::break_write : pdp7::Verb::break_read;
     report(pdp7::Cycle{now, pdp7::machine_cycle, verb, request.address, word});
     now += pdp7::machine_cycle;
     ++counts_.stolen_cycles;
-    if (request.write) [[unlikely]] {
-      core_.write(request.address, word);
-      display_->deposited(now);
-      // It raises the next request at once, which is no deadline any more (Type 347).
-      display_due_ = display_->break_request() != nullptr ? now : display_->deadline();
-    } else {
-      display_->deliver(now, word);
-      display_due_ = display_->deadline();
-    }
+    if (writes) core_.write(request.address, word);
+    display_->served(now, word);
+    // Behind a word written it raises the next request at once, which is no deadline any more (Type 347).
+    display_due_ = display_->data_break() != nullptr ? now : display_->deadline();
   }
 
   template <class Report>
@@ -390,13 +389,11 @@ class BasicPdp7 {
 
   // The pulses of an IOT whose Fetch cycle ends at `now`.
   [[gnu::noinline]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac) {
-    std::uint32_t elsewhere = 0;
-    if (display_ && pdp7::reads_status(word) && display_->light_pen_flag(now))
-      elsewhere = pdp7::status::light_pen;
+    const std::uint32_t elsewhere = display_ && pdp7::reads_status(word) ? display_->status(now) : 0;
     pdp7::IotReply reply = devices_.iot(now, word, ac, elsewhere);
-    if (is_display_iot(word)) {
-      if (!display_ && uses_display(word)) plug_in_spare_display();
-      if (display_) display_iot(*display_, now, word, reply);
+    if (const std::uint32_t device = (word >> 6) & 077U; device >= 005 && device <= 010) {
+      if (!display_ && !pdp7::belongs_to_absent_device(word)) plug_in_spare_display();
+      if (display_) display_->iot(now, word, reply);
     }
     if (display_ && pdp7::clears_all_flags(word)) display_->clear_flags(now);
     // A skip test changes nothing: what it found had a deadline, which is still the one the processor waits
@@ -407,7 +404,9 @@ class BasicPdp7 {
   }
 
   void plug_in_spare_display() {
-    if (spare_display_) display_.emplace(*spare_display_);
+    if constexpr (std::is_constructible_v<Display, type340::Options, core::StrokeBuffer&>) {
+      if (spare_display_) display_.emplace(*spare_display_, strokes_);
+    }
   }
 
   [[gnu::noinline]] core::Word18 switches(core::Instant now) { return console_.switches(now); }
@@ -429,6 +428,7 @@ class BasicPdp7 {
   pdp7::CoreMemory core_;
   pdp7::Peripherals devices_;
   pdp7::Console console_;
+  core::StrokeBuffer strokes_;
   std::optional<Display> display_;
   // Nothing happens by itself before these. Valid inside a run.
   core::Instant display_due_{};
@@ -436,7 +436,7 @@ class BasicPdp7 {
   bool devices_request_ = false;  // an interrupt, up to devices_due_
   Counts counts_;
   std::vector<Unanswered> unanswered_;
-  std::optional<Display> spare_display_;  // as new
+  std::optional<type340::Options> spare_display_;
   Observer& observer_;
 };
 

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <type_traits>
 
-#include "../core/stroke.hpp"
 #include "../type340/display.hpp"
 #include "basic_pdp7.hpp"
 #include "observer.hpp"
@@ -17,15 +15,13 @@ struct Pdp7Options {
   bool display_when_used = false;           // it is plugged in by the program's first IOT of a display
 };
 
-// `Sink` takes the strokes (core/stroke.hpp), `Observer` watches the processor (observer.hpp). Both outlive
-// it.
-template <class Sink = core::NoStrokes, class Observer = NoObserver>
-class Pdp7 : public BasicPdp7<type340::Display<Sink>, Observer> {
+// `Observer` watches the processor (observer.hpp) and outlives it.
+template <class Observer = NoObserver>
+class Pdp7 : public BasicPdp7<type340::Display, Observer> {
  public:
-  Pdp7(const Pdp7Options& options, Sink& sink, Observer& observer)
-      : BasicPdp7<type340::Display<Sink>, Observer>(options.configuration, observer) {
+  Pdp7(const Pdp7Options& options, Observer& observer) : BasicPdp7<type340::Display, Observer>(options.configuration, observer) {
     if (!options.display) return;
-    this->attach_display_when_used(*options.display, sink);
+    this->attach_display_when_used(*options.display);
     this->plug_in_display(!options.display_when_used);
   }
 };

@@ -230,8 +230,7 @@ TEST_F(Pdp7, AStretchedIotTakesItsTimeButNoMachineCycle) {
 // A real Type 340 runs the worked file of its reference and stops with an interrupt: 7 words, 534.6 us of its
 // own time and what each word waits for the processor.
 TEST_F(Pdp7, ARealDisplayRunsItsFileWhileTheProcessorCounts) {
-  core::NoStrokes sink;
-  machines::Pdp7<> machine({{}, type340::Options{}}, sink, none_);
+  machines::Pdp7<> machine({{}, type340::Options{}}, none_);
   load(machine, 1, {0740040});
   load(machine, 0100, {0200200, 0700606, 0700042, 0600103});
   load(machine, 0200, {01000});
@@ -251,10 +250,9 @@ TEST_F(Pdp7, ARealDisplayRunsItsFileWhileTheProcessorCounts) {
 // break waits for the end of the JMP: asked for at 5250, 10300, 15550 (the write) and, as the deposit is
 // done, at 17500.
 TEST_F(Pdp7, ADepositOfTheRealDisplayIsFollowedAtOnceByItsNextWord) {
-  core::NoStrokes sink;
   type340::Options options;
   options.subroutines_347 = true;
-  machines::Pdp7<core::NoStrokes, tests::RecordingObserver> machine({{}, options}, sink, recorder_);
+  machines::Pdp7<tests::RecordingObserver> machine({{}, options}, recorder_);
   load(machine, 0100, {0200200, 0700606, 0600102});
   load(machine, 0200, {0300});
   load(machine, 0300, {0160000, 0200350, 0003000});

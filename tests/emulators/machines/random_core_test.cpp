@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <span>
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/machines/pdp7.hpp"
@@ -10,18 +11,15 @@
 namespace sightline {
 namespace {
 
-struct CountStrokes {
-  static constexpr bool consumes = true;
-  std::uint64_t strokes = 0;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& s) {
-    ++strokes;
-    ASSERT_LT(s.x, 1024U);
-    ASSERT_LT(s.y, 1024U);
-    ASSERT_GE(s.time, last);
-    last = s.time;
+struct CheckStrokes final : core::StrokeTaker {
+  void strokes(std::span<const core::Stroke> strokes) override {
+    for (const core::Stroke& s : strokes) {
+      ASSERT_LT(s.x, 1024U);
+      ASSERT_LT(s.y, 1024U);
+      ASSERT_GE(s.time, last);
+      last = s.time;
+    }
   }
-  void end_pass(core::Instant) {}
   core::Instant last{};
 };
 
@@ -46,9 +44,10 @@ TEST(Pdp7RandomCore, RunsWithinBoundsAndTheSameTwice) {
     pdp7::State ends[2];
     core::Instant times[2];
     for (int again = 0; again < 2; ++again) {
-      CountStrokes sink;
+      CheckStrokes strokes;
       machines::NoObserver observer;
-      machines::Pdp7<CountStrokes> machine(machine_of(seed), sink, observer);
+      machines::Pdp7<> machine(machine_of(seed), observer);
+      machine.strokes().hand_to(&strokes);
       machine.randomise_core(seed);
       machine.start(static_cast<pdp7::Address>(seed * 011));
       machine.display()->load_address_and_start(machine.now(), core::Word18(0100));
@@ -68,15 +67,15 @@ TEST(Pdp7RandomCore, RunsWithinBoundsAndTheSameTwice) {
   }
 }
 
-// The sink decides how the display works inside, never what the processor sees.
-TEST(Pdp7RandomCore, ASinkThatConsumesChangesNothingForTheProcessor) {
+// Whether strokes are wanted decides how the display works inside, never what the processor sees.
+TEST(Pdp7RandomCore, ATakerOfStrokesChangesNothingForTheProcessor) {
   for (std::uint64_t seed = 1000; seed < 1100; ++seed) {
     SCOPED_TRACE(seed);
-    CountStrokes sink;
-    core::NoStrokes nobody;
+    CheckStrokes strokes;
     machines::NoObserver observer;
-    machines::Pdp7<CountStrokes> watched(machine_of(seed), sink, observer);
-    machines::Pdp7<> unwatched(machine_of(seed), nobody, observer);
+    machines::Pdp7<> watched(machine_of(seed), observer);
+    watched.strokes().hand_to(&strokes);
+    machines::Pdp7<> unwatched(machine_of(seed), observer);
     const auto run = [&](auto& machine) {
       machine.randomise_core(seed);
       machine.start(0200);

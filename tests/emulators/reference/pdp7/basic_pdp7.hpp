@@ -31,7 +31,7 @@
 #include "emulators/pdp7/peripherals.hpp"
 #include "emulators/pdp7/timing.hpp"
 #include "emulators/machines/basic_pdp7.hpp"
-#include "emulators/machines/display_iots.hpp"
+#include "tests/emulators/reference/display_iots.hpp"
 #include "emulators/machines/observer.hpp"
 #include "tests/emulators/reference/pdp7/pdp7_bus.hpp"
 

@@ -26,6 +26,13 @@
 namespace sightline::reference_display {
 using namespace type340;
 
+struct BreakRequest {
+  core::Instant since;
+  std::uint16_t address;  // 13 bits
+  bool write;             // only for DDS of the Type 347
+  core::Word18 word;      // to be written
+};
+
 template <class Sink = core::NoStrokes>
 class Display {
  public:
