@@ -107,9 +107,9 @@ class Observer {
   // With marks, the cycles at marked addresses, and all of the program interrupt and of IOTs.
   virtual void cycle(const Cycle& cycle) { static_cast<void>(cycle); }
   // Asked at an instruction boundary, before the data breaks and the interrupt that are due there: at every one, or, with marks,
-  // at those of mark::stop and at the next one after a cycle that was told. The machine's registers, time and counts are those
-  // of the boundary; devices are as they were last touched. True ends the run there. Not asked at the boundary where
-  // Limits::instructions are done: the next run asks it first.
+  // at those of mark::stop, at the next one after a cycle that was told, and where a run begins. The machine's registers, time
+  // and counts are those of the boundary; devices are as they were last touched. True ends the run there. Not asked at the
+  // boundary where Limits::instructions are done: the next run asks it first.
   virtual bool stop(core::Instant now, Address next) { return static_cast<void>(now), static_cast<void>(next), false; }
 
  protected:

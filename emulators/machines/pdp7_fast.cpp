@@ -40,10 +40,10 @@ struct Machine::FastRun {
     bank_words = words > first ? words - first : 0;
     return core + first;
   }
-  // At the first boundary at or after `deadline`; `instructions` as Allowance wants them.
-  void attend_at(core::Instant now, core::Instant deadline, std::int64_t instructions) {
+  // At the first boundary at or after `deadline`; until then at most so many instructions end.
+  void attend_at(core::Instant now, core::Instant deadline, std::int64_t most) {
     horizon = deadline - core::Duration(1);
-    allowance = Allowance(horizon - now, instructions);
+    allowance = Allowance(horizon - now, most);
   }
   StopReason run(const Limits& limits);
 
@@ -203,9 +203,9 @@ StopReason Machine::FastRun::run(const Limits& limits) {
       const Boundary boundary = machine->attend(now(), processor.registers, nullptr);
       // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
       // but their number to be compared only with the other deadlines.
-      const auto instructions = static_cast<std::int64_t>(std::min(left, static_cast<std::uint64_t>(Allowance::most)));
-      const core::Instant shortest = boundary.now + machine_cycle * instructions;
-      attend_at(boundary.now, std::min({boundary.due, limits.until, shortest}), instructions);
+      const auto most = static_cast<std::int64_t>(std::min(left, static_cast<std::uint64_t>(Allowance::most)));
+      const core::Instant shortest = boundary.now + machine_cycle * most;
+      attend_at(boundary.now, std::min({boundary.due, limits.until, shortest}), most);
       if (boundary.interrupt) {
         Thread(*this).interrupt();
         continue;

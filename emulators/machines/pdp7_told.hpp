@@ -19,7 +19,7 @@ class Told {
         marks_(observer == nullptr ? no_marks.data() : observer->marks == nullptr ? all_accesses.data() : observer->marks),
         all_(observer != nullptr && observer->marks == nullptr),
         asks_always_(all_ || (observer != nullptr && observer->every_boundary)),
-        asks_(asks_always_) {}
+        asks_(observer != nullptr) {}
 
   [[nodiscard]] Observer* observer() const { return observer_; }
 
