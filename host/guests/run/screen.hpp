@@ -14,7 +14,7 @@
 #include "emulators/core/time.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/picture/stroke_log.hpp"
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 
 namespace sightline::guests::run {
 
@@ -29,20 +29,21 @@ class Screen final : public core::StrokeTaker {
     core::Duration window{};  // a picture of all strokes of the last so many nanoseconds; 0: of the last complete pass
   };
 
-  explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) { look_at_wishes(); }
+  explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) {}
   // Takes every stroke, as host/picture/stroke_log writes it; before the first one.
-  void take_log(TextTaker taker) {
-    log_.take(std::move(taker));
-    look_at_wishes();
-  }
+  void take_log(TextTaker taker) { log_.take(std::move(taker)); }
 
   void begin_pass(core::Instant t) override {
     if (wishes_.picture) passes_.begin_pass(t);
   }
   void strokes(std::span<const core::Stroke> strokes) override {
     if (live_) fresh_.insert(fresh_.end(), strokes.begin(), strokes.end());
-    if (!wished_) return;
-    for (const core::Stroke& stroke : strokes) keep(stroke);
+    if (wishes_.picture) passes_.add(strokes);
+    const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
+    if (wishes_.photograph || of_picture) newest_.add(strokes);
+    if (!log_.wanted()) return;
+    for (const core::Stroke& stroke : strokes)
+      log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
   }
   void end_pass(core::Instant t) override {
     if (wishes_.picture) passes_.end_pass(t);
@@ -57,7 +58,6 @@ class Screen final : public core::StrokeTaker {
   void keep_strokes(bool keep) {
     live_ = keep;
     if (keep) wishes_ = {};
-    look_at_wishes();
   }
   // Valid until the display draws again.
   [[nodiscard]] std::span<const core::Stroke> take_strokes() {
@@ -81,22 +81,10 @@ class Screen final : public core::StrokeTaker {
   [[nodiscard]] std::vector<core::Stroke> newest_strokes() const { return newest_.strokes(); }
 
  private:
-  void look_at_wishes() { wished_ = wishes_.picture || wishes_.photograph || log_.wanted(); }
-  void keep(const core::Stroke& stroke) {
-    if (wishes_.picture) passes_.stroke(stroke);
-    const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
-    if (wishes_.photograph || of_picture) newest_.stroke(stroke);
-    if (log_.wanted()) log(stroke);
-  }
-  void log(const core::Stroke& stroke) {
-    log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
-  }
-
   Wishes wishes_;
   picture::PassRecorder passes_;
   picture::StrokeRecorder newest_;
   TextBlocks log_;
-  bool wished_ = false;  // something, besides take_strokes
   bool live_ = false;
   std::vector<core::Stroke> fresh_;  // since they were last taken
   std::vector<core::Stroke> taken_;
