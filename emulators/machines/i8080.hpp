@@ -60,14 +60,14 @@ struct InstructionRecord {
 };
 
 // A machine cycle with a SYNC; the internal cycles of DAD have none.
-struct MachineCycle {
+struct BusCycle {
   core::TStateInstant time;  // its T1
   Status status;
   Address address;  // of IN and OUT: the port, in both halves
   Byte data;        // nothing is on the bus in the halt cycle: 0
   bool operand = false;  // a byte of the instruction behind its opcode
 
-  friend constexpr bool operator==(const MachineCycle&, const MachineCycle&) = default;
+  friend constexpr bool operator==(const BusCycle&, const BusCycle&) = default;
 };
 
 struct HoldPins {
@@ -99,7 +99,7 @@ class Observer {
   virtual void instruction(const InstructionRecord& record) { static_cast<void>(record); }
   // When the byte is known. Where there are marks: accesses that are marked, but for bytes of the instruction itself; and each
   // acknowledge cycle that fetches.
-  virtual void cycle(const MachineCycle& cycle) { static_cast<void>(cycle); }
+  virtual void cycle(const BusCycle& cycle) { static_cast<void>(cycle); }
   // One of the pins has changed.
   virtual void hold(const HoldPins& pins) { static_cast<void>(pins); }
   // Before the instruction at `next`, not while a halt lasts. Where there are marks: before an instruction with mark::stop, and
