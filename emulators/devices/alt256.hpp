@@ -19,6 +19,7 @@
 #include <cstdint>
 
 #include "../core/raster.hpp"
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 
 namespace sightline::devices {
@@ -75,8 +76,7 @@ class Alt256 {
   [[nodiscard]] const core::Raster& raster() const { return raster_; }
   [[nodiscard]] const Alt256Counts& counts() const { return counts_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("x", x_);
     visit("y", y_);
     visit("ready_at", ready_at_);

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 
 namespace sightline::devices {
@@ -103,8 +104,7 @@ class AltairSerial {
   [[nodiscard]] const AltairSerialCounts& counts() const { return counts_; }
 
   // Between two runs nothing printed waits to be taken.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("now", now_);
     visit("control", control_);
     visit("last_read", last_read_);
@@ -117,7 +117,7 @@ class AltairSerial {
     visit("received", counts_.received);
     visit("sent", counts_.sent);
     visit("overwritten", counts_.overwritten);
-    if constexpr (Visitor::restores) printed_.clear();
+    if (visit.restores()) printed_.clear();
   }
 
  private:

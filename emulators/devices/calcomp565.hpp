@@ -22,6 +22,7 @@
 #include <array>
 #include <cstdint>
 
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 #include "plotter.hpp"
 
@@ -108,8 +109,7 @@ class CalComp565 {
   [[nodiscard]] core::TStateInstant busy_until() const { return busy_until_; }
   [[nodiscard]] const CalComp565Counts& counts() const { return counts_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("place_x", place_.x);
     visit("place_y", place_.y, calcomp565::carriage_steps);
     visit("pen_down", pen_down_);

@@ -24,6 +24,7 @@
 
 #include "../core/inline.hpp"
 #include "../core/raster.hpp"
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 #include "ef9365_drawing.hpp"
 #include "ef9365_timing.hpp"
@@ -121,8 +122,7 @@ class Ef9365 {
     }
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.part("drawing", drawing_);
     visit("delta_x", delta_x_);
     visit("delta_y", delta_y_);

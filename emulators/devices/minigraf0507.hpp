@@ -18,6 +18,7 @@
 
 #include <cstdint>
 
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 #include "plotter.hpp"
 
@@ -67,8 +68,7 @@ class Minigraf0507 {
   [[nodiscard]] bool pen_is_down() const { return pen_down_; }
   [[nodiscard]] const MinigrafCounts& counts() const { return counts_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("place_x", place_.x);
     visit("place_y", place_.y);
     visit.part("x", x_);
@@ -90,8 +90,7 @@ class Minigraf0507 {
     bool moved = false;
     core::TStateInstant last{};
 
-    template <class Visitor>
-    void visit_state(Visitor& visit) {
+    void visit_state(core::StateVisitor& visit) {
       visit("phase", phase, std::uint8_t{7});
       visit("moved", moved);
       visit("last", last);

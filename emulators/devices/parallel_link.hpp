@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <span>
 
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 #include "i8255.hpp"
 #include "kept_bytes.hpp"
@@ -68,8 +69,7 @@ class ParallelLink {
   }
 
   // What the host sends is configuration.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.part("chip", chip_);
     visit.input("bytes", bytes_);
     visit.count("sent", sent_, bytes_.size());
@@ -86,8 +86,7 @@ class ParallelLink {
     core::TStateInstant due = core::never_t;
     bool low = false;
 
-    template <class Visitor>
-    void visit_state(Visitor& visit) {
+    void visit_state(core::StateVisitor& visit) {
       visit("due", due);
       visit("low", low);
     }
@@ -97,8 +96,7 @@ class ParallelLink {
     Pulse pulse;
     KeptBytes bytes;
 
-    template <class Visitor>
-    void visit_state(Visitor& visit) {
+    void visit_state(core::StateVisitor& visit) {
       visit.part("pulse", pulse);
       visit.part("taken", bytes);
     }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 #include "i8251.hpp"
 
@@ -74,8 +75,7 @@ class SerialLink {
   [[nodiscard]] std::uint64_t unseen() const { return unseen_; }
 
   // What the host sends is configuration.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.part("chip", chip_);
     visit.input("bytes", bytes_);
     visit.count("sent", sent_, bytes_.size());
