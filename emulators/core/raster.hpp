@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <span>
 
+#include "state_visitor.hpp"
+
 namespace sightline::core {
 
 class Raster {
@@ -33,8 +35,7 @@ class Raster {
     return std::span<const std::uint8_t, width>(&points_[index(0, y)], width);
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.bytes("points", std::span<std::uint8_t>(points_), 7);
   }
 

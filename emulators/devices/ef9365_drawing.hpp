@@ -20,6 +20,7 @@
 
 #include "../core/glyphs.hpp"
 #include "../core/raster.hpp"
+#include "../core/state_visitor.hpp"
 
 namespace sightline::devices::ef9365 {
 
@@ -71,8 +72,7 @@ class Drawing {
   [[nodiscard]] std::uint64_t dots() const { return dots_; }
   [[nodiscard]] std::uint64_t dots_outside() const { return dots_outside_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     constexpr std::uint16_t largest = 0xFFF;
     visit("x", x, largest);
     visit("y", y, largest);

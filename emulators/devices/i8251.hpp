@@ -17,6 +17,7 @@
 
 #include <cstdint>
 
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 #include "kept_bytes.hpp"
 
@@ -27,8 +28,7 @@ struct SerialFrame {
   std::uint32_t levels = ~0U;  // bit n: the level during the n-th bit time
   std::int64_t baud = 9600;
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("levels", levels);
     visit("baud", baud, std::int64_t{1'000'000'000});
   }
@@ -45,8 +45,7 @@ struct SerialFormat {
   bool even = false;
   int half_stop_bits = 2;  // 2, 3 or 4
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("data_bits", data_bits, 8);
     visit("parity", parity);
     visit("even", even);
@@ -171,8 +170,7 @@ class I8251 {
   [[nodiscard]] const KeptBytes& sent() const { return sent_; }
   [[nodiscard]] const I8251Counts& counts() const { return counts_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("expects", expects_, Expects::command);
     visit.part("format", format_);
     visit("factor", factor_, 64);

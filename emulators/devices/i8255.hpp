@@ -20,6 +20,8 @@
 #include <array>
 #include <cstdint>
 
+#include "../core/state_visitor.hpp"
+
 namespace sightline::devices {
 
 class I8255 {
@@ -89,8 +91,7 @@ class I8255 {
            (side.strobed_output && !side.pending && !side.acknowledge_low && side.output_enable);
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.part("a", a_);
     visit.part("b", b_);
     visit("c_latch", c_latch_);
@@ -115,8 +116,7 @@ class I8255 {
     bool input_enable = false;
     bool output_enable = false;
 
-    template <class Visitor>
-    void visit_state(Visitor& visit) {
+    void visit_state(core::StateVisitor& visit) {
       visit("drives", drives);
       visit("strobed_input", strobed_input);
       visit("strobed_output", strobed_output);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "../core/state_visitor.hpp"
+
 namespace sightline::devices {
 
 class KeptBytes {
@@ -27,8 +29,7 @@ class KeptBytes {
   // All that were handed out, also before the machine was restored, and what was not kept.
   [[nodiscard]] std::uint64_t total() const { return before_ + bytes_.size() + left_out_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.output("bytes", bytes_, before_);
     visit("left_out", left_out_);
   }

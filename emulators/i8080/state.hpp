@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "../core/state_visitor.hpp"
 #include "isa.hpp"
 
 namespace sightline::i8080 {
@@ -46,8 +47,7 @@ struct Control {
 };
 
 struct State : Registers, Control {
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("a", a);
     visit("f", f);
     visit("bc", bc);

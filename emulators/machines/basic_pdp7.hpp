@@ -22,6 +22,7 @@
 
 #include "../core/inline.hpp"
 #include "../core/reporter.hpp"
+#include "../core/state_visitor.hpp"
 #include "../core/threads.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
@@ -128,9 +129,8 @@ class BasicPdp7 {
   // One entry for every instruction word that nothing obeyed, in the order of first appearance.
   [[nodiscard]] const std::vector<Unanswered>& unanswered() const { return unanswered_; }
 
-  // All that a further run depends on, as it is between two runs (../core/visit_state.hpp).
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  // All that a further run depends on, as it is between two runs (../core/state_visitor.hpp).
+  void visit_state(core::StateVisitor& visit) {
     visit.section("processor", state_);
     visit.section("time", [this](auto& fields) {
       fields("now", now_);

@@ -19,6 +19,7 @@
 
 #include "../core/inline.hpp"
 #include "../core/reporter.hpp"
+#include "../core/state_visitor.hpp"
 #include "../core/threads.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/cpu.hpp"
@@ -55,9 +56,8 @@ class I8080Machine {
   // T-states in which the processor stood still because of HOLD, since the machine was made.
   [[nodiscard]] std::uint64_t held() const { return held_; }
 
-  // All that a further run depends on besides the ports, as it is between two runs (../core/visit_state.hpp).
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  // All that a further run depends on besides the ports, as it is between two runs (../core/state_visitor.hpp).
+  void visit_state(core::StateVisitor& visit) {
     visit.section("processor", state_);
     visit.section("time", [this](auto& fields) {
       fields("now", now_);

@@ -14,7 +14,7 @@
 //   static bool write_may_request(std::uint8_t port)     optional: false if a write there changes no interrupt line
 //   static void count(const Device&, take)    take("dots", n) for each count, in the order of reports
 // and what the table's user asks of rows: skala_ports.hpp wants `kind`, and by it `choice` and `attached`, or `chip`, `bytes` and
-// `received`. A Device has visit_state (../core/visit_state.hpp), for snapshots. It may have advance(TStateInstant), called to bring
+// `received`. A Device has visit_state (../core/state_visitor.hpp), for snapshots. It may have advance(TStateInstant), called to bring
 // it up to date, and deadline(), when its lines may change by themselves.
 //
 // A port without a device reads as FFh, the level of the undriven bus, and swallows what is written; such
@@ -38,6 +38,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 
 namespace sightline::machines {
@@ -165,8 +166,7 @@ class PortTable<Sink, PortRows<First, Rest...>> {
   }
 
   // A section for each device; requests and the next deadline follow from the devices.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     each_device([&visit](auto row, auto& device) { visit.section(row.name, device); });
     visit.section("ports", [this](auto& fields) {
       for (UnansweredPort& port : unanswered_) {
@@ -174,7 +174,7 @@ class PortTable<Sink, PortRows<First, Rest...>> {
         fields("writes", port.writes);
       }
     });
-    if constexpr (Visitor::restores) {
+    if (visit.restores()) {
       if (connected_) look();
     }
   }

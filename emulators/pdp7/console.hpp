@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 
@@ -34,8 +35,7 @@ class Console {
   }
 
   // The settings to come, and those that are.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     settings_.erase(settings_.begin(), settings_.begin() + static_cast<std::ptrdiff_t>(next_));
     next_ = 0;
     visit("switches", switches_);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/state_visitor.hpp"
 #include "../core/word.hpp"
 #include "state.hpp"
 
@@ -39,8 +40,7 @@ class CoreMemory {
     }
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.words("words", std::span<core::Word18>(contents_).first(words_));
   }
 

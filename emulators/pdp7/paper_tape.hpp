@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 
@@ -81,8 +82,7 @@ class Reader {
   [[nodiscard]] bool out_of_tape() const { return running_ && done_ == core::never; }
 
   // The tape itself is configuration.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.input("tape", tape_);
     visit.count("position", position_, tape_.size());
     visit.count("lines", lines_, tape_.size());
@@ -158,8 +158,7 @@ class Punch {
   // What has been punched so far, one byte a line.
   [[nodiscard]] const std::vector<std::uint8_t>& tape() const { return tape_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("done", done_);
     visit("holes", holes_);
     visit("flag", flag_);

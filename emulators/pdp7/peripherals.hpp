@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "bus.hpp"
@@ -59,8 +60,7 @@ class Clock {
     return true;
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("next_period", next_period_, longest_run * hertz_);
     visit("on", on_);
     visit("flag", flag_);
@@ -159,8 +159,7 @@ class Peripherals {
   }
 
   // A further device is a further section: snapshots of machines without it have none of that name.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.section("clock", clock);
     visit.section("reader", reader);
     visit.section("punch", punch);

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "bus.hpp"
@@ -186,8 +187,7 @@ class Rb09 {
   [[nodiscard]] Address core_address() const { return core_; }
   [[nodiscard]] std::uint32_t word_count() const { return count_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     std::uint32_t number = number_;
     visit("image", number);
     visit.require(number == number_, "image", "the number of the disk that is attached");

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "../core/inline.hpp"
+#include "../core/state_visitor.hpp"
 #include "../core/word.hpp"
 
 namespace sightline::pdp7 {
@@ -35,8 +36,7 @@ struct State {
   bool extend_restore = false;       // EMIR given: the next JMP I restores extend mode
   bool trap_mode = false;            // IOT, HLT and XCT of XCT trap
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("ac", ac);
     visit("mq", mq);
     visit("sc", sc);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 
 namespace sightline::pdp7 {
@@ -54,8 +55,7 @@ class Keyboard {
   [[nodiscard]] bool all_read() const { return next_ == keys_.size() && !flag_; }
 
   // The keys under way, and the last one before them: it says when the line is free.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     if (next_ > 1) keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(next_ - 1));
     next_ = std::min(next_, std::size_t{1});
     visit.list("keys", keys_, [&visit](Key& key) {
@@ -111,8 +111,7 @@ class Printer {
   // Eight-bit codes in the order printed.
   [[nodiscard]] const std::vector<std::uint8_t>& printed() const { return printed_; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("done", done_);
     visit("code", code_);
     visit("flag", flag_);

@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "../core/glyphs.hpp"
+#include "../core/state_visitor.hpp"
 #include "words.hpp"
 
 namespace sightline::type340 {
@@ -29,8 +30,7 @@ class CharacterPath {
   constexpr void add(Direction d, bool lit) { strokes_[size_++] = {d, lit}; }
 
   // A direction is stored as 0, 1, 2 for -1, 0, 1.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit.count("size", size_, strokes_.size());
     for (std::size_t i = 0; i < std::min(size_, strokes_.size()); ++i) {
       CharacterStroke& stroke = strokes_[i];

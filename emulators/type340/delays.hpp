@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "vector_generator.hpp"
 
@@ -79,13 +80,12 @@ class Delays {
   }
 
   // Instants of delays that do not run are `never`.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto delay = static_cast<Delay>(i);
       core::Instant when = at(delay);
       visit(names[i], when);
-      if constexpr (Visitor::restores) {
+      if (visit.restores()) {
         stop(delay);
         if (when != core::never) start(delay, when);
       }

@@ -18,6 +18,7 @@
 #include <optional>
 
 #include "../core/inline.hpp"
+#include "../core/state_visitor.hpp"
 #include "../core/stroke.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
@@ -54,8 +55,7 @@ struct LightPen {
     return left <= x && x <= right && bottom <= y && y <= top;
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("left", left);
     visit("bottom", bottom);
     visit("right", right);
@@ -150,8 +150,7 @@ class Display {
   [[nodiscard]] core::Instant next_pulse() const { return delays_.next().at; }
 
   // The shortcuts are not visited: without them the same pulses are made one by one.
-  template <class Visitor>
-  void visit_state(Visitor& visit);
+  void visit_state(core::StateVisitor& visit);
 
  private:
   const Registers& at(core::Instant now) {

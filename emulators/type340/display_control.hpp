@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../core/inline.hpp"
+#include "../core/state_visitor.hpp"
 #include "display.hpp"
 
 namespace sightline::type340 {
@@ -140,9 +141,8 @@ void Display<Sink>::skip(core::Instant now) {
 }
 
 template <class Sink>
-template <class Visitor>
-void Display<Sink>::visit_state(Visitor& visit) {
-  if constexpr (Visitor::restores) planned_ = whole_ = false;
+void Display<Sink>::visit_state(core::StateVisitor& visit) {
+  if (visit.restores()) planned_ = whole_ = false;
   visit.part("registers", registers_);
   visit.part("delays", delays_);
   visit("input", input_);

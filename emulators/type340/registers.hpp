@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "../core/state_visitor.hpp"
 #include "../core/word.hpp"
 #include "vector_generator.hpp"
 #include "words.hpp"
@@ -145,8 +146,7 @@ struct Registers {
     return {end(x, w.left, w.dx), end(y, w.down, w.dy)};
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("br", br);
     visit("mode", mode, Mode::subroutine);
     visit("x", x, screen_mask);

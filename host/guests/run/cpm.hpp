@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/core/state_visitor.hpp"
 #include "emulators/i8080/isa.hpp"
 #include "emulators/i8080/state.hpp"
 #include "host/guests/run/cpm_files.hpp"
@@ -70,8 +71,7 @@ class Cpm {
   // Forgets the oldest calls of the journal but so many; the time from which runs can be repeated.
   [[nodiscard]] std::int64_t trim_journal(std::size_t most);
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     visit("function", function_);
     visit.present("caller", caller_, [&visit](i8080::Address& caller) { visit("address", caller); });
     visit.list("keys", keys_, [&visit](i8080::Byte& key) { visit("key", key); });

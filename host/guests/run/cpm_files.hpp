@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "emulators/core/state_visitor.hpp"
 #include "host/base/result.hpp"
 
 namespace sightline::guests::run {
@@ -72,8 +73,7 @@ class CpmFiles {
     std::array<std::uint8_t, 11> found{};    // a name without attributes
     std::uint32_t found_extent = 0;          // plus one; 0: nothing yet
 
-    template <class Visitor>
-    void visit_state(Visitor& visit) {
+    void visit_state(core::StateVisitor& visit) {
       visit("disk", disk, 15);
       visit("user", user, 15);
       visit("transfer", transfer);

@@ -1,4 +1,5 @@
 // See i8080.hpp.
+#include "emulators/core/state_visitor.hpp"
 #include "host/guests/run/i8080.hpp"
 
 #include <fmt/core.h>
@@ -407,8 +408,7 @@ class I8080Run final : public Machine {
     return processor_.run(limits, observer);
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     processor_.visit_state(visit);
     ports_.visit_state(visit);
     visit.section("drawing", plotter_);

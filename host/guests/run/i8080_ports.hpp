@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/core/state_visitor.hpp"
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/tstates.hpp"
@@ -54,8 +55,7 @@ class PlotterTaker {
 
   // The drawing is an output: where it ends is enough to go back to, as corners are only added or moved at the end. A
   // machine that has not drawn so much begins a new drawing.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     End end;
     if (!paths_.empty()) {
       end = {paths_.size(), paths_.back().corners.size(), paths_.back().corners.back(), last_, left_out_};
@@ -67,7 +67,7 @@ class PlotterTaker {
       visit("y", point->y);
     }
     visit("left_out", end.left_out);
-    if constexpr (Visitor::restores) {
+    if (visit.restores()) {
       if (visit.cuts_outputs()) go_back_to(end);
     }
   }
@@ -194,10 +194,9 @@ class RunPorts final : public I8080Ports {
   [[nodiscard]] bool unanswered() const { return unanswered_; }
 
   // Between two runs no call waits; that a run has stopped is not kept.
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     devices_.visit_state(visit);
-    if constexpr (Visitor::restores) {
+    if (visit.restores()) {
       call_.reset();
       stopped_ = unanswered_ = false;
     }

@@ -1,4 +1,5 @@
 // See pdp7.hpp.
+#include "emulators/core/state_visitor.hpp"
 #include "host/guests/run/pdp7.hpp"
 
 #include <fmt/core.h>
@@ -608,8 +609,7 @@ class Pdp7Machine final : public Machine {
     heard_of_printed_ = printer.printed().size();
   }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  void visit_state(core::StateVisitor& visit) {
     machine_.visit_state(visit);
     pen_script_.erase(pen_script_.begin(), pen_script_.begin() + static_cast<std::ptrdiff_t>(next_move_));
     next_move_ = 0;

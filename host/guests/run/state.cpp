@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "host/base/crc32.hpp"
 #include "host/guests/run/machine.hpp"
 
 namespace sightline::guests::run {
@@ -13,21 +15,109 @@ base::Result<base::Done> Machine::restore(const MachineState&) {
   return base::Error{.found = "found a machine without snapshots", .expected = "another machine"};
 }
 
+std::uint8_t* StateWriter::grow(std::size_t by) {
+  bytes_->resize(bytes_->size() + by);
+  return bytes_->data() + (bytes_->size() - by);
+}
+
+void StateWriter::put(std::uint64_t number, unsigned bytes) {
+  for (; bytes > 0; --bytes, number >>= 8) bytes_->push_back(static_cast<std::uint8_t>(number));
+}
+
+void StateWriter::words(std::string_view, std::span<core::Word18> words) {
+  std::uint8_t* at = grow(4 * words.size());
+  for (const core::Word18 word : words) {
+    for (unsigned i = 0; i < 4; ++i) *at++ = static_cast<std::uint8_t>(word.value() >> (8 * i));
+  }
+}
+
+void StateWriter::bytes(std::string_view, std::span<std::uint8_t> bytes, std::uint8_t) {
+  bytes_->insert(bytes_->end(), bytes.begin(), bytes.end());
+}
+
+void StateWriter::input(std::string_view, std::span<const std::uint8_t> bytes) {
+  put(bytes.size(), 8);
+  put(base::crc32(bytes), 4);
+}
+
+void StateWriter::number(std::string_view, core::StoredNumber& number) { put(number.value, number.bytes); }
+
+std::size_t StateWriter::begin(Group group, std::string_view name, std::size_t elements) {
+  switch (group) {
+    case Group::part: break;
+    case Group::section:
+      sections_.push_back({std::string(name), {}});
+      bytes_ = &sections_.back().bytes;
+      break;
+    case Group::list: put(elements, 4); break;
+    case Group::optional: put(elements, 1); break;
+  }
+  return elements;
+}
+
+void StateReader::words(std::string_view name, std::span<core::Word18> words) {
+  for (core::Word18& word : words) {
+    if (const auto number = take(name, 4, core::Word18::mask)) word = core::Word18(static_cast<std::uint32_t>(*number));
+  }
+}
+
+void StateReader::bytes(std::string_view name, std::span<std::uint8_t> bytes, std::uint8_t most) {
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(take(name, 1, most).value_or(byte));
+}
+
 void StateReader::input(std::string_view name, std::span<const std::uint8_t> bytes) {
-  std::uint64_t length = 0;
-  std::uint32_t checksum = 0;
-  assign(name, length, std::numeric_limits<std::uint64_t>::max());
-  assign(name, checksum, std::numeric_limits<std::uint32_t>::max());
-  if (error_) return;
+  const auto length = take(name, 8, ~std::uint64_t{0});
+  const auto checksum = take(name, 4, ~std::uint32_t{0});
+  if (!length || !checksum) return;
   const std::uint32_t here = base::crc32(bytes);
-  if (length == bytes.size() && checksum == here) return;
-  const auto described = [](std::uint64_t size, std::uint32_t crc) {
+  if (*length == bytes.size() && *checksum == here) return;
+  const auto described = [](std::uint64_t size, std::uint64_t crc) {
     return size == 0 ? std::string("none") : fmt::format("{} bytes with the CRC-32 {:08X}", size, crc);
   };
   error_ = base::Error{.place = place(name),
                        .found = "found another input: " + described(bytes.size(), here),
-                       .expected = described(length, checksum),
+                       .expected = described(*length, *checksum),
                        .remedy = "name the file that the snapshot was made with"};
+}
+
+void StateReader::number(std::string_view name, core::StoredNumber& number) {
+  number.value = take(name, number.bytes, number.most, number.may_be_never).value_or(number.value);
+}
+
+std::size_t StateReader::begin(Group group, std::string_view name, std::size_t elements) {
+  if (group == Group::section && !open(name)) return 0;
+  groups_.push_back({group, name});
+  switch (group) {
+    case Group::part:
+    case Group::section: break;
+    // An element has a byte at least.
+    case Group::list: elements = take("number", 4, left()).value_or(elements); break;
+    case Group::optional: elements = take(name, 1, 1).value_or(elements); break;
+  }
+  return elements;
+}
+
+void StateReader::end() {
+  const bool section = groups_.back().group == Group::section;
+  groups_.pop_back();
+  if (section) close();
+}
+
+std::optional<std::uint64_t> StateReader::take(std::string_view name, unsigned bytes, std::uint64_t most, bool may_be_never) {
+  constexpr std::uint64_t never = std::numeric_limits<std::int64_t>::max();
+  if (error_) return std::nullopt;
+  if (left() < bytes) {
+    too_short(name, bytes);
+    return std::nullopt;
+  }
+  std::uint64_t number = 0;
+  for (unsigned i = 0; i < bytes; ++i) number |= std::uint64_t{bytes_[at_ + i]} << (8 * i);
+  if (number > most && !(may_be_never && number == never)) {
+    out_of_range(name, number, most);
+    return std::nullopt;
+  }
+  at_ += bytes;
+  return number;
 }
 
 void StateReader::require(bool holds, std::string_view name, std::string_view expected) {
@@ -83,7 +173,8 @@ void StateReader::close() {
 std::string StateReader::place(std::string_view field) const {
   if (section_.empty()) return std::string(field);
   std::string path;
-  for (const std::string_view part : parts_) path += fmt::format("{}.", part);
+  for (const Open& each : groups_)
+    if (each.group == Group::part || each.group == Group::list) path += fmt::format("{}.", each.name);
   return fmt::format("section \"{}\", byte {}, {}{}", section_, at_, path, field);
 }
 

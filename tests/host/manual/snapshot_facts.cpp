@@ -3,28 +3,19 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "emulators/core/state_visitor.hpp"
 #include "emulators/machines/i8080_machine.hpp"
 #include "emulators/machines/pdp7.hpp"
 #include "emulators/machines/skala_ports.hpp"
-#include "host/guests/run/state.hpp"
 #include "table.hpp"
 
 namespace sightline::manual {
 namespace {
-
-template <class Member>
-inline constexpr bool is_time = false;
-template <class Tick>
-inline constexpr bool is_time<core::TickCount<Tick>> = true;
-template <class Tick>
-inline constexpr bool is_time<core::TickInstant<Tick>> = true;
 
 // Fields that come again and again, as those of 256 ports, are written once.
 std::string once(const std::string& fields) {
@@ -40,85 +31,59 @@ std::string once(const std::string& fields) {
   return all == fields && times >= often ? fmt::format("{} times ({})", times, unit) : fields;
 }
 
-// A visitor (emulators/core/visit_state.hpp) that writes names and types, one row for each section.
-class Describer {
+// A visitor that writes names and types, one row for each section. A list gets one element, to be described.
+class Describer final : public core::StateVisitor {
  public:
-  static constexpr bool restores = false;
-
   explicit Describer(Table& table) : table_(&table) {}
 
-  template <class Member>
-  void operator()(std::string_view name, const Member&) {
-    using Stored = guests::run::StoredAs<Member>;
-    if constexpr (std::is_same_v<Member, bool>) {
-      add(name, "flag");
-    } else if constexpr (is_time<Member>) {
-      add(name, "time");
-    } else if constexpr (std::is_class_v<Member>) {
-      add(name, fmt::format("4, to {:o} octal", Stored::most));
-    } else {
-      add(name, fmt::format("{}{}", std::is_signed_v<Member> ? "signed " : "", Stored::bytes));
-    }
-  }
-  template <class Member, class Most>
-  void operator()(std::string_view name, const Member&, Most most) {
-    using Stored = guests::run::StoredAs<Member>;
-    add(name, fmt::format("{}, to {}", Stored::bytes, Stored::number(static_cast<Member>(most))));
-  }
-  void count(std::string_view name, std::size_t, std::size_t) { add(name, "8"); }
-  template <class Words>
-  void words(std::string_view name, Words) {
-    add(name, "4 each");
-  }
-  void bytes(std::string_view name, std::span<std::uint8_t> bytes, std::uint8_t most = 0xFF) {
+  void words(std::string_view name, std::span<core::Word18>) override { add(name, "4 each"); }
+  void bytes(std::string_view name, std::span<std::uint8_t> bytes, std::uint8_t most) override {
     add(name, fmt::format("{} of 1, to {}", bytes.size(), most));
   }
-  template <class What>
-  void part(std::string_view name, What&& what) {
-    const std::string before = prefix_;
-    prefix_ += std::string(name) + ".";
-    guests::run::visit_what(*this, what);
-    prefix_ = before;
-  }
-  template <class What>
-  void section(std::string_view name, What&& what) {
-    fields_.clear();
-    guests::run::visit_what(*this, what);
-    table_->row({code(name), once(fields_)});
-  }
-  template <class Element, class Each>
-  void list(std::string_view name, std::vector<Element>&, Each each) {
-    inner(name, "list of", [&each] {
-      Element element{};
-      each(element);
-    });
-  }
-  template <class Element, class Each>
-  void present(std::string_view name, std::optional<Element>&, Each each) {
-    inner(name, "if present", [&each] {
-      Element element{};
-      each(element);
-    });
-  }
-  void input(std::string_view name, std::span<const std::uint8_t>) { add(name, "input"); }
-  template <class Elements>
-  void output(std::string_view name, const Elements&, std::uint64_t) {
-    add(name, "output");
-  }
-  void require(bool, std::string_view, std::string_view) {}
+  void input(std::string_view name, std::span<const std::uint8_t>) override { add(name, "input"); }
+  void require(bool, std::string_view, std::string_view) override {}
 
  private:
   void add(std::string_view name, std::string_view type) {
     fields_ += fmt::format("{}{} {}", fields_.empty() ? "" : "; ", code(prefix_ + std::string(name)), type);
   }
-  template <class Visit>
-  void inner(std::string_view name, std::string_view what, Visit visit) {
-    const std::string before = std::exchange(fields_, {});
-    visit();
-    const std::string fields = std::exchange(fields_, before);
-    add(name, fmt::format("{} ({})", what, fields));
+  void number(std::string_view name, core::StoredNumber& number) override { add(name, type_of(number)); }
+  static std::string type_of(const core::StoredNumber& number) {
+    using Kind = core::StoredNumber::Kind;
+    if (number.bounded) return fmt::format("{}, to {}", number.bytes, number.most);
+    switch (number.kind) {
+      case Kind::flag: return "flag";
+      case Kind::time: return "time";
+      case Kind::word: return fmt::format("4, to {:o} octal", number.most);
+      case Kind::signed_number: return fmt::format("signed {}", number.bytes);
+      case Kind::output: return "output";
+      case Kind::number: break;
+    }
+    return fmt::format("{}", number.bytes);
+  }
+  std::size_t begin(Group group, std::string_view name, std::size_t) override {
+    open_.push_back({group, name, {}, prefix_});
+    if (group == Group::part) prefix_ += std::string(name) + ".";
+    else open_.back().fields = std::exchange(fields_, {});
+    return 1;
+  }
+  void end() override {
+    const Open ended = open_.back();
+    open_.pop_back();
+    prefix_ = ended.prefix;
+    if (ended.group == Group::part) return;
+    const std::string fields = std::exchange(fields_, ended.fields);
+    if (ended.group == Group::section) table_->row({code(ended.name), once(fields)});
+    else add(ended.name, fmt::format("{} ({})", ended.group == Group::list ? "list of" : "if present", fields));
   }
 
+  struct Open {
+    Group group;
+    std::string_view name;
+    std::string fields;  // described before it
+    std::string prefix;
+  };
+  std::vector<Open> open_;
   Table* table_;
   std::string prefix_;
   std::string fields_;

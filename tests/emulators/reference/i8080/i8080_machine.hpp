@@ -17,6 +17,7 @@
 
 #include "emulators/core/inline.hpp"
 #include "emulators/core/reporter.hpp"
+#include "emulators/core/state_visitor.hpp"
 #include "emulators/core/tstates.hpp"
 #include "tests/emulators/reference/i8080/cpu.hpp"
 #include "emulators/i8080/state.hpp"
@@ -50,9 +51,8 @@ class I8080Machine {
   // Since the machine was made; those a device supplied included.
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
-  // All that a further run depends on besides the ports, as it is between two runs (../core/visit_state.hpp).
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  // All that a further run depends on besides the ports, as it is between two runs (../core/state_visitor.hpp).
+  void visit_state(core::StateVisitor& visit) {
     visit.section("processor", state_);
     visit.section("time", [this](auto& fields) {
       fields("now", now_);

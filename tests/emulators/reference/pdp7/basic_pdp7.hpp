@@ -22,6 +22,7 @@
 
 #include "emulators/core/inline.hpp"
 #include "emulators/core/reporter.hpp"
+#include "emulators/core/state_visitor.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/console.hpp"
@@ -84,9 +85,8 @@ class BasicPdp7 {
   // One entry for every instruction word that nothing obeyed, in the order of first appearance.
   [[nodiscard]] const std::vector<Unanswered>& unanswered() const { return unanswered_; }
 
-  // All that a further run depends on, as it is between two runs (../core/visit_state.hpp).
-  template <class Visitor>
-  void visit_state(Visitor& visit) {
+  // All that a further run depends on, as it is between two runs (../core/state_visitor.hpp).
+  void visit_state(core::StateVisitor& visit) {
     visit.section("processor", state_);
     visit.section("time", [this](auto& fields) {
       fields("now", now_);

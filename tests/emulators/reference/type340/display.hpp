@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "emulators/core/state_visitor.hpp"
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/word.hpp"
@@ -78,8 +79,7 @@ class Display {
   // The next pulse inside, as of the last advance; never: none is under way.
   [[nodiscard]] core::Instant next_pulse() const { return delays_.next().at; }
 
-  template <class Visitor>
-  void visit_state(Visitor& visit);
+  void visit_state(core::StateVisitor& visit);
 
  private:
   const Registers& at(core::Instant now) {

@@ -1,6 +1,7 @@
 // Display: the IOTs of the PDP-7, and the advance of time. Included by display.hpp only.
 #pragma once
 
+#include "emulators/core/state_visitor.hpp"
 #include "tests/emulators/reference/type340/display.hpp"
 
 namespace sightline::reference_display {
@@ -105,8 +106,7 @@ void Display<Sink>::catch_up(core::Instant now) {
 }
 
 template <class Sink>
-template <class Visitor>
-void Display<Sink>::visit_state(Visitor& visit) {
+void Display<Sink>::visit_state(core::StateVisitor& visit) {
   visit.part("registers", registers_);
   visit.part("delays", delays_);
   visit("input", input_);
