@@ -121,6 +121,8 @@ struct AttachedDevice {
   std::unique_ptr<core::PortDevice> device;
 };
 
+struct MachineParts;  // i8080_parts.hpp
+
 class Machine {
  public:
   explicit Machine(const Options& options = {});
@@ -197,8 +199,7 @@ class Machine {
   void visit_state(core::StateVisitor& visit);
 
  private:
-  struct Parts;  // i8080_parts.hpp
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<MachineParts> parts_;
 };
 
 }  // namespace sightline::i8080
