@@ -14,7 +14,6 @@
 namespace sightline::guests::run {
 namespace {
 
-using i8080::Machine;
 using i8080::StopReason;
 
 // INT is high from the OUT of an odd byte, or a time after it, to the acknowledge, which is given RST 7. Without `drives` it is
@@ -25,7 +24,7 @@ class Board final : public core::PortDevice {
   static constexpr std::string_view lines[]{"board"};
   static constexpr core::PortDeviceInfo info{.name = "board", .help = "for tests", .choice = "board", .reads = ports, .writes = ports, .lines = lines};
 
-  Board(Machine& machine, bool drives, std::int64_t delay) : machine_(machine), drives_(drives), delay_(delay) {}
+  Board(i8080::Machine& machine, bool drives, std::int64_t delay) : machine_(machine), drives_(drives), delay_(delay) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t, core::TStateInstant) override { return 0; }
   void out(std::uint8_t, std::uint8_t value, core::TStateInstant at) override {
@@ -52,26 +51,26 @@ class Board final : public core::PortDevice {
   std::uint8_t stop_at = 0;
 
  private:
-  Machine& machine_;
+  i8080::Machine& machine_;
   bool drives_;
   std::int64_t delay_;
   bool high_ = false;
   core::TStateInstant rises_ = core::never_t;
 };
 
-Board& attach_board(Machine& machine, bool drives = false, std::int64_t delay = 0) {
+Board& attach_board(i8080::Machine& machine, bool drives = false, std::int64_t delay = 0) {
   EXPECT_EQ(machine.attach(Board::info, std::make_unique<Board>(machine, drives, delay)), "");
   return *machine.find<Board>();
 }
 
-void put(Machine& machine, std::initializer_list<i8080::Byte> program, i8080::Address address = 0) {
+void put(i8080::Machine& machine, std::initializer_list<i8080::Byte> program, i8080::Address address = 0) {
   machine.load(address, {program.begin(), program.size()});
 }
 
-std::int64_t now(const Machine& machine) { return core::t_states_of(machine.now()); }
+std::int64_t now(const i8080::Machine& machine) { return core::t_states_of(machine.now()); }
 
 TEST(GuestI8080, ADeviceEndsARunAfterTheInstructionThatTouchedIt) {
-  Machine machine;
+  i8080::Machine machine;
   Board& board = attach_board(machine);
   board.stop_at = 3;
   put(machine, {0x3C, 0xD3, 0x10, 0xC3, 0x00, 0x00});  // INR A; OUT 10; JMP 0
@@ -82,7 +81,7 @@ TEST(GuestI8080, ADeviceEndsARunAfterTheInstructionThatTouchedIt) {
 }
 
 TEST(GuestI8080, LimitsHoldWhileAProgramAsksAPort) {
-  Machine machine;
+  i8080::Machine machine;
   attach_board(machine);
   put(machine, {0xDB, 0x10, 0xC3, 0x00, 0x00});  // IN 10; JMP 0
   i8080::Limits limits;
@@ -99,7 +98,7 @@ TEST(GuestI8080, LimitsHoldWhileAProgramAsksAPort) {
 
 TEST(GuestI8080, AnInterruptThatAnOutBringsFollowsTheOut) {
   for (const bool wired : {true, false}) {
-    Machine machine;
+    i8080::Machine machine;
     attach_board(machine, wired);
     put(machine, {0xFB, 0x00, 0x3C, 0xD3, 0x10, 0x76});  // EI; NOP; INR A; OUT 10; HLT
     machine.deposit(0x38, 0x76);
@@ -113,7 +112,7 @@ TEST(GuestI8080, AnInterruptThatAnOutBringsFollowsTheOut) {
 // The OUT has T3 of its last cycle in T-state 22; the NOPs behind it begin in 23, 27, and so on.
 TEST(GuestI8080, AnInterruptThatAnOutBringsLaterComesInTime) {
   for (const std::int64_t delay : {1, 4, 5, 100, 1000}) {
-    Machine machine;
+    i8080::Machine machine;
     attach_board(machine, true, delay);
     put(machine, {0xFB, 0x00, 0x3C, 0xD3, 0x10});  // EI; NOP; INR A; OUT 10; NOPs
     machine.deposit(0x38, 0x00);
@@ -133,7 +132,7 @@ TEST(GuestI8080, AnInterruptThatAnOutBringsLaterComesInTime) {
 }
 
 TEST(GuestI8080, ARunEndsWhereTheProgramComesToAPlace) {
-  Machine machine;
+  i8080::Machine machine;
   Board& board = attach_board(machine);
   put(machine, {0x00, 0xC3, 0x00, 0x10});  // NOP; JMP 1000
   put(machine, {0x3C, 0xD3, 0x10, 0xFE, 0x02, 0xC2, 0x00, 0x10, 0x76}, 0x1000);  // INR A; OUT 10; CPI 2; JNZ 1000; HLT
@@ -151,7 +150,7 @@ TEST(GuestI8080, ARunEndsWhereTheProgramComesToAPlace) {
 }
 
 TEST(GuestI8080, ARunToAPlaceHasLimits) {
-  Machine machine;
+  i8080::Machine machine;
   put(machine, {0xC3, 0x00, 0x00});
   i8080::Limits limits;
   limits.until = core::at_t_state(95);
