@@ -203,6 +203,8 @@ class I8080Run final : public Machine {
       const bool waited = cpm_->waits_for_key();
       if (!watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
       if (waited && condition_changed()) return Stop{stopped_by_probe, {}};
+      // CP/M has written to a watched place, now or where the last slice ended.
+      if (probe_ && !probe_->events().empty()) return Stop{stopped_by_probe, {}};
     }
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =

@@ -74,7 +74,8 @@ std::int64_t limit_for(const GuestOptions& options) {
 
 GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options) {
   i8080::Machine machine({options.clock});
-  attach(machine, options.device == Device::calcomp ? devices::CalComp565::info.name : devices::Ef9365::info.name);
+  if (options.device == Device::ef9365) attach(machine, devices::Ef9365::info.name);
+  if (options.device == Device::calcomp) attach(machine, devices::CalComp565::info.name);
   attach(machine, devices::ParallelLink::info.name);
   machine.find<devices::ParallelLink>()->send(stream);
   std::optional<CommandNote> note;
