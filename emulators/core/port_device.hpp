@@ -40,6 +40,7 @@ struct PortDeviceInfo {
   std::span<const std::string_view> lines = {};  // of interrupt: names for options
   std::span<const DeviceOption> options = {};
   bool has_state = true;  // false: a snapshot has no section of it
+  std::string_view received = {};  // of a link: what the host has had from it, one line
 };
 
 // What a device is made from.

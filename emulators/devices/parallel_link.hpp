@@ -46,7 +46,8 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
                                              .reads = ports,
                                              .writes = ports,
                                              .lines = lines,
-                                             .options = options};
+                                             .options = options,
+                                             .received = "What the host took from the 8255"};
 
   explicit ParallelLink(const core::PortDeviceSetup& setup)
       : ParallelLink(setup.clock, {}, {core::Duration(setup.value(info, "response")), core::Duration(setup.value(info, "pulse"))}) {}

@@ -48,7 +48,8 @@ class SerialLink final : public core::PortDevice, public core::LinkHost {
                                              .reads = ports,
                                              .writes = ports,
                                              .lines = lines,
-                                             .options = options};
+                                             .options = options,
+                                             .received = "What the 8251 sent to the host"};
 
   explicit SerialLink(const core::PortDeviceSetup& setup) : SerialLink(setup.clock, {}, host_of(setup)) {}
   // The bytes the host will send must stay where they are.

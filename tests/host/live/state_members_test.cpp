@@ -8,16 +8,14 @@
 
 #include <cstddef>
 
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/i8080_devices.hpp"
+#include "emulators/machines/i8080_parts.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/pdp7_scripts.hpp"
 
 namespace sightline::test {
 namespace {
 
-using Ports = machines::SkalaPorts<>;
-using Machine8080 = machines::I8080Machine<Ports>;
 using guests::run::PenMove;
 
 template <class State>
@@ -54,9 +52,9 @@ TEST(StateMembers, AreVisited) {
   expect_size<devices::Alt256Counts>(32, "devices::Alt256Counts");
   expect_size<devices::AltairSerial>(128, "devices::AltairSerial");
   expect_size<devices::AltairSerialCounts>(24, "devices::AltairSerialCounts");
-  expect_size<devices::CalComp565<core::NoStrokes>>(128, "devices::CalComp565<core::NoStrokes>");
+  expect_size<devices::CalComp565>(128, "devices::CalComp565");
   expect_size<devices::CalComp565Counts>(72, "devices::CalComp565Counts");
-  expect_size<devices::Minigraf0507<core::NoStrokes>>(144, "devices::Minigraf0507<core::NoStrokes>");
+  expect_size<devices::Minigraf0507>(144, "devices::Minigraf0507");
   expect_size<devices::MinigrafCounts>(56, "devices::MinigrafCounts");
   expect_size<devices::ef9365::Drawing>(65560, "devices::ef9365::Drawing");
   expect_size<devices::Ef9365>(65680, "devices::Ef9365");
@@ -69,9 +67,7 @@ TEST(StateMembers, AreVisited) {
   expect_size<devices::I8251>(176, "devices::I8251");
   expect_size<devices::I8251Counts>(64, "devices::I8251Counts");
   expect_size<devices::SerialLink>(312, "devices::SerialLink");
-  expect_size<machines::UnansweredPort>(16, "machines::UnansweredPort");
-  expect_size<Ports>(137240, "Ports");
-  expect_size<Machine8080>(112, "Machine8080");
+  expect_size<i8080::UnansweredPort>(16, "i8080::UnansweredPort");
   expect_size<PenMove>(32, "PenMove");
 }
 #endif
