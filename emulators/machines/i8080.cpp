@@ -30,7 +30,10 @@ class Run {
     machine_.ports.poll_all();
     machine_.attend_next();
     while (!reason_) advance();
-    if (machine_.now > core::at_t_state(0)) machine_.ports.advance_all(machine_.now - MachineParts::one);
+    // A processor that waits in a halt samples INT from halt_sampled on: devices must not be ahead of it.
+    const bool waits = machine_.state.halted && machine_.state.interrupts_on;
+    const core::TStateInstant end = waits ? std::min(machine_.now, machine_.halt_sampled) : machine_.now;
+    if (end > core::at_t_state(0)) machine_.ports.advance_all(end - MachineParts::one);
     machine_.strokes.flush();
     return *reason_;
   }
