@@ -31,43 +31,45 @@ std::string Ports::attach(const core::PortDeviceInfo& info, std::unique_ptr<core
   for (const AttachedDevice& other : devices_) {
     if (other.info->name == info.name) return quoted(info.name) + " is attached already";
   }
-  const auto taken = [&](const Table& table, std::span<const core::PortRange> ranges, std::string_view direction) {
-    for (const core::PortRange range : ranges) {
-      for (unsigned port = range.first; port <= range.last; ++port) {
-        for (const AttachedDevice& other : devices_) {
-          if (other.device.get() != table[port].device) continue;
-          return "port " + port_name(port) + " is " + std::string(direction) + " by " + quoted(other.info->name) + " and by " +
-                 quoted(info.name);
-        }
-      }
-    }
-    return std::string();
-  };
-  for (const std::string& error : {taken(readers_, info.reads, "read"), taken(writers_, info.writes, "written")}) {
-    if (!error.empty()) return error;
-  }
-  if (device->drives_interrupt() && interrupter_ != nullptr) return quoted(info.name) + " drives INT, and so does another device";
+  if (std::string error = find_taken(readers_, info.reads, info.name, "read"); !error.empty()) return error;
+  if (std::string error = find_taken(writers_, info.writes, info.name, "written"); !error.empty()) return error;
+  core::PortDevice* const it = device.get();
+  if (it->drives_interrupt() && interrupter_ != nullptr) return quoted(info.name) + " drives INT, and so does another device";
 
-  const auto enter = [&device](Table& table, std::span<const core::PortRange> ranges) {
+  const auto enter = [it](Table& table, std::span<const core::PortRange> ranges) {
     for (const core::PortRange range : ranges) {
-      for (unsigned port = range.first; port <= range.last; ++port) table[port].device = device.get();
+      for (unsigned port = range.first; port <= range.last; ++port) table[port].device = it;
     }
   };
   enter(readers_, info.reads);
   enter(writers_, info.writes);
-  if (device->drives_hold()) holders_.push_back(device.get());
-  if (device->drives_ready()) waiters_.push_back(device.get());
   const auto behind = std::find_if(devices_.begin(), devices_.end(),
                                    [&info](const AttachedDevice& other) { return place_of(*other.info) > place_of(info); });
-  const auto place = static_cast<std::size_t>(behind - devices_.begin());
-  const bool connected = device->drives_interrupt() || device->drives_hold();
-  if (device->drives_interrupt()) interrupter_ = device.get();
+  const auto place = behind - devices_.begin();
   devices_.insert(behind, {&info, std::move(device)});
-  connections_.insert(connections_.begin() + static_cast<std::ptrdiff_t>(place), nullptr);
-  if (connected) {
-    Connection& connection = connect(place);
-    if (devices_[place].device.get() == interrupter_) connection.wires[0] |= own_instruction;
+  connections_.insert(connections_.begin() + place, nullptr);
+
+  if (it->drives_ready()) waiters_.push_back(it);
+  if (it->drives_hold()) holders_.push_back(it);
+  if (it->drives_interrupt()) interrupter_ = it;
+  if (it->drives_hold() || it->drives_interrupt()) {
+    Connection& connection = connect(static_cast<std::size_t>(place));
+    if (it->drives_interrupt()) connection.wires[0] |= own_instruction;
     poll(connection);
+  }
+  return {};
+}
+
+std::string Ports::find_taken(const Table& table, std::span<const core::PortRange> ranges, std::string_view name,
+                              std::string_view direction) const {
+  for (const core::PortRange range : ranges) {
+    for (unsigned port = range.first; port <= range.last; ++port) {
+      if (table[port].device == nullptr) continue;
+      const auto other = std::find_if(devices_.begin(), devices_.end(), [&](const AttachedDevice& attached) {
+        return attached.device.get() == table[port].device;
+      });
+      return "port " + port_name(port) + " is " + std::string(direction) + " by " + quoted(other->info->name) + " and by " + quoted(name);
+    }
   }
   return {};
 }
@@ -85,6 +87,10 @@ std::string Ports::wire(std::string_view line, std::uint8_t restart) {
       poll(connection);
       return {};
     }
+  }
+  for (const KnownDevice& known : known_devices) {
+    if (std::find(known.info->lines.begin(), known.info->lines.end(), line) == known.info->lines.end()) continue;
+    return "interrupt line " + quoted(line) + ": " + quoted(known.info->name) + " is not attached";
   }
   return "no attached device has an interrupt line " + quoted(line) + "." + core::suggest_name(line, lines);
 }

@@ -47,7 +47,10 @@ class Ports {
   }
   [[nodiscard]] Byte in_behind(std::uint8_t port, core::TStateInstant at) {
     const Port& there = readers_[port];
-    if (there.device == nullptr) return count_unanswered(unanswered_[port].reads), 0xFF;
+    if (there.device == nullptr) {
+      count_unanswered(unanswered_[port].reads);
+      return 0xFF;
+    }
     const Byte byte = there.device->in(port, at);
     if (there.connection != nullptr) poll(*there.connection);
     return byte;
@@ -114,6 +117,9 @@ class Ports {
   static constexpr unsigned every_restart = 0xFF;
   static constexpr unsigned own_instruction = 0x100;
 
+  // The text of an error if a device has one of these ports in the table.
+  [[nodiscard]] std::string find_taken(const Table& table, std::span<const core::PortRange> ranges, std::string_view name,
+                                       std::string_view direction) const;
   Connection& connect(std::size_t device);
   void poll(Connection& connection);
   void advance_connected(core::TStateInstant now);

@@ -216,7 +216,7 @@ TEST(I8080Ports, WhatIsUnknownIsAnErrorWithTheNearestName) {
   EXPECT_EQ(machine.attach("sio", baud), "sio: option \"baud\": found 5, expected 50 to 1000000");
   EXPECT_EQ(machine.attach("ef9365", baud), "ef9365: no option \"baud\".");
   EXPECT_TRUE(machine.devices().empty());
-  EXPECT_EQ(machine.wire("calcomp", 7), "no attached device has an interrupt line \"calcomp\".");
+  EXPECT_EQ(machine.wire("calcomp", 7), "interrupt line \"calcomp\": \"calcomp565\" is not attached");
   ASSERT_EQ(machine.attach("calcomp565"), "");
   ASSERT_EQ(machine.attach("serial"), "");
   EXPECT_EQ(machine.wire("calcomp", 8), "interrupt line \"calcomp\": found RST 8, expected 0 to 7");
