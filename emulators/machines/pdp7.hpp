@@ -226,9 +226,7 @@ class Machine {
   void begin_run();
   void end_run();
   [[nodiscard]] Boundary attend(core::Instant now, Registers& registers, Told* told);
-  [[nodiscard]] core::Instant serve_devices(core::Instant now, Told* told);
   [[nodiscard]] core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, Told* told);
-  void note(std::size_t i, core::Instant due);
   [[nodiscard]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac);
   void control_pulses(core::Instant now, std::uint32_t word, core::IotReply& reply);
   void count_unanswered(std::uint32_t word, Address at);

@@ -136,7 +136,10 @@ class Display final : public core::IotDevice {
     if (whole_ && now >= whole_until_) execute_whole_word();
     if (!delays_.none()) make_pulses(now);
   }
-  [[nodiscard]] core::Instant deadline() const override { return whole_ ? whole_until_ : deadline_of_delays(); }
+  [[nodiscard]] core::Instant deadline() const override {
+    if (whole_) return whole_until_;  // such a word begins without a request
+    return data_break() != nullptr ? request_since_ : deadline_of_delays();
+  }
 
   // --- Data breaks: for display words, and for the word that DDS of the Type 347 writes
   [[nodiscard]] const core::DataBreak* data_break() const override {
