@@ -84,6 +84,7 @@ class Reader final : public core::IotDevice {
   // Of the tape, in lines: in all, and how many have passed, those of a request under way not counted.
   [[nodiscard]] std::size_t length() const { return tape_.size(); }
   [[nodiscard]] std::size_t position() const { return position_; }
+  [[nodiscard]] core::Word18 buffer() const { return buffer_; }
   // The tape ran out under a request that is still waiting.
   [[nodiscard]] bool out_of_tape() const { return running_ && done_ == core::never; }
 

@@ -71,6 +71,7 @@ class Keyboard final : public core::IotDevice {
     flag_ = asked_ = false;
   }
 
+  [[nodiscard]] std::uint8_t buffer() const { return buffer_; }
   // The program waits for a key: a skip test has found the flag down since a key was last pressed or read.
   [[nodiscard]] bool asked() const { return asked_; }
   // Every key pressed has been sent and read.

@@ -136,6 +136,7 @@ class Display final : public core::IotDevice {
     if (whole_ && now >= whole_until_) execute_whole_word();
     if (!delays_.none()) make_pulses(now);
   }
+  void finish_strokes(core::Instant now) override { advance(now); }
   [[nodiscard]] core::Instant deadline() const override {
     if (whole_) return whole_until_;  // such a word begins without a request
     return data_break() != nullptr ? request_since_ : deadline_of_delays();

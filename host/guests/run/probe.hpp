@@ -1,9 +1,9 @@
 // What a monitor wants to know of a run: where it is to stop, and which instructions it obeys.
 //
-// A machine made with `--monitor` has one and looks at it when a run begins: without marks, condition and listener the run has no
-// observer. Else it goes instruction by instruction: each access is compared with the marks, and at each boundary between two
-// instructions the run is asked about. An event ends it at the boundary that follows. The caller of Machine::run calls resume()
-// first: a run from a place with a breakpoint passes over it once.
+// A machine made with `--monitor` has one and reads it when a run begins: without marks, condition and listener the run has no
+// observer. Else the machine's observer compares accesses with the marks and asks at boundaries between two instructions. An
+// event ends the run at the boundary that follows. The caller of Machine::run calls resume() first: a run from a place with a
+// breakpoint passes over it once.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,12 @@
 
 namespace sightline::guests::run {
 
-// A module for browsers has no traces and no VCDs, and no machine without a display: a page shows none, and each is a hundredth of its
-// size or more.
-#if defined(__wasm__)
-inline constexpr bool few_observers = true;
-#else
-inline constexpr bool few_observers = false;
-#endif
-
 class Probe {
  public:
-  // Marks of an address or a port.
+  // Marks of an address or a port: those of the machines (pdp7::mark, i8080::mark).
   static constexpr std::uint8_t executed = 1;  // of a port of the PDP-7: an IOT to it
-  static constexpr std::uint8_t is_read = 2;
-  static constexpr std::uint8_t is_written = 4;
-  static constexpr std::uint8_t at_interrupt = 8;  // set by mark_interrupts() alone
+  static constexpr std::uint8_t is_read = 4;
+  static constexpr std::uint8_t is_written = 8;
 
   enum class Kind : std::uint8_t { execution, read, write, break_write, interrupt_write, port_read, port_write, interrupt, condition };
   struct Event {
@@ -82,12 +73,12 @@ class Probe {
     ports_.at(port) |= marks;
     marked_ = true;
   }
-  void mark_interrupts() { mark(0, at_interrupt); }
+  void mark_interrupts() { interrupts_ = marked_ = true; }
   void clear_marks() {
     std::fill(addresses_.begin(), addresses_.end(), std::uint8_t{0});
     std::fill(ports_.begin(), ports_.end(), std::uint8_t{0});
     written_places_.clear();
-    marked_ = false;
+    interrupts_ = marked_ = false;
   }
   [[nodiscard]] std::size_t ports() const { return ports_.size(); }
 
@@ -108,7 +99,8 @@ class Probe {
   [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
   [[nodiscard]] bool has_conditions() const { return static_cast<bool>(condition_changed); }
   [[nodiscard]] bool watches_boundaries() const { return has_conditions() || marked_; }
-  // As many as the machine has, for its observer.
+  [[nodiscard]] bool marks_interrupts() const { return interrupts_; }
+  // One byte for each address, or port, that the machine can have.
   [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
   [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }
   // Addresses with the mark is_written, for what the host itself writes.
@@ -124,7 +116,8 @@ class Probe {
   std::vector<std::uint8_t> ports_;
   std::vector<std::uint32_t> written_places_;
   std::vector<Event> events_;
-  bool marked_ = false;  // a place or a port
+  bool interrupts_ = false;
+  bool marked_ = false;  // a place, a port or interrupts
 };
 
 // What a run does for its probe, whatever the machine. Times are in the machine's unit.
@@ -149,7 +142,7 @@ class Watch {
 
   [[nodiscard]] bool has(std::uint32_t address, std::uint8_t marks) const { return (places_[address] & marks) != 0; }
   [[nodiscard]] bool port_has(std::uint32_t port, std::uint8_t marks) const { return (ports_[port] & marks) != 0; }
-  [[nodiscard]] bool at_interrupts() const { return has(0, Probe::at_interrupt); }
+  [[nodiscard]] bool at_interrupts() const { return probe_->marks_interrupts(); }
   void add(Probe::Kind kind, std::int64_t time, std::uint32_t address, std::uint32_t value) {
     probe_->add({kind, time, address, value});
     told_ = true;
