@@ -7,6 +7,7 @@
 #include "../core/device_errors.hpp"
 #include "../core/inline.hpp"
 #include "../pdp7/absent_devices.hpp"
+#include "../pdp7/cpu.hpp"
 #include "../pdp7/registers.hpp"
 #include "pdp7_devices.hpp"
 #include "pdp7_told.hpp"
@@ -303,6 +304,15 @@ void Machine::count_unanswered(std::uint32_t word, Address at) {
     }
   }
   unanswered_.push_back({word, 1, at});
+}
+
+// Of a run that an instruction ends.
+StopReason Machine::reason_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::halted: return StopReason::halt;
+    case Outcome::xct_chain: return StopReason::xct_chain;
+    default: return StopReason::unanswered;
+  }
 }
 
 }  // namespace sightline::pdp7

@@ -118,6 +118,7 @@ class Observer {
 
 struct KnownDevice;  // pdp7_devices.hpp
 struct Registers;    // ../pdp7/registers.hpp
+enum class Outcome : std::uint8_t;  // ../pdp7/cpu.hpp
 class Told;          // pdp7_told.hpp
 
 class Machine {
@@ -230,6 +231,7 @@ class Machine {
   [[nodiscard]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac);
   void control_pulses(core::Instant now, std::uint32_t word, core::IotReply& reply);
   void count_unanswered(std::uint32_t word, Address at);
+  [[nodiscard]] static StopReason reason_of(Outcome outcome);
 
   Options options_;
   std::string error_;

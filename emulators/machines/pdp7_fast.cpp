@@ -14,7 +14,6 @@
 #include "../core/inline.hpp"
 #include "../core/threads.hpp"
 #include "../pdp7/cpu.hpp"
-#include "pdp7_reasons.hpp"
 
 namespace sightline::pdp7 {
 
