@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "device.hpp"
+#include "stroke.hpp"
 #include "time.hpp"
 #include "word.hpp"
 
@@ -29,6 +30,13 @@ struct IotDeviceInfo {
   std::span<const std::uint8_t> codes;  // of the device, bits 6-11 of an IOT
   std::span<const IotName> iots = {};
   std::span<const DeviceOption> options = {};
+};
+
+// What a device is made from.
+struct IotDeviceSetup {
+  std::span<const Setting> settings;  // of its options, within their bounds; those that are not there are as initial
+  StrokeBuffer& strokes;
+  std::uint16_t address_mask;  // where the core address of a data break wraps
 };
 
 // What an IOT is answered.
@@ -58,12 +66,15 @@ struct DataBreak {
   int cycles = 1;             // that the processor waits
 };
 
+// The device brings itself up to date in every function that is given the time. A machine calls `advance` when the deadline
+// has passed.
 class IotDevice : public Device<Nanosecond> {
  public:
-  // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. Up to date is brought the device first.
+  // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. Pulse 1 only tests: it changes nothing that
+  // the processor waits for.
   virtual void iot(Instant now, std::uint32_t word, IotReply& reply) = 0;
 
-  // As of the last advance.
+  // As of the last call above or below.
   [[nodiscard]] virtual bool interrupt_request() const { return false; }
   // Its bits of the word that IORS reads, at `now`.
   [[nodiscard]] virtual std::uint32_t status(Instant now) { return static_cast<void>(now), 0; }
@@ -77,6 +88,10 @@ class IotDevice : public Device<Nanosecond> {
   [[nodiscard]] virtual const DataBreak* data_break() const { return nullptr; }
   // The break has ended: `word` is the one moved, or the sum.
   virtual void served(Instant end, Word18 word) { static_cast<void>(end), static_cast<void>(word); }
+
+  // A run ends at `now`: what the device draws up to then is in the machine's stroke buffer. Flags and outputs stay as of the
+  // last boundary, so that a run in pieces is the same as one in one piece.
+  virtual void finish_strokes(Instant now) { static_cast<void>(now); }
 
   // After a restored device: relations to the machine's time (StateVisitor::require).
   virtual void require_time(StateVisitor& visit, Instant now) { static_cast<void>(visit), static_cast<void>(now); }

@@ -8,8 +8,6 @@
 //   void begin_pass(Instant);                   the program started the display (IDLA)
 //   void stroke(const Stroke&);                 in the order of time within one display
 //   void end_pass(Instant);                     the display stopped (stop word or edge)
-// and, if it stores them as they are,
-//   Stroke* room(std::size_t count);            where the next ones go, all of which are put there at once; null: give them to stroke()
 // Consumers (raster, phosphor, logs, statistics) use no other output of a display.
 #pragma once
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "../core/nearest_name.hpp"
+#include "../core/device_errors.hpp"
 #include "i8080_devices.hpp"
 #include "i8080_parts.hpp"
 
@@ -150,19 +150,6 @@ class Run {
   std::optional<StopReason> reason_;
 };
 
-// The text of what is wrong with a setting; empty: nothing.
-std::string check(const core::PortDeviceInfo& info, const core::Setting& setting) {
-  std::vector<std::string_view> names;
-  for (const core::DeviceOption& option : info.options) {
-    names.push_back(option.name);
-    if (option.name != setting.name) continue;
-    if (setting.value >= option.least && setting.value <= option.most) return {};
-    return std::string(info.name) + ": option \"" + std::string(option.name) + "\": found " + std::to_string(setting.value) +
-           ", expected " + std::to_string(option.least) + " to " + std::to_string(option.most);
-  }
-  return std::string(info.name) + ": no option \"" + std::string(setting.name) + "\"." + core::suggest_name(setting.name, names);
-}
-
 }  // namespace
 
 Machine::Machine(const Options& options) : parts_(std::make_unique<MachineParts>(options)) {}
@@ -173,12 +160,11 @@ std::string Machine::attach(std::string_view name, std::span<const core::Setting
   for (const KnownDevice& known : known_devices) {
     names.push_back(known.info->name);
     if (known.info->name != name) continue;
-    for (const core::Setting& setting : settings) {
-      if (std::string error = check(*known.info, setting); !error.empty()) return error;
-    }
-    return attach(*known.info, known.make({parts_->options.clock, parts_->strokes, settings}));
+    std::string error = core::wrong_setting(name, known.info->options, settings);
+    if (error.empty()) error = attach(*known.info, known.make({parts_->options.clock, parts_->strokes, settings}));
+    return error;
   }
-  return "no device \"" + std::string(name) + "\"." + core::suggest_name(name, names);
+  return core::unknown_name("device", name, names);
 }
 std::string Machine::attach(const core::PortDeviceInfo& info, std::unique_ptr<core::PortDevice> device) {
   return parts_->ports.attach(info, std::move(device));

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "../core/nearest_name.hpp"
+#include "../core/device_errors.hpp"
 #include "i8080_devices.hpp"
 
 namespace sightline::i8080 {
@@ -92,7 +92,7 @@ std::string Ports::wire(std::string_view line, std::uint8_t restart) {
     if (std::find(known.info->lines.begin(), known.info->lines.end(), line) == known.info->lines.end()) continue;
     return "interrupt line " + quoted(line) + ": " + quoted(known.info->name) + " is not attached";
   }
-  return "no attached device has an interrupt line " + quoted(line) + "." + core::suggest_name(line, lines);
+  return core::unknown_name("interrupt line", line, lines);
 }
 
 core::PortDevice* Ports::device(std::string_view name) const {

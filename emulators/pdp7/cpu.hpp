@@ -18,20 +18,13 @@
 #include "bus.hpp"
 #include "eae.hpp"
 #include "isa.hpp"
+#include "model.hpp"
 #include "operate.hpp"
 #include "registers.hpp"
 #include "state.hpp"
 #include "timing.hpp"
 
 namespace sightline::pdp7 {
-
-// What the processor was bought with.
-struct Model {
-  bool eae = true;         // Type 177; without it class 64 does nothing in one cycle
-  bool extend = false;     // Type 148 memory extension control
-  bool trap_mode = false;  // without it ITON is ION
-  bool strict = false;     // an instruction nothing obeys stops the machine
-};
 
 // How an instruction ends.
 enum class Outcome : std::uint8_t { completed, halted, xct_chain, unanswered };
@@ -58,10 +51,10 @@ namespace detail {
 
 }  // namespace detail
 
-// What the processor was bought with, the registers that few instructions use, and all of them between runs.
+// The installed options, the registers that few instructions use, and all of them between runs.
 struct Processor {
-  Processor(const Model& bought, const Timing& times, const State& state)
-      : model(&bought), timing(&times), registers(state) {}
+  Processor(const Model& installed, const Timing& times, const State& state)
+      : model(&installed), timing(&times), registers(state) {}
 
   const Model* model;
   const Timing* timing;

@@ -2,7 +2,8 @@
 //
 // `instructions` has one row for every pattern the machine decodes; every 18-bit word matches exactly one row
 // (static_assert below). `microinstructions` names single words and bits inside the augmented classes (EAE, IOT,
-// OPR): they add no meaning, only names, which is why they are separate. Cycles are machine cycles of 1.75 us for the
+// OPR): they add no meaning, only names, which is why they are separate. Those of a device are in its file
+// (IotDeviceInfo::iots). Cycles are machine cycles of 1.75 us for the
 // direct form; an indirect reference adds one Defer cycle, auto-index none. What time goes beyond whole cycles
 // (EAE stepping, slow IOT cycles) is in timing.hpp.
 //
@@ -121,7 +122,7 @@ static_assert(detail::every_word_matches_one_row());
   return instructions[detail::row_table[detail::decode_index(word)]];
 }
 
-// Names inside the augmented classes. `name` is a permanent symbol of the assembler.
+// Names of the processor inside the augmented classes. `name` is a permanent symbol of the assembler.
 struct Microinstruction {
   std::string_view name;
   std::uint32_t value;
@@ -192,38 +193,6 @@ inline constexpr std::array microinstructions{
     Microinstruction{"tts", 0703301, "skip if the teletype option is there"},
     Microinstruction{"skp7", 0703341, "skip if this is a PDP-7"},
     Microinstruction{"iors", 0700314, "read flags"},
-    // IOT: clock
-    Microinstruction{"clsf", 0700001, "skip if clock flag"},
-    Microinstruction{"clof", 0700004, "clock off, clear its flag"},
-    Microinstruction{"clon", 0700044, "clock on, clear its flag"},
-    // IOT: paper-tape reader and punch
-    Microinstruction{"rsf", 0700101, "skip if reader flag"},
-    Microinstruction{"rcf", 0700102, "OR reader buffer into AC, clear flag"},
-    Microinstruction{"rrb", 0700112, "AC from reader buffer, clear flag"},
-    Microinstruction{"rsa", 0700104, "read one line"},
-    Microinstruction{"rsb", 0700144, "read a binary word (three lines)"},
-    Microinstruction{"psf", 0700201, "skip if punch flag"},
-    Microinstruction{"pcf", 0700202, "clear punch flag"},
-    Microinstruction{"psa", 0700204, "punch a line"},
-    Microinstruction{"pls", 0700206, "clear flag, punch a line"},
-    Microinstruction{"psb", 0700244, "punch a line of a binary word"},
-    // IOT: teletype
-    Microinstruction{"ksf", 0700301, "skip if keyboard flag"},
-    Microinstruction{"krb", 0700312, "AC from keyboard, clear flag"},
-    Microinstruction{"tsf", 0700401, "skip if printer flag"},
-    Microinstruction{"tcf", 0700402, "clear printer flag"},
-    Microinstruction{"tls", 0700406, "clear flag, print"},
-    // IOT: Type 340 display
-    Microinstruction{"idve", 0700501, "skip if vertical edge flag"},
-    Microinstruction{"idrs", 0700504, "resume after light-pen stop"},
-    Microinstruction{"idra", 0700512, "AC from display address counter"},
-    Microinstruction{"idsi", 0700601, "skip if stop interrupt"},
-    Microinstruction{"idla", 0700606, "load address and start"},
-    Microinstruction{"idrd", 0700614, "restart at the address counter"},
-    Microinstruction{"idsp", 0700701, "skip if light-pen flag"},
-    Microinstruction{"idcf", 0700704, "clear display control"},
-    Microinstruction{"idrc", 0700712, "AC from X/2, Y/2"},
-    Microinstruction{"idhe", 0701001, "skip if horizontal edge flag"},
     // IOT: extend mode (Type 148)
     Microinstruction{"sem", 0707701, "skip if extend mode"},
     Microinstruction{"eem", 0707702, "extend mode on"},

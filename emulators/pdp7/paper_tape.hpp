@@ -1,16 +1,20 @@
-// Paper tape: the reader and the punch.
+// Paper tape: the reader, IOT device 01, and the punch, IOT device 02.
 //
 // Codes of the reader: PDP-4 manual page 65; three-line words and the codes of the punch as another simulator has them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "../core/iot_device.hpp"
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
+#include "device_setup.hpp"
+#include "status.hpp"
 
 namespace sightline::pdp7 {
 
@@ -19,9 +23,21 @@ namespace sightline::pdp7 {
 // A line takes the same time whether it is used or not; lines without hole 8 pass under RSB unread. A tape
 // that ends before the request is met leaves the reader running and its flag down. A new request abandons one
 // under way, the tape standing where it had come to.
-class Reader {
+class Reader final : public core::IotDevice {
  public:
+  static constexpr std::array<std::uint8_t, 1> codes{001};
+  static constexpr std::array iots{
+      core::IotName{"rsf", 0700101, "skip if reader flag"},
+      core::IotName{"rcf", 0700102, "OR reader buffer into AC, clear flag"},
+      core::IotName{"rrb", 0700112, "AC from reader buffer, clear flag"},
+      core::IotName{"rsa", 0700104, "read one line"},
+      core::IotName{"rsb", 0700144, "read a binary word (three lines)"},
+  };
+  static constexpr core::IotDeviceInfo info{.name = "reader", .help = "the paper-tape reader", .codes = codes, .iots = iots};
+
+  // `line`: the time of one.
   explicit Reader(core::Duration line) : line_(line) {}
+  explicit Reader(const DeviceSetup& setup) : Reader(setup.timing.reader_line) {}
 
   // Puts a tape in, one byte a line, hole 8 = 0200; the reader stops and its flag falls.
   void load(std::vector<std::uint8_t> tape) {
@@ -30,6 +46,63 @@ class Reader {
     reset();
   }
 
+  void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
+    advance(now);
+    reply.test(word, flag_);
+    if ((word & 02U) != 0) {
+      reply.collect(buffer_);
+      flag_ = false;
+    }
+    if ((word & 04U) != 0) {
+      if ((word & 040U) != 0) {
+        start_word(now);
+      } else {
+        start_line(now);
+      }
+    }
+    reply.answered |= word & 06U;
+  }
+  void advance(core::Instant now) override {
+    if (now < done_) return;
+    position_ += lines_;
+    done_ = core::never;
+    running_ = false;
+    buffer_ = coming_;
+    flag_ = true;
+  }
+
+  [[nodiscard]] core::Instant deadline() const override { return done_; }
+  [[nodiscard]] bool interrupt_request() const override { return flag_; }
+  [[nodiscard]] std::uint32_t status(core::Instant now) override { return advance(now), flag_ ? status::reader : 0U; }
+  // CAF and START: flag down, transfer abandoned; the tape stands where it had come to.
+  void clear_flags(core::Instant now) override {
+    advance(now);
+    halt_motion(now);
+    reset();
+  }
+
+  // Of the tape, in lines: in all, and how many have passed, those of a request under way not counted.
+  [[nodiscard]] std::size_t length() const { return tape_.size(); }
+  [[nodiscard]] std::size_t position() const { return position_; }
+  [[nodiscard]] core::Word18 buffer() const { return buffer_; }
+  // The tape ran out under a request that is still waiting.
+  [[nodiscard]] bool out_of_tape() const { return running_ && done_ == core::never; }
+
+  // The tape itself is configuration.
+  void visit_state(core::StateVisitor& visit) override {
+    visit.input("tape", tape_);
+    visit.count("position", position_, tape_.size());
+    visit.count("lines", lines_, tape_.size());
+    visit("started", started_);
+    visit("done", done_);
+    visit("coming", coming_);
+    visit("buffer", buffer_);
+    visit("running", running_);
+    visit("flag", flag_);
+    visit.require(done_ == core::never || lines_ <= tape_.size() - position_, "lines", "no more than the tape has left");
+  }
+
+ private:
   void start_line(core::Instant now) {
     halt_motion(now);
     const bool left = position_ < tape_.size();
@@ -51,51 +124,12 @@ class Reader {
     begin(now, 0, 0);
   }
 
-  void advance(core::Instant now) {
-    if (now < done_) return;
-    position_ += lines_;
-    done_ = core::never;
-    running_ = false;
-    buffer_ = coming_;
-    flag_ = true;
-  }
-
-  // CAF and START: flag down, transfer abandoned; the tape does not move.
   void reset() {
     done_ = core::never;
     running_ = flag_ = false;
     buffer_ = core::Word18(0);
   }
-  void reset(core::Instant now) {
-    halt_motion(now);
-    reset();
-  }
 
-  [[nodiscard]] bool flag() const { return flag_; }
-  void clear_flag() { flag_ = false; }
-  [[nodiscard]] core::Word18 buffer() const { return buffer_; }
-  [[nodiscard]] core::Instant deadline() const { return done_; }
-  // Of the tape, in lines: in all, and how many have passed, those of a request under way not counted.
-  [[nodiscard]] std::size_t length() const { return tape_.size(); }
-  [[nodiscard]] std::size_t position() const { return position_; }
-  // The tape ran out under a request that is still waiting.
-  [[nodiscard]] bool out_of_tape() const { return running_ && done_ == core::never; }
-
-  // The tape itself is configuration.
-  void visit_state(core::StateVisitor& visit) {
-    visit.input("tape", tape_);
-    visit.count("position", position_, tape_.size());
-    visit.count("lines", lines_, tape_.size());
-    visit("started", started_);
-    visit("done", done_);
-    visit("coming", coming_);
-    visit("buffer", buffer_);
-    visit("running", running_);
-    visit("flag", flag_);
-    visit.require(done_ == core::never || lines_ <= tape_.size() - position_, "lines", "no more than the tape has left");
-  }
-
- private:
   void begin(core::Instant now, std::size_t lines, std::uint32_t word) {
     running_ = true;
     flag_ = false;
@@ -130,35 +164,53 @@ class Reader {
 //
 // The line is on the tape, and the flag up, one line time after the request; a request made before that
 // replaces it, as the punch buffer does.
-class Punch {
+class Punch final : public core::IotDevice {
  public:
+  static constexpr std::array<std::uint8_t, 1> codes{002};
+  static constexpr std::array iots{
+      core::IotName{"psf", 0700201, "skip if punch flag"},
+      core::IotName{"pcf", 0700202, "clear punch flag"},
+      core::IotName{"psa", 0700204, "punch a line"},
+      core::IotName{"pls", 0700206, "clear flag, punch a line"},
+      core::IotName{"psb", 0700244, "punch a line of a binary word"},
+  };
+  static constexpr core::IotDeviceInfo info{.name = "punch", .help = "the paper-tape punch", .codes = codes, .iots = iots};
+
+  // `line`: the time of one.
   explicit Punch(core::Duration line) : line_(line) {}
+  explicit Punch(const DeviceSetup& setup) : Punch(setup.timing.punch_line) {}
 
-  void start(core::Instant now, std::uint8_t holes) {
-    holes_ = holes;
-    flag_ = false;
-    done_ = now + line_;
+  void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
+    advance(now);
+    reply.test(word, flag_);
+    if ((word & 02U) != 0) flag_ = false;
+    if ((word & 04U) != 0) {
+      const std::uint32_t line = reply.ac.value();
+      holes_ = static_cast<std::uint8_t>((word & 040U) != 0 ? (line & 077U) | 0200U : line & 0377U);
+      flag_ = false;
+      done_ = now + line_;
+    }
+    reply.answered |= word & 06U;
   }
-
-  void advance(core::Instant now) {
+  void advance(core::Instant now) override {
     if (now < done_) return;
     done_ = core::never;
     tape_.push_back(holes_);
     flag_ = true;
   }
-
-  void reset() {
+  [[nodiscard]] core::Instant deadline() const override { return done_; }
+  [[nodiscard]] bool interrupt_request() const override { return flag_; }
+  [[nodiscard]] std::uint32_t status(core::Instant now) override { return advance(now), flag_ ? status::punch : 0U; }
+  void clear_flags(core::Instant now) override {
+    advance(now);
     done_ = core::never;
     flag_ = false;
   }
 
-  [[nodiscard]] bool flag() const { return flag_; }
-  void clear_flag() { flag_ = false; }
-  [[nodiscard]] core::Instant deadline() const { return done_; }
   // What has been punched so far, one byte a line.
   [[nodiscard]] const std::vector<std::uint8_t>& tape() const { return tape_; }
 
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit("done", done_);
     visit("holes", holes_);
     visit("flag", flag_);

@@ -5,7 +5,7 @@
 // is 0. Each word asks for a data break when it passes; the controller holds one, so a break that comes later
 // than the next word is a timing error.
 //
-// The controller is here; the machine owns core and gives the breaks. What the program has written is kept
+// What the program has written is kept
 // beside the image, sector by sector: the image is never changed, and a snapshot holds only what differs.
 //
 // No manual of the RB09 is at hand. Registers, codes and the status word are as an open simulator of the
@@ -21,10 +21,11 @@
 #include <utility>
 #include <vector>
 
+#include "../core/iot_device.hpp"
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
-#include "bus.hpp"
+#include "device_setup.hpp"
 #include "state.hpp"
 
 namespace sightline::pdp7 {
@@ -83,12 +84,20 @@ struct Counters {
 
 }  // namespace rb09
 
-class Rb09 {
+class Rb09 final : public core::IotDevice {
  public:
   using Word = core::Word18;
+  static constexpr std::array<std::uint8_t, 1> codes{071};
+  static constexpr core::IotDeviceInfo info{.name = "rb09", .help = "the RB09 fixed-head disk", .codes = codes};
 
   // `core_mask`: where the core address wraps.
   explicit Rb09(const rb09::Choices& choices, Address core_mask = in_bank_mask) : choices_(choices), core_mask_(core_mask) {}
+  explicit Rb09(const DeviceSetup& setup)
+      : Rb09({.word = setup.timing.disk_word,
+              .clear_stops = setup.timing.disk_clear_stops,
+              .late_stops = setup.timing.disk_late_stops,
+              .after_last = setup.timing.disk_after_last},
+             setup.address_mask) {}
 
   // A disk of words_of_disk words in address order; its number tells snapshots whether it is the same. A locked track
   // cannot be written.
@@ -113,8 +122,8 @@ class Rb09 {
                                                                                : image_[address];
   }
 
-  // The pulses of an IOT at `now`, in the order 1, 2, 4.
-  void iot(core::Instant now, std::uint32_t word, IotReply& reply) {
+  // A word that has passed is moved, or is late, at the next instruction boundary: not before this IOT.
+  void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     const std::uint32_t subdevice = word & 060U;
     for (const std::uint32_t pulse : {1U, 2U, 4U}) {
       if ((word & pulse) != 0 && subdevice != 060U) {
@@ -125,40 +134,34 @@ class Rb09 {
   }
 
   // The next word of a transfer passes then.
-  [[nodiscard]] core::Instant deadline() const { return next_; }
-  [[nodiscard]] bool interrupt_request() const {
-    return (status_ & rb09::status::interrupts) != 0 && (status_ & (rb09::status::errors | rb09::status::done)) != 0;
-  }
-
-  struct Request {
-    Address address;  // in core
-    bool to_core;
-    Word word;  // to core
-  };
-  // The data break of the word that has passed by `now`, to be followed by served(); nullopt: none is asked for, or no
-  // longer.
-  [[nodiscard]] std::optional<Request> request(core::Instant now) {
-    if (now < next_) return std::nullopt;
-    if (now > next_ + choices_.word) {
-      ++counters_.timing_errors;
-      status_ |= rb09::status::timing;
-      if (choices_.late_stops) {
-        stop();
-        return std::nullopt;
-      }
+  [[nodiscard]] core::Instant deadline() const override { return next_; }
+  void advance(core::Instant now) override {
+    passed_ = false;
+    if (now < next_) return;
+    const bool late = now > next_ + choices_.word;
+    if (late && choices_.late_stops) {
+      note_late();
+      return stop();
     }
     const bool writes = (status_ & rb09::status::write) != 0;
     if (writes && (locks_ >> (address_ / rb09::words_a_track / rb09::tracks_a_lock) & 1U) != 0) {
+      if (late) note_late();
       fail(rb09::status::illegal);
       status_ |= rb09::status::done;
-      return std::nullopt;
+      return;
     }
-    return Request{core_, !writes, writes ? Word(0) : word(address_)};
+    using Direction = core::DataBreak::Direction;
+    passed_ = true;
+    break_ = {.direction = writes ? Direction::from_core : Direction::to_core,
+              .address = static_cast<std::uint16_t>(core_),
+              .word = writes ? Word(0) : word(address_)};
   }
-  // The break is over; `from_core` is the word that was fetched for the disk.
-  void served(Word from_core) {
+  [[nodiscard]] const core::DataBreak* data_break() const override { return passed_ ? &break_ : nullptr; }
+  void served(core::Instant end, Word moved) override {
+    passed_ = false;
+    if (end - machine_cycle > next_ + choices_.word) note_late();
     if ((status_ & rb09::status::write) != 0) {
-      put(address_, from_core);
+      put(address_, moved);
       ++counters_.words_written;
     } else {
       ++counters_.words_read;
@@ -172,22 +175,31 @@ class Rb09 {
     status_ |= rb09::status::done;
   }
 
+  [[nodiscard]] bool interrupt_request() const override {
+    return (status_ & rb09::status::interrupts) != 0 && (status_ & (rb09::status::errors | rb09::status::done)) != 0;
+  }
   // CAF and START: flags down, a transfer is abandoned.
-  void clear() {
+  void clear_flags(core::Instant) override {
     stop();
     status_ = 0;
   }
 
   [[nodiscard]] const rb09::Counters& counters() const { return counters_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    return {{"transfers", counters_.transfers},
+            {"words_read", counters_.words_read},
+            {"words_written", counters_.words_written},
+            {"timing_errors", counters_.timing_errors}};
+  }
   // With the bit that is any error.
-  [[nodiscard]] std::uint32_t status() const {
+  [[nodiscard]] std::uint32_t status_word() const {
     return status_ | ((status_ & rb09::status::errors) != 0 ? rb09::status::error : 0U);
   }
   [[nodiscard]] std::uint32_t address() const { return address_; }
   [[nodiscard]] Address core_address() const { return core_; }
   [[nodiscard]] std::uint32_t word_count() const { return count_; }
 
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     std::uint32_t number = number_;
     visit("image", number);
     visit.require(number == number_, "image", "the number of the disk that is attached");
@@ -232,10 +244,9 @@ class Rb09 {
     sector->words[address % rb09::words] = word;
   }
 
-  void operate(core::Instant now, std::uint32_t operation, IotReply& reply) {
+  void operate(core::Instant now, std::uint32_t operation, core::IotReply& reply) {
     namespace status = rb09::status;
     const std::uint32_t ac = reply.ac.value();
-    const auto collect = [&reply](std::uint32_t bits) { reply.ac = reply.ac | Word(bits); };
     switch (operation) {
       case rb09::operation::clear_flags: status_ &= ~(status::errors | status::done); break;
       case rb09::operation::skip:
@@ -245,8 +256,8 @@ class Rb09 {
         if (choices_.clear_stops) stop();
         status_ = 0;
         break;
-      case rb09::operation::read_address: collect(rb09::bcd_of_address(address_)); break;
-      case rb09::operation::read_status: collect(this->status()); break;
+      case rb09::operation::read_address: reply.collect(Word(rb09::bcd_of_address(address_))); break;
+      case rb09::operation::read_status: reply.collect(Word(status_word())); break;
       case rb09::operation::load_core: core_ = ac & core_mask_; break;
       case rb09::operation::load_address: {
         const auto address = rb09::address_of_bcd(ac);
@@ -284,6 +295,11 @@ class Rb09 {
     const std::int64_t since = now.time_since_epoch().count() - place;
     next_ = core::Instant(core::Duration(place + (since < 0 ? 0 : since / turn + 1) * turn));
   }
+  // A break that comes later than the next word.
+  void note_late() {
+    ++counters_.timing_errors;
+    status_ |= rb09::status::timing;
+  }
   void fail(std::uint32_t error) {
     status_ |= error;
     stop();
@@ -291,6 +307,7 @@ class Rb09 {
   void stop() {
     status_ &= ~rb09::status::busy;
     next_ = core::never;
+    passed_ = false;
   }
 
   rb09::Choices choices_;
@@ -304,6 +321,8 @@ class Rb09 {
   Address core_ = 0;
   std::uint32_t count_ = 0;
   core::Instant next_ = core::never;
+  bool passed_ = false;  // a word waits for its data break
+  core::DataBreak break_;
   rb09::Counters counters_;
 };
 

@@ -1,4 +1,4 @@
-// The KSR 33 teletype: a keyboard and a printer that share only the cabinet and the character time.
+// The KSR 33 teletype: a keyboard, IOT device 03, and a printer, IOT device 04, that share only the cabinet and the character time.
 //
 // The keyboard sends eight bits, channel 8 always marked. A key pressed before the last character has been
 // sent waits for the line; one that arrives before the program has read the last overwrites it. The printer's
@@ -7,18 +7,32 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "../core/iot_device.hpp"
 #include "../core/state_visitor.hpp"
 #include "../core/time.hpp"
+#include "../core/word.hpp"
+#include "device_setup.hpp"
+#include "status.hpp"
 
 namespace sightline::pdp7 {
 
-class Keyboard {
+class Keyboard final : public core::IotDevice {
  public:
+  static constexpr std::array<std::uint8_t, 1> codes{003};
+  static constexpr std::array iots{
+      core::IotName{"ksf", 0700301, "skip if keyboard flag"},
+      core::IotName{"krb", 0700312, "AC from keyboard, clear flag"},
+  };
+  static constexpr core::IotDeviceInfo info{.name = "keyboard", .help = "the teletype's keyboard", .codes = codes, .iots = iots};
+
+  // `character`: the time of one.
   explicit Keyboard(core::Duration character) : character_(character) {}
+  explicit Keyboard(const DeviceSetup& setup) : Keyboard(setup.timing.teletype_character) {}
 
   // Someone presses a key (7-bit code) at `when`, not before any key already pressed; it is in the buffer one
   // character time later.
@@ -30,32 +44,41 @@ class Keyboard {
     asked_ = false;
   }
 
-  void advance(core::Instant now) {
+  // Pulse 4 of this code is IORS, which is the machine's.
+  void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
+    advance(now);
+    reply.test(word, flag_);
+    if ((word & 01U) != 0 && !flag_) asked_ = true;
+    if ((word & 02U) != 0) {
+      reply.collect(core::Word18(buffer_));
+      flag_ = asked_ = false;
+    }
+    reply.answered |= word & 02U;
+  }
+  void advance(core::Instant now) override {
     while (next_ < keys_.size() && keys_[next_].arrives <= now) {
       buffer_ = keys_[next_++].code;
       flag_ = true;
     }
   }
-
-  [[nodiscard]] core::Instant deadline() const {
+  [[nodiscard]] core::Instant deadline() const override {
     return next_ < keys_.size() ? keys_[next_].arrives : core::never;
   }
-  [[nodiscard]] bool flag() const { return flag_; }
-  // As the program does that reads the character: it waits no more, until it tests for the next.
-  void clear_flag() {
-    flag_ = false;
-    asked_ = false;
+  [[nodiscard]] bool interrupt_request() const override { return flag_; }
+  [[nodiscard]] std::uint32_t status(core::Instant now) override { return advance(now), flag_ ? status::keyboard : 0U; }
+  void clear_flags(core::Instant now) override {
+    advance(now);
+    flag_ = asked_ = false;
   }
-  [[nodiscard]] std::uint8_t buffer() const { return buffer_; }
 
-  // A skip test that found the flag down: the program waits for a key.
-  void ask() { asked_ = true; }
+  [[nodiscard]] std::uint8_t buffer() const { return buffer_; }
+  // The program waits for a key: a skip test has found the flag down since a key was last pressed or read.
   [[nodiscard]] bool asked() const { return asked_; }
   // Every key pressed has been sent and read.
   [[nodiscard]] bool all_read() const { return next_ == keys_.size() && !flag_; }
 
   // The keys under way, and the last one before them: it says when the line is free.
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     if (next_ > 1) keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(next_ - 1));
     next_ = std::min(next_, std::size_t{1});
     visit.list("keys", keys_, [&visit](Key& key) {
@@ -83,35 +106,50 @@ class Keyboard {
   bool asked_ = false;  // since the last key was pressed or read
 };
 
-class Printer {
+class Printer final : public core::IotDevice {
  public:
+  static constexpr std::array<std::uint8_t, 1> codes{004};
+  static constexpr std::array iots{
+      core::IotName{"tsf", 0700401, "skip if printer flag"},
+      core::IotName{"tcf", 0700402, "clear printer flag"},
+      core::IotName{"tls", 0700406, "clear flag, print"},
+  };
+  static constexpr core::IotDeviceInfo info{.name = "printer", .help = "the teletype's printer", .codes = codes, .iots = iots};
+
+  // `character`: the time of one.
   explicit Printer(core::Duration character) : character_(character) {}
+  explicit Printer(const DeviceSetup& setup) : Printer(setup.timing.teletype_character) {}
 
-  void start(core::Instant now, std::uint8_t code) {
-    code_ = code;
-    flag_ = false;
-    done_ = now + character_;
+  void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
+    advance(now);
+    reply.test(word, flag_);
+    if ((word & 02U) != 0) flag_ = false;
+    if ((word & 04U) != 0) {
+      code_ = static_cast<std::uint8_t>(reply.ac.value() & 0377U);
+      flag_ = false;
+      done_ = now + character_;
+    }
+    reply.answered |= word & 06U;
   }
-
-  void advance(core::Instant now) {
+  void advance(core::Instant now) override {
     if (now < done_) return;
     done_ = core::never;
     printed_.push_back(code_);
     flag_ = true;
   }
-
-  void reset() {
+  [[nodiscard]] core::Instant deadline() const override { return done_; }
+  [[nodiscard]] bool interrupt_request() const override { return flag_; }
+  [[nodiscard]] std::uint32_t status(core::Instant now) override { return advance(now), flag_ ? status::printer : 0U; }
+  void clear_flags(core::Instant now) override {
+    advance(now);
     done_ = core::never;
     flag_ = false;
   }
 
-  [[nodiscard]] core::Instant deadline() const { return done_; }
-  [[nodiscard]] bool flag() const { return flag_; }
-  void clear_flag() { flag_ = false; }
   // Eight-bit codes in the order printed.
   [[nodiscard]] const std::vector<std::uint8_t>& printed() const { return printed_; }
 
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit("done", done_);
     visit("code", code_);
     visit("flag", flag_);

@@ -2,31 +2,30 @@
 //
 // All eight modes. Without its option a mode hangs the display, no request and no flag, until IDLA: 3 without the Type
 // 342, 7 without the Type 347, and always 2 (the Type 343 is not built; its words decode in words.hpp). An IDLA while a
-// word runs abandons the word cleanly; the real outcome is not defined. Left out: the tube, which the sink models.
+// word runs abandons the word cleanly; the real outcome is not defined. Left out: the tube, which the taker of the
+// strokes models.
 //
-// Two shortcuts, both invisible. A word that nothing can disturb is done whole when time passes its end
-// (display_word.hpp). Pulses without an effect outside are made at once (quiet_pulses.hpp). So a vector costs a
-// handful of operations whatever its length, and a touch in mid-word still finds every register exact.
+// One shortcut, which cannot be observed: a word that nothing can disturb is executed as a whole when time passes its
+// end. If the display is accessed before, the same pulses are made one by one, so that every register is exact.
 //
 // Source: logic drawings as modelled pulse by pulse, confirmed by 501 display files; IOT actions from the PDP-7 Users
 // Handbook and two Cambridge and DEC programs. Inferred, not confirmed: what IDCF and START leave standing, IDRD.
 #pragma once
 
-#include <algorithm>
-#include <bit>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
-#include "../core/inline.hpp"
-#include "../core/state_visitor.hpp"
+#include "../core/iot_device.hpp"
 #include "../core/stroke.hpp"
 #include "../core/time.hpp"
 #include "../core/word.hpp"
 #include "characters.hpp"
 #include "delays.hpp"
-#include "quiet_pulses.hpp"
 #include "registers.hpp"
-#include "vector_flashes.hpp"
 
 namespace sightline::type340 {
 
@@ -37,6 +36,9 @@ struct Options {
   // only pulses that move flash.
   bool flash_again = true;
 };
+
+// The settings of Display::info as options.
+[[nodiscard]] Options options_of(std::span<const core::Setting> settings);
 
 // The light pen of the Type 340 (Type 370): where it points, and how late it answers.
 //
@@ -78,24 +80,41 @@ struct Counters {
   core::Instant previous_start = core::never;  // the one before
 };
 
-struct BreakRequest {
-  core::Instant since;
-  std::uint16_t address;  // 13 bits
-  bool write;             // only for DDS of the Type 347
-  core::Word18 word;      // to be written
-};
+class Display final : public core::IotDevice {
+  static constexpr std::array<std::uint8_t, 4> codes{005, 006, 007, 010};
+  static constexpr std::array iots{
+      core::IotName{"idve", 0700501, "skip if vertical edge flag"},
+      core::IotName{"idrs", 0700504, "resume after light-pen stop"},
+      core::IotName{"idra", 0700512, "AC from display address counter"},
+      core::IotName{"idsi", 0700601, "skip if stop interrupt"},
+      core::IotName{"idla", 0700606, "load address and start"},
+      core::IotName{"idrd", 0700614, "restart at the address counter"},
+      core::IotName{"idsp", 0700701, "skip if light-pen flag"},
+      core::IotName{"idcf", 0700704, "clear display control"},
+      core::IotName{"idrc", 0700712, "AC from X/2, Y/2"},
+      core::IotName{"idhe", 0701001, "skip if horizontal edge flag"},
+  };
+  static constexpr std::array settings{
+      core::DeviceOption{"342", "the Type 342 character generator", 0, 0, 1},
+      core::DeviceOption{"347", "the Type 347 subroutine option", 0, 0, 1},
+      core::DeviceOption{"flash-again", "pulses of a vector that do not move the beam flash the same spot again", 1, 0, 1},
+  };
 
-template <class Sink = core::NoStrokes>
-class Display {
  public:
-  Display(Options options, Sink& sink) : options_(options), sink_(&sink) {}
+  static constexpr core::IotDeviceInfo info{"display", "Type 340 precision display", codes, iots, settings};
 
-  // What the PDP-7's IOTs do; each first brings the display up to `now`.
+  // The strokes go into `strokes`, which outlives the display.
+  Display(Options options, core::StrokeBuffer& strokes) : options_(options), strokes_(strokes) {}
+  explicit Display(const core::IotDeviceSetup& setup) : Display(options_of(setup.settings), setup.strokes) {}
+
+  // --- On the IOT bus
+  void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override;
+  // What single IOTs do; each first brings the display up to `now`.
   void load_address_and_start(core::Instant now, core::Word18 ac) { start(now, ac.value()); }  // IDLA
-  void restart(core::Instant now) { start(now, registers_.address); }                          // IDRD, at DAC
-  void clear_flags(core::Instant now);  // IDCF and CAF: flags and a waiting request; a running word runs on
-  void resume(core::Instant now);       // IDRS: clears pen flag, find and enable; the word goes on after 1 us
-  void power_clear(core::Instant now);  // START key: everything stops; position, scale and intensity stay
+  void restart(core::Instant now) { start(now, address_counter(now).value()); }                // IDRD
+  void clear_flags(core::Instant now) override;  // IDCF and CAF: flags and a waiting request; a running word runs on
+  void resume(core::Instant now);  // IDRS: clears pen flag, find and enable; the word goes on after 1 us
+  void power_clear(core::Instant now) override;  // everything stops; position, scale and intensity stay
 
   bool stop_interrupt(core::Instant now) { return flags_at(now).stop_interrupt(); }
   bool vertical_edge(core::Instant now) { return flags_at(now).vertical_edge; }
@@ -104,44 +123,39 @@ class Display {
   core::Word18 address_counter(core::Instant now) { return core::Word18(flags_at(now).address); }
   core::Word18 return_address(core::Instant now) { return core::Word18(flags_at(now).return_address); }
   // X/2 in bits 0-8, Y/2 in bits 9-17, as IDRC reads them.
-  core::Word18 coordinates(core::Instant now) {
-    const Registers& r = at(now);
-    return core::Word18((unsigned{r.x} >> 1U) << 9U | unsigned{r.y} >> 1U);
-  }
-
-  // No later than the instant at which the display, left alone, raises a request or changes its interrupt request;
-  // never when it will not.
-  [[nodiscard]] core::Instant deadline() const {
-    if (whole_) return whole_until_;
-    if (planned_) return quiet_until_;
-    return deadline_of_delays();
-  }
-  // Everything up to and including `now` has happened. `now` must not go back.
-  void advance(core::Instant now) {
-    if (whole_ && now >= whole_until_) {
-      whole_ = false;
-      do_whole_word();
-    }
-    if (!delays_.none()) catch_up(now);
-  }
-  // As of the last advance; nullptr: none.
-  [[nodiscard]] const BreakRequest* break_request() const {
-    return registers_.request || writing_ ? &request_ : nullptr;
-  }
-  // The word is at the inputs; ignored when no read request is up.
-  void deliver(core::Instant at, core::Word18 word);
-  // The write is done; ignored when no write request is up.
-  void deposited(core::Instant at);
-  // As of the last advance.
-  [[nodiscard]] bool interrupt_request() const {
+  core::Word18 coordinates(core::Instant now);
+  // IORS has the light-pen flag.
+  [[nodiscard]] std::uint32_t status(core::Instant now) override { return light_pen_flag(now) ? 0010000 : 0; }
+  [[nodiscard]] bool interrupt_request() const override {
     if (whole_) return false;  // such a word begins without flags
     return registers_.pen_flag || registers_.edge() || registers_.stop_interrupt();
   }
 
+  // --- Time. A machine that calls `advance` only when the deadline has passed lets words be executed as a whole.
+  void advance(core::Instant now) override {
+    if (whole_ && now >= whole_until_) execute_whole_word();
+    if (!delays_.none()) make_pulses(now);
+  }
+  void finish_strokes(core::Instant now) override { advance(now); }
+  [[nodiscard]] core::Instant deadline() const override {
+    if (whole_) return whole_until_;  // such a word begins without a request
+    return data_break() != nullptr ? request_since_ : deadline_of_delays();
+  }
+
+  // --- Data breaks: for display words, and for the word that DDS of the Type 347 writes
+  [[nodiscard]] const core::DataBreak* data_break() const override {
+    return registers_.request || writing_ ? &request_ : nullptr;
+  }
+  // Ignored when no data break is asked for. Behind a word written the next data break is asked for at once.
+  void served(core::Instant end, core::Word18 word) override;
+  // Since when the data break is asked for.
+  [[nodiscard]] core::Instant requested_at() const { return request_since_; }
+
+  // --- For the host
   // From the last advance on; nullopt takes the pen away.
   void point_light_pen(std::optional<LightPen> pen);
-
   [[nodiscard]] const Counters& counters() const { return counters_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override;
   // Where the last pass began; 0 before the first.
   [[nodiscard]] std::uint16_t start_address() const { return start_address_; }
   // Indicator lights, as of the last advance.
@@ -149,42 +163,36 @@ class Display {
   // The next pulse inside, as of the last advance; never: none is under way.
   [[nodiscard]] core::Instant next_pulse() const { return delays_.next().at; }
 
-  // The shortcuts are not visited: without them the same pulses are made one by one.
-  void visit_state(core::StateVisitor& visit);
+  // Whether a word is to be executed as a whole is not visited: without it the same pulses are made one by one.
+  void visit_state(core::StateVisitor& visit) override;
+  void require_time(core::StateVisitor& visit, core::Instant now) override;
 
  private:
-  const Registers& at(core::Instant now) {
-    advance(now);
+  // Flags and addresses do not change during a word that is to be executed as a whole.
+  const Registers& flags_at(core::Instant now) {
+    if (!whole_ || now >= whole_until_) advance(now);
     return registers_;
   }
-  // Flags and addresses do not change while a word runs that is to be done whole.
-  const Registers& flags_at(core::Instant now) { return whole_ && now < whole_until_ ? registers_ : at(now); }
-  void touch(core::Instant now) {
-    advance(now);
-    planned_ = false;
-  }
+
   [[nodiscard]] core::Instant deadline_of_delays() const;
-  // `advance` when something runs; a word to be done whole has its strobe running.
-  void catch_up(core::Instant now);
   void start(core::Instant now, std::uint32_t address);
-  void fire(Delay delay, core::Instant t);
-  void plan_word(core::Instant at);
+  void deliver(core::Instant at, core::Word18 word);
+
   static constexpr core::Duration not_whole{-1};
-  [[nodiscard]] SIGHTLINE_INLINE core::Duration time_of_whole_word();
-  void do_whole_word();
-  void do_pulses(int count);
+  [[nodiscard]] core::Duration time_of_whole_word();
+  void execute_whole_word();
   void draw_vector(VectorWord w);
-  void last_pulse();
-  // MOVE, after a count pulse.
-  void note_motion(bool moved) { registers_.move = moved || (registers_.move && options_.flash_again); }
-  void plan();
-  void skip(core::Instant now);
+
+  void make_pulses(core::Instant now);
+  [[nodiscard]] bool counts_for_ever() const;
+  void fire(Delay delay, core::Instant t);
   void operate(core::Instant t);
   void operate_parameter(core::Instant t);
   void operate_point(core::Instant t);
   void operate_subroutine(core::Instant t);
   void operate_character(core::Instant t);
   void count(core::Instant t);
+  void note_motion(bool moved);
   void end_word(core::Instant t);
   void settled(core::Instant t);
   void next_stroke(core::Instant t);
@@ -192,40 +200,25 @@ class Display {
   void flash(core::Instant t, bool lit);
   void raise_request(core::Instant t);
   void end_pass(core::Instant t);
-  [[nodiscard]] bool counts_pulses() const {
-    return registers_.mode == Mode::vector || registers_.mode == Mode::vector_continue ||
-           registers_.mode == Mode::increment;
-  }
-  // A vector of (0, 0) flashes nothing: MOVE stays 0. Vector continue of it never ends, and must not cost a step a pulse.
-  [[nodiscard]] bool word_may_flash() const {
-    constexpr core::Word18 magnitudes(0077577);
-    const bool may_move = registers_.mode == Mode::increment || (registers_.br & magnitudes) != core::Word18{};
-    return registers_.br.bit(1) && (registers_.move || may_move);
-  }
 
   Options options_;
-  Sink* sink_;
+  core::StrokeBuffer& strokes_;
   Registers registers_;
   Delays delays_;
   core::Word18 input_;              // the word at the inputs
   std::uint16_t word_address_ = 0;  // where it came from
   std::uint16_t start_address_ = 0;
-  BreakRequest request_{};
-  bool writing_ = false;
+  core::DataBreak request_;
+  core::Instant request_since_{};
+  bool writing_ = false;  // the request is one of DDS
   bool pass_open_ = false;
   CharacterPath path_;
-  std::size_t stroke_ = 0;
+  std::size_t stroke_ = 0;  // of the path
   std::optional<LightPen> pen_;
   bool whole_ = false;           // the word at the inputs will run undisturbed until whole_until_
   core::Instant whole_until_{};  // its request, or its stop
   Registers::End end_{};         // where it leads, if it is a vector
-  bool planned_ = false;         // no pulse before quiet_until_ matters to anyone outside
-  core::Instant quiet_until_{};  // the pulse that does
   Counters counters_;
 };
 
 }  // namespace sightline::type340
-
-#include "display_control.hpp"
-#include "display_sequence.hpp"
-#include "display_word.hpp"

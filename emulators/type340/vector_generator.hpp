@@ -3,8 +3,8 @@
 // Each count pulse toggles some stages of BRM. A stage going from 0 to 1 passes the bit of |dx| (and of |dy|)
 // whose weight it carries: stage 0 the 64s, stage 6 the units. Leading stages that carry nothing toggle with stage 0,
 // which shortens the run: 127, 63, 31, 15 or 7 pulses, by the larger of the two. The end point is exact; the path
-// wanders up to 1.6 points off the straight line. `RateMultiplier` is the logic, pulse by pulse; the functions below it
-// are the same in closed form, for when the path is not observed.
+// wanders up to 1.6 points off the straight line. `RateMultiplier` is the logic, pulse by pulse; the
+// functions below it give the number of pulses of a whole vector, and the steps of each.
 //
 // Source: logic of the count levels as drawn, taken before the pulse (as capacitor-diode gates do).
 #pragma once
@@ -67,51 +67,10 @@ struct RateMultiplier {
   return static_cast<int>(pulses_per_turn(static_cast<std::uint8_t>(dx | dy))) - 1;
 }
 
-// BRM after `count` pulses from 0.
-[[nodiscard]] constexpr std::uint8_t brm_after(std::uint8_t d, std::int64_t count) {
-  const unsigned idle = idle_stages(d);
-  const auto turn = static_cast<unsigned>(count & (pulses_per_turn(d) - 1));
-  const unsigned leading = (turn & 1U) != 0 ? (1U << idle) - 1 : 0;
-  return static_cast<std::uint8_t>(turn << idle | leading);
-}
-
-// Which stages pass a bit of a magnitude, the first that is not idle lowest. Pulse n from BRM = 0 turns on the one that has as many of those
-// before it as n has zeros at its end.
+// Bit i: stage i, counted from the first that is not idle, passes a bit of this magnitude. Pulse n from BRM = 0 turns on
+// the stage i whose number is that of the zeros at the end of n.
 [[nodiscard]] constexpr unsigned steps_by_stage(std::uint8_t magnitude, std::uint8_t d) {
   return unsigned{RateMultiplier::weights[magnitude]} >> idle_stages(d);
-}
-
-// Pulses since BRM = 0 within the turn, or -1 for a pattern no run from 0 passes through.
-[[nodiscard]] constexpr std::int64_t pulses_at(std::uint8_t d, std::uint8_t brm) {
-  const std::int64_t turn = brm >> idle_stages(d);
-  return brm_after(d, turn) == brm ? turn : -1;
-}
-
-// Steps a coordinate of this magnitude has made after `count` pulses from BRM = 0 (any number of turns).
-[[nodiscard]] constexpr std::int64_t steps_after(std::uint8_t magnitude, std::uint8_t d, std::int64_t count) {
-  const unsigned idle = idle_stages(d);
-  std::int64_t steps = 0;
-  for (unsigned i = 0; i < 7 - idle; ++i) {
-    if ((magnitude >> (6 - idle - i) & 1U) != 0) steps += (count + (std::int64_t{1} << i)) >> (i + 1);
-  }
-  return steps;
-}
-
-// The pulse, counted from BRM = 0, that makes step number `step` (1 or more); magnitude must not be 0.
-[[nodiscard]] constexpr std::int64_t pulse_of_step(std::uint8_t magnitude, std::uint8_t d, std::int64_t step) {
-  const std::int64_t turns = (step - 1) / magnitude;
-  const std::int64_t within = step - turns * magnitude;
-  std::int64_t low = 1;
-  std::int64_t high = pulses_per_turn(d) - 1;
-  while (low < high) {
-    const std::int64_t middle = (low + high) / 2;
-    if (steps_after(magnitude, d, middle) >= within) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  return turns * pulses_per_turn(d) + low;
 }
 
 }  // namespace sightline::type340

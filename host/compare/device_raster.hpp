@@ -25,7 +25,7 @@
 #include "host/picture/pen_path.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/raster_difference.hpp"
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 
 namespace sightline::compare {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "host/picture/repeatable_math.hpp"
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 
 namespace sightline::picture {
 

@@ -16,7 +16,7 @@
 
 #include "emulators/core/stroke.hpp"
 #include "host/picture/image.hpp"
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 
 namespace sightline::picture {
 
@@ -76,18 +76,14 @@ struct FilmLight {
   std::vector<float> yellow;
 };
 
-// A sink for strokes (emulators/core/stroke.hpp) in any order.
+// Takes strokes in any order.
 class PhosphorPhotograph {
  public:
-  static constexpr bool consumes = true;
-
   // Strokes after the closing add nothing.
   PhosphorPhotograph(core::Instant shutter_open, core::Instant shutter_close,
                      const PhosphorParameters& parameters = {});
 
-  void begin_pass(core::Instant) {}
   void stroke(const core::Stroke& stroke);
-  void end_pass(core::Instant) {}
   void expose(std::span<const core::Stroke> strokes) {
     for (const core::Stroke& each : strokes) stroke(each);
   }

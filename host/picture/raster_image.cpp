@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 
 namespace sightline::picture {
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 #include "host/picture/svg.hpp"
 
 namespace sightline::picture {

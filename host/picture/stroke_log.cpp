@@ -12,7 +12,7 @@
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
 #include "host/base/text.hpp"
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 
 namespace sightline::picture {
 

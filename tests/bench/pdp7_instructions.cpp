@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "emulators/machines/pdp7.hpp"
+#include "emulators/type340/display.hpp"
 
 namespace sightline {
 namespace {
@@ -15,9 +16,8 @@ constexpr pdp7::Address loop_start = 0100;
 constexpr pdp7::Address file_start = 01000;
 
 struct Machine {
-  core::NoStrokes sink;
-  machines::NoObserver observer;
-  machines::Pdp7<> pdp7{{{}, type340::Options{}}, sink, observer};
+  Machine() { static_cast<void>(pdp7.attach("display")); }
+  pdp7::Machine pdp7;
 };
 
 // The loop at 100. The second JMP is for the one ISZ in 2^18 that skips.
@@ -74,10 +74,10 @@ void display_refreshing(benchmark::State& state) {
   load_picture(machine);
   machine.pdp7.start(loop_start);
   machine.pdp7.registers().interrupts_on = true;
-  machine.pdp7.display()->load_address_and_start(machine.pdp7.now(), core::Word18(file_start));
+  machine.pdp7.find<type340::Display>()->load_address_and_start(machine.pdp7.now(), core::Word18(file_start));
   for (auto _ : state) machine.pdp7.run({instructions_a_round, core::never});
   count(state, machine);
-  const auto& display = machine.pdp7.display()->counters();
+  const auto& display = machine.pdp7.find<type340::Display>()->counters();
   state.counters["passes/s emulated"] =
       static_cast<double>(display.passes_stopped) /
       (static_cast<double>(core::nanoseconds_of(machine.pdp7.now())) * 1e-9);

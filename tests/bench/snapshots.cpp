@@ -18,9 +18,9 @@ namespace run = guests::run;
 
 std::unique_ptr<run::Machine> pdp7_machine() {
   run::Pdp7Setup setup;
-  setup.machine.display = type340::Options{};
+  setup.display = type340::Options{};
   setup.reader_tape = run::Bytes(20'000, 0377);
-  return run::make_pdp7(std::move(setup));
+  return run::make_pdp7(std::move(setup)).value();
 }
 
 std::unique_ptr<run::Machine> i8080_machine() {

@@ -1,22 +1,20 @@
 // Host time of the Type 340 by itself, from deadline to deadline as a machine drives it: a line drawing of sixteen
-// separate vectors (point Y, point X, vector), with nobody watching (items are display
-// words) and with a sink that takes every flash (items are strokes).
+// separate vectors (point Y, point X, vector), when nobody wants the flashes (items
+// are display words) and with a taker of every flash (items are strokes).
 #include <benchmark/benchmark.h>
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "emulators/type340/display.hpp"
 
 namespace sightline::type340 {
 namespace {
 
-struct CountFlashes {
-  static constexpr bool consumes = true;
+struct CountFlashes final : core::StrokeTaker {
   std::int64_t flashes = 0;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke&) { ++flashes; }
-  void end_pass(core::Instant) {}
+  void strokes(std::span<const core::Stroke> strokes) override { flashes += static_cast<std::int64_t>(strokes.size()); }
 };
 
 using Memory = std::array<core::Word18, 80>;
@@ -34,13 +32,12 @@ using Memory = std::array<core::Word18, 80>;
   return memory;
 }
 
-template <class Sink>
-void draw_pass(Display<Sink>& display, const Memory& memory, core::Instant& now) {
+void draw_pass(Display& display, const Memory& memory, core::Instant& now) {
   display.load_address_and_start(now, core::Word18(0));
   while (!display.interrupt_request()) {
-    if (const BreakRequest* request = display.break_request(); request != nullptr) {
-      now = request->since + core::Duration(1750);
-      display.deliver(now, memory[request->address]);
+    if (const core::DataBreak* request = display.data_break(); request != nullptr) {
+      now = display.requested_at() + core::Duration(1750);
+      display.served(now, memory[request->address]);
     }
     now = display.deadline();
     display.advance(now);
@@ -48,8 +45,8 @@ void draw_pass(Display<Sink>& display, const Memory& memory, core::Instant& now)
 }
 
 void unwatched_pass(benchmark::State& state) {
-  core::NoStrokes sink;
-  Display<core::NoStrokes> display({}, sink);
+  core::StrokeBuffer strokes;
+  Display display({}, strokes);
   const Memory memory = drawing();
   core::Instant now{};
   for (auto _ : state) draw_pass(display, memory, now);
@@ -58,12 +55,14 @@ void unwatched_pass(benchmark::State& state) {
 BENCHMARK(unwatched_pass)->Name("display_words_unwatched");
 
 void watched_pass(benchmark::State& state) {
-  CountFlashes sink;
-  Display<CountFlashes> display({}, sink);
+  CountFlashes flashes;
+  core::StrokeBuffer strokes;
+  strokes.hand_to(&flashes);
+  Display display({}, strokes);
   const Memory memory = drawing();
   core::Instant now{};
   for (auto _ : state) draw_pass(display, memory, now);
-  state.SetItemsProcessed(sink.flashes);
+  state.SetItemsProcessed(flashes.flashes);
 }
 BENCHMARK(watched_pass)->Name("display_strokes_watched");
 

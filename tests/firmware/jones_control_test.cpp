@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "emulators/core/stroke.hpp"
 #include "emulators/machines/pdp7.hpp"
 #include "host/guests/jones/guest.hpp"
 #include "tests/firmware/jones_core.hpp"
@@ -33,17 +35,14 @@ class JonesSwitches : public testing::Test {
  protected:
   // The switches are up from just after half a second for `held` seconds; then what is summed up is applied.
   Console after(std::uint32_t switches, double held) {
-    core::NoStrokes screen;
-    machines::NoObserver nobody;
-    machines::Pdp7Options options;
-    options.display.emplace();
-    machines::Pdp7<> machine(options, screen, nobody);
-    deposit_core(machine, program.core);
+    pdp7::Machine machine;
+    EXPECT_EQ(machine.attach("display"), "");
+    machine.load(0, program.core);
     machine.console().schedule({{at(0.507), core::Word18(switches)}, {at(0.507 + held), core::Word18(0)}});
     machine.start(program.labels.start);
-    machines::Limits limits;
+    pdp7::Limits limits;
     limits.until = at(0.507 + held + 1.0);
-    EXPECT_EQ(machine.run(limits), machines::StopReason::time_limit);
+    EXPECT_EQ(machine.run(limits), pdp7::StopReason::time_limit);
     const auto cell = [&](const char* name) { return machine.peek(tag(program, name)).twos_complement(); };
     return {{cell("ex"), cell("ey"), cell("ez")}, cell("scale"), cell("views")};
   }
@@ -111,19 +110,15 @@ TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
 }
 
 // Follows the file on the screen after every store into one of the two files.
-class FileWatch {
+class FileWatch final : public pdp7::Observer {
  public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
   explicit FileWatch(const Program& program)
       : program_(program),
         shadow_(image_of(program)),
         file_(program.labels.file),
         running_(tag(program, "runing")) {}
 
-  void cycle(const pdp7::Cycle& cycle) {
+  void cycle(const pdp7::Cycle& cycle) override {
     if (cycle.verb != pdp7::Verb::write && cycle.verb != pdp7::Verb::modify) return;
     shadow_.at(cycle.address) = cycle.data;
     if (cycle.address == program_.labels.views) stop_ = true;
@@ -132,7 +127,7 @@ class FileWatch {
     ++stores_;
     if (!terminated()) ++runaways_;
   }
-  bool stop(core::Instant, pdp7::Address) { return std::exchange(stop_, false); }
+  bool stop(core::Instant, pdp7::Address) override { return std::exchange(stop_, false); }
   [[nodiscard]] int stores() const { return stores_; }
   [[nodiscard]] int runaways() const { return runaways_; }
 
@@ -162,13 +157,11 @@ class FileWatch {
 };
 
 // How many flashes each pass had.
-struct PassSizes {
-  static constexpr bool consumes = true;
-  void begin_pass(core::Instant) { sizes.push_back(0); }
-  void stroke(const core::Stroke&) {
-    if (!sizes.empty()) ++sizes.back();
+struct PassSizes final : core::StrokeTaker {
+  void begin_pass(core::Instant) override { sizes.push_back(0); }
+  void strokes(std::span<const core::Stroke> strokes) override {
+    if (!sizes.empty()) sizes.back() += static_cast<int>(strokes.size());
   }
-  void end_pass(core::Instant) {}
   std::vector<int> sizes;
 };
 
@@ -177,18 +170,19 @@ TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
     const Program program = assembled("roberts", eae);
     FileWatch watch(program);
     PassSizes screen;
-    machines::Pdp7Options options;
-    options.configuration.model.eae = eae;
-    options.display.emplace();
-    machines::Pdp7<PassSizes, FileWatch> machine(options, screen, watch);
-    deposit_core(machine, program.core);
+    pdp7::Options options;
+    options.model.eae = eae;
+    pdp7::Machine machine(options);
+    ASSERT_EQ(machine.attach("display"), "");
+    machine.strokes().hand_to(&screen);
+    machine.load(0, program.core);
     machine.console().set(core::Word18(2));
     machine.start(program.labels.start);
-    machines::Limits limits;
+    pdp7::Limits limits;
     limits.until = at(60);
     for (int stop = 0; stop < 3; ++stop) {  // the first is the count set to zero
       screen.sizes.clear();
-      ASSERT_EQ(machine.run(limits), machines::StopReason::observer);
+      ASSERT_EQ(machine.run(limits, watch), pdp7::StopReason::observer);
     }
     EXPECT_GT(watch.stores(), 300);
     EXPECT_EQ(watch.runaways(), 0);

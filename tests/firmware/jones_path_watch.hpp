@@ -12,19 +12,15 @@
 
 namespace sightline::guests::jones {
 
-class PathWatch {
+class PathWatch final : public pdp7::Observer {
  public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
   PathWatch(const Program& program, bool immediate)
       : labels_(program.labels),
         depth_at_(tag(program, "depth")),
         cell_at_(tag(program, "cell")),
         immediate_(immediate) {}
 
-  void cycle(const pdp7::Cycle& cycle) {
+  void cycle(const pdp7::Cycle& cycle) override {
     const bool writes = cycle.verb == pdp7::Verb::write, counts = cycle.verb == pdp7::Verb::modify;
     if (cycle.verb == pdp7::Verb::fetch && cycle.address == labels_.search) {
       begun_ = cycle.time;
@@ -38,7 +34,7 @@ class PathWatch {
       stop_ = true;
     }
   }
-  bool stop(core::Instant, pdp7::Address) { return std::exchange(stop_, false); }
+  bool stop(core::Instant, pdp7::Address) override { return std::exchange(stop_, false); }
 
   [[nodiscard]] core::Duration time() const { return ended_ - begun_; }
   [[nodiscard]] std::uint64_t visits() const { return visits_; }
@@ -71,8 +67,7 @@ class PathWatch {
 };
 
 // The file being made, which is the one just published, up to its stop.
-template <class Machine>
-std::vector<core::Word18> file_words(const Machine& machine, const Program& program) {
+inline std::vector<core::Word18> file_words(const pdp7::Machine& machine, const Program& program) {
   std::vector<core::Word18> words;
   pdp7::Address at = machine.peek(program.labels.file_begun).value();
   do words.push_back(machine.peek(at++));
@@ -92,19 +87,18 @@ struct DarkView {
 
 inline DarkView dark_view(const Program& program, bool eae, const Parameters& parameters) {
   PathWatch watch(program, parameters.immediate);
-  machines::Pdp7Options options;
-  options.configuration.model.eae = eae;
-  core::NoStrokes nobody;
-  machines::Pdp7<core::NoStrokes, PathWatch> machine(options, nobody, watch);
-  deposit_core(machine, program.core);
+  pdp7::Options options;
+  options.model.eae = eae;
+  pdp7::Machine machine(options);
+  machine.load(0, program.core);
   machine.deposit(program.labels.scale, word_of(parameters.scale));
   machine.deposit(program.labels.clock, core::Word18(0700004));
   machine.console().set(core::Word18((parameters.stereo ? 1U : 0U) | (parameters.immediate ? 2U : 0U)));
   machine.start(program.labels.start);
-  machines::Limits limits;
+  pdp7::Limits limits;
   limits.until = core::Instant(core::seconds(600));
   DarkView view;
-  if (machine.run(limits) != machines::StopReason::observer) return view;
+  if (machine.run(limits, watch) != pdp7::StopReason::observer) return view;
   view.status = static_cast<Status>(machine.peek(program.labels.status).value());
   view.display_file = file_words(machine, program);
   view.time = watch.time();

@@ -19,8 +19,8 @@ namespace sightline::guests::jones {
 class RoutineMachine {
  public:
   explicit RoutineMachine(bool eae)
-      : program_(assembled("house", eae)), eae_(eae), machine_(options(eae), sink_, nobody_) {
-    deposit_core(machine_, program_.core);
+      : program_(assembled("house", eae)), eae_(eae), machine_(options(eae)) {
+    machine_.load(0, program_.core);
     call_ = at("filea");
     fault_ = at("fault");
     piece_ = at("piece") + 1;
@@ -35,9 +35,9 @@ class RoutineMachine {
     machine_.deposit(call_, core::Word18(jms | at(routine)));
     machine_.registers().ac = word_of(ac);
     machine_.registers().pc = call_;
-    machines::Limits limits;
+    pdp7::Limits limits;
     limits.instructions = 1'000'000;
-    if (machine_.run(limits) != machines::StopReason::halt) return End::runaway;
+    if (machine_.run(limits) != pdp7::StopReason::halt) return End::runaway;
     const pdp7::Address halted = machine_.registers().pc - 1;
     return halted == fault_ ? End::fault : halted == piece_ ? End::piece : End::returned;
   }
@@ -67,18 +67,16 @@ class RoutineMachine {
   static constexpr std::uint32_t hlt = 0740040;
   static constexpr std::uint32_t jms = 0100000;
 
-  static machines::Pdp7Options options(bool eae) {
-    machines::Pdp7Options options;
-    options.configuration.model.eae = eae;
-    options.configuration.model.strict = true;
+  static pdp7::Options options(bool eae) {
+    pdp7::Options options;
+    options.model.eae = eae;
+    options.model.strict = true;
     return options;
   }
 
   Program program_;
   bool eae_;
-  core::NoStrokes sink_;
-  machines::NoObserver nobody_;
-  machines::Pdp7<> machine_;
+  pdp7::Machine machine_;
   pdp7::Address call_ = 0;
   pdp7::Address fault_ = 0;
   pdp7::Address piece_ = 0;

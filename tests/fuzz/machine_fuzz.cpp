@@ -1,5 +1,5 @@
 // Any bytes as a PDP-7 with a Type 340: its configuration, its registers, its tape and keys, and the
-// words in its core. It is run twice: once without an observer, in one piece; once with every cycle and
+// words in its core. It is run twice: once unwatched, in one piece; once with every cycle and
 // flash watched, in many pieces. Both must end in the same state at the same instant, and what was watched
 // must keep the machine's laws.
 //
@@ -8,11 +8,15 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/machines/pdp7.hpp"
+#include "emulators/pdp7/paper_tape.hpp"
+#include "emulators/pdp7/teletype.hpp"
+#include "emulators/type340/display.hpp"
 
 namespace {
 
@@ -79,15 +83,17 @@ struct Header {
   return (bits >> n & 1U) != 0;
 }
 
-machines::Pdp7Options options_of(const Header& header) {
-  machines::Pdp7Options options;
-  machines::Configuration& machine = options.configuration;
+pdp7::Options options_of(const Header& header) {
+  pdp7::Options machine;
   machine.core_words = 4096U << (header.machine & 3U);
   machine.model.eae = has(header.machine, 2);
   machine.model.trap_mode = has(header.machine, 3);
   machine.model.strict = has(header.machine, 4);
-  machine.devices = {has(header.devices, 0), has(header.devices, 1), has(header.devices, 2),
-                     has(header.devices, 3)};
+  constexpr std::array<std::string_view, 4> devices{"clock", "reader", "punch", "keyboard"};
+  machine.devices.clear();
+  for (unsigned n = 0; n < devices.size(); ++n)
+    if (has(header.devices, n)) machine.devices.push_back(devices[n]);
+  if (has(header.devices, 3)) machine.devices.emplace_back("printer");
   if (has(header.devices, 4)) machine.timing.clock_hertz = 60;
   if (has(header.devices, 5)) machine.timing.iot_stretch.fill(core::Duration(777));
   if (has(header.devices, 6)) {  // so that flags rise and ticks come within a short run
@@ -96,24 +102,24 @@ machines::Pdp7Options options_of(const Header& header) {
     machine.timing.punch_line = core::Duration(15'797);
     machine.timing.teletype_character = core::Duration(100'000);
   }
-  if (!has(header.devices, 7)) {
-    type340::Options display;
-    display.subroutines_347 = has(header.machine, 5);
-    display.characters_342 = has(header.machine, 6);
-    display.flash_again = !has(header.machine, 7);
-    options.display = display;
-  }
-  return options;
+  return machine;
 }
 
-template <class Machine>
-void set_up(Machine& machine, const Header& header, Bytes words) {
+void set_up(pdp7::Machine& machine, const Header& header, Bytes words) {
+  require(machine.error().empty());
+  if (!has(header.devices, 7)) {
+    const std::array settings{core::Setting{"347", has(header.machine, 5) ? 1 : 0},
+                              core::Setting{"342", has(header.machine, 6) ? 1 : 0},
+                              core::Setting{"flash-again", has(header.machine, 7) ? 0 : 1}};
+    require(machine.attach("display", settings).empty());
+  }
   if (header.core_seed != 0) machine.randomise_core(header.core_seed);
   for (pdp7::Address at = header.load & pdp7::address_mask; !words.empty(); ++at)
     machine.deposit(at & pdp7::address_mask, core::Word18(words.take(3)));
-  if (has(header.modes, 7))
-    machine.devices().reader.load({0300, 0201, 0, 0377, 0212, 0100, 0205, 0206, 0207});
-  if (has(header.modes, 6)) machine.devices().keyboard.press(core::at_nanoseconds(50'000), 0101);
+  auto* const reader = machine.find<pdp7::Reader>();
+  if (reader != nullptr && has(header.modes, 7)) reader->load({0300, 0201, 0, 0377, 0212, 0100, 0205, 0206, 0207});
+  auto* const keyboard = machine.find<pdp7::Keyboard>();
+  if (keyboard != nullptr && has(header.modes, 6)) keyboard->press(core::at_nanoseconds(50'000), 0101);
   machine.console().set(core::Word18(header.switches));
   machine.console().schedule({{core::at_nanoseconds(1'000'000), core::Word18(header.switches_later)}});
   machine.start(header.start);
@@ -123,90 +129,90 @@ void set_up(Machine& machine, const Header& header, Bytes words) {
   registers.sc = core::Word<6>(header.sc);
   registers.link = has(header.modes, 0);
   registers.interrupts_on = has(header.modes, 1);
-  registers.extend = has(header.modes, 2) && machine.configuration().model.extend;
-  registers.trap_mode = has(header.modes, 3) && machine.configuration().model.trap_mode;
-  if (machine.display() == nullptr) return;
+  registers.extend = has(header.modes, 2) && machine.options().model.extend;
+  registers.trap_mode = has(header.modes, 3) && machine.options().model.trap_mode;
+  auto* const display = machine.find<type340::Display>();
+  if (display == nullptr) return;
   if (has(header.modes, 5))
-    machine.display()->point_light_pen(
-        type340::LightPen{0, 0, 700, 700, core::Duration(10) * static_cast<int>(header.pen)});
-  if (has(header.modes, 4))
-    machine.display()->load_address_and_start(machine.now(), core::Word18(header.display_file));
+    display->point_light_pen(type340::LightPen{0, 0, 700, 700, core::Duration(10) * static_cast<int>(header.pen)});
+  if (has(header.modes, 4)) display->load_address_and_start(machine.now(), core::Word18(header.display_file));
 }
 
-// Runs to a stop that is no limit, or to the limits; `part` instructions at a time.
-template <class Machine>
-machines::StopReason run(Machine& machine, std::uint64_t part) {
-  machines::StopReason reason = machines::StopReason::instruction_limit;
-  std::uint64_t left = most_instructions;
-  while (left != 0 && reason == machines::StopReason::instruction_limit) {
-    const std::uint64_t now = std::min(part, left);
-    reason = machine.run({now, latest});
-    left -= now;
-  }
-  return reason;
-}
-
-struct Screen {
-  static constexpr bool consumes = true;
+struct Screen final : core::StrokeTaker {
   core::Instant last{};
-  void begin_pass(core::Instant) {}
-  void end_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) {
-    require(stroke.x < 1024 && stroke.y < 1024 && stroke.intensity < 8);
-    require(stroke.address < 8192 && stroke.time >= last);
-    last = stroke.time;
+  void strokes(std::span<const core::Stroke> strokes) override {
+    for (const core::Stroke& stroke : strokes) {
+      require(stroke.x < 1024 && stroke.y < 1024 && stroke.intensity < 8);
+      require(stroke.address < 8192 && stroke.time >= last);
+      last = stroke.time;
+    }
   }
 };
 
 // No cycle overlaps the one before it and none is missing between two; an instruction begins and ends with
 // one.
-struct Watcher {
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
+struct Watcher final : pdp7::Observer {
+  Watcher() { instructions = true; }
   core::Instant reached{};
   core::Instant last_end{};
   std::uint64_t count = 0;
-  void cycle(const pdp7::Cycle& cycle) {
+  void cycle(const pdp7::Cycle& cycle) override {
     require(cycle.time == reached && cycle.length.count() >= 0);
     require(cycle.address <= pdp7::address_mask);
     reached = cycle.time + cycle.length;
   }
-  void instruction(const machines::InstructionRecord& record) {
+  void instruction(const pdp7::InstructionRecord& record) override {
     require(record.time >= last_end && record.end - record.time >= pdp7::machine_cycle);
     require(record.end == reached && record.after.pc <= pdp7::address_mask);
     last_end = record.end;
     ++count;
   }
-  static bool stop(core::Instant, pdp7::Address) { return false; }
 };
 
-template <class Machine>
-void check_laws(const Machine& machine) {
-  const machines::Counts counts = machine.counts();
+// Runs to a stop that is no limit, or to the limits; `part` instructions at a time, watched if there is a watcher.
+pdp7::StopReason run(pdp7::Machine& machine, std::uint64_t part, Watcher* watcher) {
+  pdp7::StopReason reason = pdp7::StopReason::instruction_limit;
+  std::uint64_t left = most_instructions;
+  while (left != 0 && reason == pdp7::StopReason::instruction_limit) {
+    const pdp7::Limits limits{std::min(part, left), latest};
+    reason = watcher != nullptr ? machine.run(limits, *watcher) : machine.run(limits);
+    left -= limits.instructions;
+  }
+  return reason;
+}
+
+void check_laws(const pdp7::Machine& machine) {
+  const pdp7::Counts counts = machine.counts();
   require(counts.instructions <= most_instructions);
   require(counts.machine_cycles >= counts.instructions + counts.stolen_cycles);
   const auto core = machine.core();
-  require(core.size() == machine.configuration().core_words);
+  require(core.size() == machine.options().core_words);
   require(std::all_of(core.data() + core.size(), core.data() + pdp7::address_mask + 1,
                       [](core::Word18 word) { return word.value() == 0; }));
 }
 
-template <class A, class B>
-void check_same(const A& a, const B& b) {
+// Of what a device has, if it is there.
+template <class Device, class Part>
+void check_same_part(const pdp7::Machine& a, const pdp7::Machine& b, Part part) {
+  const Device* const of_a = a.find<Device>();
+  const Device* const of_b = b.find<Device>();
+  require((of_a == nullptr) == (of_b == nullptr));
+  if (of_a != nullptr) require(part(*of_a) == part(*of_b));
+}
+
+void check_same(const pdp7::Machine& a, const pdp7::Machine& b) {
   require(a.registers() == b.registers() && a.now() == b.now());
   require(a.counts().instructions == b.counts().instructions);
   require(a.counts().stolen_cycles == b.counts().stolen_cycles);
   require(std::equal(a.core().begin(), a.core().end(), b.core().begin(), b.core().end()));
-  require(a.devices().punch.tape() == b.devices().punch.tape());
-  require(a.devices().printer.printed() == b.devices().printer.printed());
+  check_same_part<pdp7::Punch>(a, b, [](const pdp7::Punch& punch) { return punch.tape(); });
+  check_same_part<pdp7::Printer>(a, b, [](const pdp7::Printer& printer) { return printer.printed(); });
+  check_same_part<type340::Display>(a, b, [](const type340::Display& display) { return display.counters().words; });
+  check_same_part<type340::Display>(a, b, [](const type340::Display& display) { return display.counters().passes_stopped; });
   require(std::equal(a.unanswered().begin(), a.unanswered().end(), b.unanswered().begin(),
-                     b.unanswered().end(), [](const machines::Unanswered& x, const machines::Unanswered& y) {
+                     b.unanswered().end(), [](const pdp7::Unanswered& x, const pdp7::Unanswered& y) {
                        return x.word == y.word && x.count == y.count && x.first_pc == y.first_pc;
                      }));
-  if (a.display() == nullptr) return;
-  require(a.display()->counters().words == b.display()->counters().words);
-  require(a.display()->counters().passes_stopped == b.display()->counters().passes_stopped);
 }
 
 }  // namespace
@@ -214,18 +220,17 @@ void check_same(const A& a, const B& b) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes words(data, size);
   const Header header(words);
-  core::NoStrokes nobody;
-  machines::NoObserver unseen;
-  machines::Pdp7<> alone(options_of(header), nobody, unseen);
+  pdp7::Machine alone(options_of(header));
   set_up(alone, header, words);
-  const machines::StopReason reason = run(alone, most_instructions);
+  const pdp7::StopReason reason = run(alone, most_instructions, nullptr);
   check_laws(alone);
 
   Screen screen;
   Watcher watcher;
-  machines::Pdp7<Screen, Watcher> watched(options_of(header), screen, watcher);
+  pdp7::Machine watched(options_of(header));
   set_up(watched, header, words);
-  require(run(watched, 7) == reason);
+  watched.strokes().hand_to(&screen);
+  require(run(watched, 7, &watcher) == reason);
   check_laws(watched);
   require(watcher.count == watched.counts().instructions && watcher.reached == watched.now());
   check_same(alone, watched);

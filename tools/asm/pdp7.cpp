@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "emulators/machines/pdp7_devices.hpp"
 #include "emulators/pdp7/isa.hpp"
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
@@ -35,6 +36,10 @@ void enter_permanent_symbols(SymbolTable& symbols) {
   }
   for (const auto& micro : pdp7::microinstructions) {
     enter(symbols, micro.name, micro.value, form_of_instruction(micro.value), SymbolKind::permanent);
+  }
+  for (const auto& device : pdp7::device_infos) {
+    for (const core::IotName& iot : device.iots)
+      enter(symbols, iot.mnemonic, iot.word, form_of_instruction(iot.word), SymbolKind::permanent);
   }
   enter(symbols, "i", pdp7::indirect_bit, Form::indirect, SymbolKind::permanent);
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "emulators/machines/pdp7_devices.hpp"
 #include "emulators/pdp7/isa.hpp"
 #include "host/base/number.hpp"
 #include "tools/disasm/disasm.hpp"
@@ -83,6 +84,10 @@ std::string joined(const std::vector<const Microinstruction*>& names) {
 std::optional<std::string> exact_name(std::uint32_t word) {
   for (const Microinstruction& micro : pdp7::microinstructions) {
     if (micro.value == word) return std::string(micro.name);
+  }
+  for (const auto& device : pdp7::device_infos) {
+    for (const core::IotName& iot : device.iots)
+      if (iot.word == word) return std::string(iot.mnemonic);
   }
   return std::nullopt;
 }

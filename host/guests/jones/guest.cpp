@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "host/guests/pdp7/machine.hpp"
+#include "emulators/machines/pdp7.hpp"
+#include "host/guests/pdp7/stroke_keeper.hpp"
+#include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::jones {
 
@@ -16,7 +18,7 @@ class Watch final : public GuestWatch {
   // `immediate`: a view ends when it is counted, not when its file is first shown.
   Watch(const Program& program, bool immediate);
 
-  void told(const pdp7::Cycle& cycle) override;
+  void cycle(const pdp7::Cycle& cycle) override;
 
   struct View {
     core::Instant begun;
@@ -41,6 +43,7 @@ class Watch final : public GuestWatch {
 
   Labels labels_;
   pdp7::Address last_written_;  // by the instruction that ends a view
+  pdp7::Verb ends_;             // how
   bool measures_ = true;
   bool begins_ = false;
   bool in_view_ = false;
@@ -51,9 +54,9 @@ class Watch final : public GuestWatch {
 };
 
 // Keeps one pass of one display file and stops the run when it has what it waits for.
-class PassWatch final : public GuestSink {
+class PassWatch final : public StrokeKeeper {
  public:
-  explicit PassWatch(Watch& watch) : watch_(watch) {}
+  explicit PassWatch(pdp7::Machine& machine) : machine_(machine) {}
 
   // Wait for a pass that begins at or after `from`: the run stops when it is complete, and again when the next pass begins.
   void wait_from(core::Instant from) { from_ = from; }
@@ -72,7 +75,7 @@ class PassWatch final : public GuestSink {
   [[nodiscard]] core::Duration period() const;
 
  private:
-  Watch& watch_;
+  pdp7::Machine& machine_;
   core::Instant from_ = core::never;
   std::optional<core::Instant> begun_;  // of the pass waited for
   bool ended_ = false;
@@ -82,6 +85,7 @@ class PassWatch final : public GuestSink {
 Watch::Watch(const Program& program, bool immediate)
     : labels_(program.labels),
       last_written_(immediate ? labels_.views : labels_.file),
+      ends_(immediate ? pdp7::Verb::modify : pdp7::Verb::write),
       cell_of_(core_words, -1),
       seen_(program.scene.cell_addresses.size(), false) {
   // Cell-elements follow each other; the first opening-element ends the last of them.
@@ -92,11 +96,12 @@ Watch::Watch(const Program& program, bool immediate)
                                   : cells.front() + static_cast<std::uint32_t>(program.scene.cell_words);
     for (std::uint32_t address = cells[cell]; address < end; ++address) {
       cell_of_[address] = static_cast<std::int32_t>(cell);
-      mark(address, fetched | read);
+      mark(address, pdp7::mark::fetched | pdp7::mark::read);
     }
   }
-  for (const pdp7::Address label : {labels_.search, labels_.visit, labels_.opening, labels_.line, labels_.piece}) mark(label, fetched);
-  mark(last_written_, immediate ? modified : written);
+  for (const pdp7::Address label : {labels_.search, labels_.visit, labels_.opening, labels_.line, labels_.piece})
+    mark(label, pdp7::mark::fetched);
+  mark(last_written_, pdp7::mark::written);
 }
 
 void Watch::begin(core::Instant time) {
@@ -126,8 +131,9 @@ void Watch::fetched_at(pdp7::Address pc, core::Instant time) {
   if (pc == labels_.piece) ++current_.pieces;
 }
 
-void Watch::told(const pdp7::Cycle& cycle) {
-  if (cycle.address == last_written_) return end(cycle.time + cycle.length);
+void Watch::cycle(const pdp7::Cycle& cycle) {
+  if (cycle.verb == ends_ && cycle.address == last_written_) return end(cycle.time + cycle.length);
+  if (cycle.verb != pdp7::Verb::fetch && cycle.verb != pdp7::Verb::read) return;
   if (cycle.verb == pdp7::Verb::fetch) fetched_at(cycle.address, cycle.time);
   if (const std::int32_t cell = cell_of_[cycle.address]; cell >= 0) seen_[static_cast<std::size_t>(cell)] = true;
 }
@@ -142,14 +148,14 @@ void PassWatch::begin_pass(core::Instant t) {
   }
   if (next_begun_) return;
   next_begun_ = t;
-  watch_.request_stop();
+  machine_.request_stop();
 }
 
 void PassWatch::end_pass(core::Instant) {
   if (!begun_ || ended_) return;
   ended_ = true;
   keep_strokes(false);
-  watch_.request_stop();
+  machine_.request_stop();
 }
 
 std::vector<core::Stroke> PassWatch::take_pass() {
@@ -167,8 +173,8 @@ constexpr std::uint32_t stop_word = 0003000;
 // Far longer than the interrupt handler takes to start the display again.
 constexpr core::Duration longest_pause = core::milliseconds(10);
 
-void load(GuestPdp7& machine, const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
-  deposit_core(machine, core);
+void load(pdp7::Machine& machine, const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
+  machine.load(0, core);
   if (options.scale)
     machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(*options.scale)));
   if (!options.clock) machine.deposit(program.labels.clock, core::Word18(clock_off));
@@ -178,7 +184,7 @@ void load(GuestPdp7& machine, const Program& program, std::span<const core::Word
 }
 
 // The file being made, which is the one just published, up to its stop word.
-std::vector<core::Word18> display_file(const GuestPdp7& machine, const Program& program) {
+std::vector<core::Word18> display_file(const pdp7::Machine& machine, const Program& program) {
   std::vector<core::Word18> words;
   pdp7::Address address = machine.peek(program.labels.file_begun).value();
   while (words.size() < program.labels.file_words) {
@@ -189,8 +195,8 @@ std::vector<core::Word18> display_file(const GuestPdp7& machine, const Program& 
 }
 
 // `begun`: when the first instruction of the view had been done. Neither that nor the last, which has just been done, is counted.
-GuestView report(const GuestPdp7& machine, const Program& program, const Watch::View& watched, const machines::Counts& begun) {
-  const machines::Counts ended = machine.counts();
+GuestView report(const pdp7::Machine& machine, const Program& program, const Watch::View& watched, const pdp7::Counts& begun) {
+  const pdp7::Counts ended = machine.counts();
   GuestView view;
   view.status = static_cast<Status>(machine.peek(program.labels.status).value());
   view.time = watched.ended - watched.begun;
@@ -205,25 +211,25 @@ GuestView report(const GuestPdp7& machine, const Program& program, const Watch::
   return view;
 }
 
-machines::Pdp7Options machine_for(const GuestOptions& options) {
-  machines::Pdp7Options machine;
-  machine.configuration.model.eae = options.eae;
-  if (options.display) machine.display.emplace();
+pdp7::Options machine_for(const GuestOptions& options) {
+  pdp7::Options machine;
+  machine.model.eae = options.eae;
+  if (options.display) machine.devices.emplace_back("display");
   return machine;
 }
 
 // The first pass through the file that has just been published, and a photograph behind it.
-void watch_display(GuestPdp7& machine, Watch& watch, PassWatch& passes, const GuestOptions& options, GuestRun& run) {
-  machines::Limits limits;
+void watch_display(pdp7::Machine& machine, Watch& watch, PassWatch& passes, const GuestOptions& options, GuestRun& run) {
+  pdp7::Limits limits;
   limits.until = core::Instant(options.time_limit);
   watch.end_measuring();
   // The file is taken up at the next stop: the pass that begins from now on is its first.
   passes.wait_from(machine.now());
-  while (!passes.complete() && !run.timed_out) run.timed_out = machine.run(limits) != machines::StopReason::observer;
+  while (!passes.complete() && !run.timed_out) run.timed_out = machine.run(limits, watch) != pdp7::StopReason::observer;
   // A picture of nothing is not refreshed.
-  machines::Limits soon = limits;
+  pdp7::Limits soon = limits;
   soon.until = std::min(limits.until, machine.now() + longest_pause);
-  while (!run.timed_out && !passes.repeated() && machine.run(soon) == machines::StopReason::observer) {
+  while (!run.timed_out && !passes.repeated() && machine.run(soon, watch) == pdp7::StopReason::observer) {
   }
   run.refresh_period = passes.period();
   run.pass = passes.take_pass();
@@ -231,7 +237,7 @@ void watch_display(GuestPdp7& machine, Watch& watch, PassWatch& passes, const Gu
   passes.photograph();
   run.shutter_close = machine.now() + options.photograph;
   limits.until = run.shutter_close;
-  while (machine.run(limits) == machines::StopReason::observer) {
+  while (machine.run(limits, watch) == pdp7::StopReason::observer) {
   }
   run.photograph = passes.take_photograph();
 }
@@ -244,16 +250,17 @@ GuestRun run_guest(const Program& program, const GuestOptions& options) {
 
 GuestRun run_guest(const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
   Watch watch(program, options.immediate);
-  PassWatch passes(watch);
-  GuestPdp7 machine(machine_for(options), passes, watch);
+  pdp7::Machine machine(machine_for(options));
+  PassWatch passes(machine);
+  machine.strokes().hand_to(&passes);
   load(machine, program, core, options);
-  machines::Limits limits;
+  pdp7::Limits limits;
   limits.until = core::Instant(options.time_limit);
 
   GuestRun run;
-  machines::Counts begun;
+  pdp7::Counts begun;
   while (static_cast<int>(run.views.size()) < options.views && !run.timed_out) {
-    if (machine.run(limits) != machines::StopReason::observer) {
+    if (machine.run(limits, watch) != pdp7::StopReason::observer) {
       run.timed_out = true;
     } else if (watch.has_begun()) {
       begun = machine.counts();

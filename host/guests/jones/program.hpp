@@ -56,12 +56,6 @@ struct Program {
       0;  // all that the run needs of core: the above, scene, records, stack, two files
 };
 
-// Core of a machine, word by word.
-template <class Machine>
-void deposit_core(Machine& machine, std::span<const core::Word18> core) {
-  for (pdp7::Address address = 0; address < core.size(); ++address) machine.deposit(address, core[address]);
-}
-
 struct ProgramOptions {
   bool eae = true;
   std::uint32_t fraction_bits = 3;  // -D FRACTION, 0..3: of a coordinate on the screen

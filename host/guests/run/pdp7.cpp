@@ -1,5 +1,4 @@
 // See pdp7.hpp.
-#include "emulators/core/state_visitor.hpp"
 #include "host/guests/run/pdp7.hpp"
 
 #include <fmt/core.h>
@@ -10,7 +9,10 @@
 #include <iterator>
 #include <optional>
 
-#include "emulators/core/inline.hpp"
+#include "emulators/core/state_visitor.hpp"
+#include "emulators/machines/pdp7_devices.hpp"
+#include "emulators/pdp7/cpu.hpp"
+#include "emulators/pdp7/isa.hpp"
 #include "host/base/crc32.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/disk_image.hpp"
@@ -39,16 +41,6 @@ constexpr core::Duration shutter_time{200'000'000};
 // A picture of a pass that ended longer ago is not what a person would have seen.
 constexpr core::Duration oldest_picture{200'000'000};
 
-// A run without a taker of strokes.
-struct NoScreen : core::NoStrokes {
-  explicit NoScreen(const Screen::Wishes&) {}
-  static void take_log(const TextTaker&) {}
-  static void forget_after(core::Instant) {}
-  static void finish() {}
-  static void keep_strokes(bool) {}
-  static std::span<const core::Stroke> take_strokes() { return {}; }
-};
-
 std::string seconds_text(core::Instant t) {
   constexpr std::int64_t second = 1'000'000'000;
   const std::int64_t ns = core::nanoseconds_of(t);
@@ -66,18 +58,18 @@ pdp7::Address before(pdp7::Address pc) {
   return (pc & pdp7::bank_mask) | ((pc - 1) & pdp7::in_bank_mask);
 }
 
-Stop stop_of(machines::StopReason reason, pdp7::Address pc) {
+Stop stop_of(pdp7::StopReason reason, pdp7::Address pc) {
   switch (reason) {
-    case machines::StopReason::halt: return {"halt", {}};
-    case machines::StopReason::instruction_limit: return {"instruction_limit", {}};
-    case machines::StopReason::time_limit: return {"time_limit", {}, true};
-    case machines::StopReason::xct_chain:
+    case pdp7::StopReason::halt: return {"halt", {}};
+    case pdp7::StopReason::instruction_limit: return {"instruction_limit", {}};
+    case pdp7::StopReason::time_limit: return {"time_limit", {}, true};
+    case pdp7::StopReason::xct_chain:
       return {"xct_chain", fmt::format("PC {:05o}: stopped: a chain of more than {} XCT instructions",
                                        before(pc), pdp7::longest_xct_chain)};
-    case machines::StopReason::unanswered:
+    case pdp7::StopReason::unanswered:
       return {"strict",
               fmt::format("PC {:05o}: stopped by --strict: nothing obeys the instruction", before(pc))};
-    case machines::StopReason::observer: break;
+    case pdp7::StopReason::observer: break;
   }
   return {"interrupted", {}};
 }
@@ -86,31 +78,56 @@ Bytes bytes_of(std::string_view text) {
   return {text.begin(), text.end()};
 }
 
-// Only a run with a screen has an observer: a screen without outputs costs a monitor or a trace almost nothing.
-template <class Sink>
+constexpr std::string_view display_name = type340::Display::info.name;
+
+std::vector<core::Setting> settings_of(const type340::Options& display) {
+  return {{"347", display.subroutines_347 ? 1 : 0}, {"342", display.characters_342 ? 1 : 0}, {"flash-again", display.flash_again ? 1 : 0}};
+}
+
 class Pdp7Machine final : public Machine {
  public:
   explicit Pdp7Machine(Pdp7Setup setup)
       : setup_(std::move(setup)),
-        sink_(setup_.screen.value_or(Screen::Wishes{})),
-        machine_(setup_.machine, sink_, nobody_),
-        switches_(setup_.switches) {
+        screen_(setup_.screen.value_or(Screen::Wishes{})),
+        machine_(setup_.machine),
+        switches_(setup_.switches) {}
+
+  // Once, before anything else.
+  [[nodiscard]] Result<Done> put_together() {
+    std::string error = machine_.error();
+    const auto attach = [&](std::string_view name, std::span<const core::Setting> settings = {}) {
+      if (error.empty()) error = machine_.attach(name, settings);
+    };
+    if (setup_.disk) attach(pdp7::Rb09::info.name);
+    for (const DeviceChoice& device : setup_.devices) attach(device.name, device.settings);
+    if (setup_.display) {
+      if (error.empty()) error = machine_.attach_when_used(display_name, settings_of(*setup_.display));
+      machine_.plug_in(display_name, !setup_.display_when_used);
+    }
+    if (!error.empty()) return usage("--device: " + error);
     if (setup_.disk) {
-      machine_.devices().disk->attach(std::move(setup_.disk->image), setup_.disk->number, setup_.disk->locks);
+      disk_ = machine_.find<pdp7::Rb09>();
+      disk_->attach(std::move(setup_.disk->image), setup_.disk->number, setup_.disk->locks);
       disk_path_ = setup_.disk->path;
     }
-    if (!setup_.reader_tape.empty()) machine_.devices().reader.load(setup_.reader_tape);
-    for (const KeyPress& key : setup_.keys) machine_.devices().keyboard.press(key.time, key.code);
+    if (!setup_.reader_tape.empty()) reader_.load(setup_.reader_tape);
+    for (const KeyPress& key : setup_.keys) keyboard_.press(key.time, key.code);
     machine_.console().schedule(setup_.switch_script);
     machine_.console().set(setup_.switches);
-    if (machine_.display() != nullptr) pen_script_ = std::move(setup_.pen_script);
-    if (setup_.trace) tracer_.emplace();
-    if (setup_.vcd)
-      vcd_.emplace(std::move(*setup_.vcd), [this] { return machine_.display() != nullptr ? &machine_.display()->registers() : nullptr; });
+    if (display() != nullptr) pen_script_ = std::move(setup_.pen_script);
+    if (setup_.screen) machine_.strokes().hand_to(&screen_);
+    if (setup_.trace) recorder_.tracer.emplace();
+    if (setup_.vcd) {
+      recorder_.vcd.emplace(std::move(*setup_.vcd), [this] {
+        const auto* const display = this->display();
+        return display != nullptr ? &display->registers() : nullptr;
+      });
+    }
     if (setup_.monitored) probe_.emplace(std::size_t{pdp7::address_mask} + 1, std::size_t{0100});
+    return Done{};
   }
 
-  [[nodiscard]] std::uint32_t words() const override { return setup_.machine.configuration.core_words; }
+  [[nodiscard]] std::uint32_t words() const override { return setup_.machine.core_words; }
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
     return machine_.peek(address).value();
   }
@@ -150,11 +167,11 @@ class Pdp7Machine final : public Machine {
 
   void take(std::string_view option, TextTaker taker) override {
     if (option == "--trace") {
-      if (tracer_) tracer_->take(std::move(taker));
+      if (recorder_.tracer) recorder_.tracer->take(std::move(taker));
     } else if (option == "--vcd") {
-      if (vcd_) vcd_->take(std::move(taker));
+      if (recorder_.vcd) recorder_.vcd->take(std::move(taker));
     } else {
-      sink_.take_log(std::move(taker));
+      screen_.take_log(std::move(taker));
     }
   }
 
@@ -169,18 +186,17 @@ class Pdp7Machine final : public Machine {
     film();
     switches_ = machine_.console().switches(machine_.now());
     listen_to_printer();
-    if (probe_ && !probe_->events().empty() && reason != machines::StopReason::halt) return Stop{stopped_by_probe, {}};
-    const bool slice_done = reason == machines::StopReason::instruction_limit &&
+    if (probe_ && !probe_->events().empty() && reason != pdp7::StopReason::halt) return Stop{stopped_by_probe, {}};
+    const bool slice_done = reason == pdp7::StopReason::instruction_limit &&
                             machine_.counts().instructions < limits.instructions;
-    const bool pen_due = reason == machines::StopReason::time_limit && machine_.now() < limit;
+    const bool pen_due = reason == pdp7::StopReason::time_limit && machine_.now() < limit;
     if (slice_done || pen_due) return std::nullopt;
     return stop_of(reason, machine_.registers().pc);
   }
   void finish() override {
-    if (tracer_) tracer_->finish();
-    if (vcd_) vcd_->finish(now());
+    recorder_.finish(now());
     if (setup_.movie_rate != 0 && movie_.frames() == 0) take_frame(now());
-    sink_.finish();
+    screen_.finish();
   }
 
   [[nodiscard]] Probe* probe() override {
@@ -210,29 +226,27 @@ class Pdp7Machine final : public Machine {
     if (device == "pen") return attach_pen(input);
     if (device != "reader")
       return usage(fmt::format("found device \"{}\", expected reader, disk or pen", device));
-    machine_.devices().reader.load(input.bytes);
+    reader_.load(input.bytes);
     setup_.reader_name = input.name;
     return Done{};
   }
   [[nodiscard]] std::vector<Medium> changed_media() const override {
-    const auto& disk = machine_.devices().disk;
-    if (!disk || !disk->changed() || disk_path_.empty()) return {};
-    return {{disk_path_, disk_image(*disk)}};
+    if (disk_ == nullptr || !disk_->changed() || disk_path_.empty()) return {};
+    return {{disk_path_, disk_image(*disk_)}};
   }
   [[nodiscard]] std::vector<std::pair<std::string_view, bool>> conditions() override {
-    const pdp7::Peripherals& devices = machine_.devices();
-    std::vector<std::pair<std::string_view, bool>> flags{{"clock", devices.clock.flag()},
-                                                         {"reader", devices.reader.flag()},
-                                                         {"punch", devices.punch.flag()},
-                                                         {"keyboard", devices.keyboard.flag()},
-                                                         {"printer", devices.printer.flag()}};
-    if (devices.disk) {
+    std::vector<std::pair<std::string_view, bool>> flags{{"clock", clock_.interrupt_request()},
+                                                         {"reader", reader_.interrupt_request()},
+                                                         {"punch", punch_.interrupt_request()},
+                                                         {"keyboard", keyboard_.interrupt_request()},
+                                                         {"printer", printer_.interrupt_request()}};
+    if (disk_ != nullptr) {
       constexpr std::uint32_t over = pdp7::rb09::status::done | pdp7::rb09::status::error;
-      flags.emplace_back("disk", (devices.disk->status() & over) != 0);
+      flags.emplace_back("disk", (disk_->status_word() & over) != 0);
     }
-    if (setup_.machine.display) {
+    if (setup_.display) {
       // Asked, the display comes to the machine's time, as the run makes it do later. One that is not plugged in yet has no flag up.
-      auto* const display = machine_.display();
+      auto* const display = this->display();
       flags.emplace_back("edge", display != nullptr && (display->vertical_edge(now()) || display->horizontal_edge(now())));
       flags.emplace_back("pen", display != nullptr && display->light_pen_flag(now()));
       flags.emplace_back("stop", display != nullptr && display->stop_interrupt(now()));
@@ -241,52 +255,49 @@ class Pdp7Machine final : public Machine {
   }
   // The order of conditions().
   [[nodiscard]] bool condition(std::size_t number) override {
-    const pdp7::Peripherals& devices = machine_.devices();
     switch (number) {
-      case 0: return devices.clock.flag();
-      case 1: return devices.reader.flag();
-      case 2: return devices.punch.flag();
-      case 3: return devices.keyboard.flag();
-      case 4: return devices.printer.flag();
+      case 0: return clock_.interrupt_request();
+      case 1: return reader_.interrupt_request();
+      case 2: return punch_.interrupt_request();
+      case 3: return keyboard_.interrupt_request();
+      case 4: return printer_.interrupt_request();
       default: break;
     }
-    auto* const display = machine_.display();
-    const std::size_t of_display = number - (devices.disk ? 6 : 5);
+    auto* const display = this->display();
+    const std::size_t of_display = number - (disk_ != nullptr ? 6 : 5);
     if (display == nullptr || of_display > 2) return conditions().at(number).second;
     if (of_display == 0) return display->vertical_edge(now()) || display->horizontal_edge(now());
     return of_display == 1 ? display->light_pen_flag(now()) : display->stop_interrupt(now());
   }
   [[nodiscard]] std::vector<ReportLine> device_lines() const override {
-    const pdp7::Peripherals& devices = machine_.devices();
     const auto flag = [](bool up) { return up ? "flag up" : "flag down"; };
     std::vector<ReportLine> lines{
-        {"clock", fmt::format("{}, {}", devices.clock.on() ? "on" : "off", flag(devices.clock.flag()))},
-        {"reader", fmt::format("{}, {}, buffer {:06o}{}", tape_in_reader(), flag(devices.reader.flag()),
-                               devices.reader.buffer().value(), devices.reader.out_of_tape() ? ", waits for tape" : "")},
-        {"punch", fmt::format("{}, {} lines punched", flag(devices.punch.flag()), devices.punch.tape().size())},
-        {"keyboard", fmt::format("{}, buffer {:03o}", flag(devices.keyboard.flag()), devices.keyboard.buffer())},
-        {"printer", fmt::format("{}, {} characters typed", flag(devices.printer.flag()),
-                                devices.printer.printed().size())}};
-    if (devices.disk) {
-      const pdp7::Rb09& disk = *devices.disk;
-      const std::uint32_t track = disk.address() / pdp7::rb09::words_a_track;
-      const std::uint32_t sector = disk.address() / pdp7::rb09::words % pdp7::rb09::sectors;
+        {"clock", fmt::format("{}, {}", clock_.on() ? "on" : "off", flag(clock_.interrupt_request()))},
+        {"reader", fmt::format("{}, {}, buffer {:06o}{}", tape_in_reader(), flag(reader_.interrupt_request()), reader_.buffer().value(),
+                               reader_.out_of_tape() ? ", waits for tape" : "")},
+        {"punch", fmt::format("{}, {} lines punched", flag(punch_.interrupt_request()), punch_.tape().size())},
+        {"keyboard", fmt::format("{}, buffer {:03o}", flag(keyboard_.interrupt_request()), keyboard_.buffer())},
+        {"printer", fmt::format("{}, {} characters typed", flag(printer_.interrupt_request()), printer_.printed().size())}};
+    if (disk_ != nullptr) {
+      const std::uint32_t track = disk_->address() / pdp7::rb09::words_a_track;
+      const std::uint32_t sector = disk_->address() / pdp7::rb09::words % pdp7::rb09::sectors;
       lines.push_back({"disk", fmt::format("{}, status {:06o}, track {} sector {} word {} (decimal), core {:05o}, count {:06o}",
-                                           disk.attached() ? disk_path_.empty() ? "read only" : disk_path_ : "none in the drive",
-                                           disk.status(), track, sector, disk.address() % pdp7::rb09::words,
-                                           disk.core_address(), disk.word_count())});
+                                           disk_->attached() ? disk_path_.empty() ? "read only" : disk_path_ : "none in the drive",
+                                           disk_->status_word(), track, sector, disk_->address() % pdp7::rb09::words,
+                                           disk_->core_address(), disk_->word_count())});
     }
-    if (const auto* display = machine_.display()) {
+    if (const auto* const display = this->display()) {
       const type340::Counters& done = display->counters();
       lines.push_back({"display", fmt::format("{} words, {} passes complete of {} started; `show display` has its registers",
                                               done.words, done.passes_stopped, done.passes_started)});
-    } else if (setup_.machine.display) {
+    } else if (setup_.display) {
       lines.push_back({"display", "not used yet"});
     }
+    add_further_devices(lines);
     return lines;
   }
   [[nodiscard]] std::vector<ReportLine> display_lines() const override {
-    const auto* display = machine_.display();
+    const auto* const display = this->display();
     if (display == nullptr) return {};
     constexpr std::array modes{"parameter", "point", "slave", "character", "vector", "vector continue", "increment", "subroutine"};
     const type340::Registers& r = display->registers();
@@ -311,25 +322,27 @@ class Pdp7Machine final : public Machine {
                                    display->counters().passes_started)}};
   }
 
-  void keep_strokes(bool keep) override { sink_.keep_strokes(keep); }
-  std::span<const core::Stroke> take_strokes() override { return sink_.take_strokes(); }
+  void keep_strokes(bool keep) override {
+    screen_.keep_strokes(keep);
+    machine_.strokes().hand_to(&screen_);
+  }
+  std::span<const core::Stroke> take_strokes() override { return screen_.take_strokes(); }
 
   void type(std::uint8_t code) override {
-    machine_.devices().keyboard.send(machine_.now(), code);
+    keyboard_.send(machine_.now(), code);
     if (probe_) probe_->keys.push_back({ticks(), code});
-    quiet_since_ = machine_.now() + setup_.machine.configuration.timing.teletype_character;
+    quiet_since_ = machine_.now() + setup_.machine.timing.teletype_character;
   }
   // A program that takes keys by interrupt alone asks for none: it gets the next when all is quiet for longer.
   [[nodiscard]] bool wants_key() const override {
-    const pdp7::Keyboard& keyboard = machine_.devices().keyboard;
-    if (!keyboard.all_read()) return false;
+    if (!keyboard_.all_read()) return false;
     const core::Duration quiet = machine_.now() - quiet_since_;
-    const core::Duration character = setup_.machine.configuration.timing.teletype_character;
-    return (keyboard.asked() && quiet >= character) ||
+    const core::Duration character = setup_.machine.timing.teletype_character;
+    return (keyboard_.asked() && quiet >= character) ||
            (machine_.registers().interrupts_on && quiet >= 2 * character);
   }
   [[nodiscard]] std::string take_printed() override {
-    const auto& printed = machine_.devices().printer.printed();
+    const auto& printed = printer_.printed();
     std::string text(printed.begin() + static_cast<std::ptrdiff_t>(taken_of_printed_), printed.end());
     taken_of_printed_ = printed.size();
     return text;
@@ -340,7 +353,7 @@ class Pdp7Machine final : public Machine {
   [[nodiscard]] std::int64_t ticks() const override { return core::nanoseconds_of(machine_.now()); }
   [[nodiscard]] std::int64_t ticks_a_second() const override { return 1'000'000'000; }
 
-  [[nodiscard]] std::vector<std::string> configuration() const override { return configuration_with(machine_.display() != nullptr); }
+  [[nodiscard]] std::vector<std::string> configuration() const override { return configuration_with(display() != nullptr); }
   [[nodiscard]] std::vector<std::string> configuration_in(const MachineState& state) const override {
     return configuration_with(has_display(state));
   }
@@ -351,12 +364,12 @@ class Pdp7Machine final : public Machine {
   }
   [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
     display_words_.reset();
-    const bool had_display = machine_.display() != nullptr;
-    const bool changes = setup_.machine.display && had_display != has_display(state);
+    const bool had_display = display() != nullptr;
+    const bool changes = setup_.display && had_display != has_display(state);
     const MachineState before = changes ? save() : MachineState{};
     if (changes) plug_in_display(!had_display);
     const auto restored = [this](const MachineState& from) {
-      return restore_state(from, [this](auto& visit) { this->visit_state(visit); });
+      return restore_state(from, [this](core::StateVisitor& visit) { visit_state(visit); });
     };
     const auto done = restored(state);
     if (!done) {
@@ -367,26 +380,26 @@ class Pdp7Machine final : public Machine {
       return done;
     }
     // An output, or --display, asks for one whatever the snapshot has.
-    if (setup_.machine.display && !setup_.machine.display_when_used && machine_.display() == nullptr) plug_in_display(true);
+    if (setup_.display && !setup_.display_when_used && display() == nullptr) plug_in_display(true);
     switches_ = machine_.console().switches(machine_.now());
-    heard_of_printed_ = taken_of_printed_ = machine_.devices().printer.printed().size();
-    sink_.forget_after(machine_.now());
+    heard_of_printed_ = taken_of_printed_ = printer_.printed().size();
+    screen_.forget_after(machine_.now());
     return done;
   }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
-    const machines::Counts counts = machine_.counts();
+    const pdp7::Counts counts = machine_.counts();
     std::vector<ReportLine> lines{
         {"emulated time", seconds_text(now()) + " s"},
         {"instructions", fmt::format("{}", counts.instructions)},
         {"machine cycles",
          fmt::format("{}, {} of them stolen", counts.machine_cycles, counts.stolen_cycles)}};
-    if (const auto& disk = machine_.devices().disk) {
-      const pdp7::rb09::Counters& done = disk->counters();
+    if (disk_ != nullptr) {
+      const pdp7::rb09::Counters& done = disk_->counters();
       lines.push_back({"disk", fmt::format("{} words read and {} written in {} transfers, {} timing errors", done.words_read,
                                            done.words_written, done.transfers, done.timing_errors)});
     }
-    if (const auto* display = machine_.display()) {
+    if (const auto* const display = this->display()) {
       const type340::Counters& counters = display->counters();
       lines.push_back({"display", fmt::format("{} words, {} passes complete of {} started", counters.words,
                                               counters.passes_stopped, counters.passes_started)});
@@ -396,11 +409,12 @@ class Pdp7Machine final : public Machine {
       if (display->registers().stop) ends += fmt::format("{}stopped now by its own file", ends.empty() ? "" : ", ");
       if (!ends.empty()) lines.push_back({"", ends});
     }
+    add_further_devices(lines);
     return lines;
   }
   void add_times(base::Json& report) const override {
-    const machines::Counts counts = machine_.counts();
-    const auto* display = machine_.display();
+    const pdp7::Counts counts = machine_.counts();
+    const auto* const display = this->display();
     report["machine_cycles"] = counts.machine_cycles;
     report["emulated_ns"] = core::nanoseconds_of(now());
     report["emulated_seconds"] = static_cast<double>(core::nanoseconds_of(now())) / 1e9;
@@ -412,23 +426,26 @@ class Pdp7Machine final : public Machine {
     report["edges"] = display != nullptr ? display->counters().edges : 0;
   }
   void add_details(base::Json& report) const override {
-    const machines::Configuration& machine = setup_.machine.configuration;
+    const pdp7::Options& machine = setup_.machine;
     report["machine"] = base::Json{{"core_words", machine.core_words},
                                    {"eae", machine.model.eae},
                                    {"extend_mode", machine.core_words > 8192},
-                                   {"display", machine_.display() != nullptr}};
+                                   {"display", display() != nullptr}};
     base::Json& timing = report["timing"] = base::Json::object();
     for (const auto& [name, value] : setup_.timing) timing[name] = value;
-    if (const auto& disk = machine_.devices().disk) {
-      const pdp7::rb09::Counters& done = disk->counters();
+    if (disk_ != nullptr) {
+      const pdp7::rb09::Counters& done = disk_->counters();
       report["disk"] = base::Json{{"transfers", done.transfers},
                                   {"words_read", done.words_read},
                                   {"words_written", done.words_written},
                                   {"timing_errors", done.timing_errors}};
     }
-    report["reader_out_of_tape"] = machine_.devices().reader.out_of_tape();
+    further_devices([&report](std::string_view name, const std::vector<core::Count>& counts) {
+      report["devices"][std::string(name)] = counts_json(counts);
+    });
+    report["reader_out_of_tape"] = reader_.out_of_tape();
     base::Json& unanswered = report["unanswered"] = base::Json::array();
-    for (const machines::Unanswered& entry : machine_.unanswered()) {
+    for (const pdp7::Unanswered& entry : machine_.unanswered()) {
       unanswered.push_back(base::Json{{"word", fmt::format("{:06o}", entry.word)},
                                       {"count", entry.count},
                                       {"first_pc", fmt::format("{:05o}", entry.first_pc)}});
@@ -444,64 +461,41 @@ class Pdp7Machine final : public Machine {
     for (std::string& warning : early_warnings_left()) warnings.push_back(std::move(warning));
     if (const std::size_t codes = machine_.unanswered().size(); codes > most_warnings)
       warnings.push_back(fmt::format("and {} more such codes", codes - most_warnings));
-    if (const auto& disk = machine_.devices().disk; disk && disk->counters().timing_errors != 0) {
+    if (disk_ != nullptr && disk_->counters().timing_errors != 0) {
       warnings.push_back(fmt::format("the disk waited too long for core in {} transfers, which ended with a timing error",
-                                     disk->counters().timing_errors));
+                                     disk_->counters().timing_errors));
     }
-    if constexpr (Sink::consumes) {
-      const bool of_pass = setup_.screen && setup_.picture_wanted && setup_.screen->window.count() == 0;
-      if (of_pass && !sink_.has_complete_pass())
-        warnings.push_back("the picture shows " + shown(sink_.picture_strokes(now()).size()));
-      if (setup_.picture_wanted && setup_.screen && setup_.screen->window.count() != 0) {
-        if (sink_.picture_strokes(now()).empty())
-          warnings.emplace_back("the picture shows nothing, no point was lit in the time of --png-window; a longer one reaches further back");
-        const auto newest = sink_.newest_strokes();
-        if (newest.size() == Screen::strokes_kept && newest.front().time + setup_.screen->window > now()) {
-          warnings.push_back(fmt::format("the picture shows the newest {} points; --png-window reaches further back",
-                                         Screen::strokes_kept));
-        }
-      }
-      if (of_pass && sink_.has_complete_pass() && now() - sink_.end_of_pass() > oldest_picture) {
-        warnings.push_back(fmt::format("the picture shows a pass that ended {} s before the run did; --png-window 0.2 shows what was "
-                                       "drawn last, --phosphor what the screen showed",
-                                       seconds_text(core::Instant(now() - sink_.end_of_pass()))));
-      }
-    }
+    if (setup_.picture_wanted) add_picture_warnings(warnings);
     return warnings;
   }
 
   [[nodiscard]] Bytes output(std::string_view option) const override {
-    if (option == "--punch") return machine_.devices().punch.tape();
+    if (option == "--punch") return punch_.tape();
     if (option == "--teletype") {
-      Bytes codes = machine_.devices().printer.printed();
+      Bytes codes = printer_.printed();
       for (std::uint8_t& code : codes) code &= 0177U;
       return codes;
     }
-    if constexpr (Sink::consumes) {
-      if (machine_.display() == nullptr) return {};
-      if (option == "--phosphor") return photograph();
-      if (option == "--movie") return *movie_.finish();
-      const auto strokes = sink_.picture_strokes(now());
-      if (option == "--svg")
-        return bytes_of(picture::svg_drawing(strokes, "Type 340: " + shown(strokes.size())));
-      const std::string made_at = fmt::format("{} ns of emulated time", core::nanoseconds_of(now()));
-      return *picture::encode_png(picture::crisp_raster(strokes),
-                                  {{"Software", "sightline " SIGHTLINE_VERSION},
-                                   {"Shown", shown(strokes.size())},
-                                   {"End of run", made_at}});
-    }
-    return {};
+    if (display() == nullptr) return {};
+    if (option == "--phosphor") return photograph();
+    if (option == "--movie") return *movie_.finish();
+    const auto strokes = screen_.picture_strokes(now());
+    if (option == "--svg") return bytes_of(picture::svg_drawing(strokes, "Type 340: " + shown(strokes.size())));
+    const std::string made_at = fmt::format("{} ns of emulated time", core::nanoseconds_of(now()));
+    return *picture::encode_png(picture::crisp_raster(strokes), {{"Software", "sightline " SIGHTLINE_VERSION},
+                                                                 {"Shown", shown(strokes.size())},
+                                                                 {"End of run", made_at}});
   }
 
  protected:
   [[nodiscard]] std::vector<EarlyWarning> early_warnings() const override {
     std::vector<EarlyWarning> warnings;
-    for (const machines::Unanswered& entry : machine_.unanswered()) {
+    for (const pdp7::Unanswered& entry : machine_.unanswered()) {
       if (warnings.size() == most_warnings) break;
       warnings.push_back({fmt::format("PC {:05o}: {:06o} does nothing, {}", entry.first_pc, entry.word, why_unanswered(entry.word)),
                           entry.count == 1 ? "once" : fmt::format("{} times", entry.count)});
     }
-    if (const auto* display = machine_.display()) {
+    if (const auto* const display = this->display()) {
       const auto attach = [&warnings](std::uint64_t times, std::string_view what, std::string_view option) {
         if (times == 0) return;
         warnings.push_back({fmt::format("the display met a word for {} and waits there; --display-option {} attaches it", what, option), {}});
@@ -509,7 +503,7 @@ class Pdp7Machine final : public Machine {
       attach(display->counters().characters_met, "the Type 342 character generator", "342");
       attach(display->counters().subroutines_met, "the Type 347 subroutine option", "347");
     }
-    if (machine_.devices().reader.out_of_tape())
+    if (reader_.out_of_tape())
       warnings.push_back({"the program waits for the paper-tape reader, which has no more tape", {}});
     return warnings;
   }
@@ -517,24 +511,39 @@ class Pdp7Machine final : public Machine {
  private:
   [[nodiscard]] std::string tape_in_reader() const {
     if (setup_.reader_name.empty()) return "no tape";
-    const pdp7::Reader& reader = machine_.devices().reader;
-    return fmt::format("{}, {} of {} lines read", setup_.reader_name, reader.position(), reader.length());
+    return fmt::format("{}, {} of {} lines read", setup_.reader_name, reader_.position(), reader_.length());
+  }
+
+  // --- Devices by --device ---
+
+  // tell(name, counts) for each that is attached.
+  template <class Tell>
+  void further_devices(Tell tell) const {
+    for (const DeviceChoice& choice : setup_.devices)
+      if (const core::IotDevice* const device = machine_.device(choice.name)) tell(choice.name, device->counts());
+  }
+  void add_further_devices(std::vector<ReportLine>& lines) const {
+    further_devices([&lines](std::string_view name, const std::vector<core::Count>& counts) {
+      lines.push_back({std::string(name), counts_text(counts)});
+    });
   }
 
   // --- The display ---
 
+  // Null: there is none, or it is not plugged in.
+  [[nodiscard]] type340::Display* display() const { return machine_.find<type340::Display>(); }
   const std::map<std::uint32_t, type340::Mode>& words_of_display() const {
     if (!display_words_) {
       display_words_.emplace();
-      const auto* const display = machine_.display();
+      const auto* const display = this->display();
       if (display != nullptr && display->counters().passes_started != 0)
-        display_words_ = display_file(*setup_.machine.display, display->registers(), display->start_address(),
+        display_words_ = display_file(*setup_.display, display->registers(), display->start_address(),
                                       [this](std::uint32_t address) { return machine_.peek(address); });
     }
     return *display_words_;
   }
   [[nodiscard]] static bool has_display(const MachineState& state) {
-    return std::any_of(state.begin(), state.end(), [](const StateSection& section) { return section.name == "display"; });
+    return std::any_of(state.begin(), state.end(), [](const StateSection& section) { return section.name == display_name; });
   }
   [[nodiscard]] std::vector<std::string> configuration_with(bool display) const {
     std::vector<std::string> words = setup_.configuration;
@@ -542,80 +551,71 @@ class Pdp7Machine final : public Machine {
     return words;
   }
   void plug_in_display(bool in) {
-    machine_.plug_in_display(in);
+    machine_.plug_in(display_name, in);
     if (in) return;
     pen_script_.clear();
     next_move_ = 0;
   }
 
   [[nodiscard]] std::uint64_t slice_after(std::uint64_t done) const {
-    return tracer_ || vcd_ ? cycles_to_first_question : std::clamp(done, cycles_to_first_question, cycles_between_questions);
+    return recorder_.records() ? cycles_to_first_question : std::clamp(done, cycles_to_first_question, cycles_between_questions);
   }
-  machines::StopReason run_observed(const machines::Limits& limits) {
-    if constexpr (Sink::consumes) {
-      if (tracer_ || vcd_) return run_watched(limits, Pdp7Reporter(tracer_ ? &*tracer_ : nullptr, vcd_ ? &*vcd_ : nullptr));
-      if (probe_ && probe_->watches_instructions()) return run_watched(limits, Pdp7Reporter(*probe_));
-      if (probe_ && probe_->watches_boundaries()) return run_watched(limits, Pdp7Watcher(*probe_));
-    }
-    return machine_.run(limits);
-  }
-  template <class Observer>
-  machines::StopReason run_watched(const machines::Limits& limits, Observer observer) {
-    observer.begin(machine_.now());
-    const auto reason = machine_.run(limits, observer);
+  pdp7::StopReason run_observed(const pdp7::Limits& limits) {
+    if (recorder_.records()) return machine_.run(limits, recorder_);
+    if (!probe_ || !(probe_->watches_instructions() || probe_->watches_boundaries())) return machine_.run(limits);
+    Pdp7Watcher watcher(*probe_, machine_.now());
+    const auto reason = machine_.run(limits, watcher);
     // The last boundary of a run by number is not asked for.
-    if (reason == machines::StopReason::instruction_limit)
-      static_cast<void>(observer.stop(machine_.now(), machine_.registers().pc));
+    if (reason == pdp7::StopReason::instruction_limit)
+      static_cast<void>(watcher.stop(machine_.now(), machine_.registers().pc));
     return reason;
   }
 
   // An input without a name is no pen.
   Result<Done> attach_pen(const Input& input) {
-    if (!setup_.machine.display) return usage("found no display on this machine, expected one; begin without --no-display");
+    if (!setup_.display) return usage("found no display on this machine, expected one; begin without --no-display");
     std::vector<PenMove> script;
     if (!input.name.empty()) {
       if (auto done = read_light_pen(input, script); !done) return done;
     }
-    if (machine_.display() == nullptr) {
+    if (display() == nullptr) {
       if (input.name.empty()) return Done{};  // no pen is there to be taken away
       plug_in_display(true);
     }
     pen_script_ = std::move(script);
     next_move_ = 0;
-    machine_.display()->point_light_pen(std::nullopt);
+    display()->point_light_pen(std::nullopt);
     return Done{};
   }
 
   // An input without a name is an empty drive.
   Result<Done> attach_disk(const Input& input) {
-    auto& disk = machine_.devices().disk;
-    if (!disk) return usage("found no disk drive on this machine, expected one; begin with --disk FILE");
+    if (disk_ == nullptr) return usage("found no disk drive on this machine, expected one; begin with --disk FILE");
     if (input.name.empty()) {
-      disk->detach();
+      disk_->detach();
       disk_path_.clear();
       return Done{};
     }
     auto image = read_disk_image(input);
     if (!image) return image.error();
-    disk->attach(std::move(*image), base::crc32(input.bytes), 0);
+    disk_->attach(std::move(*image), base::crc32(input.bytes), 0);
     disk_path_ = input.name;
     return Done{};
   }
 
   void listen_to_printer() {
-    const pdp7::Printer& printer = machine_.devices().printer;
-    if (printer.deadline() != core::never || printer.printed().size() != heard_of_printed_)
+    if (printer_.deadline() != core::never || printer_.printed().size() != heard_of_printed_)
       quiet_since_ = std::max(quiet_since_, machine_.now());
-    heard_of_printed_ = printer.printed().size();
+    heard_of_printed_ = printer_.printed().size();
   }
 
   void visit_state(core::StateVisitor& visit) {
     machine_.visit_state(visit);
     pen_script_.erase(pen_script_.begin(), pen_script_.begin() + static_cast<std::ptrdiff_t>(next_move_));
     next_move_ = 0;
-    visit.section("console line", [this](auto& fields) { fields("quiet_since", quiet_since_); });
-    if (machine_.display() == nullptr) return;
-    visit.section("light pen script", [this](auto& fields) {
+    visit.section("console line", [this](core::StateVisitor& fields) { fields("quiet_since", quiet_since_); });
+    if (display() == nullptr) return;
+    visit.section("light pen script", [this](core::StateVisitor& fields) {
       fields.list("moves", pen_script_, [&fields](PenMove& move) {
         fields("time", move.time);
         fields.present("pen", move.pen, [&fields](type340::LightPen& pen) { pen.visit_state(fields); });
@@ -627,21 +627,41 @@ class Pdp7Machine final : public Machine {
   // machine's own time between runs, which is what its pen asks for.
   core::Instant move_pen() {
     while (next_move_ < pen_script_.size() && pen_script_[next_move_].time <= machine_.now())
-      machine_.display()->point_light_pen(pen_script_[next_move_++].pen);
+      display()->point_light_pen(pen_script_[next_move_++].pen);
     return next_move_ < pen_script_.size() ? pen_script_[next_move_].time : core::never;
   }
 
+  void add_picture_warnings(std::vector<std::string>& warnings) const {
+    if (!setup_.screen) return;
+    const core::Duration window = setup_.screen->window;
+    if (window.count() == 0) {
+      if (!screen_.has_complete_pass()) {
+        warnings.push_back("the picture shows " + shown(screen_.picture_strokes(now()).size()));
+      } else if (now() - screen_.end_of_pass() > oldest_picture) {
+        warnings.push_back(fmt::format("the picture shows a pass that ended {} s before the run did; --png-window 0.2 shows what was "
+                                       "drawn last, --phosphor what the screen showed",
+                                       seconds_text(core::Instant(now() - screen_.end_of_pass()))));
+      }
+      return;
+    }
+    if (screen_.picture_strokes(now()).empty())
+      warnings.emplace_back("the picture shows nothing, no point was lit in the time of --png-window; a longer one reaches further back");
+    const auto newest = screen_.newest_strokes();
+    if (newest.size() == Screen::strokes_kept && newest.front().time + window > now()) {
+      warnings.push_back(fmt::format("the picture shows the newest {} points; --png-window reaches further back", Screen::strokes_kept));
+    }
+  }
   // What a picture of so many strokes shows.
   [[nodiscard]] std::string shown(std::size_t strokes) const {
     if (setup_.screen && setup_.screen->window.count() != 0)
       return fmt::format("{} points of the last {} s", strokes, seconds_text(core::Instant(setup_.screen->window)));
-    if (sink_.has_complete_pass()) return "the last complete pass";
+    if (screen_.has_complete_pass()) return "the last complete pass";
     return strokes == 0 ? "nothing, no point was lit"
                         : fmt::format("no complete pass; the {} newest points", strokes);
   }
   [[nodiscard]] picture::Image developed(core::Instant at) const {
     picture::PhosphorPhotograph photograph(std::max(core::Instant{}, at - shutter_time), at);
-    photograph.expose(sink_.newest_strokes());  // later ones add nothing
+    photograph.expose(screen_.newest_strokes());  // later ones add nothing
     return photograph.develop();
   }
   // The movie: a photograph at each frame's time, so that a run is the same with it.
@@ -658,7 +678,7 @@ class Pdp7Machine final : public Machine {
   }
   [[nodiscard]] core::Duration frame_time() const { return core::seconds(1) / setup_.movie_rate; }
   void take_frame(core::Instant at) {
-    if constexpr (Sink::consumes) static_cast<void>(movie_.add(developed(at)));
+    static_cast<void>(movie_.add(developed(at)));
   }
 
   [[nodiscard]] Bytes photograph() const {
@@ -671,12 +691,17 @@ class Pdp7Machine final : public Machine {
   }
 
   Pdp7Setup setup_;
-  Sink sink_;
-  machines::NoObserver nobody_;
-  std::optional<Pdp7Tracer> tracer_;
-  std::optional<Pdp7Vcd> vcd_;
+  Screen screen_;
+  Pdp7Recorder recorder_;
   std::optional<Probe> probe_;
-  machines::Pdp7<Sink> machine_;
+  pdp7::Machine machine_;
+  // Of every machine here.
+  pdp7::Clock& clock_ = *machine_.find<pdp7::Clock>();
+  pdp7::Reader& reader_ = *machine_.find<pdp7::Reader>();
+  pdp7::Punch& punch_ = *machine_.find<pdp7::Punch>();
+  pdp7::Keyboard& keyboard_ = *machine_.find<pdp7::Keyboard>();
+  pdp7::Printer& printer_ = *machine_.find<pdp7::Printer>();
+  pdp7::Rb09* disk_ = nullptr;  // null: no drive on the machine
   static constexpr std::uint32_t most_frames = 750;
   picture::ApngWriter movie_{{1, static_cast<std::uint16_t>(std::max(1U, setup_.movie_rate))}, 0,
                              {{"Software", "sightline " SIGHTLINE_VERSION}}};
@@ -695,12 +720,10 @@ class Pdp7Machine final : public Machine {
 
 }  // namespace
 
-std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup) {
-  if constexpr (!few_observers) {
-    if (!setup.monitored && !setup.trace && !setup.vcd && !setup.screen)
-      return std::make_unique<Pdp7Machine<NoScreen>>(std::move(setup));
-  }
-  return std::make_unique<Pdp7Machine<Screen>>(std::move(setup));
+Result<std::unique_ptr<Machine>> make_pdp7(Pdp7Setup setup) {
+  auto machine = std::make_unique<Pdp7Machine>(std::move(setup));
+  if (auto done = machine->put_together(); !done) return done.error();
+  return std::unique_ptr<Machine>(std::move(machine));
 }
 
 }  // namespace sightline::guests::run

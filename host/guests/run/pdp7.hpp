@@ -1,5 +1,5 @@
-// A PDP-7 configured for one run, with the devices that the run needs. Without a trace no observer is
-// compiled in, without a consumer of strokes the display does not compute single flashes.
+// A PDP-7 configured for one run, with the devices that the run needs. A run that nothing watches has no observer, and a
+// display whose strokes nobody takes does not compute single flashes.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "emulators/machines/pdp7.hpp"
+#include "emulators/type340/display.hpp"
+#include "host/guests/run/device_option.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/guests/run/pdp7_scripts.hpp"
 #include "host/guests/run/screen.hpp"
@@ -19,7 +21,9 @@
 namespace sightline::guests::run {
 
 struct Pdp7Setup {
-  machines::Pdp7Options machine;
+  pdp7::Options machine;
+  std::optional<type340::Options> display;  // nullopt: no display on the machine
+  bool display_when_used = false;           // it is plugged in by the program's first IOT of a display
   std::vector<std::pair<std::string, std::int64_t>> timing;  // what --timing has set, for the report
   core::Word18 switches;
   std::vector<pdp7::SwitchSetting> switch_script;
@@ -29,7 +33,8 @@ struct Pdp7Setup {
     std::uint32_t number = 0;         // the checksum of its bytes
     std::uint32_t locks = 0;          // pdp7::Rb09::attach
   };
-  std::optional<Disk> disk;
+  std::optional<Disk> disk;           // nullopt: no disk drive on the machine
+  std::vector<DeviceChoice> devices;  // by --device
   Bytes reader_tape;                     // one byte a line, hole 8 = 0200
   std::string reader_name;               // of its file; empty: no tape
   std::vector<KeyPress> keys;            // not before one another
@@ -43,7 +48,7 @@ struct Pdp7Setup {
   std::optional<Screen::Wishes> screen;  // of its strokes; its log is taken with take("--strokes")
 };
 
-// The registers of the description are PC AC L MQ SC SR ION.
-[[nodiscard]] std::unique_ptr<Machine> make_pdp7(Pdp7Setup setup);
+// The registers of the description are PC AC L MQ SC SR ION. Error: devices that use the same IOTs.
+[[nodiscard]] Result<std::unique_ptr<Machine>> make_pdp7(Pdp7Setup setup);
 
 }  // namespace sightline::guests::run

@@ -6,8 +6,10 @@
 #include <array>
 #include <type_traits>
 
+#include "emulators/machines/pdp7_devices.hpp"
 #include "host/base/crc32.hpp"
 #include "host/base/number.hpp"
+#include "host/guests/run/device_option.hpp"
 #include "host/guests/run/disk_image.hpp"
 #include "host/guests/run/pdp7.hpp"
 #include "host/guests/run/pdp7_vcd.hpp"
@@ -139,7 +141,7 @@ Result<Done> set_timing(const std::vector<std::string>& texts, Pdp7Setup& setup)
       return usage(fmt::format("--timing {}: found \"{}\", expected a whole decimal number, {} to {} ({})",
                                name, digits, row.least, row.most, row.unit));
     }
-    row.set(setup.machine.configuration.timing, place->device, *value);
+    row.set(setup.machine.timing, place->device, *value);
     const auto same = std::find_if(setup.timing.begin(), setup.timing.end(),
                                    [&name](const auto& setting) { return setting.first == name; });
     if (same == setup.timing.end()) {
@@ -197,11 +199,11 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   const auto has = [&options](const char* name) {
     return std::find(options.begin(), options.end(), name) != options.end();
   };
-  setup.machine.display_when_used =
+  setup.display_when_used =
       !setup.screen && !arguments.given("--display") && options.empty() && !arguments.given("--light-pen");
-  setup.machine.display = type340::Options{};
-  setup.machine.display->subroutines_347 = has("347");
-  setup.machine.display->characters_342 = has("342");
+  setup.display = type340::Options{};
+  setup.display->subroutines_347 = has("347");
+  setup.display->characters_342 = has("342");
   if (arguments.given("--monitor")) setup.screen = Screen::Wishes{.picture = true, .photograph = true};
   return Done{};
 }
@@ -218,13 +220,13 @@ Result<Done> set_switches(const std::string& text, const FileReader& read, Pdp7S
 }
 
 // All that decides how the machine works and is no state; --strict only says where a run ends.
-std::vector<std::string> configuration_of(const machines::Pdp7Options& options) {
-  const machines::Configuration& machine = options.configuration;
+std::vector<std::string> configuration_of(const Pdp7Setup& setup) {
+  const sightline::pdp7::Options& machine = setup.machine;
   std::vector<std::string> words{fmt::format("--memory {}k", machine.core_words / 1024),
                                  machine.model.eae ? "--eae" : "--no-eae"};
-  if (machine.devices.disk) words.emplace_back("--disk");
+  if (setup.disk) words.emplace_back("--disk");
   for (const TimingName& row : timing_names) {
-    const bool used = !row.name.starts_with("disk_") || machine.devices.disk;
+    const bool used = !row.name.starts_with("disk_") || setup.disk;
     if (used && &row != &timing_names.back())
       words.push_back(fmt::format("--timing {}={}", row.name, row.get(machine.timing, 0)));
   }
@@ -234,21 +236,36 @@ std::vector<std::string> configuration_of(const machines::Pdp7Options& options) 
       words.push_back(fmt::format("--timing {}{:02o}={}", stretch_prefix, device, stretch[device].count()));
   }
   // Whether the display is plugged in is state, which the machine adds.
-  if (!options.display) words.emplace_back("--no-display");
-  if (options.display && options.display->characters_342) words.emplace_back("--display-option 342");
-  if (options.display && options.display->subroutines_347) words.emplace_back("--display-option 347");
+  if (!setup.display) words.emplace_back("--no-display");
+  if (setup.display && setup.display->characters_342) words.emplace_back("--display-option 342");
+  if (setup.display && setup.display->subroutines_347) words.emplace_back("--display-option 347");
+  for (const DeviceChoice& device : setup.devices) words.push_back("--device " + device_text(device));
   return words;
+}
+
+// The devices of the machine's list that --device attaches: those that are not always there, and that no other option attaches.
+const std::vector<ListedDevice>& further_devices() {
+  static const std::vector<ListedDevice> devices = [] {
+    std::vector<std::string_view> known = sightline::pdp7::Options{}.devices;
+    known.insert(known.end(), {sightline::pdp7::Rb09::info.name, type340::Display::info.name});
+    std::vector<ListedDevice> others;
+    for (const core::IotDeviceInfo& info : sightline::pdp7::device_infos) {
+      if (std::find(known.begin(), known.end(), info.name) == known.end()) others.push_back({info.name, info.help, info.options});
+    }
+    return others;
+  }();
+  return devices;
 }
 
 Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
   Pdp7Setup setup;
   const std::string& memory = arguments.text("--memory");  // "8k"
-  setup.machine.configuration.core_words =
+  setup.machine.core_words =
       base::whole_number<std::uint32_t>(std::string_view(memory).substr(0, memory.size() - 1), 10)
           .value_or(8) *
       1024;
-  setup.machine.configuration.model.eae = !arguments.given("--no-eae");
-  setup.machine.configuration.model.strict = arguments.given("--strict");
+  setup.machine.model.eae = !arguments.given("--no-eae");
+  setup.machine.model.strict = arguments.given("--strict");
   if (auto done = set_timing(arguments.list("--timing"), setup); !done) return done.error();
   if (auto done = choose_display(arguments, setup); !done) return done.error();
   setup.trace = arguments.given("--trace");
@@ -264,7 +281,6 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     auto image = read_disk_image(input);
     if (!image) return image.error();
     const bool read_only = arguments.given("--disk-read-only");
-    setup.machine.configuration.devices.disk = true;
     const std::string& path = arguments.text("--disk");
     setup.disk = Pdp7Setup::Disk{read_only || path == "-" ? std::string() : path, std::move(*image), base::crc32(input.bytes),
                                  read_only ? sightline::pdp7::rb09::all_locked : 0};
@@ -281,7 +297,10 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     if (auto done = read_light_pen(read(arguments.text("--light-pen")), setup.pen_script); !done)
       return done.error();
   }
-  setup.configuration = configuration_of(setup.machine);
+  auto devices = read_devices(arguments.list("--device"), further_devices());
+  if (!devices) return devices.error();
+  setup.devices = std::move(*devices);
+  setup.configuration = configuration_of(setup);
   return make_pdp7(std::move(setup));
 }
 
@@ -437,6 +456,7 @@ std::vector<Option> run_options() {
   const auto keyboard = std::find_if(options.begin(), options.end(),
                                      [](const Option& option) { return option.name == "--keyboard"; });
   options.insert(keyboard + 1, console.begin(), console.end());
+  if (auto device = device_option(further_devices())) options.push_back(std::move(*device));
   return options;
 }
 
@@ -452,7 +472,7 @@ MachineDescription described() {
   pdp7.memory_name = "core";
   pdp7.an_address = "an address in core";
   pdp7.memory_option = "--memory";
-  pdp7.more_help = timing_help() + vcd_help(pdp7_signals());
+  pdp7.more_help = timing_help() + vcd_help(pdp7_signals()) + device_help(further_devices());
   pdp7.in_snapshot = {"--switches", "--keyboard", "--light-pen"};
   pdp7.registers = {{"PC", 15, "an address in core", true},
                     {"AC", 18, "a word"},

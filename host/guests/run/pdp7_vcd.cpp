@@ -65,7 +65,7 @@ void Pdp7Vcd::cycle(const pdp7::Cycle& cycle) {
   writer_.show(at, signal::write, writes ? 1 : 0);
 }
 
-void Pdp7Vcd::instruction(const machines::InstructionRecord& record) {
+void Pdp7Vcd::instruction(const pdp7::InstructionRecord& record) {
   const std::int64_t at = core::nanoseconds_of(record.end);
   clear_pulses(at);
   writer_.show(at, signal::pc, record.after.pc);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "emulators/core/time.hpp"
-#include "emulators/machines/observer.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/bus.hpp"
 #include "emulators/type340/registers.hpp"
 #include "host/guests/run/vcd.hpp"
@@ -29,7 +29,7 @@ class Pdp7Vcd {
   void finish(core::Instant now);
 
   void cycle(const pdp7::Cycle& cycle);
-  void instruction(const machines::InstructionRecord& record);
+  void instruction(const pdp7::InstructionRecord& record);
 
  private:
   [[nodiscard]] std::size_t kind_of(const pdp7::Cycle& cycle);

@@ -15,14 +15,6 @@
 
 namespace sightline::guests::run {
 
-// A module for browsers has no traces and no VCDs, and no machine without a display: a page shows none, and each is a hundredth of its
-// size or more.
-#if defined(__wasm__)
-inline constexpr bool few_observers = true;
-#else
-inline constexpr bool few_observers = false;
-#endif
-
 class Probe {
  public:
   // Marks of an address or a port: those of the machines (pdp7::mark, i8080::mark).

@@ -1,29 +1,25 @@
-// The strokes that a run keeps of its display: a sink (emulators/core/stroke.hpp) that does only what was
-// asked for.
+// The strokes that a run keeps of its display: it does only what was asked for.
 //
 // A picture shows the last complete pass. A program that never completes one is shown by the newest strokes
 // of the run, up to the recorder's limit. A photograph needs the newest strokes too, for the afterglow of
 // what was drawn before the shutter opened.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "emulators/core/inline.hpp"
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/time.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/picture/stroke_log.hpp"
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 
 namespace sightline::guests::run {
 
-class Screen {
+class Screen final : public core::StrokeTaker {
  public:
-  static constexpr bool consumes = true;
   // Three seconds of a display that flashes every 1.5 us.
   static constexpr std::size_t strokes_kept = std::size_t{1} << 21;
 
@@ -33,47 +29,42 @@ class Screen {
     core::Duration window{};  // a picture of all strokes of the last so many nanoseconds; 0: of the last complete pass
   };
 
-  explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) { look_at_wishes(); }
+  explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) {}
   // Takes every stroke, as host/picture/stroke_log writes it; before the first one.
-  void take_log(TextTaker taker) {
-    log_.take(std::move(taker));
-    look_at_wishes();
-  }
+  void take_log(TextTaker taker) { log_.take(std::move(taker)); }
 
-  void begin_pass(core::Instant t) {
+  void begin_pass(core::Instant t) override {
     if (wishes_.picture) passes_.begin_pass(t);
   }
-  SIGHTLINE_INLINE void stroke(const core::Stroke& stroke) {
-    if (live_) {
-      if (fresh_count_ == fresh_.size()) grow();
-      fresh_[fresh_count_++] = stroke;
-    }
-    if (wished_) keep(stroke);
+  void strokes(std::span<const core::Stroke> strokes) override {
+    if (live_) fresh_.insert(fresh_.end(), strokes.begin(), strokes.end());
+    if (wishes_.picture) passes_.add(strokes);
+    const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
+    if (wishes_.photograph || of_picture) newest_.add(strokes);
+    if (!log_.wanted()) return;
+    for (const core::Stroke& stroke : strokes)
+      log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
   }
-  [[nodiscard]] core::Stroke* room(std::size_t count) {
-    if (!live_) return of_pass_alone() ? passes_.room(count) : nullptr;
-    if (wished_) return nullptr;
-    if (fresh_.size() - fresh_count_ < count) grow();
-    fresh_count_ += count;
-    return fresh_.data() + (fresh_count_ - count);
-  }
-  void end_pass(core::Instant t) {
+  void end_pass(core::Instant t) override {
     if (wishes_.picture) passes_.end_pass(t);
   }
   // The machine goes back to `t`: later strokes are drawn again. What the log has written stays.
   void forget_after(core::Instant t) {
     passes_.forget_after(t);
     newest_.forget_after(t);
-    fresh_count_ = 0;
+    fresh_.clear();
   }
   // From now on strokes are kept for take_strokes, and for nothing else.
   void keep_strokes(bool keep) {
     live_ = keep;
     if (keep) wishes_ = {};
-    look_at_wishes();
   }
   // Valid until the display draws again.
-  [[nodiscard]] std::span<const core::Stroke> take_strokes() { return {fresh_.data(), std::exchange(fresh_count_, 0)}; }
+  [[nodiscard]] std::span<const core::Stroke> take_strokes() {
+    taken_.clear();
+    std::swap(taken_, fresh_);
+    return taken_;
+  }
   // Hands out what is left of the log.
   void finish() { log_.finish(); }
 
@@ -90,31 +81,13 @@ class Screen {
   [[nodiscard]] std::vector<core::Stroke> newest_strokes() const { return newest_.strokes(); }
 
  private:
-  void look_at_wishes() { wished_ = wishes_.picture || wishes_.photograph || log_.wanted(); }
-  // Strokes go to the running pass and nowhere else.
-  [[nodiscard]] bool of_pass_alone() const {
-    return wishes_.picture && !wishes_.photograph && wishes_.window.count() == 0 && passes_.passes() != 0 && !log_.wanted();
-  }
-  [[gnu::noinline]] void grow() { fresh_.resize(std::max<std::size_t>(4096, 2 * fresh_.size())); }
-  // By value, as nothing may point to a stroke that is on its way: its parts then stay in the host's registers.
-  [[gnu::noinline]] void keep(core::Stroke stroke) {
-    if (wishes_.picture) passes_.stroke(stroke);
-    const bool of_picture = wishes_.picture && (wishes_.window.count() != 0 || passes_.passes() == 0);
-    if (wishes_.photograph || of_picture) newest_.stroke(stroke);
-    if (log_.wanted()) log(stroke);
-  }
-  void log(const core::Stroke& stroke) {
-    log_.write([&stroke](std::string& text) { picture::append_stroke_line(text, stroke); });
-  }
-
   Wishes wishes_;
   picture::PassRecorder passes_;
   picture::StrokeRecorder newest_;
   TextBlocks log_;
-  bool wished_ = false;  // something, besides take_strokes
   bool live_ = false;
-  std::vector<core::Stroke> fresh_;  // room for those since they were last taken
-  std::size_t fresh_count_ = 0;
+  std::vector<core::Stroke> fresh_;  // since they were last taken
+  std::vector<core::Stroke> taken_;
 };
 
 }  // namespace sightline::guests::run

@@ -2,7 +2,10 @@
 
 #include <utility>
 
-#include "host/guests/pdp7/machine.hpp"
+#include "emulators/machines/pdp7.hpp"
+#include "emulators/pdp7/paper_tape.hpp"
+#include "host/guests/pdp7/stroke_keeper.hpp"
+#include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::turn {
 
@@ -13,13 +16,14 @@ namespace watching {
 class Watch final : public GuestWatch {
  public:
   explicit Watch(const Labels& labels, std::uint32_t first_file, std::uint32_t file_words) : labels_(labels), file_words_(file_words) {
-    mark(labels.wait, fetched);
-    mark(labels.waited, fetched);
-    mark(labels.file, written);
-    for (pdp7::Address address = first_file; address < model_end(Memory::words_8k); ++address) mark(address, written);
+    mark(labels.wait, pdp7::mark::fetched);
+    mark(labels.waited, pdp7::mark::fetched);
+    mark(labels.file, pdp7::mark::written);
+    for (pdp7::Address address = first_file; address < model_end(Memory::words_8k); ++address)
+      mark(address, pdp7::mark::written);
   }
 
-  void told(const pdp7::Cycle& cycle) override {
+  void cycle(const pdp7::Cycle& cycle) override {
     if (cycle.verb == pdp7::Verb::fetch) {
       if (cycle.address == labels_.wait && !waits_) {
         waits_ = true;
@@ -28,6 +32,8 @@ class Watch final : public GuestWatch {
         waits_ = false;
         waiting_ += cycle.time - wait_begun_;
       }
+    } else if (cycle.verb != pdp7::Verb::write) {
+      return;
     } else if (cycle.address == labels_.file) {
       published_ = cycle.data.value();
       ended_ = cycle.time + cycle.length;
@@ -68,9 +74,9 @@ class Watch final : public GuestWatch {
   std::uint64_t torn_ = 0;
 };
 
-class Sink final : public GuestSink {
+class Passes final : public StrokeKeeper {
  public:
-  Sink(Watch& watch, bool keeps) : watch_(watch), keeps_(keeps) {}
+  Passes(Watch& watch, bool keeps) : watch_(watch), keeps_(keeps) {}
   void begin_pass(core::Instant) override {
     watch_.pass_begins();
     keep(keeps_ && watch_.pictures() != pictures_);
@@ -101,11 +107,11 @@ namespace {
 
 constexpr std::uint32_t stop_word = 0003000;
 
-machines::Pdp7Options options_for(const Program& program) {
-  machines::Pdp7Options options;
-  options.configuration.model.eae = program.eae;
-  if (program.memory == Memory::words_32k) options.configuration.core_words = 32768;
-  options.display.emplace();
+pdp7::Options options_for(const Program& program) {
+  pdp7::Options options;
+  options.model.eae = program.eae;
+  if (program.memory == Memory::words_32k) options.core_words = 32768;
+  options.devices.emplace_back("display");
   return options;
 }
 
@@ -116,16 +122,16 @@ class Guest::Machine {
   Machine(const Program& program, std::uint32_t first_file, std::uint32_t file_words, Strokes strokes)
       : program_(program),
         watch_(program.labels, first_file, file_words),
-        sink_(watch_, strokes == Strokes::kept),
-        machine_(options_for(program), sink_, watch_) {
-    for (pdp7::Address address = 0; address < program.core.size(); ++address)
-      machine_.deposit(address, program.core[address]);
+        passes_(watch_, strokes == Strokes::kept),
+        machine_(options_for(program)) {
+    machine_.strokes().hand_to(&passes_);
+    machine_.load(0, program.core);
   }
 
   Program program_;
   watching::Watch watch_;
-  watching::Sink sink_;
-  GuestPdp7 machine_;
+  watching::Passes passes_;
+  pdp7::Machine machine_;
   core::Instant last_{};
   bool first_ = true;
   bool halted_ = false;
@@ -137,7 +143,7 @@ Guest::Guest(const Program& program, const Tape& tape, Strokes strokes)
   auto& machine = machine_->machine_;
   const Labels& labels = program.labels;
   const std::uint32_t base = model_base(program.memory);
-  for (std::uint32_t i = 0; i < tape.words.size(); ++i) machine.deposit(base + i, tape.words[i]);
+  machine.load(base, tape.words);
   machine.deposit(labels.count, core::Word18(static_cast<std::uint32_t>(tape.words.size())));
   machine.deposit(labels.checksum, checksum(tape.words));
   machine.start(labels.begin);
@@ -145,7 +151,7 @@ Guest::Guest(const Program& program, const Tape& tape, Strokes strokes)
 
 Guest::Guest(const Program& program, const base::Bytes& tape, Strokes strokes)
     : machine_(std::make_unique<Machine>(program, model_end(Memory::words_8k), 0, strokes)) {
-  machine_->machine_.devices().reader.load(tape);
+  machine_->machine_.find<pdp7::Reader>()->load(tape);
   machine_->machine_.start(program.labels.start);
 }
 
@@ -156,11 +162,11 @@ bool Guest::next(std::uint32_t switches, GuestPicture& picture, core::Duration l
   Machine& m = *machine_;
   const Labels& labels = m.program_.labels;
   m.machine_.console().set(core::Word18(switches));
-  machines::Limits limits;
+  pdp7::Limits limits;
   limits.until = m.machine_.now() + limit;
-  const auto reason = m.machine_.run(limits);
-  m.halted_ = reason == machines::StopReason::halt;
-  if (reason != machines::StopReason::observer) return false;
+  const auto reason = m.machine_.run(limits, m.watch_);
+  m.halted_ = reason == pdp7::StopReason::halt;
+  if (reason != pdp7::StopReason::observer) return false;
   const auto peek = [&m](pdp7::Address address) { return m.machine_.peek(address).value(); };
   picture.angle = peek(labels.angle);
   picture.wire = (peek(labels.switches) & wire_switch) != 0;
@@ -170,7 +176,7 @@ bool Guest::next(std::uint32_t switches, GuestPicture& picture, core::Duration l
   m.last_ = ended;
   picture.waiting = m.watch_.take_waiting();
   picture.passes = m.watch_.take_passes();
-  picture.shown = m.sink_.take();
+  picture.shown = m.passes_.take();
   picture.display_file.clear();
   for (pdp7::Address address = peek(labels.file_begun); address < model_end(Memory::words_8k); ++address) {
     picture.display_file.push_back(m.machine_.peek(address));

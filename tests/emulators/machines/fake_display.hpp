@@ -4,24 +4,22 @@
 // does.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "emulators/core/iot_device.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/word.hpp"
 
 namespace sightline::tests {
 
-struct FakeRequest {
-  core::Instant since;
-  std::uint16_t address;
-  bool write;
-  core::Word18 word;
-};
+class FakeDisplay final : public core::IotDevice {
+  static constexpr std::array<std::uint8_t, 4> codes{005, 006, 007, 010};
 
-class FakeDisplay {
  public:
+  static constexpr core::IotDeviceInfo info{"display", "a display for tests", codes};
+
   struct Delivery {
     core::Instant at;
     core::Instant since;
@@ -32,50 +30,53 @@ class FakeDisplay {
 
   void load_address_and_start(core::Instant now, core::Word18 ac) {
     counter_ = ac.field(5, 17);
-    restart(now);
-  }
-  void restart(core::Instant now) {
     stopped_ = false;
     next_ = now;
-    request_.reset();
+    requested_ = false;
     advance(now);
   }
-  void clear_flags(core::Instant) { stopped_ = false; }
-  void resume(core::Instant) { resumed = true; }
-  void power_clear(core::Instant) {
+  // Pulses 1 and 2 of devices 05, 07 and 10, IDRS, and IDSI and IDLA of device 06.
+  void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
+    advance(now);
+    const std::uint32_t device = (word >> 6) & 077U;
+    reply.test(word, device == 006 ? stopped_ : device == 007 ? pen_flag : edge_flags);
+    if (device == 006) {
+      if ((word & 06U) == 06U) load_address_and_start(now, reply.ac);
+    } else if ((word & 02U) != 0) {
+      reply.collect(core::Word18(device == 005 ? counter_ : device == 007 ? 0123456U : 0654321U));
+    }
+    if (device == 005 && (word & 04U) != 0) resumed = true;
+    reply.answered |= word & 06U;
+  }
+  void clear_flags(core::Instant) override { stopped_ = false; }
+  void power_clear(core::Instant) override {
     stopped_ = false;
     next_ = core::never;
-    request_.reset();
+    requested_ = false;
   }
-  bool stop_interrupt(core::Instant now) { return advance(now), stopped_; }
-  bool vertical_edge(core::Instant) { return edge_flags; }
-  bool horizontal_edge(core::Instant) { return edge_flags; }
-  bool light_pen_flag(core::Instant) { return pen_flag; }
-  core::Word18 address_counter(core::Instant now) { return advance(now), core::Word18(counter_); }
-  core::Word18 coordinates(core::Instant) { return core::Word18(0123456); }
-  core::Word18 return_address(core::Instant) { return core::Word18(0654321); }
+  [[nodiscard]] std::uint32_t status(core::Instant) override { return pen_flag ? 0010000 : 0; }
+  [[nodiscard]] bool interrupt_request() const override { return stopped_ || edge_flags || pen_flag; }
 
-  [[nodiscard]] core::Instant deadline() const { return next_; }
-  void advance(core::Instant now) {
-    if (request_ || next_ > now) return;
-    request_ = FakeRequest{next_, static_cast<std::uint16_t>(counter_), deposits_, core::Word18(0252525)};
+  [[nodiscard]] core::Instant deadline() const override { return requested_ ? since_ : next_; }
+  void advance(core::Instant now) override {
+    if (requested_ || next_ > now) return;
+    ask(next_, deposits_ ? core::DataBreak::Direction::to_core : core::DataBreak::Direction::from_core);
     next_ = core::never;
   }
-  [[nodiscard]] const FakeRequest* break_request() const { return request_ ? &*request_ : nullptr; }
-  void deliver(core::Instant at, core::Word18 word) {
-    if (keeps_deliveries) deliveries.push_back({at, request_->since, word});
-    request_.reset();
+  [[nodiscard]] const core::DataBreak* data_break() const override { return requested_ ? &request_ : nullptr; }
+  void served(core::Instant end, core::Word18 word) override {
     counter_ = (counter_ + 1) & 017777;
+    if (request_.direction == core::DataBreak::Direction::to_core) {
+      deposited_at = end;
+      deposits_ = false;
+      ask(end, core::DataBreak::Direction::from_core);
+      return;
+    }
+    if (keeps_deliveries) deliveries.push_back({end, since_, word});
+    requested_ = false;
     stopped_ = word.value() == core::Word18::mask;
-    next_ = stopped_ ? core::never : at + period_;
+    next_ = stopped_ ? core::never : end + period_;
   }
-  void deposited(core::Instant at) {
-    deposited_at = at;
-    deposits_ = false;
-    counter_ = (counter_ + 1) & 017777;
-    request_ = FakeRequest{at, static_cast<std::uint16_t>(counter_), false, core::Word18()};
-  }
-  [[nodiscard]] bool interrupt_request() const { return stopped_ || edge_flags || pen_flag; }
 
   std::vector<Delivery> deliveries;
   core::Instant deposited_at{};
@@ -85,10 +86,18 @@ class FakeDisplay {
   bool resumed = false;
 
  private:
+  void ask(core::Instant since, core::DataBreak::Direction direction) {
+    request_ = {direction, static_cast<std::uint16_t>(counter_), core::Word18(0252525)};
+    since_ = since;
+    requested_ = true;
+  }
+
   core::Duration period_;
   bool deposits_;
   core::Instant next_ = core::never;
-  std::optional<FakeRequest> request_;
+  core::DataBreak request_;
+  core::Instant since_{};
+  bool requested_ = false;
   std::uint32_t counter_ = 0;
   bool stopped_ = false;
 };

@@ -208,20 +208,21 @@ TEST(I8080Ports, KnownDevicesDoNotDisturbEachOther) {
 
 TEST(I8080Ports, WhatIsUnknownIsAnErrorWithTheNearestName) {
   i8080::Machine machine;
-  EXPECT_EQ(machine.attach("ef9356"), "no device \"ef9356\". Did you mean \"ef9365\"?");
-  EXPECT_EQ(machine.attach("plotter").find("no device \"plotter\". Known: ef9365, alt256, "), 0U);
+  const std::string ef9356 = machine.attach("ef9356");
+  EXPECT_EQ(ef9356.find("found device \"ef9356\", expected one of: ef9365, alt256, "), 0U) << ef9356;
+  EXPECT_TRUE(ef9356.ends_with("; did you mean \"ef9365\"?")) << ef9356;
   const std::array<core::Setting, 1> bauds{{{"bauds", 300}}};
-  EXPECT_EQ(machine.attach("sio", bauds), "sio: no option \"bauds\". Did you mean \"baud\"?");
+  EXPECT_EQ(machine.attach("sio", bauds), "found option of the sio \"bauds\", expected baud; did you mean \"baud\"?");
   const std::array<core::Setting, 1> baud{{{"baud", 5}}};
-  EXPECT_EQ(machine.attach("sio", baud), "sio: option \"baud\": found 5, expected 50 to 1000000");
-  EXPECT_EQ(machine.attach("ef9365", baud), "ef9365: no option \"baud\".");
+  EXPECT_EQ(machine.attach("sio", baud), "found 5 for the option baud of the sio, expected 50 to 1000000");
+  EXPECT_EQ(machine.attach("ef9365", baud), "found option of the ef9365 \"baud\", expected none");
   EXPECT_TRUE(machine.devices().empty());
   EXPECT_EQ(machine.wire("calcomp", 7), "interrupt line \"calcomp\": \"calcomp565\" is not attached");
   ASSERT_EQ(machine.attach("calcomp565"), "");
   ASSERT_EQ(machine.attach("serial"), "");
   EXPECT_EQ(machine.wire("calcomp", 8), "interrupt line \"calcomp\": found RST 8, expected 0 to 7");
   EXPECT_EQ(machine.wire("serial_receive", 7),
-            "no attached device has an interrupt line \"serial_receive\". Did you mean \"serial-receive\"?");
+            "found interrupt line \"serial_receive\", expected one of: calcomp, serial-receive, serial-transmit; did you mean \"serial-receive\"?");
 }
 
 // OUT 10, OUT 30, HLT

@@ -1,40 +1,45 @@
 // Random core images run on every kind of machine: nothing a program can do may harm the host or stop time.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/machines/pdp7.hpp"
+#include "emulators/type340/display.hpp"
 #include "tests/support/effort.hpp"
 
 namespace sightline {
 namespace {
 
-struct CountStrokes {
-  static constexpr bool consumes = true;
-  std::uint64_t strokes = 0;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& s) {
-    ++strokes;
-    ASSERT_LT(s.x, 1024U);
-    ASSERT_LT(s.y, 1024U);
-    ASSERT_GE(s.time, last);
-    last = s.time;
+struct CheckStrokes final : core::StrokeTaker {
+  void strokes(std::span<const core::Stroke> strokes) override {
+    for (const core::Stroke& s : strokes) {
+      ASSERT_LT(s.x, 1024U);
+      ASSERT_LT(s.y, 1024U);
+      ASSERT_GE(s.time, last);
+      last = s.time;
+    }
   }
-  void end_pass(core::Instant) {}
   core::Instant last{};
 };
 
-machines::Pdp7Options machine_of(std::uint64_t seed) {
-  machines::Pdp7Options options;
-  options.configuration.core_words = 4096U << (seed % 4);
-  options.configuration.model.eae = (seed & 4U) != 0;
-  options.configuration.model.trap_mode = (seed & 8U) != 0;
-  type340::Options display;
-  display.subroutines_347 = (seed & 16U) != 0;
-  display.characters_342 = (seed & 32U) != 0;
-  options.display = display;
-  return options;
+std::unique_ptr<pdp7::Machine> machine_of(std::uint64_t seed) {
+  pdp7::Options options;
+  options.core_words = 4096U << (seed % 4);
+  options.model.eae = (seed & 4U) != 0;
+  options.model.trap_mode = (seed & 8U) != 0;
+  auto machine = std::make_unique<pdp7::Machine>(options);
+  const std::array<core::Setting, 2> settings{core::Setting{"347", (seed & 16U) != 0 ? 1 : 0},
+                                              core::Setting{"342", (seed & 32U) != 0 ? 1 : 0}};
+  EXPECT_EQ(machine->attach("display", settings), "");
+  return machine;
+}
+
+type340::Display& display_of(pdp7::Machine& machine) {
+  return *machine.find<type340::Display>();
 }
 
 // Runs go on after a halt; every instruction takes at least a cycle, and at most the longest EAE step count
@@ -46,18 +51,19 @@ TEST(Pdp7RandomCore, RunsWithinBoundsAndTheSameTwice) {
     pdp7::State ends[2];
     core::Instant times[2];
     for (int again = 0; again < 2; ++again) {
-      CountStrokes sink;
-      machines::NoObserver observer;
-      machines::Pdp7<CountStrokes> machine(machine_of(seed), sink, observer);
+      CheckStrokes strokes;
+      const auto made = machine_of(seed);
+      pdp7::Machine& machine = *made;
+      machine.strokes().hand_to(&strokes);
       machine.randomise_core(seed);
       machine.start(static_cast<pdp7::Address>(seed * 011));
-      machine.display()->load_address_and_start(machine.now(), core::Word18(0100));
+      display_of(machine).load_address_and_start(machine.now(), core::Word18(0100));
       for (int part = 0; part < 20; ++part) machine.run({500, core::never});
       const auto counts = machine.counts();
       ASSERT_LE(counts.instructions, 10'000U);
       ASSERT_GE(counts.machine_cycles, counts.instructions);
       ASSERT_LT(machine.registers().pc, 0100000U);
-      for (pdp7::Address a = machine.configuration().core_words; a <= pdp7::address_mask; ++a) {
+      for (pdp7::Address a = machine.options().core_words; a <= pdp7::address_mask; ++a) {
         ASSERT_EQ(machine.peek(a).value(), 0U) << "a write outside core at " << std::oct << a;
       }
       ends[again] = machine.registers();
@@ -68,28 +74,27 @@ TEST(Pdp7RandomCore, RunsWithinBoundsAndTheSameTwice) {
   }
 }
 
-// The sink decides how the display works inside, never what the processor sees.
-TEST(Pdp7RandomCore, ASinkThatConsumesChangesNothingForTheProcessor) {
+// Whether strokes are wanted decides how the display works inside, never what the processor sees.
+TEST(Pdp7RandomCore, ATakerOfStrokesChangesNothingForTheProcessor) {
   for (std::uint64_t seed = 1000; seed < 1100; ++seed) {
     SCOPED_TRACE(seed);
-    CountStrokes sink;
-    core::NoStrokes nobody;
-    machines::NoObserver observer;
-    machines::Pdp7<CountStrokes> watched(machine_of(seed), sink, observer);
-    machines::Pdp7<> unwatched(machine_of(seed), nobody, observer);
-    const auto run = [&](auto& machine) {
+    CheckStrokes strokes;
+    const auto watched = machine_of(seed);
+    watched->strokes().hand_to(&strokes);
+    const auto unwatched = machine_of(seed);
+    const auto run = [&](pdp7::Machine& machine) {
       machine.randomise_core(seed);
       machine.start(0200);
       machine.registers().interrupts_on = true;
-      machine.display()->load_address_and_start(machine.now(), core::Word18(0300));
+      display_of(machine).load_address_and_start(machine.now(), core::Word18(0300));
       for (int part = 0; part < 20; ++part) machine.run({500, core::never});
     };
-    run(watched);
-    run(unwatched);
-    ASSERT_EQ(watched.registers(), unwatched.registers());
-    ASSERT_EQ(watched.now(), unwatched.now());
-    ASSERT_EQ(watched.counts().stolen_cycles, unwatched.counts().stolen_cycles);
-    ASSERT_EQ(watched.display()->counters().words, unwatched.display()->counters().words);
+    run(*watched);
+    run(*unwatched);
+    ASSERT_EQ(watched->registers(), unwatched->registers());
+    ASSERT_EQ(watched->now(), unwatched->now());
+    ASSERT_EQ(watched->counts().stolen_cycles, unwatched->counts().stolen_cycles);
+    ASSERT_EQ(display_of(*watched).counters().words, display_of(*unwatched).counters().words);
   }
 }
 

@@ -4,15 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/machines/observer.hpp"
-#include "emulators/pdp7/bus.hpp"
+#include "emulators/machines/pdp7.hpp"
 
 namespace sightline::tests {
 
-struct RecordingObserver {
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
+struct RecordingObserver final : pdp7::Observer {
+  RecordingObserver() { instructions = true; }
 
   struct Step {
     core::Instant time;
@@ -22,14 +19,12 @@ struct RecordingObserver {
     pdp7::State after;
   };
 
-  void instruction(const machines::InstructionRecord& r) {
-    steps.push_back({r.time, r.end, r.pc, r.word, r.after});
-  }
-  void cycle(const pdp7::Cycle& c) {
+  void instruction(const pdp7::InstructionRecord& r) override { steps.push_back({r.time, r.end, r.pc, r.word, r.after}); }
+  void cycle(const pdp7::Cycle& c) override {
     events.push_back(c);
     if (c.verb == pdp7::Verb::write && c.address == stop_on_write) asked = true;
   }
-  bool stop(core::Instant, pdp7::Address) { return std::exchange(asked, false); }
+  bool stop(core::Instant, pdp7::Address) override { return std::exchange(asked, false); }
 
   std::vector<Step> steps;
   std::vector<pdp7::Cycle> events;

@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 
-#include "emulators/machines/basic_pdp7.hpp"
+#include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/isa.hpp"
+#include "emulators/pdp7/teletype.hpp"
 #include "tests/emulators/machines/fake_display.hpp"
 #include "tests/emulators/machines/recording_observer.hpp"
 #include "tests/emulators/machines/transcript.hpp"
@@ -16,7 +19,7 @@ namespace sightline {
 namespace {
 
 using tests::TranscriptCase;
-using Machine = machines::BasicPdp7<tests::FakeDisplay, tests::RecordingObserver>;
+using pdp7::Machine;
 
 const std::vector<TranscriptCase>& all_cases() {
   static const std::vector<TranscriptCase> cases =
@@ -41,15 +44,15 @@ std::string text_of(const pdp7::Cycle& cycle) {
   return out.str();
 }
 
-machines::Configuration configuration_for(const TranscriptCase& c) {
-  machines::Configuration configuration;
+pdp7::Options options_for(const TranscriptCase& c) {
+  pdp7::Options options;
   for (const std::string& option : c.options) {
-    if (option == "no-eae") configuration.model.eae = false;
-    if (option == "trap") configuration.model.trap_mode = true;
-    if (option == "strict") configuration.model.strict = true;
-    if (option == "extend") configuration.core_words = 16384;
+    if (option == "no-eae") options.model.eae = false;
+    if (option == "trap") options.model.trap_mode = true;
+    if (option == "strict") options.model.strict = true;
+    if (option == "extend") options.core_words = 16384;
   }
-  return configuration;
+  return options;
 }
 
 // Lets time pass in a one-instruction loop at the top of the first bank.
@@ -67,12 +70,13 @@ void prepare(Machine& machine, const TranscriptCase& c) {
     std::int64_t number = 0;
     words >> name;
     if (name == "from" && words >> number) wait_until(machine, number);
-    if (name == "key") machine.devices().keyboard.press(core::at_nanoseconds(-100'000'000), 0101);
+    if (name == "key") machine.find<pdp7::Keyboard>()->press(core::at_nanoseconds(-100'000'000), 0101);
     if ((name == "display" || name == "deposits") && words >> number) {
       std::string address;
       words >> address;
-      machine.attach_display(core::Duration(number), name == "deposits")
-          .load_address_and_start(machine.now(), core::Word18(tests::octal(address)));
+      auto display = std::make_unique<tests::FakeDisplay>(core::Duration(number), name == "deposits");
+      display->load_address_and_start(machine.now(), core::Word18(tests::octal(address)));
+      ASSERT_EQ(machine.attach(tests::FakeDisplay::info, std::move(display)), "");
     }
   }
   for (const auto& [address, word] : c.core) machine.deposit(address, core::Word18(word));
@@ -105,10 +109,9 @@ TEST(Pdp7Transcripts, EveryCaseMatchesCycleByCycle) {
   for (const TranscriptCase& c : all_cases()) {
     SCOPED_TRACE(c.file + ": " + c.name);
     tests::RecordingObserver observer;
-    Machine machine(configuration_for(c), observer);
+    Machine machine(options_for(c));
     prepare(machine, c);
-    observer.events.clear();
-    machine.run({c.run, core::never});
+    machine.run({c.run, core::never}, observer);
     std::vector<std::string> seen;
     for (const auto& event : observer.events) seen.push_back(text_of(event));
     EXPECT_EQ(seen, c.events);

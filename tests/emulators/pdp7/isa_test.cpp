@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 
+#include "emulators/machines/pdp7_devices.hpp"
 #include "tests/emulators/pdp7/array_bus.hpp"
 
 namespace sightline {
@@ -57,6 +59,14 @@ TEST(Pdp7Isa, MicroinstructionsStandInTheClassTheirNameSays) {
     const auto& row = pdp7::instruction_of(micro.value);
     EXPECT_TRUE(names.insert(micro.name).second) << micro.name;
     EXPECT_NE(row.instruction_class, pdp7::Class::memory) << micro.name;
+  }
+  for (const auto& device : pdp7::device_infos) {
+    for (const core::IotName& iot : device.iots) {
+      EXPECT_TRUE(names.insert(iot.mnemonic).second) << iot.mnemonic;
+      EXPECT_EQ(pdp7::instruction_of(iot.word).instruction_class, pdp7::Class::iot) << iot.mnemonic;
+      const auto code = static_cast<std::uint8_t>(iot.word >> 6 & 077U);
+      EXPECT_NE(std::find(device.codes.begin(), device.codes.end(), code), device.codes.end()) << iot.mnemonic;
+    }
   }
 }
 

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
-
-#include "emulators/pdp7/peripherals.hpp"
 
 namespace sightline {
 namespace {
@@ -30,11 +30,9 @@ std::vector<Word18> numbered() {
 
 class Rb09 : public testing::Test {
  protected:
-  void SetUp() override { disk_.attach(numbered(), 7, 0); }
-
   std::uint32_t iot(std::int64_t ns, std::uint32_t word, std::uint32_t ac = 0) {
     last_ = {Word18(ac)};
-    disk_.iot(at_nanoseconds(ns), word, last_);
+    disk_->iot(at_nanoseconds(ns), word, last_);
     return last_.ac.value();
   }
   bool skips() {
@@ -50,26 +48,31 @@ class Rb09 : public testing::Test {
     iot(ns, dblw, (0200000 - count) & 0177777);
     iot(ns, dbls, command);
   }
+  const core::DataBreak* break_at(core::Instant now) {
+    disk_->advance(now);
+    return disk_->data_break();
+  }
   // Grants each break as soon as it is asked for; the words that went to core, by address.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> serve(std::int64_t late = 0, std::uint32_t from_core = 0) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> words;
-    while (disk_.deadline() != core::never && words.size() < 70000) {
-      const auto request = disk_.request(disk_.deadline() + core::Duration(late));
-      if (!request) break;
+    while (disk_->deadline() != core::never && words.size() < 70000) {
+      const core::Instant now = disk_->deadline() + core::Duration(late);
+      const core::DataBreak* const request = break_at(now);
+      if (request == nullptr) break;
       words.emplace_back(request->address, request->word.value());
-      disk_.served(Word18(from_core++));
+      disk_->served(now + pdp7::machine_cycle, Word18(from_core++));
     }
     return words;
   }
 
-  static pdp7::Rb09 made(const pdp7::rb09::Choices& choices) {
-    pdp7::Rb09 disk{choices};
-    disk.attach(numbered(), 7, 0);
+  static std::unique_ptr<pdp7::Rb09> made(const pdp7::rb09::Choices& choices) {
+    auto disk = std::make_unique<pdp7::Rb09>(choices);
+    disk->attach(numbered(), 7, 0);
     return disk;
   }
 
-  pdp7::Rb09 disk_{pdp7::rb09::Choices{.word = core::Duration(1000)}};
-  pdp7::IotReply last_;
+  std::unique_ptr<pdp7::Rb09> disk_ = made({.word = core::Duration(1000)});
+  core::IotReply last_;
 };
 
 TEST_F(Rb09, AddressesAreBcd) {
@@ -83,10 +86,10 @@ TEST_F(Rb09, AddressesAreBcd) {
     }
   }
   iot(0, dbld, 0300000);  // the boot's track
-  EXPECT_EQ(disk_.address(), 180U * 80 * 64);
+  EXPECT_EQ(disk_->address(), 180U * 80 * 64);
   // AC bit 0 is no part of it.
   iot(0, dbld, 0700001);
-  EXPECT_EQ(disk_.address(), (180U * 80 + 1) * 64);
+  EXPECT_EQ(disk_->address(), (180U * 80 + 1) * 64);
   EXPECT_EQ(state(), 0U);
 }
 
@@ -105,8 +108,8 @@ TEST_F(Rb09, ReadsFromTheNextPassageOfTheWord) {
   // Sector 1 of track 2 comes by at word 64 of each turn; at 100,000 ns that of this turn has passed.
   begin(100'000, 0x201, 0500, 3, status::busy);
   EXPECT_EQ(state(), status::busy);
-  EXPECT_EQ(disk_.deadline(), at_nanoseconds(turn + 64'000));
-  EXPECT_FALSE(disk_.request(at_nanoseconds(turn + 63'999)));
+  EXPECT_EQ(disk_->deadline(), at_nanoseconds(turn + 64'000));
+  EXPECT_EQ(break_at(at_nanoseconds(turn + 63'999)), nullptr);
   const std::uint32_t first = (2 * 80 + 1) * 64;
   const auto words = serve();
   const std::vector<std::pair<std::uint32_t, std::uint32_t>> expected{
@@ -114,7 +117,7 @@ TEST_F(Rb09, ReadsFromTheNextPassageOfTheWord) {
   EXPECT_EQ(words, expected);
   EXPECT_EQ(state(), status::done);
   EXPECT_TRUE(skips());
-  EXPECT_EQ(disk_.deadline(), core::never);
+  EXPECT_EQ(disk_->deadline(), core::never);
   iot(0, dbcf);
   EXPECT_FALSE(skips());
 }
@@ -141,7 +144,7 @@ TEST_F(Rb09, ObeysItsChoices) {
   begin(0, 0, 0100, 3, status::busy);
   EXPECT_EQ(serve(1001).size(), 3U);
   EXPECT_EQ(state(), status::error | status::timing | status::done);
-  EXPECT_EQ(disk_.counters().timing_errors, 3U);
+  EXPECT_EQ(disk_->counters().timing_errors, 3U);
 
   disk_ = made({.word = core::Duration(1000), .after_last = 64});
   begin(0, 0x1'99'79, 0100, 65, status::busy);
@@ -152,7 +155,7 @@ TEST_F(Rb09, TheCoreAddressWrapsWhereItEnds) {
   begin(0, 0, 017777, 2, status::busy);
   EXPECT_EQ(serve()[1].first, 0U);
   pdp7::Rb09 extended{pdp7::rb09::Choices{.word = core::Duration(1000)}, pdp7::address_mask};
-  pdp7::IotReply reply{Word18(0757777)};
+  core::IotReply reply{Word18(0757777)};
   extended.iot(at_nanoseconds(0), dblm, reply);
   EXPECT_EQ(extended.core_address(), 057777U);
 }
@@ -163,27 +166,27 @@ TEST_F(Rb09, AWordCountOfZeroIsAllOfThem) {
 }
 
 TEST_F(Rb09, WritesBesideTheImage) {
-  EXPECT_FALSE(disk_.changed());
+  EXPECT_FALSE(disk_->changed());
   begin(0, 0x100, 0, 2, status::busy | status::write);
-  EXPECT_FALSE(disk_.request(disk_.deadline())->to_core);
+  EXPECT_EQ(break_at(disk_->deadline())->direction, core::DataBreak::Direction::from_core);
   static_cast<void>(serve(0, 0123));
   EXPECT_EQ(state(), status::done | status::write);
-  EXPECT_EQ(disk_.word(5120).value(), 0123U);
-  EXPECT_EQ(disk_.word(5121).value(), 0124U);
-  EXPECT_EQ(disk_.word(5122).value(), 5122U);
-  EXPECT_TRUE(disk_.changed());
+  EXPECT_EQ(disk_->word(5120).value(), 0123U);
+  EXPECT_EQ(disk_->word(5121).value(), 0124U);
+  EXPECT_EQ(disk_->word(5122).value(), 5122U);
+  EXPECT_TRUE(disk_->changed());
   begin(0, 0x100, 0, 3, status::busy);
   EXPECT_EQ(serve()[1].second, 0124U);
-  EXPECT_EQ(disk_.counters().words_written, 2U);
-  EXPECT_EQ(disk_.counters().words_read, 3U);
+  EXPECT_EQ(disk_->counters().words_written, 2U);
+  EXPECT_EQ(disk_->counters().words_read, 3U);
 }
 
 TEST_F(Rb09, ALockedTrackCannotBeWritten) {
-  disk_.attach(numbered(), 7, 1U << 3);  // tracks 30 to 39
+  disk_->attach(numbered(), 7, 1U << 3);  // tracks 30 to 39
   begin(0, 0x2979, 0, 66, status::busy | status::write);
   EXPECT_EQ(serve().size(), 64U);
   EXPECT_EQ(state(), status::error | status::illegal | status::done | status::write);
-  EXPECT_EQ(disk_.word(30 * 5120).value(), 30U * 5120);
+  EXPECT_EQ(disk_->word(30 * 5120).value(), 30U * 5120);
   begin(0, 0x3000, 0, 1, status::busy);
   EXPECT_EQ(serve().size(), 1U);
 }
@@ -194,8 +197,8 @@ TEST_F(Rb09, ABreakThatComesAfterTheNextWordIsATimingError) {
   begin(0, 0, 0, 10, status::busy);
   EXPECT_EQ(serve(1001).size(), 0U);
   EXPECT_EQ(state(), status::error | status::timing);
-  EXPECT_EQ(disk_.counters().timing_errors, 1U);
-  EXPECT_EQ(disk_.deadline(), core::never);
+  EXPECT_EQ(disk_->counters().timing_errors, 1U);
+  EXPECT_EQ(disk_->deadline(), core::never);
 }
 
 TEST_F(Rb09, StatusTogglesThreeBitsAndTakesTheOthers) {
@@ -203,34 +206,34 @@ TEST_F(Rb09, StatusTogglesThreeBitsAndTakesTheOthers) {
   EXPECT_EQ(state(), status::interrupts | status::write);
   iot(0, dbls, status::write | status::done);
   EXPECT_EQ(state(), status::interrupts | status::done);
-  EXPECT_TRUE(disk_.interrupt_request());
+  EXPECT_TRUE(disk_->interrupt_request());
   iot(0, dbls, status::interrupts | 0777);
   EXPECT_EQ(state(), 0U);
-  EXPECT_FALSE(disk_.interrupt_request());
+  EXPECT_FALSE(disk_->interrupt_request());
   // Busy set begins, cleared ends.
   iot(0, dbls, status::busy);
-  EXPECT_NE(disk_.deadline(), core::never);
+  EXPECT_NE(disk_->deadline(), core::never);
   iot(0, dbls, status::busy);
-  EXPECT_EQ(disk_.deadline(), core::never);
+  EXPECT_EQ(disk_->deadline(), core::never);
   EXPECT_EQ(state(), 0U);
 }
 
 TEST_F(Rb09, InterruptsAreDoneOrAnErrorWhileEnabled) {
   begin(0, 0, 0, 1, status::busy | status::interrupts);
-  EXPECT_FALSE(disk_.interrupt_request());
+  EXPECT_FALSE(disk_->interrupt_request());
   static_cast<void>(serve());
-  EXPECT_TRUE(disk_.interrupt_request());
+  EXPECT_TRUE(disk_->interrupt_request());
   iot(0, dbcf);
-  EXPECT_FALSE(disk_.interrupt_request());
+  EXPECT_FALSE(disk_->interrupt_request());
   iot(0, dbld, 0xF);
-  EXPECT_TRUE(disk_.interrupt_request());
+  EXPECT_TRUE(disk_->interrupt_request());
 }
 
 TEST_F(Rb09, WithoutADiskItIsNotReady) {
-  disk_.detach();
+  disk_->detach();
   begin(0, 0, 0, 1, status::busy);
   EXPECT_EQ(state(), status::error | status::not_ready | status::done);
-  EXPECT_EQ(disk_.deadline(), core::never);
+  EXPECT_EQ(disk_->deadline(), core::never);
 }
 
 TEST_F(Rb09, PulsesOfOneCodeActInOrder) {
@@ -242,20 +245,6 @@ TEST_F(Rb09, PulsesOfOneCodeActInOrder) {
   // Subdevice 060 is nobody's.
   iot(0, 0707161);
   EXPECT_EQ(last_.answered, 0U);
-}
-
-TEST(Rb09OnTheBus, CafClearsItsFlagsAndDeviceSeventyOneIsAbsentWithoutIt) {
-  const pdp7::Timing timing;
-  pdp7::Devices present;
-  present.disk = true;
-  pdp7::Peripherals with(present, timing);
-  static_cast<void>(with.iot(at_nanoseconds(0), dbls, Word18(status::done | status::interrupts), 0));
-  EXPECT_TRUE(with.interrupt_request());
-  EXPECT_EQ(with.iot(at_nanoseconds(0), 0703302, Word18(0), 0).answered, 2U);
-  EXPECT_FALSE(with.interrupt_request());
-  EXPECT_EQ(with.disk->status(), 0U);
-  pdp7::Peripherals without({}, timing);
-  EXPECT_EQ(without.iot(at_nanoseconds(0), dbrs, Word18(0), 0).answered, 0U);
 }
 
 }  // namespace

@@ -29,10 +29,10 @@ TEST(DisplayModes, TranscriptsAgree) {
   std::set<std::string> ids;
   for (const EventFile& file : read.files) {
     ids.insert(file.id);
-    FlashEvents sink;
-    Replay replay(file, sink);
+    FlashEvents flashes;
+    Replay replay(file, &flashes);
     std::vector<Event> found = replay.run(Stepping::ticks);
-    std::ranges::copy(sink.events, std::back_inserter(found));
+    std::ranges::copy(flashes.events, std::back_inserter(found));
     EXPECT_EQ(listing(file.events), listing(found)) << file.id;
     EXPECT_EQ(file.final_state, replay.final_state()) << file.id;
   }
@@ -51,8 +51,8 @@ TEST(DisplayModes, WorkedFile) {
     file.segments[0].emplace_back(w);
   }
   file.events = {{0, "G 0"}, {534'600, "S1"}};
-  FlashEvents sink;
-  Replay replay(file, sink);
+  FlashEvents flashes;
+  Replay replay(file, &flashes);
   const std::vector<Event> events = replay.run(Stepping::ticks);
   std::vector<std::int64_t> requests;
   for (const Event& e : events) {
@@ -61,7 +61,7 @@ TEST(DisplayModes, WorkedFile) {
   EXPECT_EQ(requests, (std::vector<std::int64_t>{0, 3300, 7100, 45900, 239'700, 337'500, 531'300}));
   EXPECT_EQ(events.back(), (Event{534'600, "T1"}));
   std::set<std::string> points;
-  for (const Event& e : sink.events) points.insert(e.text);
+  for (const Event& e : flashes.events) points.insert(e.text);
   EXPECT_EQ(points.size(), 260U);
   EXPECT_FALSE(points.contains("I 256 256 7"));
   EXPECT_TRUE(points.contains("I 356 316 7"));
@@ -76,10 +76,10 @@ TEST(DisplayModes, FlashAgainCanBeSwitchedOff) {
   file.id = "once";
   file.segments.push_back({core::Word18(0100117), core::Word18(0600003), core::Word18(0003000)});
   file.events = {{0, "G 0"}, {17'100, "Q 2 003000"}};
-  FlashEvents sink;
-  Replay replay(file, sink, {.flash_again = false});
+  FlashEvents flashes;
+  Replay replay(file, &flashes, {.flash_again = false});
   const std::vector<Event> events = replay.run(Stepping::ticks);
-  EXPECT_EQ(listing(sink.events), "9100 I 1 0 7\n12100 I 2 0 7\n15100 I 3 0 7\n");
+  EXPECT_EQ(listing(flashes.events), "9100 I 1 0 7\n12100 I 2 0 7\n15100 I 3 0 7\n");
   EXPECT_TRUE(std::ranges::find(events, Event{17'100, "Q 2 003000"}) != events.end());
 }
 

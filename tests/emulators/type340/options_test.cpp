@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,12 +16,11 @@ namespace {
 using core::at_nanoseconds;
 using core::Word18;
 
-struct Flashes {
-  static constexpr bool consumes = true;
+struct LitPoints final : core::StrokeTaker {
   std::set<std::pair<int, int>> points;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& s) { points.insert({s.x, s.y}); }
-  void end_pass(core::Instant) {}
+  void strokes(std::span<const core::Stroke> strokes) override {
+    for (const core::Stroke& s : strokes) points.insert({s.x, s.y});
+  }
 };
 
 // A memory whose breaks take no time; `log` has every break as address and time in octal and ns.
@@ -33,27 +33,26 @@ class DisplayOptions : public ::testing::Test {
   void run(std::uint32_t start, std::int64_t until = 2'000'000) {
     display_.load_address_and_start(at_nanoseconds(0), Word18(start));
     for (;;) {
-      const BreakRequest* request = display_.break_request();
+      const core::DataBreak* request = display_.data_break();
       if (request == nullptr) {
         const core::Instant next = display_.deadline();
-        if (next > at_nanoseconds(until)) return;
+        if (next > at_nanoseconds(until)) return strokes_.flush();
         display_.advance(next);
         continue;
       }
-      const BreakRequest served = *request;
-      log_.push_back({served.address, core::nanoseconds_of(served.since)});
-      if (served.write) {
-        memory_[served.address] = served.word;
-        display_.deposited(served.since);
-      } else {
-        display_.deliver(served.since, memory_[served.address]);
-      }
+      const core::Instant at = display_.requested_at();
+      log_.push_back({request->address, core::nanoseconds_of(at)});
+      if (request->direction == core::DataBreak::Direction::to_core) memory_[request->address] = request->word;
+      display_.served(at, memory_[request->address]);
     }
   }
 
   std::array<Word18, 8192> memory_{};
-  Flashes sink_;
-  Display<Flashes> display_{{.subroutines_347 = true, .characters_342 = true}, sink_};
+  DisplayOptions() { strokes_.hand_to(&flashes_); }
+
+  LitPoints flashes_;
+  core::StrokeBuffer strokes_;
+  Display display_{{.subroutines_347 = true, .characters_342 = true}, strokes_};
   std::vector<std::pair<int, std::int64_t>> log_;
 };
 
@@ -103,8 +102,8 @@ TEST_F(DisplayOptions, StartTakesSaveDown) {
   put(0, {0160117, 0740100});
   run(0, 7000);
   display_.load_address_and_start(at_nanoseconds(8000), Word18(0300));
-  ASSERT_NE(display_.break_request(), nullptr);
-  EXPECT_EQ(display_.break_request()->address, 0300);
+  ASSERT_NE(display_.data_break(), nullptr);
+  EXPECT_EQ(display_.data_break()->address, 0300);
 }
 
 // A space is six dark steps: 0.5 + 9 us; three of them 2.8 + 28.5.
@@ -114,7 +113,7 @@ TEST_F(DisplayOptions, SpacesMoveDark) {
   EXPECT_EQ(log_, (Log{{0, 0}, {1, 3300}, {2, 34'600}, {3, 37'900}}));
   EXPECT_EQ(display_.registers().x, 36);  // scale 1 (x2)
   EXPECT_EQ(display_.registers().y, 0);
-  EXPECT_TRUE(sink_.points.empty());
+  EXPECT_TRUE(flashes_.points.empty());
 }
 
 // I is a stem between two bars; the beam ends at the next character's start on the base line.
@@ -123,7 +122,7 @@ TEST_F(DisplayOptions, LettersAreDrawnInTheirCell) {
   run(0);
   const std::set<std::pair<int, int>> expected{{1, 0}, {2, 0}, {3, 0}, {2, 1}, {2, 2}, {2, 3},
                                                {2, 4}, {2, 5}, {1, 6}, {2, 6}, {3, 6}};
-  EXPECT_EQ(sink_.points, expected);
+  EXPECT_EQ(flashes_.points, expected);
   EXPECT_EQ(display_.registers().x, 6);
   EXPECT_EQ(display_.registers().y, 0);
   EXPECT_EQ(display_.registers().mode, Mode::parameter);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,15 +13,14 @@
 
 namespace sightline::type340::testing {
 
-struct FlashEvents {
-  static constexpr bool consumes = true;
+struct FlashEvents final : core::StrokeTaker {
   std::vector<Event> events;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& s) {
-    events.push_back({core::nanoseconds_of(s.time),
-                      "I " + std::to_string(s.x) + ' ' + std::to_string(s.y) + ' ' + std::to_string(s.intensity)});
+  void strokes(std::span<const core::Stroke> strokes) override {
+    for (const core::Stroke& s : strokes) {
+      events.push_back({core::nanoseconds_of(s.time),
+                        "I " + std::to_string(s.x) + ' ' + std::to_string(s.y) + ' ' + std::to_string(s.intensity)});
+    }
   }
-  void end_pass(core::Instant) {}
 };
 
 enum class Stepping {
@@ -28,11 +28,11 @@ enum class Stepping {
   deadlines,  // as a machine does: to the deadlines of the display and its own
 };
 
-// Sink::events, when there is one, is not touched.
-template <class Sink>
 class Replay {
  public:
-  Replay(const EventFile& file, Sink& sink, Options options = {}) : file_(file), display_(options, sink) {
+  // `taker` has all flashes when run() returns; null: nobody wants them.
+  Replay(const EventFile& file, core::StrokeTaker* taker, Options options = {}) : file_(file), display_(options, strokes_) {
+    strokes_.hand_to(taker);
     display_.point_light_pen(file.pen);
   }
 
@@ -49,6 +49,7 @@ class Replay {
       serve(now);
       now = stepping == Stepping::ticks ? now + 50 : next_stop(now, input);
     }
+    strokes_.flush();
     return std::move(events_);
   }
 
@@ -62,7 +63,7 @@ class Replay {
     return text;
   }
 
-  [[nodiscard]] const Display<Sink>& display() const { return display_; }
+  [[nodiscard]] const Display& display() const { return display_; }
 
  private:
   [[nodiscard]] static std::string octal(core::Word18 word) {
@@ -88,18 +89,18 @@ class Replay {
   }
 
   void serve(std::int64_t now) {
-    const BreakRequest* request = display_.break_request();
+    const core::DataBreak* request = display_.data_break();
     if (request != nullptr && !asked_) {
       asked_ = true;
       const auto& words = file_.segments[segment_];
       word_ = request->address < words.size() ? words[request->address] : core::Word18{};
-      const std::int64_t since = core::nanoseconds_of(request->since);
+      const std::int64_t since = core::nanoseconds_of(display_.requested_at());
       due_ = since + file_.latency;
       events_.push_back({since, "Q " + std::to_string(request->address) + ' ' + octal(word_)});
     }
     if (asked_ && due_ <= now) {
       asked_ = false;
-      display_.deliver(core::at_nanoseconds(due_), word_);
+      display_.served(core::at_nanoseconds(due_), word_);
       note_changes(due_);
     }
   }
@@ -127,7 +128,8 @@ class Replay {
   }
 
   const EventFile& file_;
-  Display<Sink> display_;
+  core::StrokeBuffer strokes_;
+  Display display_;
   std::vector<Event> events_;
   std::size_t segment_ = 0;
   bool asked_ = false;

@@ -1,17 +1,17 @@
-// The rate multiplier against reference paths, its closed form against its pulses, and the display's end points.
+// The rate multiplier against reference paths, the steps of its stages, and the display's end points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <string>
 
 #include "emulators/type340/display.hpp"
-#include "emulators/type340/vector_flashes.hpp"
 #include "emulators/type340/vector_generator.hpp"
 #include "tests/support/effort.hpp"
 
@@ -58,64 +58,22 @@ TEST(RateMultiplier, FollowsTheReferencePaths) {
   EXPECT_EQ(vectors, 27);
 }
 
-// Every vector whose first pulse moves the beam, in each direction, with steps of 1 and 8 points, from a corner of the screen that
-// makes one field borrow from the other.
-TEST(VectorFlashes, AreThePulses) {
-  std::size_t compared = 0;
-  for (unsigned dx = 0; dx < 128; ++dx) {
-    for (unsigned dy = 0; dy < 128; ++dy) {
-      const auto d = static_cast<std::uint8_t>(dx | dy);
-      const unsigned steps_x = steps_by_stage(static_cast<std::uint8_t>(dx), d);
-      const unsigned steps_y = steps_by_stage(static_cast<std::uint8_t>(dy), d);
-      if (((steps_x | steps_y) & 1U) == 0) continue;
-      for (unsigned way = 0; way < 8; ++way) {
-        const std::int32_t step = (way & 4U) != 0 ? 8 : 1;
-        const std::int32_t right = (way & 1U) != 0 ? -step : step;
-        const std::int32_t up = (way & 2U) != 0 ? -step : step;
-        const core::Stroke from{.time = core::at_nanoseconds(1'234'567'890'123),
-                                .x = static_cast<std::uint16_t>(right < 0 ? 1023 : 0),
-                                .y = static_cast<std::uint16_t>(up < 0 ? 1023 : 0),
-                                .intensity = static_cast<std::uint8_t>(way),
-                                .address = 017777};
-        std::array<core::Stroke, 129> found;
-        found.fill({.time = core::never});
-        const int count = pulses_of_vector(static_cast<std::uint8_t>(dx), static_cast<std::uint8_t>(dy));
-        VectorFlashes(from, steps_x, steps_y, right, up).put(&found[1], count);
-        RateMultiplier rate;
-        core::Stroke expected = from;
-        for (int n = 1; n <= count; ++n) {
-          const auto passed = rate.count(static_cast<std::uint8_t>(dx), static_cast<std::uint8_t>(dy));
-          if (passed.x) expected.x = static_cast<std::uint16_t>(expected.x + right);
-          if (passed.y) expected.y = static_cast<std::uint16_t>(expected.y + up);
-          ASSERT_EQ(found[static_cast<std::size_t>(n)], expected) << dx << ' ' << dy << " way " << way << " pulse " << n;
-          expected.time += timing::pulse;
-          ++compared;
-        }
-        ASSERT_EQ(found[0].time, core::never) << dx << ' ' << dy;
-        ASSERT_EQ(found[static_cast<std::size_t>(count) + 1].time, core::never) << dx << ' ' << dy;
-      }
-    }
-  }
-  EXPECT_GT(compared, 10'000'000U);
-}
-
-TEST(RateMultiplier, ClosedFormIsThePulses) {
+// Every pulse of every vector, by the stage that it turns on.
+TEST(RateMultiplier, StagesPassTheStepsOfThePulses) {
   for (unsigned dx = 0; dx < 128; ++dx) {
     for (unsigned dy = 0; dy < 128; ++dy) {
       const auto d = static_cast<std::uint8_t>(dx | dy);
       const auto mx = static_cast<std::uint8_t>(dx);
       const auto my = static_cast<std::uint8_t>(dy);
       RateMultiplier rate;
-      std::int64_t x = 0;
       bool equal = true;
-      // Two turns and a bit, as vector continue runs.
-      const std::int64_t turn = pulses_per_turn(d);
-      for (std::int64_t n = 1; n <= 2 * turn + 3; ++n) {
-        if (rate.count(mx, my).x) equal = equal && pulse_of_step(mx, d, ++x) == n;
-        equal = equal && rate.brm == brm_after(d, n) && x == steps_after(mx, d, n) && pulses_at(d, rate.brm) == n % turn;
+      for (unsigned n = 1; n <= static_cast<unsigned>(pulses_of_vector(mx, my)); ++n) {
+        const RateMultiplier::Step step = rate.count(mx, my);
+        const auto stage = static_cast<unsigned>(std::countr_zero(n));
+        equal = equal && step.x == ((steps_by_stage(mx, d) >> stage & 1U) != 0) && step.y == ((steps_by_stage(my, d) >> stage & 1U) != 0);
       }
       ASSERT_TRUE(equal) << dx << ',' << dy;
-      ASSERT_EQ(steps_after(my, d, pulses_of_vector(mx, my)), my) << dx << ',' << dy;
+      ASSERT_EQ(rate.brm, RateMultiplier::full) << dx << ',' << dy;
     }
   }
 }
@@ -135,37 +93,37 @@ TEST(RateMultiplier, WandersLessThanADeflectionStepAndAHalf) {
   EXPECT_NEAR(worst, 1.55, 0.005);
 }
 
-struct LastFlashes {
-  static constexpr bool consumes = true;
+struct LastFlashes final : core::StrokeTaker {
   core::Stroke first;
   core::Stroke last;
   int count = 0;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& s) {
-    if (count++ == 0) first = s;
-    last = s;
+  void strokes(std::span<const core::Stroke> strokes) override {
+    if (count == 0) first = strokes.front();
+    last = strokes.back();
+    count += static_cast<int>(strokes.size());
   }
-  void end_pass(core::Instant) {}
 };
 
 // A parameter word, then the vector with escape, from where the beam is.
-void draw(Display<LastFlashes>& display, std::int64_t start, std::uint32_t vector) {
+void draw(Display& display, std::int64_t start, std::uint32_t vector) {
   display.load_address_and_start(core::at_nanoseconds(start), core::Word18(0));
-  display.deliver(core::at_nanoseconds(start), core::Word18(0100117));
+  display.served(core::at_nanoseconds(start), core::Word18(0100117));
   display.advance(core::at_nanoseconds(start + 3300));
-  ASSERT_NE(display.break_request(), nullptr);
-  display.deliver(core::at_nanoseconds(start + 3300), core::Word18(vector));
+  ASSERT_NE(display.data_break(), nullptr);
+  display.served(core::at_nanoseconds(start + 3300), core::Word18(vector));
   display.advance(core::at_nanoseconds(start + 400'000));
 }
 
 TEST(Display, EveryVectorStartsDarkAndEndsLitAtItsEndPoint) {
-  LastFlashes sink;
-  Display display({}, sink);
+  LastFlashes flashes;
+  core::StrokeBuffer strokes;
+  strokes.hand_to(&flashes);
+  Display display({}, strokes);
   std::int64_t t = 0;
   // To the middle of the screen: a Y and an X point word.
   for (const std::uint32_t word : {020000U, 0221000U, 01000U}) {
     if (t == 0) display.load_address_and_start(core::at_nanoseconds(t), core::Word18(0));
-    display.deliver(core::at_nanoseconds(t), core::Word18(word));
+    display.served(core::at_nanoseconds(t), core::Word18(word));
     display.advance(core::at_nanoseconds(t += 40'000));
   }
   const std::uint32_t step = tests::effort(1U, 5U);
@@ -179,21 +137,22 @@ TEST(Display, EveryVectorStartsDarkAndEndsLitAtItsEndPoint) {
         const int from_y = y;
         x += (signs & 0200U) != 0 ? -static_cast<int>(dx) : static_cast<int>(dx);
         y += (signs & 0100000U) != 0 ? -static_cast<int>(dy) : static_cast<int>(dy);
-        sink.count = 0;
+        flashes.count = 0;
         draw(display, t += 1'000'000, 0600000U | signs | dy << 8 | dx);
+        strokes.flush();
         ASSERT_EQ(display.registers().x, x) << dx << ',' << dy << ',' << signs;
         ASSERT_EQ(display.registers().y, y) << dx << ',' << dy << ',' << signs;
         const core::Instant requested = core::at_nanoseconds(
             t + 3300 + 2800 + 500 + 1500 * pulses_of_vector(static_cast<std::uint8_t>(dx), static_cast<std::uint8_t>(dy)));
-        ASSERT_NE(display.break_request(), nullptr);
-        ASSERT_EQ(display.break_request()->since, requested);
+        ASSERT_NE(display.data_break(), nullptr);
+        ASSERT_EQ(display.requested_at(), requested);
         if (dx == 0 && dy == 0) {
-          ASSERT_EQ(sink.count, 0);
+          ASSERT_EQ(flashes.count, 0);
           continue;
         }
-        ASSERT_TRUE(sink.first.x != from_x || sink.first.y != from_y) << dx << ',' << dy << ',' << signs;
-        ASSERT_EQ(sink.last.x, x);
-        ASSERT_EQ(sink.last.y, y);
+        ASSERT_TRUE(flashes.first.x != from_x || flashes.first.y != from_y) << dx << ',' << dy << ',' << signs;
+        ASSERT_EQ(flashes.last.x, x);
+        ASSERT_EQ(flashes.last.y, y);
       }
     }
   }

@@ -21,12 +21,12 @@ using jones::Dice;
 // All that a PDP-7 can have, with times so short that flags rise within a short run.
 run::Pdp7Setup busy_setup(std::uint32_t core_words = 8192) {
   run::Pdp7Setup setup;
-  setup.machine.configuration.core_words = core_words;
-  setup.machine.configuration.timing.clock_hertz = 400;
-  setup.machine.configuration.timing.reader_line = core::Duration(33'333);
-  setup.machine.configuration.timing.punch_line = core::Duration(157'979);
-  setup.machine.configuration.timing.teletype_character = core::Duration(200'000);
-  setup.machine.display = type340::Options{true, true, true};
+  setup.machine.core_words = core_words;
+  setup.machine.timing.clock_hertz = 400;
+  setup.machine.timing.reader_line = core::Duration(33'333);
+  setup.machine.timing.punch_line = core::Duration(157'979);
+  setup.machine.timing.teletype_character = core::Duration(200'000);
+  setup.display = type340::Options{true, true, true};
   for (int line = 0; line < 3000; ++line) setup.reader_tape.push_back(static_cast<std::uint8_t>(line * 37));
   for (int key = 0; key < 60; ++key)
     setup.keys.push_back({core::at_nanoseconds(key * 700'000), static_cast<std::uint8_t>('A' + key % 26)});
@@ -56,10 +56,10 @@ TEST_P(JonesSnapshots, ContinueBitForBit) {
   const jones::Program jones = jones::assembled(GetParam(), true);
   const LawProgram program = program_of([&jones] {
     run::Pdp7Setup setup;
-    setup.machine.display = type340::Options{};
+    setup.display = type340::Options{};
     setup.trace = true;
     setup.screen = run::Screen::Wishes{true, false};
-    auto machine = run::make_pdp7(std::move(setup));
+    auto machine = run::make_pdp7(std::move(setup)).value();
     for (std::uint32_t a = 0; a < jones.core.size(); ++a) machine->put(a, jones.core[a].value());
     machine->start(jones.labels.start);
     return machine;
@@ -79,7 +79,7 @@ TEST(Pdp7Snapshots, RandomWordsContinueBitForBit) {
     Dice dice(seed);
     const std::uint32_t core_words = 4096U << (seed % 4);
     const LawProgram program = program_of([seed, core_words] {
-      auto machine = run::make_pdp7(busy_setup(core_words));
+      auto machine = run::make_pdp7(busy_setup(core_words)).value();
       Dice words(seed);
       for (std::uint32_t a = 0; a < core_words; ++a) {
         auto word = static_cast<std::uint32_t>(words(0, 0777777));
@@ -135,7 +135,7 @@ constexpr std::pair<std::uint32_t, std::uint32_t> busy_words[] = {
 
 LawProgram busy_program() {
   return program_of([] {
-    auto machine = run::make_pdp7(busy_setup());
+    auto machine = run::make_pdp7(busy_setup()).value();
     for (const auto& [address, word] : busy_words) machine->put(address, word);
     machine->start(0100);
     return machine;
@@ -192,7 +192,7 @@ TEST(Pdp7Snapshots, ASnapshotIsTheSameWithAndWithoutAnObserver) {
   run::Pdp7Setup setup = busy_setup();
   setup.trace = false;
   setup.screen.reset();
-  auto unseen = run::make_pdp7(std::move(setup));
+  auto unseen = run::make_pdp7(std::move(setup)).value();
   for (const auto& [address, word] : busy_words) unseen->put(address, word);
   unseen->start(0100);
   const LawProgram program = busy_program();

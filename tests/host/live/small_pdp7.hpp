@@ -15,8 +15,8 @@ namespace sightline::test {
 inline std::unique_ptr<guests::run::Machine> small_pdp7(bool monitored = false) {
   guests::run::Pdp7Setup setup;
   setup.monitored = monitored;
-  setup.machine.configuration.core_words = 4096;
-  setup.machine.display = type340::Options{true, true, true};
+  setup.machine.core_words = 4096;
+  setup.display = type340::Options{true, true, true};
   setup.configuration = {"--memory 4k", "--eae"};
   setup.reader_tape = guests::run::Bytes(40, 0277);
   setup.keys = {{core::at_nanoseconds(0), 'A'}, {core::at_nanoseconds(0), 'B'}};
@@ -24,7 +24,7 @@ inline std::unique_ptr<guests::run::Machine> small_pdp7(bool monitored = false) 
   setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{0, 0, 1023, 1023}},
                       {core::at_nanoseconds(2'000'000'000), std::nullopt}};
   setup.screen = guests::run::Screen::Wishes{true, true};
-  auto machine = guests::run::make_pdp7(std::move(setup));
+  auto machine = guests::run::make_pdp7(std::move(setup)).value();
   std::uint32_t at = 0100;
   const auto put = [&](std::initializer_list<std::uint32_t> words) {
     for (const std::uint32_t word : words) machine->put(at++, word);

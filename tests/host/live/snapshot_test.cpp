@@ -176,10 +176,10 @@ TEST(Snapshot, RefusalsSayWhatToDo) {
 TEST(Snapshot, AnotherTapeIsRefused) {
   const auto machine = small_machine(40);
   run::Pdp7Setup setup;
-  setup.machine.configuration.core_words = 4096;
-  setup.machine.display = type340::Options{true, true, true};
+  setup.machine.core_words = 4096;
+  setup.display = type340::Options{true, true, true};
   setup.configuration = {"--memory 4k", "--eae"};
-  const auto other = run::make_pdp7(std::move(setup));
+  const auto other = run::make_pdp7(std::move(setup)).value();
   EXPECT_EQ(refusal(saved(*machine), *other),
             "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with "
             "the CRC-32 "

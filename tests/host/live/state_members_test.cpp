@@ -10,6 +10,7 @@
 
 #include "emulators/machines/i8080_devices.hpp"
 #include "emulators/machines/i8080_parts.hpp"
+#include "emulators/machines/pdp7_devices.hpp"
 #include "emulators/machines/pdp7.hpp"
 #include "host/guests/run/pdp7_scripts.hpp"
 
@@ -28,24 +29,23 @@ TEST(StateMembers, AreVisited) {
   expect_size<pdp7::State>(24, "pdp7::State");
   expect_size<pdp7::Console>(40, "pdp7::Console");
   expect_size<pdp7::CoreMemory>(32, "pdp7::CoreMemory");
-  expect_size<pdp7::Clock>(24, "pdp7::Clock");
-  expect_size<pdp7::Reader>(80, "pdp7::Reader");
-  expect_size<pdp7::Punch>(56, "pdp7::Punch");
-  expect_size<pdp7::Keyboard>(48, "pdp7::Keyboard");
-  expect_size<pdp7::Printer>(56, "pdp7::Printer");
-  expect_size<pdp7::Rb09>(136, "pdp7::Rb09");
+  expect_size<pdp7::Clock>(48, "pdp7::Clock");
+  expect_size<pdp7::Reader>(88, "pdp7::Reader");
+  expect_size<pdp7::Punch>(64, "pdp7::Punch");
+  expect_size<pdp7::Keyboard>(56, "pdp7::Keyboard");
+  expect_size<pdp7::Printer>(64, "pdp7::Printer");
+  expect_size<pdp7::Rb09>(160, "pdp7::Rb09");
   expect_size<pdp7::rb09::Counters>(32, "pdp7::rb09::Counters");
-  expect_size<pdp7::Peripherals>(416, "pdp7::Peripherals");
   expect_size<type340::Registers>(32, "type340::Registers");
   expect_size<type340::Delays>(88, "type340::Delays");
   expect_size<type340::CharacterPath>(656, "type340::CharacterPath");
   expect_size<type340::LightPen>(16, "type340::LightPen");
   expect_size<type340::Counters>(72, "type340::Counters");
-  expect_size<type340::BreakRequest>(16, "type340::BreakRequest");
-  expect_size<type340::Display<>>(968, "type340::Display<>");
-  expect_size<machines::Counts>(24, "machines::Counts");
-  expect_size<machines::Unanswered>(24, "machines::Unanswered");
-  expect_size<machines::Pdp7<>>(3192, "machines::Pdp7<>");
+  expect_size<core::DataBreak>(12, "core::DataBreak");
+  expect_size<type340::Display>(968, "type340::Display");
+  expect_size<pdp7::Counts>(24, "pdp7::Counts");
+  expect_size<pdp7::Unanswered>(24, "pdp7::Unanswered");
+  expect_size<pdp7::Machine>(1456, "pdp7::Machine");
   expect_size<core::Raster>(65536, "core::Raster");
   expect_size<i8080::State>(16, "i8080::State");
   expect_size<devices::Alt256>(65600, "devices::Alt256");

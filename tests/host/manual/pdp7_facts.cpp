@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
+#include "emulators/machines/pdp7_devices.hpp"
 #include "emulators/pdp7/isa.hpp"
-#include "emulators/pdp7/peripherals.hpp"
+#include "emulators/pdp7/status.hpp"
 #include "emulators/pdp7/timing.hpp"
 #include "emulators/type340/characters.hpp"
 #include "emulators/type340/delays.hpp"
@@ -112,7 +113,25 @@ std::string pdp7_operate() { return names_of(pdp7::Class::opr, pdp7::Class::law)
 
 std::string pdp7_eae() { return names_of(pdp7::Class::eae, pdp7::Class::eae); }
 
-std::string pdp7_iots() { return names_of(pdp7::Class::iot, pdp7::Class::iot); }
+// Those of the devices, in the order of their codes, stand before those of the extend mode.
+std::string pdp7_iots() {
+  Table table{"name", "word", "meaning"};
+  const auto add_own = [&table](bool of_extend_mode) {
+    constexpr std::uint32_t extend_mode = 0707700;
+    for (const pdp7::Microinstruction& row : pdp7::microinstructions) {
+      if (pdp7::instruction_of(row.value).instruction_class != pdp7::Class::iot) continue;
+      if ((row.value >= extend_mode) == of_extend_mode) table.row({code(row.name), octal(row.value), std::string(row.meaning)});
+    }
+  };
+  add_own(false);
+  auto devices = pdp7::device_infos;
+  std::sort(devices.begin(), devices.end(), [](const auto& a, const auto& b) { return a.codes.front() < b.codes.front(); });
+  for (const core::IotDeviceInfo& device : devices) {
+    for (const core::IotName& iot : device.iots) table.row({code(iot.mnemonic), octal(iot.word), std::string(iot.what)});
+  }
+  add_own(true);
+  return table.text();
+}
 
 std::string pdp7_status() {
   Table table{"bit", "mask", "1 means"};

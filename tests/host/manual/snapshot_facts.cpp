@@ -92,11 +92,9 @@ class Describer final : public core::StateVisitor {
 }  // namespace
 
 std::string snapshot_pdp7() {
-  core::NoStrokes sink;
-  machines::NoObserver observer;
-  machines::Pdp7Options options{{}, type340::Options{}};
-  options.configuration.devices.disk = true;
-  machines::Pdp7<> machine(options, sink, observer);
+  pdp7::Options options;
+  options.devices.insert(options.devices.end(), {"rb09", "display"});
+  pdp7::Machine machine(options);
   Table table{"section", "fields"};
   Describer describer(table);
   machine.visit_state(describer);

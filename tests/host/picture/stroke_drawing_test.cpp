@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 #include "tests/host/picture/synthetic.hpp"
 
 namespace sightline::picture {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
-#include "host/base/file.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/picture/stroke_log.hpp"
-#include "host/picture/stroke_sinks.hpp"
+#include "host/picture/stroke_recorders.hpp"
 #include "tests/host/picture/synthetic.hpp"
 #include "tests/support/approve_png.hpp"
 
@@ -48,14 +48,14 @@ TEST(PassRecorder, KeepsTheLastCompletePassAndTheRunningOne) {
   PassRecorder recorder;
   EXPECT_EQ(recorder.passes(), 0U);
   recorder.begin_pass(core::at_nanoseconds(100));
-  recorder.stroke(flash(110, 1, 1));
+  recorder.add(std::vector{flash(110, 1, 1)});
   EXPECT_TRUE(recorder.complete().strokes.empty());
   EXPECT_EQ(recorder.running().strokes.size(), 1U);
   recorder.end_pass(core::at_nanoseconds(200));
   EXPECT_EQ(recorder.passes(), 1U);
   recorder.begin_pass(core::at_nanoseconds(300));
-  recorder.stroke(flash(310, 2, 2));
-  recorder.stroke(flash(320, 3, 3));
+  recorder.add(std::vector{flash(310, 2, 2)});
+  recorder.add(std::vector{flash(320, 3, 3)});
   EXPECT_EQ(recorder.complete().begin, core::at_nanoseconds(100));
   EXPECT_EQ(recorder.complete().end, core::at_nanoseconds(200));
   EXPECT_EQ(recorder.complete().strokes, std::vector{flash(110, 1, 1)});
@@ -72,44 +72,28 @@ TEST(PassRecorder, KeepsTheLastCompletePassAndTheRunningOne) {
 TEST(PassRecorder, IsBounded) {
   PassRecorder recorder(3);
   recorder.begin_pass(core::at_nanoseconds(0));
-  for (int i = 0; i < 10; ++i) recorder.stroke(flash(i, i, i));
+  for (int i = 0; i < 10; ++i) recorder.add(std::vector{flash(i, i, i)});
   EXPECT_EQ(recorder.running().strokes.size(), 3U);
   EXPECT_EQ(recorder.running().left_out, 7U);
   recorder.end_pass(core::at_nanoseconds(20));
   EXPECT_EQ(recorder.complete().left_out, 7U);
   EXPECT_EQ(recorder.running().left_out, 0U);
+  recorder.add(std::vector{flash(30, 1, 1), flash(31, 2, 2), flash(32, 3, 3), flash(33, 4, 4), flash(34, 5, 5)});
+  EXPECT_EQ(recorder.running().strokes, (std::vector{flash(30, 1, 1), flash(31, 2, 2), flash(32, 3, 3)}));
+  EXPECT_EQ(recorder.running().left_out, 2U);
 }
 
 TEST(StrokeRecorder, KeepsTheNewestInOrder) {
   StrokeRecorder recorder(4);
-  for (int i = 0; i < 4; ++i) recorder.stroke(flash(i, i, 0));
+  for (int i = 0; i < 4; ++i) recorder.add(std::vector{flash(i, i, 0)});
   EXPECT_EQ(recorder.left_out(), 0U);
-  for (int i = 4; i < 10; ++i) recorder.stroke(flash(i, i, 0));
+  for (int i = 4; i < 10; ++i) recorder.add(std::vector{flash(i, i, 0)});
   EXPECT_EQ(recorder.strokes(),
             (std::vector{flash(6, 6, 0), flash(7, 7, 0), flash(8, 8, 0), flash(9, 9, 0)}));
   EXPECT_EQ(recorder.left_out(), 6U);
   StrokeRecorder nothing(0);
-  nothing.stroke(flash(0, 0, 0));
+  nothing.add(std::vector{flash(0, 0, 0)});
   EXPECT_TRUE(nothing.strokes().empty());
-}
-
-TEST(StrokeFan, GivesEveryConsumerEverything) {
-  StrokeStatistics statistics;
-  PassRecorder passes;
-  StrokeRecorder* const nobody = nullptr;
-  StrokeFan fan(&statistics, nobody, &passes);
-  fan.begin_pass(core::at_nanoseconds(0));
-  fan.stroke(flash(1, 1, 1, 0));
-  fan.stroke(flash(2, 1, 1, 7));
-  fan.stroke(flash(3, 1, 1, 7));
-  fan.end_pass(core::at_nanoseconds(9));
-  fan.begin_pass(core::at_nanoseconds(10));
-  EXPECT_EQ(statistics.strokes, 3U);
-  EXPECT_EQ(statistics.by_intensity[0], 1U);
-  EXPECT_EQ(statistics.by_intensity[7], 2U);
-  EXPECT_EQ(statistics.passes_begun, 2U);
-  EXPECT_EQ(statistics.passes_complete, 1U);
-  EXPECT_EQ(passes.complete().strokes.size(), 3U);
 }
 
 TEST(StrokeLog, WritesTheAgreedLine) {
@@ -130,26 +114,6 @@ TEST(StrokeLog, RoundTrip) {
   const auto nothing = parse_stroke_log("", "log");
   ASSERT_TRUE(nothing);
   EXPECT_TRUE(nothing->empty());
-}
-
-TEST(StrokeLog, WriterLeavesTheWholeLogOrNone) {
-  const std::string path = (std::filesystem::current_path() / "sightline-stroke-log-test").string();
-  std::filesystem::remove(path);
-  const auto strokes = tests::cube_pass(0, 7);
-  for (const bool commit : {false, true}) {
-    auto file = base::AtomicFile::create(path);
-    ASSERT_TRUE(file) << file.error().message();
-    StrokeLogWriter writer(std::move(*file));
-    for (const auto& stroke : strokes) writer.stroke(stroke);
-    if (commit) {
-      ASSERT_TRUE(writer.commit());
-    }
-    EXPECT_EQ(std::filesystem::exists(path), commit);
-  }
-  const auto back = parse_stroke_log(tests::read_whole(path), path);
-  ASSERT_TRUE(back) << back.error().message();
-  EXPECT_EQ(*back, strokes);
-  std::filesystem::remove(path);
 }
 
 TEST(StrokeLog, SaysWhichLineIsWrong) {

@@ -3,7 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "host/guests/pdp7/machine.hpp"
+#include "emulators/machines/pdp7.hpp"
+#include "host/guests/pdp7/watch.hpp"
 
 namespace sightline::guests::jones {
 namespace {
@@ -25,13 +26,14 @@ class PieceWatch final : public GuestWatch {
     constexpr std::array names{"lax", "lay", "lbx", "lby", "pax", "pay", "pbx", "pby"};
     for (std::size_t i = 0; i < names.size(); ++i) cells_[i].address = program.symbols.at(names[i]);
     cells_[pointer].address = vector_pointer;
-    for (const Cell& cell : cells_) mark(cell.address, written | modified);
-    mark(labels_.file, written | modified);
-    for (const pdp7::Address label : {labels_.search, labels_.piece, piece_}) mark(label, fetched);
+    for (const Cell& cell : cells_) mark(cell.address, pdp7::mark::written);
+    mark(labels_.file, pdp7::mark::written);
+    for (const pdp7::Address label : {labels_.search, labels_.piece, piece_}) mark(label, pdp7::mark::fetched);
   }
 
-  void told(const pdp7::Cycle& cycle) override {
+  void cycle(const pdp7::Cycle& cycle) override {
     if (cycle.verb == pdp7::Verb::fetch) return fetched_at(cycle.address, cycle.time);
+    if (cycle.verb != pdp7::Verb::write && cycle.verb != pdp7::Verb::modify) return;
     for (Cell& cell : cells_) {
       if (cell.address == cycle.address) cell.word = cycle.data;
     }
@@ -76,17 +78,16 @@ class PieceWatch final : public GuestWatch {
 
 GuestPieces run_for_pieces(const Program& program, bool eae, std::int32_t scale) {
   PieceWatch watch(program);
-  machines::Pdp7Options options;
-  options.configuration.model.eae = eae;
-  GuestSink nobody;
-  GuestPdp7 machine(options, nobody, watch);
-  deposit_core(machine, program.core);
+  pdp7::Options options;
+  options.model.eae = eae;
+  pdp7::Machine machine(options);
+  machine.load(0, program.core);
   machine.deposit(program.labels.scale, core::Word18(static_cast<std::uint32_t>(scale)));
   machine.deposit(program.labels.clock, core::Word18(clock_off));
   machine.start(program.labels.start);
-  machines::Limits limits;
+  pdp7::Limits limits;
   limits.until = core::Instant(time_limit);
-  const bool complete = machine.run(limits) == machines::StopReason::observer;
+  const bool complete = machine.run(limits, watch) == pdp7::StopReason::observer;
   GuestPieces pieces = std::move(watch).result();
   if (complete) pieces.status = static_cast<Status>(machine.peek(program.labels.status).value());
   return pieces;

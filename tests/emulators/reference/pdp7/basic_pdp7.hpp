@@ -21,25 +21,34 @@
 #include <vector>
 
 #include "emulators/core/inline.hpp"
-#include "emulators/core/reporter.hpp"
-#include "emulators/core/state_visitor.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/console.hpp"
 #include "emulators/pdp7/core_memory.hpp"
 #include "tests/emulators/reference/pdp7/cpu.hpp"
-#include "emulators/pdp7/peripherals.hpp"
 #include "emulators/pdp7/timing.hpp"
-#include "emulators/machines/basic_pdp7.hpp"
-#include "emulators/machines/display_iots.hpp"
-#include "emulators/machines/observer.hpp"
+#include "emulators/machines/pdp7.hpp"
+#include "tests/emulators/reference/pdp7/display_iots.hpp"
+#include "tests/emulators/reference/pdp7/peripherals.hpp"
+#include "tests/emulators/reference/reporter.hpp"
 #include "tests/emulators/reference/pdp7/pdp7_bus.hpp"
 
 namespace sightline::reference {
-using namespace machines;
+using pdp7::Counts;
+using pdp7::InstructionRecord;
+using pdp7::Limits;
+using pdp7::StopReason;
+using pdp7::Unanswered;
 
+// How the machine is put together.
+struct Configuration {
+  std::uint32_t core_words = 8192;
+  pdp7::Model model{};
+  Devices devices{};
+  pdp7::Timing timing{};
+};
 
-template <class Display, class Observer = NoObserver>
+template <class Display, class Observer>
 class BasicPdp7 {
  public:
   BasicPdp7(const Configuration& configuration, Observer& observer)
@@ -70,8 +79,8 @@ class BasicPdp7 {
   void randomise_core(std::uint64_t seed) { core_.randomise(seed); }
 
   [[nodiscard]] pdp7::Console& console() { return console_; }
-  [[nodiscard]] pdp7::Peripherals& devices() { return devices_; }
-  [[nodiscard]] const pdp7::Peripherals& devices() const { return devices_; }
+  [[nodiscard]] Peripherals& devices() { return devices_; }
+  [[nodiscard]] const Peripherals& devices() const { return devices_; }
   [[nodiscard]] const Configuration& configuration() const { return configuration_; }
   [[nodiscard]] core::Instant now() const { return now_; }
 
@@ -84,33 +93,6 @@ class BasicPdp7 {
 
   // One entry for every instruction word that nothing obeyed, in the order of first appearance.
   [[nodiscard]] const std::vector<Unanswered>& unanswered() const { return unanswered_; }
-
-  // All that a further run depends on, as it is between two runs (../core/state_visitor.hpp).
-  void visit_state(core::StateVisitor& visit) {
-    visit.section("processor", state_);
-    visit.section("time", [this](auto& fields) {
-      fields("now", now_);
-      fields("asynchronous", asynchronous_);
-      fields("instructions", counts_.instructions);
-      fields("stolen_cycles", counts_.stolen_cycles);
-      fields.require(asynchronous_ <= now_.time_since_epoch(), "asynchronous", "no more than the time");
-    });
-    visit.section("core", core_);
-    visit.section("console", console_);
-    devices_.visit_state(visit);
-    visit.require(devices_.clock.deadline() > now_ - core::seconds(1), "clock", "no tick of an earlier second");
-    if (display_) {
-      visit.section("display", *display_);
-      visit.require(display_->next_pulse() > now_, "display", "all pulses after the time");
-    }
-    visit.section("unanswered", [this](auto& fields) {
-      fields.list("words", unanswered_, [&fields](Unanswered& entry) {
-        fields("word", entry.word, core::Word18::mask);
-        fields("count", entry.count);
-        fields("first_pc", entry.first_pc, pdp7::address_mask);
-      });
-    });
-  }
 
   // The START key: clears all flags, leaves core, AC, L, MQ and SC alone, and makes the next fetch at
   // `address`.
@@ -134,7 +116,7 @@ class BasicPdp7 {
   [[gnu::noinline]] StopReason run(const Limits& limits, Watcher& watcher) {
     using Bus = Pdp7Bus<BasicPdp7, Watcher>;
     reference::Cpu<Bus> cpu(Bus(*this, watcher), configuration_.model, configuration_.timing, state_);
-    [[maybe_unused]] const core::Arrivals<Watcher> arrives(watcher);
+    [[maybe_unused]] const Arrivals<Watcher> arrives(watcher);
     forget_deadlines();
     std::uint64_t left = limits.instructions;
     StopReason reason = StopReason::instruction_limit;
@@ -149,7 +131,7 @@ class BasicPdp7 {
       }
       if (cpu.bus().due()) [[unlikely]] {
         if (left == 0) break;
-        if constexpr (core::Filtered<Watcher>) {
+        if constexpr (Filtered<Watcher>) {
           if (watcher.stop(cpu.bus().now(), cpu.pc())) {
             reason = StopReason::observer;
             break;
@@ -332,10 +314,10 @@ class BasicPdp7 {
   [[gnu::noinline]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac) {
     std::uint32_t elsewhere = 0;
     if (display_ && pdp7::reads_status(word) && display_->light_pen_flag(now))
-      elsewhere = pdp7::status::light_pen;
+      elsewhere = status::light_pen;
     pdp7::IotReply reply = devices_.iot(now, word, ac, elsewhere);
     if (display_ && is_display_iot(word)) display_iot(*display_, now, word, reply);
-    if (display_ && pdp7::clears_all_flags(word)) display_->clear_flags(now);
+    if (display_ && (word & 07702U) == 03302U) display_->clear_flags(now);
     // A skip test changes nothing: what it found had a deadline, which is still the one the processor waits
     // for.
     const bool look = (word & 06U) != 0;
@@ -360,7 +342,7 @@ class BasicPdp7 {
   core::Instant now_{};
   core::Duration asynchronous_{};
   pdp7::CoreMemory core_;
-  pdp7::Peripherals devices_;
+  Peripherals devices_;
   pdp7::Console console_;
   std::optional<Display> display_;
   // Nothing happens by itself before these. Valid inside a run.

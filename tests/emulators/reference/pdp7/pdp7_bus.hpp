@@ -9,15 +9,13 @@
 #include <cstdint>
 
 #include "emulators/core/inline.hpp"
-#include "emulators/core/reporter.hpp"
 #include "emulators/core/time.hpp"
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/bus.hpp"
 #include "emulators/pdp7/timing.hpp"
+#include "tests/emulators/reference/reporter.hpp"
 
 namespace sightline::reference {
-using namespace machines;
-
 
 template <class Machine, class Observer>
 class Pdp7Bus {
@@ -85,7 +83,7 @@ class Pdp7Bus {
   [[nodiscard]] core::Instant now() const { return now_; }
   void set_now(core::Instant now) { now_ = now; }
   void set_deadline(core::Instant deadline) { deadline_ = deadline; }
-  [[nodiscard]] core::Reporter<Observer> reporter() const { return report_; }
+  [[nodiscard]] Reporter<Observer> reporter() const { return report_; }
 
  private:
   SIGHTLINE_INLINE void pass(pdp7::Verb verb, pdp7::Address address, core::Word18 word) {
@@ -97,7 +95,7 @@ class Pdp7Bus {
   }
 
   Machine* machine_;
-  [[no_unique_address]] core::Reporter<Observer> report_;
+  [[no_unique_address]] Reporter<Observer> report_;
   core::Word18* core_;
   std::uint32_t words_;
   core::Instant now_;

@@ -26,6 +26,13 @@
 namespace sightline::reference_display {
 using namespace type340;
 
+struct BreakRequest {
+  core::Instant since;
+  std::uint16_t address;  // 13 bits
+  bool write;             // only for DDS of the Type 347
+  core::Word18 word;      // to be written
+};
+
 template <class Sink = core::NoStrokes>
 class Display {
  public:
@@ -33,7 +40,7 @@ class Display {
 
   // What the PDP-7's IOTs do; each first brings the display up to `now`.
   void load_address_and_start(core::Instant now, core::Word18 ac) { start(now, ac.value()); }  // IDLA
-  void restart(core::Instant now) { start(now, registers_.address); }                          // IDRD, at DAC
+  void restart(core::Instant now) { start(now, at(now).address); }                            // IDRD, at DAC
   void clear_flags(core::Instant now);  // IDCF and CAF: flags and a waiting request; a running word runs on
   void resume(core::Instant now);       // IDRS: clears pen flag, find and enable; the word goes on after 1 us
   void power_clear(core::Instant now);  // START key: everything stops; position, scale and intensity stay

@@ -129,17 +129,15 @@ TEST(JonesGuestCore, WhatWasInCoreDoesNotMatter) {
   core::Duration times[2]{};
   for (std::uint64_t fill = 0; fill < 2; ++fill) {
     PathWatch watch(program, false);
-    core::NoStrokes nobody;
-    machines::Pdp7Options options;
-    options.display.emplace();
-    machines::Pdp7<core::NoStrokes, PathWatch> machine(options, nobody, watch);
+    pdp7::Machine machine;
+    ASSERT_EQ(machine.attach("display"), "");
     machine.randomise_core(1971 + fill);
-    deposit_core(machine, program.core);
+    machine.load(0, program.core);
     machine.start(program.labels.start);
     for (int view = 0; view < 2; ++view) {
-      machines::Limits limits;
+      pdp7::Limits limits;
       limits.until = core::Instant(core::seconds(60));
-      ASSERT_EQ(machine.run(limits), machines::StopReason::observer);
+      ASSERT_EQ(machine.run(limits, watch), pdp7::StopReason::observer);
       EXPECT_EQ(machine.peek(program.labels.status).value(), 0U);
       EXPECT_TRUE(same_words(file_words(machine, program), expected.display_file));
     }

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <initializer_list>
 #include <sstream>
 #include <string>
@@ -194,7 +195,7 @@ TEST(RunPdp7, ThePenMovesAtTheFirstBoundaryAtOrAfterItsTime) {
 TEST(RunPdp7, APenWithoutADisplayIsNothing) {
   run::Pdp7Setup setup;
   setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{}}};
-  const auto machine = make_pdp7(setup);
+  const auto machine = make_pdp7(setup).value();
   machine->put(0, 0600000);  // JMP 0
   EXPECT_EQ(run_to_stop(*machine, {.instructions = 1000}).name, "instruction_limit");
 }
@@ -235,13 +236,13 @@ TEST(Screen, KeepsTheLastCompletePassOrTheNewestStrokes) {
   const auto stroke = [](std::uint16_t x) { return core::Stroke{core::at_nanoseconds(x), x, 0, 7, 0}; };
   run::Screen screen({.picture = true});
   screen.begin_pass(core::at_nanoseconds(0));
-  screen.stroke(stroke(1));
+  screen.strokes(std::array{stroke(1)});
   screen.begin_pass(core::at_nanoseconds(2));
-  screen.stroke(stroke(2));
+  screen.strokes(std::array{stroke(2)});
   EXPECT_FALSE(screen.has_complete_pass());
   EXPECT_EQ(screen.picture_strokes(core::Instant{}), (std::vector{stroke(1), stroke(2)}));
   screen.end_pass(core::at_nanoseconds(3));
-  screen.stroke(stroke(3));
+  screen.strokes(std::array{stroke(3)});
   EXPECT_TRUE(screen.has_complete_pass());
   EXPECT_EQ(screen.picture_strokes(core::Instant{}), std::vector{stroke(2)});
 }

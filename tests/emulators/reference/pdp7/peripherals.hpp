@@ -12,16 +12,17 @@
 #include <cstdint>
 #include <optional>
 
-#include "../core/state_visitor.hpp"
-#include "../core/time.hpp"
-#include "../core/word.hpp"
-#include "bus.hpp"
-#include "paper_tape.hpp"
-#include "rb09.hpp"
-#include "teletype.hpp"
-#include "timing.hpp"
+#include "emulators/core/time.hpp"
+#include "emulators/core/word.hpp"
+#include "emulators/pdp7/bus.hpp"
+#include "tests/emulators/reference/pdp7/paper_tape.hpp"
+#include "tests/emulators/reference/pdp7/rb09.hpp"
+#include "tests/emulators/reference/pdp7/teletype.hpp"
+#include "emulators/pdp7/timing.hpp"
 
-namespace sightline::pdp7 {
+namespace sightline::reference {
+using namespace pdp7;
+
 
 // The real-time clock: while it is on, every period of the mains counts location 7 up by one in a stolen
 // cycle; when the count passes from 777777 to 0 the clock flag rises and asks for a program interrupt.
@@ -60,11 +61,6 @@ class Clock {
     return true;
   }
 
-  void visit_state(core::StateVisitor& visit) {
-    visit("next_period", next_period_, longest_run * hertz_);
-    visit("on", on_);
-    visit("flag", flag_);
-  }
 
  private:
   static constexpr std::int64_t nanoseconds_in_a_second = 1'000'000'000;
@@ -158,15 +154,6 @@ class Peripherals {
     if (disk) disk->clear();
   }
 
-  // A further device is a further section: snapshots of machines without it have none of that name.
-  void visit_state(core::StateVisitor& visit) {
-    visit.section("clock", clock);
-    visit.section("reader", reader);
-    visit.section("punch", punch);
-    visit.section("keyboard", keyboard);
-    visit.section("printer", printer);
-    if (disk) visit.section("rb09", *disk);
-  }
 
   Clock clock;
   Reader reader;
@@ -272,4 +259,4 @@ class Peripherals {
   Devices present_;
 };
 
-}  // namespace sightline::pdp7
+}  // namespace sightline::reference

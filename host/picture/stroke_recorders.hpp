@@ -1,12 +1,12 @@
-// Consumers that keep or count what a display emits (sinks as in emulators/core/stroke.hpp).
+// Recorders of what a display draws (emulators/core/stroke.hpp).
 //
 // All of them are bounded: a display file that never stops must not exhaust the host's memory.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,7 +36,6 @@ struct Pass {
 // restored while a pass runs (forget_after) shows the rest of a pass only, which is never complete.
 class PassRecorder {
  public:
-  static constexpr bool consumes = true;
   static constexpr std::size_t default_limit = std::size_t{1} << 20;  // a pass of more than 1.5 s
 
   explicit PassRecorder(std::size_t limit_a_pass = default_limit) : limit_(limit_a_pass) {}
@@ -49,19 +48,10 @@ class PassRecorder {
     running_.strokes.clear();
     running_.left_out = 0;
   }
-  void stroke(const core::Stroke& stroke) {
-    if (running_.strokes.size() < limit_) {
-      running_.strokes.push_back(stroke);
-    } else {
-      ++running_.left_out;
-    }
-  }
-  // Null: there are too many for the limit, and stroke() leaves some out.
-  [[nodiscard]] core::Stroke* room(std::size_t count) {
-    const std::size_t kept = running_.strokes.size();
-    if (limit_ - kept < count) return nullptr;
-    running_.strokes.resize(kept + count);
-    return running_.strokes.data() + kept;
+  void add(std::span<const core::Stroke> strokes) {
+    const std::size_t kept = std::min(strokes.size(), limit_ - running_.strokes.size());
+    running_.strokes.insert(running_.strokes.end(), strokes.begin(), strokes.begin() + static_cast<std::ptrdiff_t>(kept));
+    running_.left_out += strokes.size() - kept;
   }
   void end_pass(core::Instant t) {
     if (partial_) {
@@ -108,22 +98,11 @@ class PassRecorder {
 // Keeps the newest strokes, up to a limit: what a photograph of the end of a run needs.
 class StrokeRecorder {
  public:
-  static constexpr bool consumes = true;
-
   explicit StrokeRecorder(std::size_t limit) : limit_(limit) {}
 
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) {
-    if (kept_.size() < limit_) {
-      kept_.push_back(stroke);
-      return;
-    }
-    ++left_out_;
-    if (limit_ == 0) return;
-    kept_[oldest_] = stroke;
-    oldest_ = oldest_ + 1 == limit_ ? 0 : oldest_ + 1;
+  void add(std::span<const core::Stroke> strokes) {
+    for (const core::Stroke& stroke : strokes) add(stroke);
   }
-  void end_pass(core::Instant) {}
 
   // The machine goes back to `t`.
   void forget_after(core::Instant t) {
@@ -142,56 +121,21 @@ class StrokeRecorder {
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
  private:
+  void add(const core::Stroke& stroke) {
+    if (kept_.size() < limit_) {
+      kept_.push_back(stroke);
+      return;
+    }
+    ++left_out_;
+    if (limit_ == 0) return;
+    kept_[oldest_] = stroke;
+    oldest_ = oldest_ + 1 == limit_ ? 0 : oldest_ + 1;
+  }
+
   std::size_t limit_;
   std::vector<core::Stroke> kept_;
   std::size_t oldest_ = 0;
   std::uint64_t left_out_ = 0;
-};
-
-struct StrokeStatistics {
-  static constexpr bool consumes = true;
-
-  std::uint64_t strokes = 0;
-  std::array<std::uint64_t, intensity_levels> by_intensity{};
-  std::uint64_t passes_begun = 0;
-  std::uint64_t passes_complete = 0;
-
-  void begin_pass(core::Instant) { ++passes_begun; }
-  void stroke(const core::Stroke& stroke) {
-    ++strokes;
-    if (stroke.intensity < intensity_levels) ++by_intensity[stroke.intensity];
-  }
-  void end_pass(core::Instant) { ++passes_complete; }
-};
-
-// Several consumers of one display; a null pointer is a consumer that is not wanted.
-template <typename... Sinks>
-class StrokeFan {
- public:
-  static constexpr bool consumes = true;
-
-  explicit StrokeFan(Sinks*... sinks) : sinks_(sinks...) {}
-
-  void begin_pass(core::Instant t) {
-    each([&](auto& sink) { sink.begin_pass(t); });
-  }
-  void stroke(const core::Stroke& stroke) {
-    each([&](auto& sink) { sink.stroke(stroke); });
-  }
-  void end_pass(core::Instant t) {
-    each([&](auto& sink) { sink.end_pass(t); });
-  }
-
- private:
-  template <typename Action>
-  void each(Action action) {
-    const auto present = [&action](auto* sink) {
-      if (sink != nullptr) action(*sink);
-    };
-    std::apply([&present](auto*... sink) { (present(sink), ...); }, sinks_);
-  }
-
-  std::tuple<Sinks*...> sinks_;
 };
 
 }  // namespace sightline::picture

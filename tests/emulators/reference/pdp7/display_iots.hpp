@@ -10,22 +10,15 @@
 
 #include <cstdint>
 
-#include "../core/time.hpp"
-#include "../core/word.hpp"
-#include "../pdp7/absent_devices.hpp"
-#include "../pdp7/bus.hpp"
+#include "emulators/core/time.hpp"
+#include "emulators/core/word.hpp"
+#include "emulators/pdp7/bus.hpp"
 
-namespace sightline::machines {
+namespace sightline::reference {
 
 [[nodiscard]] constexpr bool is_display_iot(std::uint32_t word) {
   const std::uint32_t device = (word >> 6) & 077U;
   return device >= 005 && device <= 010;
-}
-
-// Whether a program that executes it uses a Type 340: programs for a Graphic-2 have other IOTs of the same devices. The two that belong to both
-// displays, IDVE and that of the return address, change nothing in a Type 340 that has not been started.
-[[nodiscard]] constexpr bool uses_display(std::uint32_t word) {
-  return is_display_iot(word) && !pdp7::belongs_to_absent_device(word);
 }
 
 namespace detail {
@@ -79,4 +72,4 @@ void display_iot(Display& display, core::Instant now, std::uint32_t word, pdp7::
   }
 }
 
-}  // namespace sightline::machines
+}  // namespace sightline::reference

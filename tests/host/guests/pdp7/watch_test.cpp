@@ -1,5 +1,5 @@
-// The PDP-7 of guests: what its watch is told, which strokes its sink keeps, and at which boundary a run stops.
-#include "host/guests/pdp7/machine.hpp"
+// What guests on the PDP-7 are told by their marks, which strokes they keep, and at which boundary a run stops.
+#include "host/guests/pdp7/watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 #include <initializer_list>
 #include <utility>
 #include <vector>
+
+#include "emulators/type340/display.hpp"
+#include "host/guests/pdp7/stroke_keeper.hpp"
 
 namespace sightline::guests {
 namespace {
@@ -16,18 +19,19 @@ class Watch final : public GuestWatch {
   using Told = std::pair<pdp7::Verb, pdp7::Address>;
 
   explicit Watch(bool stops_when_told = false) : stops_(stops_when_told) {
-    mark(0101, fetched);
-    mark(0110, read | modified);
-    mark(0111, written);
+    mark(0101, pdp7::mark::fetched);
+    mark(0110, pdp7::mark::read);
+    mark(0111, pdp7::mark::written);
   }
   [[nodiscard]] const std::vector<Told>& told() const { return told_; }
 
- private:
-  void told(const pdp7::Cycle& cycle) override {
+  void cycle(const pdp7::Cycle& cycle) override {
+    if (cycle.verb == pdp7::Verb::iot || cycle.verb == pdp7::Verb::interrupt) return;
     told_.emplace_back(cycle.verb, cycle.address);
     if (stops_) request_stop();
   }
 
+ private:
   bool stops_;
   std::vector<Told> told_;
 };
@@ -35,35 +39,37 @@ class Watch final : public GuestWatch {
 enum class At : std::uint8_t { nothing, begin, end };
 
 // Keeps the first pass and stops the run where it begins or ends.
-class Sink final : public GuestSink {
+class FirstPass final : public StrokeKeeper {
  public:
-  Sink(Watch& watch, At stop) : watch_(watch), stop_(stop) {}
+  FirstPass(pdp7::Machine& machine, At stop) : machine_(machine), stop_(stop) {}
   void begin_pass(core::Instant) override {
     keep_strokes(!ended());
-    if (stop_ == At::begin) watch_.request_stop();
+    if (stop_ == At::begin) machine_.request_stop();
   }
   void end_pass(core::Instant t) override {
     keep_strokes(false);
     if (!ended()) end_ = t;
-    if (stop_ == At::end) watch_.request_stop();
+    if (stop_ == At::end) machine_.request_stop();
   }
   [[nodiscard]] bool ended() const { return end_ != core::never; }
   [[nodiscard]] core::Instant end() const { return end_; }
   [[nodiscard]] std::vector<core::Stroke> take() { return take_strokes(); }
 
  private:
-  Watch& watch_;
+  pdp7::Machine& machine_;
   At stop_;
   core::Instant end_ = core::never;
 };
 
 struct Rig {
   explicit Rig(At stop = At::nothing, bool stops_when_told = false)
-      : watch(stops_when_told), sink(watch, stop), machine({{}, type340::Options{}}, sink, watch) {}
-
-  void load(pdp7::Address at, std::initializer_list<std::uint32_t> words) {
-    for (const std::uint32_t word : words) machine.deposit(at++, core::Word18(word));
+      : watch(stops_when_told), pass(machine, stop) {
+    EXPECT_EQ(machine.attach("display"), "");
+    machine.strokes().hand_to(&pass);
   }
+
+  void load(pdp7::Address at, std::initializer_list<std::uint32_t> words) { machine.load(at, words); }
+  pdp7::StopReason run(const pdp7::Limits& limits) { return machine.run(limits, watch); }
   // Starts the display at 200 and waits; a point, a vector of 15 flashes, a stop with its interrupt.
   void load_display(bool interrupts) {
     load(0, {0, 0600001});
@@ -73,95 +79,95 @@ struct Rig {
     machine.start(0100);
   }
 
+  pdp7::Machine machine;
   Watch watch;
-  Sink sink;
-  GuestPdp7 machine;
+  FirstPass pass;
 };
 
-constexpr machines::Limits a_second{~std::uint64_t{0}, core::at_nanoseconds(1'000'000'000)};
+constexpr pdp7::Limits a_second{~std::uint64_t{0}, core::at_nanoseconds(1'000'000'000)};
 
-TEST(GuestPdp7, TellsWhatIsMarked) {
+TEST(GuestWatch, TellsWhatIsMarked) {
   Rig rig;
   // LAC 110, DAC 111, ISZ 110, DAC 110, LAC 111, HLT
   rig.load(0100, {0200110, 0040111, 0440110, 0040110, 0200111, 0740040});
   rig.machine.start(0100);
-  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::halt);
+  EXPECT_EQ(rig.run(a_second), pdp7::StopReason::halt);
   EXPECT_EQ(rig.watch.told(), (std::vector<Watch::Told>{{pdp7::Verb::read, 0110},
                                                          {pdp7::Verb::fetch, 0101},
                                                          {pdp7::Verb::write, 0111},
                                                          {pdp7::Verb::modify, 0110}}));
 }
 
-TEST(GuestPdp7, StopsBehindTheInstruction) {
+TEST(GuestWatch, StopsBehindTheInstruction) {
   Rig rig(At::nothing, true);
   rig.load(0100, {0740000, 0740000, 0740000, 0740040});
   rig.machine.start(0100);
-  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::observer);
+  EXPECT_EQ(rig.run(a_second), pdp7::StopReason::observer);
   EXPECT_EQ(rig.machine.registers().pc, 0102U);
   EXPECT_EQ(rig.machine.counts().instructions, 2U);
-  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::halt);
+  EXPECT_EQ(rig.run(a_second), pdp7::StopReason::halt);
 }
 
 // The last instruction of a run is told, too, where no boundary is asked about behind it.
-TEST(GuestPdp7, TellsAHalt) {
+TEST(GuestWatch, TellsAHalt) {
   Rig rig(At::nothing, true);
   rig.load(0101, {0740040});
   rig.machine.start(0101);
-  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::halt);
+  EXPECT_EQ(rig.run(a_second), pdp7::StopReason::halt);
   EXPECT_EQ(rig.watch.told().size(), 1U);
 }
 
-TEST(GuestPdp7, StopsWhereAPassBegins) {
+TEST(GuestWatch, StopsWhereAPassBegins) {
   Rig rig(At::begin);
   rig.load_display(false);
-  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::observer);
+  EXPECT_EQ(rig.run(a_second), pdp7::StopReason::observer);
   EXPECT_EQ(rig.machine.registers().pc, 0103U);
 }
 
-// The display is brought up to date at the first boundary at or after the end of its pass, and so the sink hears of the end there; one
+// The display is brought up to date at the first boundary at or after the end of its pass, and so the taker of strokes hears of the end there; one
 // instruction later, or behind the interrupt, the run stops.
-TEST(GuestPdp7, StopsBehindTheBoundaryAtWhichAPassEnds) {
+TEST(GuestWatch, StopsBehindTheBoundaryAtWhichAPassEnds) {
   for (const bool interrupts : {false, true}) {
     Rig free;
     free.load_display(interrupts);
-    EXPECT_EQ(free.machine.run(a_second), machines::StopReason::time_limit);
-    ASSERT_TRUE(free.sink.ended());
+    EXPECT_EQ(free.run(a_second), pdp7::StopReason::time_limit);
+    ASSERT_TRUE(free.pass.ended());
 
     Rig rig(At::end);
     rig.load_display(interrupts);
-    machines::Limits until_end;
-    until_end.until = free.sink.end();
+    pdp7::Limits until_end;
+    until_end.until = free.pass.end();
     Rig first;
     first.load_display(interrupts);
-    EXPECT_EQ(first.machine.run(until_end), machines::StopReason::time_limit);
+    EXPECT_EQ(first.run(until_end), pdp7::StopReason::time_limit);
 
-    EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::observer);
+    EXPECT_EQ(rig.run(a_second), pdp7::StopReason::observer);
     EXPECT_EQ(rig.machine.now(), first.machine.now() + pdp7::machine_cycle);
     EXPECT_EQ(rig.machine.registers().pc == 1, interrupts);
     // Asked once.
-    EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::time_limit);
+    EXPECT_EQ(rig.run(a_second), pdp7::StopReason::time_limit);
   }
 }
 
-TEST(GuestPdp7, KeepsStrokesWhereItIsTold) {
+TEST(GuestWatch, KeepsStrokesWhereItIsTold) {
   Rig rig;
   rig.load_display(false);
-  EXPECT_EQ(rig.machine.run(a_second), machines::StopReason::time_limit);
-  const auto strokes = rig.sink.take();
+  EXPECT_EQ(rig.run(a_second), pdp7::StopReason::time_limit);
+  const auto strokes = rig.pass.take();
   ASSERT_EQ(strokes.size(), 16U);
   for (std::size_t n = 1; n < strokes.size(); ++n) {
     EXPECT_GT(strokes[n].time, strokes[n - 1].time);
     EXPECT_EQ(strokes[n].x, strokes[n - 1].x + 1);
   }
-  EXPECT_TRUE(rig.sink.take().empty());
+  EXPECT_TRUE(rig.pass.take().empty());
   // The next pass is not kept.
   rig.machine.start(0100);
-  const auto passes = rig.machine.display()->counters().passes_started;
-  machines::Limits more = a_second;
+  const auto passes = rig.machine.find<type340::Display>()->counters().passes_started;
+  pdp7::Limits more = a_second;
   more.until += core::seconds(1);
-  EXPECT_EQ(rig.machine.run(more), machines::StopReason::time_limit);
-  EXPECT_GT(rig.machine.display()->counters().passes_started, passes);
-  EXPECT_TRUE(rig.sink.take().empty());
+  EXPECT_EQ(rig.run(more), pdp7::StopReason::time_limit);
+  EXPECT_GT(rig.machine.find<type340::Display>()->counters().passes_started, passes);
+  EXPECT_TRUE(rig.pass.take().empty());
 }
 
 }  // namespace

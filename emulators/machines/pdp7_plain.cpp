@@ -1,0 +1,163 @@
+// The plain loop: what a PDP-7 does, instruction by instruction, told to an observer. It serves all that is observed, and
+// every run where the fast engine cannot be compiled (WebAssembly, sanitizers).
+#include "pdp7.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "../core/inline.hpp"
+#include "../pdp7/cpu.hpp"
+#include "pdp7_told.hpp"
+
+namespace sightline::pdp7 {
+
+struct Machine::PlainRun {
+  class Bus;
+
+  StopReason run(const Limits& limits);
+
+  Machine& machine;
+  Told told;
+  Processor processor{machine.options_.model, machine.options_.timing, machine.state_};
+};
+
+// The verbs of ../pdp7/bus.hpp: each tells its cycle, and lets its time pass.
+class Machine::PlainRun::Bus {
+ public:
+  explicit Bus(PlainRun& run)
+      : run_(&run), core_(run.machine.core_.data()), words_(run.machine.core_.size()), now_(run.machine.now_), due_(now_) {}
+
+  [[nodiscard]] core::Instant now() const { return now_; }
+  [[nodiscard]] bool due() const { return now_ >= due_; }
+  void attend(core::Instant now, core::Instant due) {
+    now_ = now;
+    due_ = due;
+  }
+
+  SIGHTLINE_INLINE core::Word18 fetch(Address address) {
+    return access(mark::fetched, Verb::fetch, address, core_[address]);
+  }
+  SIGHTLINE_INLINE core::Word18 read(Address address) { return access(mark::read, Verb::read, address, core_[address]); }
+  SIGHTLINE_INLINE void write(Address address, core::Word18 word) {
+    put(address, word);
+    access(mark::written, Verb::write, address, word);
+  }
+  SIGHTLINE_INLINE core::Word18 modify(Address address) {
+    const core::Word18 word = core_[address] + core::Word18(1);
+    put(address, word);
+    return access(mark::read | mark::written, Verb::modify, address, word);
+  }
+  void interrupt(core::Word18 word) {
+    put(0, word);
+    run_->told.event({now_, machine_cycle, Verb::interrupt, 0, word});
+    now_ += machine_cycle;
+  }
+  core::IotReply iot(std::uint32_t word, core::Word18 ac) {
+    const IotEffect effect = run_->machine.input_output(now_, word, ac);
+    run_->told.event({now_, effect.stretch, Verb::iot, word & 07777U, effect.reply.ac});
+    pass_asynchronous(effect.stretch);
+    if (effect.attention) attention();
+    return effect.reply;
+  }
+  void idle(core::Duration duration) {
+    run_->told.idle({now_, duration, Verb::idle, 0, core::Word18(0)});
+    pass_asynchronous(duration);
+  }
+  core::Word18 switches() { return run_->machine.console_.switches(now_); }
+  void unanswered(std::uint32_t word, Address at) { run_->machine.count_unanswered(word, at); }
+  void attention() { due_ = now_; }
+
+ private:
+  // Outside core nothing is written.
+  SIGHTLINE_INLINE void put(Address address, core::Word18 word) {
+    if (address < words_) core_[address] = word;
+  }
+  SIGHTLINE_INLINE core::Word18 access(std::uint8_t mark, Verb verb, Address address, core::Word18 word) {
+    run_->told.access(mark, {now_, machine_cycle, verb, address, word});
+    now_ += machine_cycle;
+    return word;
+  }
+  void pass_asynchronous(core::Duration duration) {
+    now_ += duration;
+    run_->machine.asynchronous_ += duration;
+  }
+
+  PlainRun* run_;
+  core::Word18* core_;
+  std::uint32_t words_;  // that can be written
+  core::Instant now_;
+  core::Instant due_;  // nothing happens before but instructions
+};
+
+StopReason Machine::PlainRun::run(const Limits& limits) {
+  Execution<Bus> execution(Bus(*this), processor);
+  Bus& bus = execution.bus();
+  bool is_shown = false;
+  const auto show = [&] {
+    execution.save();
+    machine.state_ = processor.registers.state();
+    machine.now_ = bus.now();
+    is_shown = true;
+  };
+  const auto ends = [&](StopReason reason) {
+    show();
+    return reason;
+  };
+  const bool records = told.observer() != nullptr && told.observer()->instructions;
+
+  for (std::uint64_t left = limits.instructions;; --left) {
+    // The boundary.
+    for (bool interrupted = true; interrupted;) {
+      const Address next = execution.next();
+      if (left != 0 && told.asks(next)) {
+        if (!is_shown) show();
+        if (told.stops(bus.now(), next)) return StopReason::observer;
+      }
+      if (left == 0) return ends(StopReason::instruction_limit);
+      interrupted = false;
+      if (bus.due()) {
+        if (std::exchange(machine.stop_requested_, false)) return ends(StopReason::observer);
+        if (bus.now() >= limits.until) return ends(StopReason::time_limit);
+        const Boundary boundary = machine.attend(bus.now(), processor.registers, &told);
+        bus.attend(boundary.now, std::min(boundary.due, limits.until));
+        interrupted = boundary.interrupt;
+        if (interrupted) execution.interrupt();
+        is_shown = false;
+      }
+    }
+    // The instruction.
+    Outcome outcome{};
+    if (!records) {
+      outcome = execution.step();
+      ++machine.counts_.instructions;
+      is_shown = false;
+    } else {
+      if (!is_shown) show();
+      const State before = machine.state_;
+      const core::Instant begun = bus.now();
+      const core::Word18 word = machine.core_.read(before.pc);
+      outcome = execution.step();
+      ++machine.counts_.instructions;
+      show();
+      told.observer()->instruction({begun, bus.now(), before.pc, word, before, machine.state_});
+    }
+    if (outcome != Outcome::completed) return ends(reason_of(outcome));
+  }
+}
+
+StopReason Machine::run(const Limits& limits, Observer& observer) {
+  begin_run();
+  const StopReason reason = PlainRun{*this, Told(&observer)}.run(limits);
+  end_run();
+  return reason;
+}
+
+StopReason Machine::run_plainly(const Limits& limits) {
+  begin_run();
+  const StopReason reason = PlainRun{*this, Told(nullptr)}.run(limits);
+  end_run();
+  return reason;
+}
+
+}  // namespace sightline::pdp7

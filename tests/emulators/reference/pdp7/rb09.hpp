@@ -1,0 +1,288 @@
+// The RB09 fixed-head disk on the PDP-7: IOT device 71.
+//
+// 200 tracks of 80 sectors of 64 words turn under one head a track. A transfer begins when the word that is
+// addressed comes by next and goes on word by word, over the ends of sectors and tracks, until the word count
+// is 0. Each word asks for a data break when it passes; the controller holds one, so a break that comes later
+// than the next word is a timing error.
+//
+// The controller is here; the machine owns core and gives the breaks. What the program has written is kept
+// beside the image, sector by sector: the image is never changed, and a snapshot holds only what differs.
+//
+// No manual of the RB09 is at hand. Registers, codes and the status word are as an open simulator of the
+// PDP-7 has them and as a kernel of 1970 uses them; what neither tells is in Timing.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/time.hpp"
+#include "emulators/core/word.hpp"
+#include "emulators/pdp7/bus.hpp"
+#include "emulators/pdp7/state.hpp"
+
+namespace sightline::reference {
+using namespace pdp7;
+
+
+namespace rb09 {
+
+inline constexpr std::uint32_t tracks = 200, sectors = 80, words = 64;
+inline constexpr std::uint32_t words_a_track = sectors * words;
+inline constexpr std::uint32_t words_of_disk = tracks * words_a_track;
+inline constexpr std::uint32_t tracks_a_lock = 10;  // twenty write-lock switches
+inline constexpr std::uint32_t all_locked = (1U << (tracks / tracks_a_lock)) - 1;
+
+// Bits of the status word.
+namespace status {
+inline constexpr std::uint32_t error = 0400000,  // any of the next four
+    parity = 0200000, illegal = 0100000,         // an address that does not exist, or a locked track
+    timing = 0040000, not_ready = 0020000, done = 0010000, interrupts = 0004000, busy = 0002000, write = 0001000;
+inline constexpr std::uint32_t errors = parity | illegal | timing | not_ready;
+inline constexpr std::uint32_t toggled = interrupts | busy | write;
+}  // namespace status
+
+// A pulse and bits 060 choose the operation.
+namespace operation {
+inline constexpr std::uint32_t clear_flags = 001, skip = 021, clear_status = 041, read_address = 002, read_status = 022,
+                               load_core = 042, load_address = 004, load_count = 024, load_status = 044;
+}
+
+// What neither tells, as Timing explains.
+struct Choices {
+  core::Duration word{};         // the time of a word under the head
+  bool clear_stops = true;       // DBCS
+  bool late_stops = true;        // a timing error
+  std::uint32_t after_last = 0;  // the address behind the last word of the disk
+};
+
+struct Counters {
+  std::uint64_t transfers = 0;  // begun
+  std::uint64_t words_read = 0;
+  std::uint64_t words_written = 0;  // on the disk
+  std::uint64_t timing_errors = 0;
+};
+
+// Track and sector in BCD: three digits above the low eight bits, of which the hundreds' is 0 or 1, and two.
+// nullopt: a digit above 9, or a sector above 79.
+[[nodiscard]] constexpr std::optional<std::uint32_t> address_of_bcd(std::uint32_t ac) {
+  const auto digit = [ac](unsigned shift, std::uint32_t mask) { return (ac >> shift) & mask; };
+  const std::uint32_t hundreds = digit(16, 1), tens = digit(12, 017), units = digit(8, 017);
+  const std::uint32_t sector_tens = digit(4, 017), sector_units = digit(0, 017);
+  if (tens > 9 || units > 9 || sector_tens > 7 || sector_units > 9) return std::nullopt;
+  return ((hundreds * 100 + tens * 10 + units) * sectors + sector_tens * 10 + sector_units) * words;
+}
+[[nodiscard]] constexpr std::uint32_t bcd_of_address(std::uint32_t address) {
+  const std::uint32_t track = address / words_a_track, sector = address / words % sectors;
+  return (track / 100) << 16 | (track / 10 % 10) << 12 | (track % 10) << 8 | (sector / 10) << 4 | sector % 10;
+}
+
+}  // namespace rb09
+
+class Rb09 {
+ public:
+  using Word = core::Word18;
+
+  // `core_mask`: where the core address wraps.
+  explicit Rb09(const rb09::Choices& choices, Address core_mask = in_bank_mask) : choices_(choices), core_mask_(core_mask) {}
+
+  // A disk of words_of_disk words in address order; its number tells snapshots whether it is the same. A locked track
+  // cannot be written.
+  void attach(std::vector<Word> image, std::uint32_t number, std::uint32_t locks) {
+    image_ = std::move(image);
+    image_.resize(rb09::words_of_disk);
+    number_ = number;
+    locks_ = locks;
+    changed_.clear();
+  }
+  void detach() {
+    stop();
+    image_.clear();
+    changed_.clear();
+    number_ = 0;
+  }
+  [[nodiscard]] bool attached() const { return !image_.empty(); }
+  [[nodiscard]] bool changed() const { return !changed_.empty(); }
+  [[nodiscard]] Word word(std::uint32_t address) const {
+    const auto sector = sector_of(address);
+    return sector != changed_.end() && sector->number == address / rb09::words ? sector->words[address % rb09::words]
+                                                                               : image_[address];
+  }
+
+  // The pulses of an IOT at `now`, in the order 1, 2, 4.
+  void iot(core::Instant now, std::uint32_t word, IotReply& reply) {
+    const std::uint32_t subdevice = word & 060U;
+    for (const std::uint32_t pulse : {1U, 2U, 4U}) {
+      if ((word & pulse) != 0 && subdevice != 060U) {
+        operate(now, subdevice | pulse, reply);
+        reply.answered |= pulse;
+      }
+    }
+  }
+
+  // The next word of a transfer passes then.
+  [[nodiscard]] core::Instant deadline() const { return next_; }
+  [[nodiscard]] bool interrupt_request() const {
+    return (status_ & rb09::status::interrupts) != 0 && (status_ & (rb09::status::errors | rb09::status::done)) != 0;
+  }
+
+  struct Request {
+    Address address;  // in core
+    bool to_core;
+    Word word;  // to core
+  };
+  // The data break of the word that has passed by `now`, to be followed by served(); nullopt: none is asked for, or no
+  // longer.
+  [[nodiscard]] std::optional<Request> request(core::Instant now) {
+    if (now < next_) return std::nullopt;
+    if (now > next_ + choices_.word) {
+      ++counters_.timing_errors;
+      status_ |= rb09::status::timing;
+      if (choices_.late_stops) {
+        stop();
+        return std::nullopt;
+      }
+    }
+    const bool writes = (status_ & rb09::status::write) != 0;
+    if (writes && (locks_ >> (address_ / rb09::words_a_track / rb09::tracks_a_lock) & 1U) != 0) {
+      fail(rb09::status::illegal);
+      status_ |= rb09::status::done;
+      return std::nullopt;
+    }
+    return Request{core_, !writes, writes ? Word(0) : word(address_)};
+  }
+  // The break is over; `from_core` is the word that was fetched for the disk.
+  void served(Word from_core) {
+    if ((status_ & rb09::status::write) != 0) {
+      put(address_, from_core);
+      ++counters_.words_written;
+    } else {
+      ++counters_.words_read;
+    }
+    address_ = address_ + 1 == rb09::words_of_disk ? choices_.after_last : address_ + 1;
+    core_ = (core_ + 1) & core_mask_;
+    count_ = (count_ + 1) & count_mask;
+    next_ += choices_.word;
+    if (count_ != 0) return;
+    stop();
+    status_ |= rb09::status::done;
+  }
+
+  // CAF and START: flags down, a transfer is abandoned.
+  void clear() {
+    stop();
+    status_ = 0;
+  }
+
+  [[nodiscard]] const rb09::Counters& counters() const { return counters_; }
+  // With the bit that is any error.
+  [[nodiscard]] std::uint32_t status() const {
+    return status_ | ((status_ & rb09::status::errors) != 0 ? rb09::status::error : 0U);
+  }
+  [[nodiscard]] std::uint32_t address() const { return address_; }
+  [[nodiscard]] Address core_address() const { return core_; }
+  [[nodiscard]] std::uint32_t word_count() const { return count_; }
+
+
+ private:
+  struct Sector {
+    std::uint32_t number = 0;
+    std::array<Word, rb09::words> words{};
+  };
+  static constexpr std::uint32_t count_mask = 0177777;
+
+  [[nodiscard]] std::vector<Sector>::const_iterator sector_of(std::uint32_t address) const {
+    return std::lower_bound(changed_.begin(), changed_.end(), address / rb09::words,
+                            [](const Sector& sector, std::uint32_t number) { return sector.number < number; });
+  }
+  void put(std::uint32_t address, Word word) {
+    const std::uint32_t number = address / rb09::words;
+    auto sector = changed_.begin() + (sector_of(address) - changed_.cbegin());
+    if (sector == changed_.end() || sector->number != number) {
+      sector = changed_.insert(sector, Sector{number, {}});
+      std::copy_n(image_.begin() + static_cast<std::ptrdiff_t>(number * rb09::words), rb09::words, sector->words.begin());
+    }
+    sector->words[address % rb09::words] = word;
+  }
+
+  void operate(core::Instant now, std::uint32_t operation, IotReply& reply) {
+    namespace status = rb09::status;
+    const std::uint32_t ac = reply.ac.value();
+    const auto collect = [&reply](std::uint32_t bits) { reply.ac = reply.ac | Word(bits); };
+    switch (operation) {
+      case rb09::operation::clear_flags: status_ &= ~(status::errors | status::done); break;
+      case rb09::operation::skip:
+        if ((status_ & (status::errors | status::done)) != 0) reply.skip = true;
+        break;
+      case rb09::operation::clear_status:
+        if (choices_.clear_stops) stop();
+        status_ = 0;
+        break;
+      case rb09::operation::read_address: collect(rb09::bcd_of_address(address_)); break;
+      case rb09::operation::read_status: collect(this->status()); break;
+      case rb09::operation::load_core: core_ = ac & core_mask_; break;
+      case rb09::operation::load_address: {
+        const auto address = rb09::address_of_bcd(ac);
+        if (address) {
+          address_ = *address;
+        } else {
+          status_ |= status::illegal;
+        }
+        break;
+      }
+      case rb09::operation::load_count: count_ = ac & count_mask; break;
+      default: load_status(now, ac); break;
+    }
+  }
+
+  void load_status(core::Instant now, std::uint32_t ac) {
+    namespace status = rb09::status;
+    const bool was_busy = (status_ & status::busy) != 0;
+    status_ = (status_ & status::toggled) ^ (ac & (status::toggled | status::errors | status::done));
+    const bool is_busy = (status_ & status::busy) != 0;
+    if (!is_busy) next_ = core::never;
+    if (is_busy && !was_busy) begin(now);
+  }
+
+  void begin(core::Instant now) {
+    ++counters_.transfers;
+    if (!attached()) {
+      fail(rb09::status::not_ready);
+      status_ |= rb09::status::done;
+      return;
+    }
+    // The word passes once a turn; the disk turns from instant zero.
+    const std::int64_t turn = choices_.word.count() * rb09::words_a_track;
+    const std::int64_t place = choices_.word.count() * (address_ % rb09::words_a_track);
+    const std::int64_t since = now.time_since_epoch().count() - place;
+    next_ = core::Instant(core::Duration(place + (since < 0 ? 0 : since / turn + 1) * turn));
+  }
+  void fail(std::uint32_t error) {
+    status_ |= error;
+    stop();
+  }
+  void stop() {
+    status_ &= ~rb09::status::busy;
+    next_ = core::never;
+  }
+
+  rb09::Choices choices_;
+  Address core_mask_;
+  std::vector<Word> image_;  // empty: no disk in the drive
+  std::uint32_t number_ = 0;
+  std::uint32_t locks_ = 0;  // a bit for ten tracks, the first lowest
+  std::vector<Sector> changed_;
+  std::uint32_t status_ = 0;  // without the error bit
+  std::uint32_t address_ = 0;
+  Address core_ = 0;
+  std::uint32_t count_ = 0;
+  core::Instant next_ = core::never;
+  rb09::Counters counters_;
+};
+
+}  // namespace sightline::reference
