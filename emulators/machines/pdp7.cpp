@@ -13,6 +13,7 @@
 namespace sightline::pdp7 {
 namespace {
 
+constexpr std::uint8_t no_device = 0xFF;
 constexpr std::uint8_t control_code = 033, extension_code = 077;  // of the processor itself
 
 Options completed(Options options) {
@@ -61,6 +62,7 @@ std::unique_ptr<core::IotDevice> make(const KnownDevice& known, std::span<const 
 }  // namespace
 
 Machine::Machine(const Options& options) : options_(completed(options)), core_(options_.core_words) {
+  wire();
   for (const std::string_view name : options_.devices) {
     if (error_.empty()) error_ = attach(name);
   }
@@ -84,17 +86,29 @@ std::string Machine::attach(const core::IotDeviceInfo& info, std::unique_ptr<cor
   for (const std::uint8_t code : info.codes) {
     if (code >= by_code_.size()) return "the device " + name + " has the code " + std::to_string(code) + ", expected 0 to 63";
     const bool is_processors = code == control_code || code == extension_code;
-    if (!is_processors && by_code_[code] == nullptr) continue;
-    const std::string other = is_processors ? "the processor" : "the device " + std::string(by_code_[code]->info.name);
+    if (!is_processors && by_code_[code] == no_device) continue;
+    const std::string other =
+        is_processors ? "the processor" : "the device " + std::string(by_priority_[by_code_[code]]->info.name);
     return "the device " + name + " has the device code " + octal(code) + ", which " + other + " has already";
   }
   devices_.push_back(std::make_unique<Attached>(Attached{info, std::move(device), priority_of(info.name)}));
-  Attached* const attached = devices_.back().get();
-  for (const std::uint8_t code : info.codes) by_code_[code] = attached;
-  const auto behind = std::upper_bound(by_priority_.begin(), by_priority_.end(), attached,
-                                       [](const Attached* a, const Attached* b) { return a->priority < b->priority; });
-  by_priority_.insert(behind, attached);
+  wire();
   return {};
+}
+
+// What follows from the devices that are attached.
+void Machine::wire() {
+  by_priority_.clear();
+  for (const auto& each : devices_) by_priority_.push_back(each.get());
+  std::stable_sort(by_priority_.begin(), by_priority_.end(),
+                   [](const Attached* a, const Attached* b) { return a->priority < b->priority; });
+  by_code_.fill(no_device);
+  requesting_ = 0;
+  for (std::size_t i = 0; i < by_priority_.size(); ++i) {
+    for (const std::uint8_t code : by_priority_[i]->info.codes) by_code_[code] = static_cast<std::uint8_t>(i);
+    requesting_ += by_priority_[i]->requests ? 1 : 0;
+  }
+  due_.assign(by_priority_.size(), core::Instant::min());
 }
 
 std::string Machine::attach_when_used(std::string_view name, std::span<const core::Setting> settings) {
@@ -108,9 +122,8 @@ std::string Machine::attach_when_used(std::string_view name, std::span<const cor
 void Machine::plug_in(std::string_view name, bool in) {
   Attached* const attached = find_attached(name);
   if (attached != nullptr) {
-    std::replace(by_code_.begin(), by_code_.end(), attached, static_cast<Attached*>(nullptr));
-    std::erase(by_priority_, attached);
     std::erase_if(devices_, [attached](const auto& each) { return each.get() == attached; });
+    wire();
   }
   if (!in) return;
   for (const Spare& spare : spares_) {
@@ -121,7 +134,7 @@ void Machine::plug_in(std::string_view name, bool in) {
 
 void Machine::plug_in_used(std::uint32_t word) {
   const auto code = static_cast<std::uint8_t>((word >> 6) & 077U);
-  if (by_code_[code] != nullptr || belongs_to_absent_device(word)) return;
+  if (by_code_[code] != no_device || belongs_to_absent_device(word)) return;
   for (const Spare& spare : spares_) {
     const auto codes = spare.known->info.codes;
     if (std::find(codes.begin(), codes.end(), code) != codes.end()) return plug_in(spare.known->info.name, true);
@@ -188,7 +201,7 @@ void Machine::visit_state(core::StateVisitor& visit) {
 
 // The host may have touched any device since the last run.
 void Machine::begin_run() {
-  for (const auto& each : devices_) each->due = core::Instant::min();
+  std::fill(due_.begin(), due_.end(), core::Instant::min());
 }
 
 void Machine::end_run() {
@@ -201,34 +214,39 @@ Machine::Boundary Machine::attend(core::Instant now, Registers& registers, Told*
   const bool deferred = registers.is(mode::interrupts_deferred);
   const bool open = registers.is(mode::interrupts_on) && !deferred;
   registers.modes &= ~mode::interrupts_deferred;
-  while (serve_devices(now, told)) {
+  now = serve_devices(now, told);
+  core::Instant due = now;
+  if (!deferred && !stop_requested_) {
+    due = core::never;
+    for (const core::Instant each : due_) due = std::min(due, each);
+    due = std::max(due, now);
   }
-  return {now, deferred || stop_requested_ ? now : std::max(now, devices_due_), open && devices_request_};
+  return {now, due, open && requesting_ != 0};
 }
 
-// The first data break that is due. False: there is none, and all devices have been brought up to date that were due.
-bool Machine::serve_devices(core::Instant& now, Told* told) {
-  devices_due_ = core::never;
-  devices_request_ = false;
-  for (Attached* const each : by_priority_) {
-    if (now >= each->due) {
-      core::IotDevice& device = *each->device;
-      device.advance(now);
-      if (const core::DataBreak* const request = device.data_break()) {
-        grant(*each, *request, now, told);
-        return true;
-      }
-      each->due = device.deadline();
-      each->requests = device.interrupt_request();
+// Brings all devices up to date that are due, and gives them their data breaks. The time after that.
+core::Instant Machine::serve_devices(core::Instant now, Told* told) {
+  for (std::size_t i = 0; i < due_.size();) {
+    if (now < due_[i]) {
+      ++i;
+      continue;
     }
-    devices_due_ = std::min(devices_due_, each->due);
-    devices_request_ = devices_request_ || each->requests;
+    core::IotDevice& device = *by_priority_[i]->device;
+    device.advance(now);
+    if (const core::DataBreak* const request = device.data_break()) {
+      now = grant(device, *request, now, told);
+      note(i, device.data_break() != nullptr ? now : device.deadline());
+      i = 0;  // one that comes before it may be due by now
+    } else {
+      note(i, device.deadline());
+      ++i;
+    }
   }
-  return false;
+  return now;
 }
 
-// The request is copied: it is the device's own and goes as soon as it is met.
-void Machine::grant(Attached& to, core::DataBreak request, core::Instant& now, Told* told) {
+// The time after the data break. The request is copied: it is the device's own and goes as soon as it is met.
+core::Instant Machine::grant(core::IotDevice& device, core::DataBreak request, core::Instant now, Told* told) {
   using Direction = core::DataBreak::Direction;
   core::Word18 word = request.direction == Direction::to_core ? request.word : core_.read(request.address);
   Verb verb = Verb::break_read;
@@ -242,11 +260,18 @@ void Machine::grant(Attached& to, core::DataBreak request, core::Instant& now, T
   }
   const core::Duration length = machine_cycle * request.cycles;
   if (told != nullptr) told->access(access, {now, length, verb, request.address, word});
-  now += length;
   counts_.stolen_cycles += static_cast<std::uint64_t>(request.cycles);
-  to.device->served(now, word);
-  to.due = to.device->data_break() != nullptr ? now : to.device->deadline();
-  to.requests = to.device->interrupt_request();
+  device.served(now + length, word);
+  return now + length;
+}
+
+// What device i wants, as of now.
+void Machine::note(std::size_t i, core::Instant due) {
+  due_[i] = due;
+  Attached& of = *by_priority_[i];
+  const bool requests = of.device->interrupt_request();
+  requesting_ += static_cast<std::size_t>(requests) - static_cast<std::size_t>(of.requests);
+  of.requests = requests;
 }
 
 // The pulses of an IOT whose Fetch cycle ends at `now`.
@@ -255,9 +280,9 @@ Machine::IotEffect Machine::input_output(core::Instant now, std::uint32_t word, 
   core::IotReply reply{ac};
   const unsigned code = (word >> 6) & 077U;
   const bool acts = (word & 06U) != 0;
-  if (Attached* const at = by_code_[code]) {
-    at->device->iot(now, word, reply);
-    if (acts) at->due = core::Instant::min();
+  if (const std::size_t i = by_code_[code]; i != no_device) {
+    by_priority_[i]->device->iot(now, word, reply);
+    if (acts) due_[i] = core::Instant::min();
   }
   if (reads_status(word)) {
     for (const auto& each : devices_) reply.collect(core::Word18(each->device->status(now)));
@@ -274,10 +299,8 @@ void Machine::control_pulses(core::Instant now, std::uint32_t word, core::IotRep
   if ((word & 040U) == 0) reply.test(word, find_attached("keyboard") != nullptr);
   if ((word & 02U) == 0) return;
   reply.answered |= 02U;
-  for (const auto& each : devices_) {
-    each->device->clear_flags(now);
-    each->due = core::Instant::min();
-  }
+  for (const auto& each : devices_) each->device->clear_flags(now);
+  std::fill(due_.begin(), due_.end(), core::Instant::min());
 }
 
 void Machine::count_unanswered(std::uint32_t word, Address at) {

@@ -196,12 +196,10 @@ class Machine {
   struct FastRun;   // pdp7_fast.cpp
   struct PlainRun;  // pdp7_plain.cpp
 
-  // A device with what the machine remembers of it.
   struct Attached {
     core::IotDeviceInfo info;
     std::unique_ptr<core::IotDevice> device;
     std::size_t priority;  // its place in the list
-    core::Instant due{};   // it wants nothing by itself before
     bool requests = false;  // an interrupt
   };
   // One that the program's first IOT plugs in.
@@ -211,6 +209,7 @@ class Machine {
   };
 
   [[nodiscard]] Attached* find_attached(std::string_view name) const;
+  void wire();
   void plug_in_used(std::uint32_t word);
 
   // --- Inside a run
@@ -227,8 +226,9 @@ class Machine {
   void begin_run();
   void end_run();
   [[nodiscard]] Boundary attend(core::Instant now, Registers& registers, Told* told);
-  bool serve_devices(core::Instant& now, Told* told);
-  void grant(Attached& to, core::DataBreak request, core::Instant& now, Told* told);
+  [[nodiscard]] core::Instant serve_devices(core::Instant now, Told* told);
+  [[nodiscard]] core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, Told* told);
+  void note(std::size_t i, core::Instant due);
   [[nodiscard]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac);
   void control_pulses(core::Instant now, std::uint32_t word, core::IotReply& reply);
   void count_unanswered(std::uint32_t word, Address at);
@@ -243,10 +243,10 @@ class Machine {
   std::unique_ptr<core::StrokeBuffer> strokes_ = std::make_unique<core::StrokeBuffer>();
   std::vector<std::unique_ptr<Attached>> devices_;  // in the order in which they were attached
   std::vector<Attached*> by_priority_;
-  std::array<Attached*, 64> by_code_{};
+  std::vector<core::Instant> due_;  // likewise: it wants nothing by itself before
+  std::size_t requesting_ = 0;      // how many of them request an interrupt
+  std::array<std::uint8_t, 64> by_code_{};  // their places in by_priority_; no_device
   std::vector<Spare> spares_;
-  core::Instant devices_due_{};    // the least of theirs
-  bool devices_request_ = false;  // any of theirs
   Counts counts_;
   std::vector<Unanswered> unanswered_;
   bool stop_requested_ = false;

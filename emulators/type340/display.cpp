@@ -105,9 +105,10 @@ void Display::power_clear(core::Instant now) {
 // --- Data breaks
 
 void Display::served(core::Instant end, core::Word18 word) {
-  advance(end);
-  if (writing_) {
-    raise_request(end);
+  const bool written = writing_;
+  advance(end);  // a point that IDRS cut short may raise its request before the word is written
+  if (written) {
+    if (writing_) raise_request(end);
   } else if (registers_.request) {
     deliver(end, word);
   }

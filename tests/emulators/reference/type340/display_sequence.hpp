@@ -209,6 +209,7 @@ void Display<Sink>::flash(core::Instant t, bool lit) {
 
 template <class Sink>
 void Display<Sink>::raise_request(core::Instant t) {
+  writing_ = false;  // else a request of IDRS under that of a deposit would never be met
   registers_.raise_request();
   request_ = {t, registers_.address, false, core::Word18{}};
 }
