@@ -67,7 +67,7 @@ struct DataBreak {
 };
 
 // The device brings itself up to date in every function that is given the time. A machine calls `advance` when the deadline
-// has passed, and at the end of a run.
+// has passed.
 class IotDevice : public Device<Nanosecond> {
  public:
   // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. Pulse 1 only tests: it changes nothing that
@@ -88,6 +88,10 @@ class IotDevice : public Device<Nanosecond> {
   [[nodiscard]] virtual const DataBreak* data_break() const { return nullptr; }
   // The break has ended: `word` is the one moved, or the sum.
   virtual void served(Instant end, Word18 word) { static_cast<void>(end), static_cast<void>(word); }
+
+  // A run ends at `now`: what the device draws up to then is in the machine's stroke buffer. Flags and outputs stay as of the
+  // last boundary, so that a run in pieces is the same as one in one piece.
+  virtual void finish_strokes(Instant now) { static_cast<void>(now); }
 
   // After a restored device: relations to the machine's time (StateVisitor::require).
   virtual void require_time(StateVisitor& visit, Instant now) { static_cast<void>(visit), static_cast<void>(now); }

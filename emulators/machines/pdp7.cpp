@@ -205,7 +205,7 @@ void Machine::begin_run() {
 }
 
 void Machine::end_run() {
-  for (const auto& each : devices_) each->device->advance(now_);
+  for (const auto& each : devices_) each->device->finish_strokes(now_);
   strokes_->flush();
 }
 

@@ -136,6 +136,7 @@ class Display final : public core::IotDevice {
     if (whole_ && now >= whole_until_) execute_whole_word();
     if (!delays_.none()) make_pulses(now);
   }
+  void finish_strokes(core::Instant now) override { advance(now); }
   [[nodiscard]] core::Instant deadline() const override { return whole_ ? whole_until_ : deadline_of_delays(); }
 
   // --- Data breaks: for display words, and for the word that DDS of the Type 347 writes

@@ -101,9 +101,8 @@ class Pdp7Machine final : public Machine {
     if (setup_.disk) attach(pdp7::Rb09::info.name);
     for (const DeviceChoice& device : setup_.devices) attach(device.name, device.settings());
     if (setup_.display) {
-      const auto settings = settings_of(*setup_.display);
-      if (!setup_.display_when_used) attach(display_name, settings);
-      else if (error.empty()) error = machine_.attach_when_used(display_name, settings);
+      if (error.empty()) error = machine_.attach_when_used(display_name, settings_of(*setup_.display));
+      machine_.plug_in(display_name, !setup_.display_when_used);
     }
     if (!error.empty()) return usage("--device: " + error);
     if (setup_.disk) {
