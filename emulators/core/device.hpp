@@ -49,7 +49,7 @@ class Device {
   // Everything up to and including `now` has happened, but for what needs the processor. Time never goes back.
   virtual void advance(Time now) { static_cast<void>(now); }
   // No later than the instant at which the device, left alone, changes a line to the processor or wants something of
-  // it; the largest instant: never.
+  // it, nor than now while it wants something; the largest instant: never.
   [[nodiscard]] virtual Time deadline() const { return Time::max(); }
   // In a section under the name of the device.
   virtual void visit_state(StateVisitor& visit) { static_cast<void>(visit); }

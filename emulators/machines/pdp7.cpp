@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "../core/device_errors.hpp"
+#include "../core/inline.hpp"
 #include "../pdp7/absent_devices.hpp"
+#include "../pdp7/cpu.hpp"
 #include "../pdp7/registers.hpp"
 #include "pdp7_devices.hpp"
 #include "pdp7_told.hpp"
@@ -209,49 +211,14 @@ void Machine::end_run() {
   strokes_->flush();
 }
 
-// A boundary at which something may be due.
-Machine::Boundary Machine::attend(core::Instant now, Registers& registers, Told* told) {
-  const bool deferred = registers.is(mode::interrupts_deferred);
-  const bool open = registers.is(mode::interrupts_on) && !deferred;
-  registers.modes &= ~mode::interrupts_deferred;
-  now = serve_devices(now, told);
-  core::Instant due = now;
-  if (!deferred && !stop_requested_) {
-    due = core::never;
-    for (const core::Instant each : due_) due = std::min(due, each);
-    due = std::max(due, now);
-  }
-  return {now, due, open && requesting_ != 0};
-}
-
-// Brings all devices up to date that are due, and gives them their data breaks. The time after that.
-core::Instant Machine::serve_devices(core::Instant now, Told* told) {
-  for (std::size_t i = 0; i < due_.size();) {
-    if (now < due_[i]) {
-      ++i;
-      continue;
-    }
-    core::IotDevice& device = *by_priority_[i]->device;
-    device.advance(now);
-    if (const core::DataBreak* const request = device.data_break()) {
-      now = grant(device, *request, now, told);
-      note(i, device.data_break() != nullptr ? now : device.deadline());
-      i = 0;  // one that comes before it may be due by now
-    } else {
-      note(i, device.deadline());
-      ++i;
-    }
-  }
-  return now;
-}
-
 // The time after the data break. The request is copied: it is the device's own and goes as soon as it is met.
-core::Instant Machine::grant(core::IotDevice& device, core::DataBreak request, core::Instant now, Told* told) {
+SIGHTLINE_INLINE inline core::Instant Machine::grant(core::IotDevice& device, core::DataBreak request, core::Instant now,
+                                                     Told* told) {
   using Direction = core::DataBreak::Direction;
   core::Word18 word = request.direction == Direction::to_core ? request.word : core_.read(request.address);
   Verb verb = Verb::break_read;
   std::uint8_t access = mark::read;
-  if (request.direction != Direction::from_core) {
+  if (request.direction != Direction::from_core) [[unlikely]] {
     const bool counts = request.direction == Direction::count;
     if (counts) word = word + core::Word18(1);
     verb = counts ? Verb::break_modify : Verb::break_write;
@@ -265,13 +232,39 @@ core::Instant Machine::grant(core::IotDevice& device, core::DataBreak request, c
   return now + length;
 }
 
-// What device i wants, as of now.
-void Machine::note(std::size_t i, core::Instant due) {
-  due_[i] = due;
-  Attached& of = *by_priority_[i];
-  const bool requests = of.device->interrupt_request();
-  requesting_ += static_cast<std::size_t>(requests) - static_cast<std::size_t>(of.requests);
-  of.requests = requests;
+// A boundary at which something may be due: brings the devices up to date that are, and gives them their data breaks.
+Machine::Boundary Machine::attend(core::Instant now, Registers& registers, Told* told) {
+  const bool deferred = registers.is(mode::interrupts_deferred);
+  const bool open = registers.is(mode::interrupts_on) && !deferred;
+  registers.modes &= ~mode::interrupts_deferred;
+  const std::size_t count = due_.size();
+  core::Instant due = core::never;
+  for (std::size_t i = 0; i < count;) {
+    if (const core::Instant of_device = due_[i]; now < of_device) {
+      due = of_device < due ? of_device : due;
+      ++i;
+      continue;
+    }
+    Attached& attached = *by_priority_[i];
+    core::IotDevice& device = *attached.device;
+    device.advance(now);
+    const core::DataBreak* const request = device.data_break();
+    if (request != nullptr) {
+      now = grant(device, *request, now, told);
+      due = core::never;
+    }
+    due_[i] = device.deadline();
+    const bool requests = device.interrupt_request();
+    requesting_ += static_cast<std::size_t>(requests) - static_cast<std::size_t>(attached.requests);
+    attached.requests = requests;
+    if (request != nullptr) {
+      i = 0;  // one that comes before it may be due by now
+    } else {
+      due = std::min(due, due_[i++]);
+    }
+  }
+  due = deferred || stop_requested_ ? now : std::max(now, due);
+  return {now, due, open && requesting_ != 0};
 }
 
 // The pulses of an IOT whose Fetch cycle ends at `now`.
@@ -311,6 +304,15 @@ void Machine::count_unanswered(std::uint32_t word, Address at) {
     }
   }
   unanswered_.push_back({word, 1, at});
+}
+
+// Of a run that an instruction ends.
+StopReason Machine::reason_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::halted: return StopReason::halt;
+    case Outcome::xct_chain: return StopReason::xct_chain;
+    default: return StopReason::unanswered;
+  }
 }
 
 }  // namespace sightline::pdp7

@@ -118,6 +118,7 @@ class Observer {
 
 struct KnownDevice;  // pdp7_devices.hpp
 struct Registers;    // ../pdp7/registers.hpp
+enum class Outcome : std::uint8_t;  // ../pdp7/cpu.hpp
 class Told;          // pdp7_told.hpp
 
 class Machine {
@@ -226,12 +227,11 @@ class Machine {
   void begin_run();
   void end_run();
   [[nodiscard]] Boundary attend(core::Instant now, Registers& registers, Told* told);
-  [[nodiscard]] core::Instant serve_devices(core::Instant now, Told* told);
   [[nodiscard]] core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, Told* told);
-  void note(std::size_t i, core::Instant due);
   [[nodiscard]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac);
   void control_pulses(core::Instant now, std::uint32_t word, core::IotReply& reply);
   void count_unanswered(std::uint32_t word, Address at);
+  [[nodiscard]] static StopReason reason_of(Outcome outcome);
 
   Options options_;
   std::string error_;

@@ -14,7 +14,6 @@
 #include "../core/inline.hpp"
 #include "../core/threads.hpp"
 #include "../pdp7/cpu.hpp"
-#include "pdp7_reasons.hpp"
 
 namespace sightline::pdp7 {
 
@@ -45,7 +44,7 @@ struct Machine::FastRun {
     horizon = deadline - core::Duration(1);
     allowance = Allowance(horizon - now, most);
   }
-  StopReason run(const Limits& limits);
+  StopReason run(std::uint64_t& left, core::Instant until);
 
   Machine* machine;
   core::Word18* core;
@@ -192,20 +191,19 @@ class Machine::FastRun::Thread {
   std::uint32_t word_ = 0;  // that has been taken
 };
 
-StopReason Machine::FastRun::run(const Limits& limits) {
-  std::uint64_t& done = machine->counts_.instructions;
-  std::uint64_t left = limits.instructions;
+// `left`: the instructions to be executed, on return those that have not been.
+StopReason Machine::FastRun::run(std::uint64_t& left, core::Instant until) {
   for (;;) {
     if (allowance.over()) {
       if (left == 0) return StopReason::instruction_limit;
       if (std::exchange(machine->stop_requested_, false)) return StopReason::observer;
-      if (now() >= limits.until) return StopReason::time_limit;
+      if (now() >= until) return StopReason::time_limit;
       const Boundary boundary = machine->attend(now(), processor.registers, nullptr);
       // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
       // but their number to be compared only with the other deadlines.
       const auto most = static_cast<std::int64_t>(std::min(left, static_cast<std::uint64_t>(Allowance::most)));
       const core::Instant shortest = boundary.now + machine_cycle * most;
-      attend_at(boundary.now, std::min({boundary.due, limits.until, shortest}), most);
+      attend_at(boundary.now, std::min(boundary.due, std::min(until, shortest)), most);
       if (boundary.interrupt) {
         Thread(*this).interrupt();
         continue;
@@ -213,9 +211,7 @@ StopReason Machine::FastRun::run(const Limits& limits) {
     }
     const std::int64_t before = allowance.instructions();
     core::Threads<Thread>::run(*this);
-    const auto executed = static_cast<std::uint64_t>(before - allowance.instructions());
-    done += executed;
-    left -= executed;
+    left -= static_cast<std::uint64_t>(before - allowance.instructions());
     if (processor.outcome != Outcome::completed) [[unlikely]] return reason_of(processor.outcome);
   }
 }
@@ -223,7 +219,9 @@ StopReason Machine::FastRun::run(const Limits& limits) {
 StopReason Machine::run(const Limits& limits) {
   begin_run();
   FastRun run(*this);
-  const StopReason reason = run.run(limits);
+  std::uint64_t left = limits.instructions;
+  const StopReason reason = run.run(left, limits.until);
+  counts_.instructions += limits.instructions - left;
   state_ = run.processor.registers.state();
   now_ = run.now();
   end_run();

@@ -8,7 +8,6 @@
 
 #include "../core/inline.hpp"
 #include "../pdp7/cpu.hpp"
-#include "pdp7_reasons.hpp"
 #include "pdp7_told.hpp"
 
 namespace sightline::pdp7 {
@@ -94,11 +93,16 @@ class Machine::PlainRun::Bus {
 StopReason Machine::PlainRun::run(const Limits& limits) {
   Execution<Bus> execution(Bus(*this), processor);
   Bus& bus = execution.bus();
-  // What the machine shows of itself.
-  const auto publish = [&] {
+  bool is_shown = false;
+  const auto show = [&] {
     execution.save();
     machine.state_ = processor.registers.state();
     machine.now_ = bus.now();
+    is_shown = true;
+  };
+  const auto ends = [&](StopReason reason) {
+    show();
+    return reason;
   };
   const bool records = told.observer() != nullptr && told.observer()->instructions;
 
@@ -107,18 +111,19 @@ StopReason Machine::PlainRun::run(const Limits& limits) {
     for (bool interrupted = true; interrupted;) {
       const Address next = execution.next();
       if (left != 0 && told.asks(next)) {
-        publish();
+        if (!is_shown) show();
         if (told.stops(bus.now(), next)) return StopReason::observer;
       }
-      if (left == 0) return publish(), StopReason::instruction_limit;
+      if (left == 0) return ends(StopReason::instruction_limit);
       interrupted = false;
       if (bus.due()) {
-        if (std::exchange(machine.stop_requested_, false)) return publish(), StopReason::observer;
-        if (bus.now() >= limits.until) return publish(), StopReason::time_limit;
+        if (std::exchange(machine.stop_requested_, false)) return ends(StopReason::observer);
+        if (bus.now() >= limits.until) return ends(StopReason::time_limit);
         const Boundary boundary = machine.attend(bus.now(), processor.registers, &told);
         bus.attend(boundary.now, std::min(boundary.due, limits.until));
         interrupted = boundary.interrupt;
         if (interrupted) execution.interrupt();
+        is_shown = false;
       }
     }
     // The instruction.
@@ -126,17 +131,18 @@ StopReason Machine::PlainRun::run(const Limits& limits) {
     if (!records) {
       outcome = execution.step();
       ++machine.counts_.instructions;
+      is_shown = false;
     } else {
-      publish();
+      if (!is_shown) show();
       const State before = machine.state_;
       const core::Instant begun = bus.now();
       const core::Word18 word = machine.core_.read(before.pc);
       outcome = execution.step();
       ++machine.counts_.instructions;
-      publish();
+      show();
       told.observer()->instruction({begun, bus.now(), before.pc, word, before, machine.state_});
     }
-    if (outcome != Outcome::completed) return publish(), reason_of(outcome);
+    if (outcome != Outcome::completed) return ends(reason_of(outcome));
   }
 }
 

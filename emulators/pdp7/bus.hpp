@@ -9,7 +9,7 @@
 //   iot(word, ac)     the tail of an IOT's Fetch cycle: the pulses reach the devices; adds only a slow cycle's stretch
 //   idle(duration)    asynchronous time of the EAE
 // The others take no time: switches() reads the AC switches, unanswered() reports an instruction that nothing
-// in this machine obeyed, attention() asks for the next instruction boundary to be looked at (an interrupt
+// in this machine obeyed, attention() asks the machine to attend to the next instruction boundary (an interrupt
 // may be due).
 #pragma once
 
@@ -39,10 +39,7 @@ struct Cycle {
 
 using core::IotReply;
 
-// Codes of the IOTs that clear all flags and read the status word, which devices elsewhere take part in.
-[[nodiscard]] constexpr bool clears_all_flags(std::uint32_t word) {
-  return (word & 07702U) == 03302U;
-}
+// IORS: the processor and all devices put their flags on the bus.
 [[nodiscard]] constexpr bool reads_status(std::uint32_t word) {
   return (word & 07704U) == 00304U;
 }

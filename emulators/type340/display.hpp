@@ -137,7 +137,10 @@ class Display final : public core::IotDevice {
     if (!delays_.none()) make_pulses(now);
   }
   void finish_strokes(core::Instant now) override { advance(now); }
-  [[nodiscard]] core::Instant deadline() const override { return whole_ ? whole_until_ : deadline_of_delays(); }
+  [[nodiscard]] core::Instant deadline() const override {
+    if (whole_) return whole_until_;  // such a word begins without a request
+    return data_break() != nullptr ? request_since_ : deadline_of_delays();
+  }
 
   // --- Data breaks: for display words, and for the word that DDS of the Type 347 writes
   [[nodiscard]] const core::DataBreak* data_break() const override {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "emulators/core/stroke.hpp"
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/i8080.hpp"
 #include "emulators/machines/pdp7.hpp"
 
 namespace {
@@ -64,8 +64,6 @@ struct Pdp7 {
   }
 };
 
-using I8080 = machines::I8080Machine<machines::NoI8080Ports>;
-
 // The checksum of a page, then calls, 16-bit sums, the stack and conditional jumps.
 constexpr std::array<std::uint8_t, 42> i8080_program{
     0x31, 0x00, 0xF0,  // 0100         LXI  SP,F000
@@ -105,7 +103,7 @@ extern "C" {
 [[gnu::noinline]] void count_pdp7_eae(void* pdp7) { run(*static_cast<Pdp7*>(pdp7)); }
 [[gnu::noinline]] void count_pdp7_refreshing(void* pdp7) { run(*static_cast<Pdp7*>(pdp7)); }
 [[gnu::noinline]] void count_i8080_mix(void* i8080) {
-  static_cast<I8080*>(i8080)->run({guest_instructions, core::never_t});
+  static_cast<i8080::Machine*>(i8080)->run({guest_instructions, core::never_t});
 }
 }
 
@@ -123,12 +121,9 @@ int main() {
   refreshing.put_loop();
   refreshing.put_picture();
   count_pdp7_refreshing(&refreshing);
-  machines::NoI8080Ports ports;
-  machines::NoI8080Observer observer;
-  I8080 machine(ports, observer);
-  for (std::size_t i = 0; i < i8080_program.size(); ++i)
-    machine.deposit(static_cast<i8080::Address>(0x100 + i), i8080_program[i]);
-  machine.registers().pc = 0x100;
+  i8080::Machine machine;
+  machine.load(0x100, i8080_program);
+  machine.start(0x100);
   count_i8080_mix(&machine);
   std::printf("%ld %ld\n", static_cast<long>(core::nanoseconds_of(eae.machine.now())),
               static_cast<long>(core::t_states_of(machine.now())));

@@ -57,7 +57,7 @@ class FakeDisplay final : public core::IotDevice {
   [[nodiscard]] std::uint32_t status(core::Instant) override { return pen_flag ? 0010000 : 0; }
   [[nodiscard]] bool interrupt_request() const override { return stopped_ || edge_flags || pen_flag; }
 
-  [[nodiscard]] core::Instant deadline() const override { return next_; }
+  [[nodiscard]] core::Instant deadline() const override { return requested_ ? since_ : next_; }
   void advance(core::Instant now) override {
     if (requested_ || next_ > now) return;
     ask(next_, deposits_ ? core::DataBreak::Direction::to_core : core::DataBreak::Direction::from_core);

@@ -317,7 +317,7 @@ class BasicPdp7 {
       elsewhere = status::light_pen;
     pdp7::IotReply reply = devices_.iot(now, word, ac, elsewhere);
     if (display_ && is_display_iot(word)) display_iot(*display_, now, word, reply);
-    if (display_ && clears_all_flags(word)) display_->clear_flags(now);
+    if (display_ && (word & 07702U) == 03302U) display_->clear_flags(now);
     // A skip test changes nothing: what it found had a deadline, which is still the one the processor waits
     // for.
     const bool look = (word & 06U) != 0;
