@@ -58,30 +58,42 @@ bool Breakpoints::counts(Breakpoint& breakpoint, const Condition& holds) {
   return ++breakpoint.passed % breakpoint.count == 0;
 }
 
+namespace {
+
+// Of events that are no conditions.
+bool is_met(const Breakpoint& breakpoint, const Probe::Event& event) {
+  const auto [kind, access] = [&event]() -> std::pair<Breakpoint::Kind, std::uint8_t> {
+    switch (event.kind) {
+      case Probe::Kind::execution: return {Breakpoint::Kind::execution, Probe::executed};
+      case Probe::Kind::read: return {Breakpoint::Kind::memory, Probe::is_read};
+      case Probe::Kind::write:
+      case Probe::Kind::break_write:
+      case Probe::Kind::interrupt_write: return {Breakpoint::Kind::memory, Probe::is_written};
+      case Probe::Kind::port_read: return {Breakpoint::Kind::port, Probe::is_read};
+      case Probe::Kind::port_write: return {Breakpoint::Kind::port, Probe::is_written | Probe::executed};
+      case Probe::Kind::condition:
+      case Probe::Kind::interrupt: break;
+    }
+    return {Breakpoint::Kind::interrupt, Probe::executed};
+  }();
+  if (breakpoint.kind != kind || (breakpoint.access & access) == 0) return false;
+  if (kind != Breakpoint::Kind::interrupt && (event.address < breakpoint.first || event.address > breakpoint.last)) return false;
+  return !breakpoint.value || *breakpoint.value == event.value;
+}
+
+}  // namespace
+
+bool Breakpoints::wants(const Probe::Event& event) const {
+  return event.kind == Probe::Kind::condition ||
+         std::any_of(all_.begin(), all_.end(), [&event](const Breakpoint& each) { return is_met(each, event); });
+}
+
 std::optional<Breakpoints::Hit> Breakpoints::meet(const std::vector<Probe::Event>& events, const Condition& holds) {
   std::optional<Hit> hit;
   for (const Probe::Event& event : events) {
     if (event.kind == Probe::Kind::condition) continue;
-    const auto [kind, access] = [&event]() -> std::pair<Breakpoint::Kind, std::uint8_t> {
-      switch (event.kind) {
-        case Probe::Kind::execution: return {Breakpoint::Kind::execution, Probe::executed};
-        case Probe::Kind::read: return {Breakpoint::Kind::memory, Probe::is_read};
-        case Probe::Kind::write:
-        case Probe::Kind::break_write:
-        case Probe::Kind::interrupt_write: return {Breakpoint::Kind::memory, Probe::is_written};
-        case Probe::Kind::port_read: return {Breakpoint::Kind::port, Probe::is_read};
-        case Probe::Kind::port_write: return {Breakpoint::Kind::port, Probe::is_written | Probe::executed};
-        case Probe::Kind::condition:
-        case Probe::Kind::interrupt: break;
-      }
-      return {Breakpoint::Kind::interrupt, Probe::executed};
-    }();
-    for (Breakpoint& each : all_) {
-      if (each.kind != kind || (each.access & access) == 0) continue;
-      if (kind != Breakpoint::Kind::interrupt && (event.address < each.first || event.address > each.last)) continue;
-      if (each.value && *each.value != event.value) continue;
-      if (counts(each, holds) && !hit) hit = {each, event};
-    }
+    for (Breakpoint& each : all_)
+      if (is_met(each, event) && counts(each, holds) && !hit) hit = {each, event};
   }
   return hit;
 }

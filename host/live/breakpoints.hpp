@@ -45,6 +45,8 @@ class Breakpoints {
 
   // What a run is to be watched for.
   void mark(guests::run::Probe& probe) const;
+  // Whether one of them is met by the event, but for its condition.
+  [[nodiscard]] bool wants(const guests::run::Probe::Event& event) const;
 
   // A reason to stop: the breakpoint, and the event it was met by; of a condition there is none.
   struct Hit {

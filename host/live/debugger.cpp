@@ -336,6 +336,7 @@ Halted Debugger::run(const Goal& goal) {
   const bool conditions = !goal.condition.empty() || breakpoints_.has_conditions();
   Probe& probe = *machine_.probe();
   breakpoints_.mark(probe);
+  probe.wants = [this](const Probe::Event& event) { return breakpoints_.wants(event); };
   probe.resume();
   std::optional<Reason> reason;
   const bool for_ever = goal.instructions == Goal{}.instructions && goal.until == Goal{}.until && goal.condition.empty();
@@ -372,6 +373,7 @@ Halted Debugger::run(const Goal& goal) {
     }
   }
   probe.condition_changed = nullptr;
+  probe.wants = nullptr;
   show_printed();
   if (reason) {
     const auto why = reason->breakpoint == 0 ? Halted::Why::goal : Halted::Why::breakpoint;

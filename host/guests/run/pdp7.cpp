@@ -531,7 +531,10 @@ class Pdp7Machine final : public Machine {
   // --- The display ---
 
   // Null: there is none, or it is not plugged in.
-  [[nodiscard]] type340::Display* display() const { return machine_.find<type340::Display>(); }
+  [[nodiscard]] type340::Display* display() const {
+    if (display_ == nullptr) display_ = machine_.find<type340::Display>();
+    return display_;
+  }
   const std::map<std::uint32_t, type340::Mode>& words_of_display() const {
     if (!display_words_) {
       display_words_.emplace();
@@ -552,6 +555,7 @@ class Pdp7Machine final : public Machine {
   }
   void plug_in_display(bool in) {
     machine_.plug_in(display_name, in);
+    display_ = nullptr;
     if (in) return;
     pen_script_.clear();
     next_move_ = 0;
@@ -702,6 +706,7 @@ class Pdp7Machine final : public Machine {
   pdp7::Keyboard& keyboard_ = *machine_.find<pdp7::Keyboard>();
   pdp7::Printer& printer_ = *machine_.find<pdp7::Printer>();
   pdp7::Rb09* disk_ = nullptr;  // null: no drive on the machine
+  mutable type340::Display* display_ = nullptr;  // null: to be found by display()
   static constexpr std::uint32_t most_frames = 750;
   picture::ApngWriter movie_{{1, static_cast<std::uint16_t>(std::max(1U, setup_.movie_rate))}, 0,
                              {{"Software", "sightline " SIGHTLINE_VERSION}}};

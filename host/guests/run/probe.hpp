@@ -89,6 +89,9 @@ class Probe {
   // event. Empty: nobody waits for conditions.
   std::function<bool()> condition_changed;
 
+  // Whether an event is one that somebody waits for, as not each value is; empty: all are.
+  std::function<bool(const Event&)> wants;
+
   std::vector<Key> keys;  // all, in order
 
   // Since resume(), in order.
@@ -144,7 +147,9 @@ class Watch {
   [[nodiscard]] bool port_has(std::uint32_t port, std::uint8_t marks) const { return (ports_[port] & marks) != 0; }
   [[nodiscard]] bool at_interrupts() const { return probe_->marks_interrupts(); }
   void add(Probe::Kind kind, std::int64_t time, std::uint32_t address, std::uint32_t value) {
-    probe_->add({kind, time, address, value});
+    const Probe::Event event{kind, time, address, value};
+    if (probe_->wants && !probe_->wants(event)) return;
+    probe_->add(event);
     told_ = true;
   }
   [[nodiscard]] Probe& probe() const { return *probe_; }

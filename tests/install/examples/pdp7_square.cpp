@@ -5,9 +5,8 @@ using namespace sightline;
 struct Screen : core::StrokeTaker {  // takes every flash of the beam
   void strokes(std::span<const core::Stroke> strokes) override { flashes += strokes.size(); }
   std::size_t flashes = 0;
-};
+} screen;
 int main() {
-  Screen screen;
   pdp7::Machine pdp7({.devices = {"display"}});
   pdp7.strokes().hand_to(&screen);
   pdp7.load(0100, {0760200, 0700606, 0700601, 0600102, 0740040});  // LAW 200; IDLA; IDSI; JMP .-1; HLT
