@@ -11,7 +11,7 @@
 #include "../core/allowance.hpp"
 #include "../core/inline.hpp"
 #include "../core/reporter.hpp"
-#include "../core/threads.hpp"
+#include "../core/runner.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/bus.hpp"
 #include "../i8080/cpu.hpp"

@@ -20,7 +20,7 @@
 #include "../core/inline.hpp"
 #include "../core/reporter.hpp"
 #include "../core/state_visitor.hpp"
-#include "../core/threads.hpp"
+#include "../core/runner.hpp"
 #include "../core/tstates.hpp"
 #include "../i8080/cpu.hpp"
 #include "../i8080/state.hpp"
