@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 
 #include "device.hpp"
 #include "raster.hpp"
+#include "stroke.hpp"
 #include "tstates.hpp"
 
 namespace sightline::core {
@@ -26,25 +26,45 @@ enum class PortDeviceKind : std::uint8_t {
   link,          // exchanges bytes with a host
   terminal,      // has a keyboard and a printer: where a console can be
   other,
-  special,       // of one program's machine: a host does not offer it
+  special,       // of one program's machine, or not chosen by name: a host does not offer it with the others
 };
 
 // What an 8080 knows of a device before it is attached.
 struct PortDeviceInfo {
   std::string_view name;  // of the device, of its section in a snapshot
   std::string_view help;  // one line
-  std::string_view choice;  // of its kind's option; empty: the name
-  PortDeviceKind kind;
-  std::span<const PortRange> reads;   // ports that answer an IN
-  std::span<const PortRange> writes;  // ports that take an OUT
+  std::string_view choice;  // of its kind's option; of a link: its chip
+  PortDeviceKind kind = PortDeviceKind::other;
+  std::span<const PortRange> reads = {};         // ports that answer an IN
+  std::span<const PortRange> writes = {};        // ports that take an OUT
   std::span<const std::string_view> lines = {};  // of interrupt: names for options
   std::span<const DeviceOption> options = {};
+  bool has_state = true;  // false: a snapshot has no section of it
+  std::string_view received = {};  // of a link: what the host has had from it, one line
+};
+
+// What a device is made from.
+struct PortDeviceSetup {
+  ClockRate clock;
+  StrokeBuffer& strokes;              // of a plotter
+  std::span<const Setting> settings;  // of its options, each within its bounds
+
+  // The value of an option of `info`, which must have it.
+  [[nodiscard]] constexpr std::int64_t value(const PortDeviceInfo& info, std::string_view option) const {
+    for (const Setting& setting : settings) {
+      if (setting.name == option) return setting.value;
+    }
+    for (const DeviceOption& row : info.options) {
+      if (row.name == option) return row.initial;
+    }
+    return 0;
+  }
 };
 
 // The other end of a link: a host computer that sends bytes and takes some.
 class LinkHost {
  public:
-  // The bytes must stay where they are.
+  // Before the machine runs, once. The bytes must stay where they are.
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
   // What the host has taken, and how many bytes beyond what is kept.
   [[nodiscard]] virtual std::vector<std::uint8_t> received() const = 0;
@@ -68,7 +88,7 @@ class Terminal {
 
 class PortDevice : public Device<TState> {
  public:
-  // At T3 of the input cycle; a port without a device floats high.
+  // At T3 of the input cycle. The device brings itself up to date.
   [[nodiscard]] virtual std::uint8_t in(std::uint8_t port, TStateInstant at) {
     return static_cast<void>(port), static_cast<void>(at), std::uint8_t{0xFF};
   }
@@ -77,17 +97,26 @@ class PortDevice : public Device<TState> {
     static_cast<void>(port), static_cast<void>(value), static_cast<void>(at);
   }
 
-  // Bit n: interrupt line n of its PortDeviceInfo is up, as of the last call above.
+  // Bit n: interrupt line n of its PortDeviceInfo is up, as of the last call of in(), out(), advance() or acknowledge().
   [[nodiscard]] virtual unsigned requests() const { return 0; }
 
-  // A device that drives INT itself and puts the instruction on the bus, byte by byte, at T3 of each acknowledge cycle.
-  [[nodiscard]] virtual bool interrupts() const { return false; }
+  // A device that drives INT itself does so with line 0, and puts the instruction on the bus, byte by byte, at T3 of each
+  // acknowledge cycle.
+  [[nodiscard]] virtual bool drives_interrupt() const { return false; }
   [[nodiscard]] virtual std::uint8_t acknowledge(TStateInstant at) { return static_cast<void>(at), std::uint8_t{0xFF}; }
 
-  // A device that takes the bus knows beforehand when: the first T-state at or after t in which HOLD is high, and the
-  // first in which it is low.
+  // A device that takes the bus knows beforehand when: the first T-state at or after t in which HOLD is high (or never_t), and
+  // the first in which it is low, which there must be.
+  [[nodiscard]] virtual bool drives_hold() const { return false; }
   [[nodiscard]] virtual TStateInstant next_hold(TStateInstant t) const { return static_cast<void>(t), never_t; }
   [[nodiscard]] virtual TStateInstant hold_ends(TStateInstant t) const { return t; }
+
+  // A device that makes the processor wait: T-states with READY low from T2 at `at` on, in each machine cycle, by its status
+  // byte (i8080/bus.hpp) and address.
+  [[nodiscard]] virtual bool drives_ready() const { return false; }
+  [[nodiscard]] virtual int wait_states(std::uint8_t status, std::uint16_t address, TStateInstant at) const {
+    return static_cast<void>(status), static_cast<void>(address), static_cast<void>(at), 0;
+  }
 
   // What a kind of device gives; null: it does not.
   [[nodiscard]] virtual const Raster* raster() const { return nullptr; }

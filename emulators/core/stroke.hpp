@@ -30,7 +30,7 @@ struct Stroke {
   friend constexpr bool operator==(const Stroke&, const Stroke&) = default;
 };
 
-// Whoever wants what is drawn: raster, phosphor, logs, statistics. They use no other output of a display.
+// A consumer of what is drawn: raster, phosphor, logs, statistics. It uses no other output of a display.
 class StrokeTaker {
  public:
   // In the order of time within one device.

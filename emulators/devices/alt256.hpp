@@ -1,6 +1,6 @@
 // The other raster board: three Matrox ALT-256 cards, one bit plane each, behind one set of ports.
 //
-// Four outputs and one input are documented, their order is not. Chosen here: 0 DATA (bits 2-0; the write
+// Four outputs and one input are documented, their order is not. Chosen here: ports 30-33, 0 DATA (bits 2-0; the write
 // draws the dot), 1 X, 2 Y, 3 ERASE (the whole screen to bits 2-0); reading 0 gives bit 7 ready, bit 6
 // horizontal blanking. The board writes one dot a scan line, in horizontal blanking: a dot ordered at any
 // time is written when the next blanking begins, and the board is ready again then. A write to any
@@ -16,10 +16,12 @@
 // (register set, Y direction).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
+#include "../core/port_device.hpp"
 #include "../core/raster.hpp"
-#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 
 namespace sightline::devices {
@@ -38,10 +40,25 @@ struct Alt256Counts {
   std::uint64_t writes_lost = 0;  // while not ready: a driver's error
 };
 
-class Alt256 {
+class Alt256 final : public core::PortDevice {
  public:
+  static constexpr std::array reads{core::PortRange{0x30, 0x30}};
+  static constexpr std::array writes{core::PortRange{0x30, 0x33}};
+  static constexpr std::array options{core::DeviceOption{"y-counts-down", "y = 0 is at the top", 0, 0, 1}};
+  static constexpr core::PortDeviceInfo info{.name = "alt256",
+                                             .help = "three Matrox ALT-256 raster boards, 256 by 256 points of eight colours",
+                                             .choice = "alt256",
+                                             .kind = core::PortDeviceKind::raster_board,
+                                             .reads = reads,
+                                             .writes = writes,
+                                             .options = options};
+
+  explicit Alt256(const core::PortDeviceSetup& setup) : Alt256(setup.clock, setup.value(info, "y-counts-down") != 0) {}
   explicit Alt256(core::ClockRate rate, bool y_counts_down = false)
       : rate_(rate), y_flip_(y_counts_down ? std::uint8_t{0xFF} : std::uint8_t{0}) {}
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t, core::TStateInstant at) override { return read_status(at); }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { write(port & 3U, value, at); }
 
   static constexpr std::uint8_t status_ready = 0x80;
   static constexpr std::uint8_t status_blanking = 0x40;
@@ -73,10 +90,16 @@ class Alt256 {
   [[nodiscard]] bool ready(core::TStateInstant at) const { return at >= ready_at_; }
   // The end of the last order.
   [[nodiscard]] core::TStateInstant ready_at() const { return ready_at_; }
-  [[nodiscard]] const core::Raster& raster() const { return raster_; }
-  [[nodiscard]] const Alt256Counts& counts() const { return counts_; }
+  [[nodiscard]] const core::Raster* raster() const override { return &raster_; }
+  [[nodiscard]] const Alt256Counts& totals() const { return counts_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    return {{"dots", counts_.dots},
+            {"dots_invisible", counts_.dots_invisible},
+            {"erases", counts_.erases},
+            {"writes_lost", counts_.writes_lost}};
+  }
 
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit("x", x_);
     visit("y", y_);
     visit("ready_at", ready_at_);

@@ -1,6 +1,8 @@
 // The serial boards of the Altair 8800, each with a terminal at the other end of its line: the 88-SIO (revision 1) and the first
 // channel of the 88-2SIO, a Motorola 6850.
 //
+// The 88-SIO is on ports 00-01, the 88-2SIO on 10-11, the addresses of MITS's software.
+//
 //            read status                        write control        data
 //   88-SIO   bit 0: 0 there is a character      bit 0 receive,       one port on, both ways
 //            bit 7: 0 one can be sent           bit 1 send interrupt
@@ -19,12 +21,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "../core/state_visitor.hpp"
+#include "../core/port_device.hpp"
 #include "../core/tstates.hpp"
 
 namespace sightline::devices {
@@ -37,10 +41,17 @@ struct AltairSerialCounts {
   std::uint64_t overwritten = 0;  // before they were sent: a driver's error
 };
 
-class AltairSerial {
+class AltairSerial : public core::PortDevice, public core::Terminal {
  public:
+  static constexpr std::array options{core::DeviceOption{"baud", "of the line", 9600, 50, 1'000'000}};
+
   AltairSerial(core::ClockRate rate, AltairBoard board, std::uint32_t baud)
       : board_(board), character_(rate.t_states_in(core::Duration(bits_at(baud) * 1'000'000'000 / baud))) {}
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return read(port & 1U, at); }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { write(port & 1U, value, at); }
+  [[nodiscard]] unsigned requests() const override { return interrupt() ? 1 : 0; }
+  [[nodiscard]] core::Terminal* terminal() override { return this; }
 
   // Port 0: status and control; 1: data.
   [[nodiscard]] std::uint8_t read(std::uint8_t port, core::TStateInstant at) {
@@ -72,14 +83,14 @@ class AltairSerial {
     holding_ = true;
   }
   // All that happens up to and including `now` has happened.
-  void advance(core::TStateInstant now) {
+  void advance(core::TStateInstant now) override {
     now_ = std::max(now_, now);
     if (!holding_ || line_free_ > now_) return;
     holding_ = false;
     send(held_, line_free_);
   }
   // The next instant at which a flag changes by itself.
-  [[nodiscard]] core::TStateInstant deadline() const {
+  [[nodiscard]] core::TStateInstant deadline() const override {
     core::TStateInstant next = core::never_t;
     if (holding_) next = line_free_;
     if (!keys_.empty() && next_key_ > now_) next = std::min(next, next_key_);
@@ -92,19 +103,22 @@ class AltairSerial {
   }
 
   // The terminal's side. A key that is typed is sent as soon as the line and the program allow.
-  void type(std::uint8_t code) {
+  void type(std::uint8_t code) override {
     keys_.push_back(code);
     asked_ = false;
   }
   // All keys have been read, and the program has looked for another.
-  [[nodiscard]] bool wants_key() const { return keys_.empty() && asked_; }
+  [[nodiscard]] bool wants_key() const override { return keys_.empty() && asked_; }
   // What has been sent since the last call.
-  [[nodiscard]] std::vector<std::uint8_t> take_printed() { return std::exchange(printed_, {}); }
+  [[nodiscard]] std::vector<std::uint8_t> take_printed() override { return std::exchange(printed_, {}); }
 
-  [[nodiscard]] const AltairSerialCounts& counts() const { return counts_; }
+  [[nodiscard]] const AltairSerialCounts& totals() const { return counts_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    return {{"received", counts_.received}, {"sent", counts_.sent}, {"overwritten", counts_.overwritten}};
+  }
 
   // Between two runs nothing printed waits to be taken.
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit("now", now_);
     visit("control", control_);
     visit("last_read", last_read_);
@@ -148,6 +162,40 @@ class AltairSerial {
   std::vector<std::uint8_t> keys_;
   std::vector<std::uint8_t> printed_;
   AltairSerialCounts counts_;
+};
+
+class AltairSio final : public AltairSerial {
+ public:
+  static constexpr std::array ports{core::PortRange{0x00, 0x01}};
+  static constexpr std::array<std::string_view, 1> lines{"sio"};
+  static constexpr core::PortDeviceInfo info{.name = "sio",
+                                             .help = "Altair 88-SIO with a terminal",
+                                             .choice = "sio",
+                                             .kind = core::PortDeviceKind::terminal,
+                                             .reads = ports,
+                                             .writes = ports,
+                                             .lines = lines,
+                                             .options = options};
+
+  explicit AltairSio(const core::PortDeviceSetup& setup)
+      : AltairSerial(setup.clock, AltairBoard::sio, static_cast<std::uint32_t>(setup.value(info, "baud"))) {}
+};
+
+class Altair2Sio final : public AltairSerial {
+ public:
+  static constexpr std::array ports{core::PortRange{0x10, 0x11}};
+  static constexpr std::array<std::string_view, 1> lines{"2sio"};
+  static constexpr core::PortDeviceInfo info{.name = "2sio",
+                                             .help = "Altair 88-2SIO with a terminal, first channel",
+                                             .choice = "2sio",
+                                             .kind = core::PortDeviceKind::terminal,
+                                             .reads = ports,
+                                             .writes = ports,
+                                             .lines = lines,
+                                             .options = options};
+
+  explicit Altair2Sio(const core::PortDeviceSetup& setup)
+      : AltairSerial(setup.clock, AltairBoard::two_sio, static_cast<std::uint32_t>(setup.value(info, "baud"))) {}
 };
 
 }  // namespace sightline::devices

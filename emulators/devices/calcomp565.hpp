@@ -1,4 +1,4 @@
-// The CalComp 565 drum plotter (IBM 1627 model 1) behind a byte port with a status.
+// The CalComp 565 drum plotter (IBM 1627 model 1) behind a byte port with a status, 60.
 //
 // A command of 0-7 makes one step of 0.01 inch: 0 is +y, then clockwise in eighths of a turn (1 +x+y, 2 +x,
 // ... 7 -x+y); 08h lifts the pen, 09h lowers it. The drum moves the paper along x without limit, the carriage
@@ -21,8 +21,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
 
-#include "../core/state_visitor.hpp"
+#include "../core/port_device.hpp"
 #include "../core/tstates.hpp"
 #include "plotter.hpp"
 
@@ -48,15 +51,32 @@ struct CalComp565Counts {
   core::TStates busy{};         // sum of all busy times
 };
 
-template <class Sink>
-class CalComp565 {
+class CalComp565 final : public core::PortDevice {
  public:
-  // The pen starts up, at `start`. The sink must outlive the plotter.
-  CalComp565(core::ClockRate rate, Sink& sink, PlotterPlace start = {})
+  static constexpr std::array ports{core::PortRange{0x60, 0x60}};
+  static constexpr std::array<std::string_view, 1> lines{"calcomp"};  // on DONE
+  static constexpr std::array options{
+      core::DeviceOption{"start-x", "place of the pen along the paper, in steps", 0, std::numeric_limits<std::int32_t>::min(),
+                         std::numeric_limits<std::int32_t>::max()},
+      core::DeviceOption{"start-y", "place of the pen across the paper, in steps", 0, 0, calcomp565::carriage_steps}};
+  static constexpr core::PortDeviceInfo info{.name = "calcomp565",
+                                             .help = "CalComp 565 drum plotter, steps of 0.01 inch",
+                                             .choice = "calcomp",
+                                             .kind = core::PortDeviceKind::plotter,
+                                             .reads = ports,
+                                             .writes = ports,
+                                             .lines = lines,
+                                             .options = options};
+
+  explicit CalComp565(const core::PortDeviceSetup& setup)
+      : CalComp565(setup.clock, setup.strokes,
+                   {static_cast<std::int32_t>(setup.value(info, "start-x")), static_cast<std::int32_t>(setup.value(info, "start-y"))}) {}
+  // The pen starts up, at `start`. The strokes must outlive the plotter.
+  CalComp565(core::ClockRate rate, core::StrokeBuffer& strokes, PlotterPlace start = {})
       : rate_(rate),
         step_time_(rate.t_states_in(calcomp565::step)),
         pen_time_(rate.t_states_in(calcomp565::pen)),
-        sink_(sink),
+        strokes_(strokes),
         place_(start) {}
 
   struct Status {
@@ -65,6 +85,11 @@ class CalComp565 {
     static constexpr std::uint8_t pen = 0x04;
     static constexpr std::uint8_t error = 0x80;
   };
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t, core::TStateInstant at) override { return read_status(at); }
+  void out(std::uint8_t, std::uint8_t value, core::TStateInstant at) override { write(value, at); }
+  [[nodiscard]] unsigned requests() const override { return done_ ? 1 : 0; }
+  [[nodiscard]] std::int64_t micrometres_a_step() const override { return 254; }
 
   [[nodiscard]] std::uint8_t read_status(core::TStateInstant at) {
     advance(at);
@@ -95,21 +120,32 @@ class CalComp565 {
       step(code, at);
   }
 
-  void advance(core::TStateInstant now) {
+  void advance(core::TStateInstant now) override {
     if (!busy_ || now < busy_until_) return;
     busy_ = false;
     done_ = true;
   }
   // When DONE rises by itself.
-  [[nodiscard]] core::TStateInstant deadline() const { return busy_ ? busy_until_ : core::never_t; }
+  [[nodiscard]] core::TStateInstant deadline() const override { return busy_ ? busy_until_ : core::never_t; }
   [[nodiscard]] bool done() const { return done_; }
 
   [[nodiscard]] PlotterPlace place() const { return place_; }
   [[nodiscard]] bool pen_is_down() const { return pen_down_; }
   [[nodiscard]] core::TStateInstant busy_until() const { return busy_until_; }
-  [[nodiscard]] const CalComp565Counts& counts() const { return counts_; }
+  [[nodiscard]] const CalComp565Counts& totals() const { return counts_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    return {{"steps", counts_.steps},
+            {"steps_pen_up", counts_.steps_pen_up},
+            {"pen_lifts", counts_.pen_lifts},
+            {"pen_commands", counts_.pen_commands},
+            {"commands_while_busy", counts_.commands_while_busy},
+            {"off_carriage", counts_.off_carriage},
+            {"unknown_codes", counts_.unknown_codes},
+            {"off_paper", counts_.off_paper},
+            {"busy_t_states", static_cast<std::uint64_t>(counts_.busy.count())}};
+  }
 
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit("place_x", place_.x);
     visit("place_y", place_.y, calcomp565::carriage_steps);
     visit("pen_down", pen_down_);
@@ -164,13 +200,13 @@ class CalComp565 {
   }
 
   void emit() {
-    if (!mark(sink_, place_, rate_.to_nanoseconds(busy_until_))) ++counts_.off_paper;
+    if (!mark(strokes_, place_, rate_.to_nanoseconds(busy_until_))) ++counts_.off_paper;
   }
 
   core::ClockRate rate_;
   core::TStates step_time_;
   core::TStates pen_time_;
-  Sink& sink_;
+  core::StrokeBuffer& strokes_;
   PlotterPlace place_;
   bool pen_down_ = false;
   bool busy_ = false;

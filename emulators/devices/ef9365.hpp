@@ -1,6 +1,6 @@
 // The raster board: a Thomson EF9365 graphic display processor with three bit planes and a colour latch.
 //
-// Sixteen registers, as the chip has them: 0 status (read) and command (write), 1 CTRL1, 2 CTRL2, 3 CSIZE, 5
+// Sixteen registers, as the chip has them, on ports 40-4F, and the latch on 50 (chosen): 0 status (read) and command (write), 1 CTRL1, 2 CTRL2, 3 CSIZE, 5
 // DELTAX, 7 DELTAY, 8/9 X high and low, A/B Y high and low, C/D light pen; 4, 6, E and F do not exist (read
 // as FFh). The latch beside the chip says what each plane gets when the pen writes: bits 2-0, 0 erases all
 // planes.
@@ -21,10 +21,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include "../core/inline.hpp"
+#include "../core/port_device.hpp"
 #include "../core/raster.hpp"
-#include "../core/state_visitor.hpp"
 #include "../core/tstates.hpp"
 #include "ef9365_drawing.hpp"
 #include "ef9365_timing.hpp"
@@ -40,8 +42,21 @@ struct Ef9365Counts {
   std::uint64_t dots_outside = 0;  // beyond 256 by 256
 };
 
-class Ef9365 {
+class Ef9365 final : public core::PortDevice {
  public:
+  static constexpr std::uint8_t first_port = 0x40;
+  static constexpr std::uint8_t colour_latch = 0x50;
+  static constexpr std::array ports{core::PortRange{first_port, 0x4F}, core::PortRange{colour_latch, colour_latch}};
+  static constexpr std::array<std::string_view, 1> lines{"ef9365"};
+  static constexpr core::PortDeviceInfo info{.name = "ef9365",
+                                             .help = "raster board with an EF9365, 256 by 256 points of eight colours",
+                                             .choice = "ef9365",
+                                             .kind = core::PortDeviceKind::raster_board,
+                                             .reads = ports,
+                                             .writes = ports,
+                                             .lines = lines};
+
+  explicit Ef9365(const core::PortDeviceSetup& setup) : Ef9365(setup.clock) {}
   explicit Ef9365(core::ClockRate rate) : rate_(rate) {
     for (std::size_t dots = 0; dots < vector_times_.size(); ++dots)
       vector_times_[dots] = rate.t_states_in(drawn(static_cast<std::int64_t>(dots)));
@@ -55,6 +70,15 @@ class Ef9365 {
     static constexpr std::uint8_t ready_interrupt = 0x40;
     static constexpr std::uint8_t interrupt = 0x80;
   };
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
+    return port == colour_latch ? colour() : read(port & 0x0FU, at);
+  }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
+    if (port == colour_latch) [[unlikely]] return set_colour(value, at);
+    write(port & 0x0FU, value, at);
+  }
+  [[nodiscard]] unsigned requests() const override { return interrupt() ? 1 : 0; }
 
   // Register 0..15 at an instant not before any earlier one.
   [[nodiscard]] std::uint8_t read(std::uint8_t number, core::TStateInstant at) {
@@ -105,12 +129,12 @@ class Ef9365 {
   // The interrupt line, as of the last read, write or advance.
   [[nodiscard]] bool interrupt() const { return raised_ != 0; }
   // When the line may rise by itself.
-  [[nodiscard]] core::TStateInstant deadline() const {
+  [[nodiscard]] core::TStateInstant deadline() const override {
     if (control_ == 0 || raised_ != 0) return core::never_t;
     return std::min((control_ & blanking_enable) != 0 ? next_blanking_ : core::never_t,
                     (control_ & ready_enable) != 0 && working_ ? busy_until_ : core::never_t);
   }
-  void advance(core::TStateInstant now) {
+  void advance(core::TStateInstant now) override {
     if (control_ == 0) return;
     if (working_ && busy_until_ <= now) {
       working_ = false;
@@ -122,7 +146,7 @@ class Ef9365 {
     }
   }
 
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit.part("drawing", drawing_);
     visit("delta_x", delta_x_);
     visit("delta_y", delta_y_);
@@ -140,12 +164,21 @@ class Ef9365 {
   [[nodiscard]] bool busy(core::TStateInstant at) const { return at < busy_until_; }
   // The end of the last command's busy time.
   [[nodiscard]] core::TStateInstant busy_until() const { return busy_until_; }
-  [[nodiscard]] const core::Raster& raster() const { return drawing_.raster(); }
-  [[nodiscard]] Ef9365Counts counts() const {
-    Ef9365Counts counts = counts_;
-    counts.dots = drawing_.dots();
-    counts.dots_outside = drawing_.dots_outside();
-    return counts;
+  [[nodiscard]] const core::Raster* raster() const override { return &drawing_.raster(); }
+  [[nodiscard]] Ef9365Counts totals() const {
+    Ef9365Counts totals = counts_;
+    totals.dots = drawing_.dots();
+    totals.dots_outside = drawing_.dots_outside();
+    return totals;
+  }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    const Ef9365Counts n = totals();
+    return {{"commands", n.commands},
+            {"commands_while_busy", n.commands_while_busy},
+            {"writes_while_busy", n.writes_while_busy},
+            {"unanswered", n.unanswered},
+            {"dots", n.dots},
+            {"dots_outside", n.dots_outside}};
   }
 
  private:

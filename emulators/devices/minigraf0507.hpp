@@ -1,4 +1,4 @@
-// The Aritma Minigraf 0507 plotter, its stepping motors driven straight from one output port.
+// The Aritma Minigraf 0507 plotter, its stepping motors driven straight from one output port, F0.
 //
 // Bits 2-0 are the phase of the X motor, 5-3 that of the Y motor: one more (modulo 8) is a step of 1/8 mm
 // forward, one less a step back, both in one byte a diagonal. Bit 7 lowers the pen, bit 6 is not connected.
@@ -16,9 +16,11 @@
 // iq151 minigraf for the bits.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
-#include "../core/state_visitor.hpp"
+#include "../core/port_device.hpp"
 #include "../core/tstates.hpp"
 #include "plotter.hpp"
 
@@ -45,15 +47,34 @@ struct MinigrafCounts {
   std::uint64_t off_field = 0;
 };
 
-template <class Sink>
-class Minigraf0507 {
+class Minigraf0507 final : public core::PortDevice {
  public:
-  Minigraf0507(core::ClockRate rate, Sink& sink, MinigrafTimes times = {}, PlotterPlace start = {})
+  static constexpr std::array writes{core::PortRange{0xF0, 0xF0}};
+  static constexpr std::array options{
+      core::DeviceOption{"shortest-step", "least time between two steps of a motor, in nanoseconds",
+                         MinigrafTimes{}.shortest_step.count(), 0, 1'000'000'000},
+      core::DeviceOption{"pen-time", "from the order to lower the pen until it touches, in nanoseconds", MinigrafTimes{}.pen.count(), 0,
+                         1'000'000'000}};
+  static constexpr core::PortDeviceInfo info{.name = "minigraf0507",
+                                             .help = "Aritma Minigraf 0507 plotter, steps of 1/8 mm",
+                                             .choice = "minigraf",
+                                             .kind = core::PortDeviceKind::plotter,
+                                             .writes = writes,
+                                             .options = options};
+
+  explicit Minigraf0507(const core::PortDeviceSetup& setup)
+      : Minigraf0507(setup.clock, setup.strokes,
+                     {core::Duration(setup.value(info, "shortest-step")), core::Duration(setup.value(info, "pen-time"))}) {}
+  // The strokes must outlive the plotter.
+  Minigraf0507(core::ClockRate rate, core::StrokeBuffer& strokes, MinigrafTimes times = {}, PlotterPlace start = {})
       : rate_(rate),
         shortest_step_(rate.t_states_in(times.shortest_step)),
         pen_time_(rate.t_states_in(times.pen)),
-        sink_(sink),
+        strokes_(strokes),
         place_(start) {}
+
+  void out(std::uint8_t, std::uint8_t value, core::TStateInstant at) override { write(value, at); }
+  [[nodiscard]] std::int64_t micrometres_a_step() const override { return 125; }
 
   void write(std::uint8_t value, core::TStateInstant at) {
     const std::int32_t dx = x_.follow(value & 7U, at, shortest_step_, counts_);
@@ -61,14 +82,23 @@ class Minigraf0507 {
     const bool was_down = pen_down_;
     set_pen((value & minigraf0507::pen_bit) != 0, at);
     if (dx != 0 || dy != 0) move(dx, dy, was_down, at);
-    if (pen_down_ && !was_down) mark(sink_, place_, rate_.to_nanoseconds(touches_at_));
+    if (pen_down_ && !was_down) mark(strokes_, place_, rate_.to_nanoseconds(touches_at_));
   }
 
   [[nodiscard]] PlotterPlace place() const { return place_; }
   [[nodiscard]] bool pen_is_down() const { return pen_down_; }
-  [[nodiscard]] const MinigrafCounts& counts() const { return counts_; }
+  [[nodiscard]] const MinigrafCounts& totals() const { return counts_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    return {{"steps", counts_.steps},
+            {"steps_pen_up", counts_.steps_pen_up},
+            {"pen_lifts", counts_.pen_lifts},
+            {"missed_fast", counts_.missed_fast},
+            {"missed_jump", counts_.missed_jump},
+            {"steps_early", counts_.steps_early},
+            {"off_field", counts_.off_field}};
+  }
 
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit("place_x", place_.x);
     visit("place_y", place_.y);
     visit.part("x", x_);
@@ -129,7 +159,7 @@ class Minigraf0507 {
       ++counts_.off_field;
     const bool drawing = pen_down_ && lowered_before && touches_at_ <= at;
     if (drawing)
-      mark(sink_, place_, rate_.to_nanoseconds(at));
+      mark(strokes_, place_, rate_.to_nanoseconds(at));
     else
       ++counts_.steps_pen_up;
     if (pen_down_ && lowered_before && !drawing) ++counts_.steps_early;
@@ -138,7 +168,7 @@ class Minigraf0507 {
   core::ClockRate rate_;
   core::TStates shortest_step_;
   core::TStates pen_time_;
-  Sink& sink_;
+  core::StrokeBuffer& strokes_;
   PlotterPlace place_;
   Motor x_;
   Motor y_;

@@ -1,4 +1,4 @@
-// The fast link to the host computer: an 8255 whose port A takes the host's bytes by strobed input, mode 1.
+// The fast link to the host computer: an 8255, on ports E4-E7, whose port A takes the host's bytes by strobed input, mode 1.
 //
 // The host watches IBF. While it is low the host puts the next byte on the lines and pulses STB# low for 500
 // ns; when the processor reads port A, IBF falls and the host answers after its response time (2 us unless
@@ -7,15 +7,19 @@
 // output, the host takes the byte after its response time by pulsing ACK# low for 500 ns: port B, and port A
 // as far as its mode has an output.
 //
-// Times are rounded up to T-states. Between two accesses the host's pulses are caught up with, in order.
+// Times are rounded up to T-states. Between two accesses the host's pulses are caught up with, in order. The ports are those of
+// Intel's SBC 80/10.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
+#include <vector>
 
-#include "../core/state_visitor.hpp"
+#include "../core/port_device.hpp"
 #include "../core/tstates.hpp"
 #include "i8255.hpp"
 #include "kept_bytes.hpp"
@@ -27,11 +31,44 @@ struct ParallelHost {
   core::Duration pulse{500};       // STB# or ACK# low
 };
 
-class ParallelLink {
+class ParallelLink final : public core::PortDevice, public core::LinkHost {
  public:
+  static constexpr std::uint8_t first_port = 0xE4;
+  static constexpr std::array ports{core::PortRange{first_port, 0xE7}};
+  static constexpr std::array<std::string_view, 1> lines{"parallel"};  // on INTR of port A or B
+  static constexpr std::array options{
+      core::DeviceOption{"response", "time of the host to answer, in nanoseconds", ParallelHost{}.response.count(), 0, 1'000'000'000},
+      core::DeviceOption{"pulse", "length of the host's pulses, in nanoseconds", ParallelHost{}.pulse.count(), 0, 1'000'000'000}};
+  static constexpr core::PortDeviceInfo info{.name = "parallel",
+                                             .help = "parallel link to a host computer, an 8255",
+                                             .choice = "8255",
+                                             .kind = core::PortDeviceKind::link,
+                                             .reads = ports,
+                                             .writes = ports,
+                                             .lines = lines,
+                                             .options = options,
+                                             .received = "What the host took from the 8255"};
+
+  explicit ParallelLink(const core::PortDeviceSetup& setup)
+      : ParallelLink(setup.clock, {}, {core::Duration(setup.value(info, "response")), core::Duration(setup.value(info, "pulse"))}) {}
   // The bytes the host will send must stay where they are.
   ParallelLink(core::ClockRate rate, std::span<const std::uint8_t> bytes, ParallelHost host = {})
       : response_(rate.t_states_in(host.response)), pulse_(rate.t_states_in(host.pulse)), bytes_(bytes) {}
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return read(port & 3U, at); }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { write(port & 3U, value, at); }
+  [[nodiscard]] unsigned requests() const override { return interrupt() ? 1 : 0; }
+  [[nodiscard]] core::LinkHost* link_host() override { return this; }
+
+  // The host.
+  void send(std::span<const std::uint8_t> bytes) override { bytes_ = bytes; }
+  // From port B, then from port A.
+  [[nodiscard]] std::vector<std::uint8_t> received() const override {
+    std::vector<std::uint8_t> bytes = takers_[1].bytes.bytes();
+    bytes.insert(bytes.end(), takers_[0].bytes.bytes().begin(), takers_[0].bytes.bytes().end());
+    return bytes;
+  }
+  [[nodiscard]] std::uint64_t left_out() const override { return takers_[0].bytes.left_out() + takers_[1].bytes.left_out(); }
 
   // Address 0..3 of the chip.
   [[nodiscard]] std::uint8_t read(std::uint8_t address, core::TStateInstant at) {
@@ -47,13 +84,13 @@ class ParallelLink {
     look(at);
   }
 
-  void advance(core::TStateInstant now) {
+  void advance(core::TStateInstant now) override {
     while (strobe_.due <= now) strobe();
     for (Taker& taker : takers_)
-      while (taker.pulse.due <= now) acknowledge(taker);
+      while (taker.pulse.due <= now) take_byte(taker);
   }
   // When one of the lines, and with it an interrupt request, may change by itself.
-  [[nodiscard]] core::TStateInstant deadline() const {
+  [[nodiscard]] core::TStateInstant deadline() const override {
     return std::min({strobe_.due, takers_[0].pulse.due, takers_[1].pulse.due});
   }
   [[nodiscard]] bool interrupt() const {
@@ -67,9 +104,12 @@ class ParallelLink {
   [[nodiscard]] const KeptBytes& received(I8255::Port port) const {
     return takers_[port == I8255::Port::a ? 0 : 1].bytes;
   }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    return {{"sent_by_host", sent_}, {"received_by_host", takers_[0].bytes.total() + takers_[1].bytes.total()}, {"not_kept", left_out()}};
+  }
 
   // What the host sends is configuration.
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit.part("chip", chip_);
     visit.input("bytes", bytes_);
     visit.count("sent", sent_, bytes_.size());
@@ -114,7 +154,7 @@ class ParallelLink {
     look(edge);
   }
 
-  void acknowledge(Taker& taker) {
+  void take_byte(Taker& taker) {
     const core::TStateInstant edge = taker.pulse.due;
     if (!taker.pulse.low) {
       taker.bytes.push_back(chip_.acknowledge_falls(taker.port));

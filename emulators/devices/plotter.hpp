@@ -25,13 +25,12 @@ struct PlotterPlace {
       std::clamp<std::int64_t>(std::int64_t{from} + by, Range::min(), Range::max()));
 }
 
-// Hands the mark at `place` to the sink. False when no Stroke can hold it.
-template <class Sink>
-bool mark(Sink& sink, PlotterPlace place, core::Instant when) {
+// Draws the mark at `place`. False when no Stroke can hold it.
+inline bool mark(core::StrokeBuffer& strokes, PlotterPlace place, core::Instant when) {
   constexpr std::int32_t largest = 0xFFFF;
   if (place.x < 0 || place.x > largest || place.y < 0 || place.y > largest) return false;
-  if constexpr (Sink::consumes)
-    sink.stroke({when, static_cast<std::uint16_t>(place.x), static_cast<std::uint16_t>(place.y), 7, 0});
+  if (strokes.wanted())
+    strokes.put({when, static_cast<std::uint16_t>(place.x), static_cast<std::uint16_t>(place.y), 7, 0});
   return true;
 }
 

@@ -3,12 +3,12 @@
 //
 // The host gives the surfaces of the frame to come, each with a number from 0 to 255 in place of its priority, over a connection of its own; the
 // processor writes a priority of 8 bits for each number. When the processor says so, both go into the display, and are shown together.
-// Registers (all chosen here; no document has any):
+// Registers, on ports 70-72 (all chosen here; no document has any):
 //   0 write NUMBER    of the surfaces whose priority comes next
 //   1 write PRIORITY  of that number, kept until it is written again
 //   2 write CONTROL   bit 0: show, from the next frame on, what the host has given, with these priorities
 //     read  STATUS    bit 0: vertical blanking; bit 1: a frame waits to be shown: nothing is to be written
-// While a frame waits writes are lost and counted. A register that is not there reads as FF. Source: Willis 1977, for what the display does;
+// While a frame waits writes are lost and counted. A register that is not there reads as FF. Left out: its state in snapshots. Source: Willis 1977, for what the display does;
 // priority_display.hpp is the display itself.
 #pragma once
 
@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "../core/port_device.hpp"
 #include "../core/tstates.hpp"
 #include "priority_display.hpp"
 
@@ -29,8 +30,18 @@ struct PriorityBoardCounts {
   std::uint64_t unanswered = 0;   // registers that are not there
 };
 
-class PriorityBoard {
+class PriorityBoard final : public core::PortDevice {
  public:
+  static constexpr std::uint8_t first_port = 0x70;
+  static constexpr std::array ports{core::PortRange{first_port, first_port + 2}};
+  static constexpr core::PortDeviceInfo info{.name = "priority",
+                                             .help = "priority display of the Sussex project",
+                                             .choice = "priority",
+                                             .kind = core::PortDeviceKind::special,
+                                             .reads = ports,
+                                             .writes = ports,
+                                             .has_state = false};
+
   struct Register {
     static constexpr std::uint8_t number = 0;
     static constexpr std::uint8_t priority = 1;
@@ -50,7 +61,15 @@ class PriorityBoard {
     std::uint32_t line_count = 0;
   };
 
+  explicit PriorityBoard(const core::PortDeviceSetup& setup) : PriorityBoard(setup.clock) {}
   explicit PriorityBoard(core::ClockRate clock) : clock_(clock) {}
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
+    return read(static_cast<std::uint8_t>(port - first_port), at);
+  }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
+    write(static_cast<std::uint8_t>(port - first_port), value, at);
+  }
 
   [[nodiscard]] std::uint8_t read(std::uint8_t number, core::TStateInstant at) {
     if (number != Register::status) {
@@ -85,8 +104,14 @@ class PriorityBoard {
 
   [[nodiscard]] std::span<const std::uint8_t, 256> priorities() const { return priorities_; }
   [[nodiscard]] const PriorityDisplay& display() const { return display_; }
-  void advance(core::TStateInstant now) { display_.advance(clock_.to_nanoseconds(now)); }
-  [[nodiscard]] const PriorityBoardCounts& counts() const { return counts_; }
+  void advance(core::TStateInstant now) override { display_.advance(clock_.to_nanoseconds(now)); }
+  [[nodiscard]] const PriorityBoardCounts& totals() const { return counts_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    return {{"priorities", counts_.priorities},
+            {"shows", counts_.shows},
+            {"writes_lost", counts_.writes_lost},
+            {"unanswered", counts_.unanswered}};
+  }
 
  private:
   void show(core::Instant now) {

@@ -1,4 +1,5 @@
-// The slow, authentic link to the host computer: an 8251 on a line at 9600 baud.
+// The slow, authentic link to the host computer: an 8251 on a line at 9600 baud, on ports EC-EF (Intel's SBC 80/10): data even,
+// control odd.
 //
 // The host sends its bytes one after the other. By itself it looks at RTS before each character and waits
 // while the program has it off; set to send blindly it starts at a given instant and never looks, so that a
@@ -7,11 +8,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
+#include <vector>
 
-#include "../core/state_visitor.hpp"
+#include "../core/port_device.hpp"
 #include "../core/tstates.hpp"
 #include "i8251.hpp"
 
@@ -26,8 +30,28 @@ struct SerialHost {
   core::Duration gap{0};         // between the stop bit and the next start bit
 };
 
-class SerialLink {
+class SerialLink final : public core::PortDevice, public core::LinkHost {
  public:
+  static constexpr std::uint8_t first_port = 0xEC;
+  static constexpr std::array ports{core::PortRange{first_port, 0xEF}};
+  static constexpr std::array<std::string_view, 2> lines{"serial-receive", "serial-transmit"};  // on RxRDY, on TxRDY
+  static constexpr std::array options{
+      core::DeviceOption{"baud", "of the host", SerialHost{}.baud, 50, 1'000'000},
+      core::DeviceOption{"chip-clock", "of the 8251, in Hz", SerialHost{}.chip_clock_hertz, 1, 1'000'000'000},
+      core::DeviceOption{"watches-rts", "0: the host sends blindly", SerialHost{}.watches_rts ? 1 : 0, 0, 1},
+      core::DeviceOption{"starts", "T-state before which the host sends nothing", 0, 0, std::int64_t{1} << 62},
+      core::DeviceOption{"gap", "between two characters of the host, in nanoseconds", 0, 0, 1'000'000'000}};
+  static constexpr core::PortDeviceInfo info{.name = "serial",
+                                             .help = "serial link to a host computer, an 8251",
+                                             .choice = "8251",
+                                             .kind = core::PortDeviceKind::link,
+                                             .reads = ports,
+                                             .writes = ports,
+                                             .lines = lines,
+                                             .options = options,
+                                             .received = "What the 8251 sent to the host"};
+
+  explicit SerialLink(const core::PortDeviceSetup& setup) : SerialLink(setup.clock, {}, host_of(setup)) {}
   // The bytes the host will send must stay where they are.
   SerialLink(core::ClockRate rate, std::span<const std::uint8_t> bytes, SerialHost host = {})
       : rate_(rate),
@@ -38,6 +62,21 @@ class SerialLink {
         line_free_(host.starts) {
     if (!host.watches_rts) plan(line_free_);
   }
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return read(port & 1U, at); }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { write(port & 1U, value, at); }
+  [[nodiscard]] unsigned requests() const override {
+    return (chip_.receive_ready() ? 1U : 0U) | (chip_.transmit_ready() ? 2U : 0U);
+  }
+  [[nodiscard]] core::LinkHost* link_host() override { return this; }
+
+  // The host.
+  void send(std::span<const std::uint8_t> bytes) override {
+    bytes_ = bytes;
+    if (!host_.watches_rts) plan(line_free_);
+  }
+  [[nodiscard]] std::vector<std::uint8_t> received() const override { return chip_.sent().bytes(); }
+  [[nodiscard]] std::uint64_t left_out() const override { return chip_.sent().left_out(); }
 
   // Odd addresses are control and status, even ones data.
   [[nodiscard]] std::uint8_t read(std::uint8_t address, core::TStateInstant at) {
@@ -57,7 +96,7 @@ class SerialLink {
     }
   }
 
-  void advance(core::TStateInstant now) {
+  void advance(core::TStateInstant now) override {
     chip_.advance(now);
     while (next_event() <= now) {
       if (sampled_ <= start_)
@@ -66,16 +105,30 @@ class SerialLink {
         begin();
     }
   }
-  [[nodiscard]] core::TStateInstant deadline() const { return std::min(next_event(), chip_.deadline()); }
+  [[nodiscard]] core::TStateInstant deadline() const override { return std::min(next_event(), chip_.deadline()); }
 
   [[nodiscard]] const I8251& chip() const { return chip_; }
   // Characters the host has begun to send.
   [[nodiscard]] std::size_t sent() const { return sent_; }
   // Of them those that began while a receiver set to a slower line was still sampling the last one.
   [[nodiscard]] std::uint64_t unseen() const { return unseen_; }
+  [[nodiscard]] std::vector<core::Count> counts() const override {
+    const I8251Counts& n = chip_.counts();
+    return {{"sent_by_host", sent_},
+            {"unseen", unseen_},
+            {"received", n.received},
+            {"received_lost", n.received_lost},
+            {"overruns", n.overruns},
+            {"parity_errors", n.parity_errors},
+            {"framing_errors", n.framing_errors},
+            {"transmitted", n.transmitted},
+            {"transmit_overwritten", n.transmit_overwritten},
+            {"not_kept", left_out()},
+            {"unanswered", n.unanswered}};
+  }
 
   // What the host sends is configuration.
-  void visit_state(core::StateVisitor& visit) {
+  void visit_state(core::StateVisitor& visit) override {
     visit.part("chip", chip_);
     visit.input("bytes", bytes_);
     visit.count("sent", sent_, bytes_.size());
@@ -88,6 +141,16 @@ class SerialLink {
   }
 
  private:
+  static SerialHost host_of(const core::PortDeviceSetup& setup) {
+    SerialHost host;
+    host.baud = setup.value(info, "baud");
+    host.chip_clock_hertz = setup.value(info, "chip-clock");
+    host.watches_rts = setup.value(info, "watches-rts") != 0;
+    host.starts = core::at_t_state(setup.value(info, "starts"));
+    host.gap = core::Duration(setup.value(info, "gap"));
+    return host;
+  }
+
   [[nodiscard]] core::TStateInstant next_event() const { return std::min(start_, sampled_); }
   [[nodiscard]] bool allowed() const { return !host_.watches_rts || chip_.request_to_send(); }
 

@@ -5,13 +5,13 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 
-#include "emulators/core/stroke.hpp"
-#include "emulators/machines/i8080_machine.hpp"
-#include "emulators/machines/skala_ports.hpp"
+#include "emulators/core/port_device.hpp"
+#include "emulators/machines/i8080.hpp"
 
 namespace sightline {
 namespace {
@@ -21,23 +21,25 @@ constexpr i8080::Address program_start = 0x0100;
 constexpr i8080::Address handler_start = 0x0038;
 
 // A timer that interrupts every 60 000 T-states, 50 times a second at 3 MHz.
-class TimerPorts {
+class Timer final : public core::PortDevice {
  public:
-  static constexpr bool waits = false;
-  std::uint8_t in(std::uint8_t, core::TStateInstant) { return 0x01; }
-  void out(std::uint8_t, std::uint8_t, core::TStateInstant) {}
-  std::uint8_t acknowledge(core::TStateInstant) {
+  static constexpr core::PortRange ports[]{{0x40, 0x41}};
+  static constexpr std::string_view lines[]{"timer"};
+  static constexpr core::PortDeviceInfo info{.name = "timer", .help = "interrupts", .choice = "timer", .reads = ports, .writes = ports, .lines = lines};
+
+  [[nodiscard]] std::uint8_t in(std::uint8_t, core::TStateInstant) override { return 0x01; }
+  [[nodiscard]] bool drives_interrupt() const override { return true; }
+  [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant) override {
     raised_ = false;
     return 0xFF;
   }
-  void advance(core::TStateInstant now) {
+  void advance(core::TStateInstant now) override {
     if (now < next_) return;
     raised_ = true;
     while (next_ <= now) next_ += core::TStates(60'000);
   }
-  [[nodiscard]] core::TStateInstant deadline() const { return next_; }
-  [[nodiscard]] bool interrupt() const { return raised_; }
-  [[nodiscard]] bool stopped() const { return false; }
+  [[nodiscard]] core::TStateInstant deadline() const override { return next_; }
+  [[nodiscard]] unsigned requests() const override { return raised_ ? 1 : 0; }
 
  private:
   core::TStateInstant next_ = core::at_t_state(60'000);
@@ -99,17 +101,10 @@ constexpr std::array<std::uint8_t, 11> handler{
     0xC9,              // 0042  RET
 };
 
-template <class Ports>
-void run_mix(benchmark::State& state, Ports& ports) {
-  machines::NoI8080Observer observer;
-  machines::I8080Machine<Ports> machine(ports, observer);
-  for (std::size_t i = 0; i < program.size(); ++i) {
-    machine.deposit(static_cast<i8080::Address>(program_start + i), program[i]);
-  }
-  for (std::size_t i = 0; i < handler.size(); ++i) {
-    machine.deposit(static_cast<i8080::Address>(handler_start + i), handler[i]);
-  }
-  machine.registers().pc = program_start;
+void run_mix(benchmark::State& state, i8080::Machine& machine) {
+  machine.load(program_start, program);
+  machine.load(handler_start, handler);
+  machine.start(program_start);
   for (auto _ : state) machine.run({instructions_a_round, core::never_t});
   const std::int64_t t_states = core::t_states_of(machine.now());
   state.SetItemsProcessed(t_states);
@@ -118,17 +113,16 @@ void run_mix(benchmark::State& state, Ports& ports) {
 }
 
 void with_timer(benchmark::State& state) {
-  TimerPorts ports;
-  run_mix(state, ports);
+  i8080::Machine machine;
+  if (const std::string error = machine.attach(Timer::info, std::make_unique<Timer>()); !error.empty()) state.SkipWithError(error.c_str());
+  run_mix(state, machine);
 }
 
 void with_raster_board(benchmark::State& state) {
-  core::NoStrokes nobody;
-  machines::SkalaConfiguration configuration;
-  configuration.ef9365 = true;
-  configuration.ef9365_restart = std::uint8_t{7};
-  const auto ports = std::make_unique<machines::SkalaPorts<>>(configuration, nobody);
-  run_mix(state, *ports);
+  i8080::Machine machine;
+  for (const std::string& error : {machine.attach("ef9365"), machine.wire("ef9365", 7)})
+    if (!error.empty()) state.SkipWithError(error.c_str());
+  run_mix(state, machine);
 }
 
 BENCHMARK(with_timer)->Name("i8080/with_timer");

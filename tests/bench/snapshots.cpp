@@ -9,6 +9,7 @@
 #include "host/guests/run/i8080.hpp"
 #include "host/guests/run/pdp7.hpp"
 #include "host/live/snapshot.hpp"
+#include "tests/host/guests/run/i8080_setup.hpp"
 
 namespace sightline {
 namespace {
@@ -24,7 +25,7 @@ std::unique_ptr<run::Machine> pdp7_machine() {
 
 std::unique_ptr<run::Machine> i8080_machine() {
   run::I8080Setup setup;
-  setup.machine.ef9365 = true;
+  test::attach(setup, "ef9365");
   return run::make_i8080(std::move(setup));
 }
 

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,8 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/machines/i8080_machine.hpp"
-#include "emulators/machines/skala_ports.hpp"
+#include "emulators/devices/alt256.hpp"
+#include "emulators/devices/ef9365.hpp"
+#include "emulators/machines/i8080.hpp"
 #include "tests/firmware/skala_reference.hpp"
 #include "tools/asm/i8080.hpp"
 
@@ -50,71 +50,64 @@ inline std::uint16_t label(std::string_view name) {
   return value.value_or(0);
 }
 
-struct Strokes {
-  static constexpr bool consumes = true;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) { strokes.push_back(stroke); }
-  void end_pass(core::Instant) {}
-  std::vector<core::Stroke> strokes;
+struct Strokes final : core::StrokeTaker {
+  void strokes(std::span<const core::Stroke> strokes) override { all.insert(all.end(), strokes.begin(), strokes.end()); }
+  std::vector<core::Stroke> all;
+};
+
+struct Attachment {
+  std::string_view device;
+  std::vector<core::Setting> settings = {};
 };
 
 class SkalaMachine {
  public:
-  using Ports = machines::SkalaPorts<Strokes>;
-
-  // All devices, unless the configuration says otherwise.
-  explicit SkalaMachine(std::vector<std::uint8_t> commands)
-      : SkalaMachine(std::move(commands), everything()) {}
-  SkalaMachine(std::vector<std::uint8_t> commands, machines::SkalaConfiguration configuration)
-      : commands_(std::move(commands)) {
-    if (configuration.serial) configuration.serial = commands_;
-    if (configuration.parallel) configuration.parallel = commands_;
-    ports_ = std::make_unique<Ports>(configuration, strokes_);
-    machine_ = std::make_unique<machines::I8080Machine<Ports>>(*ports_, observer_);
-    const auto bytes = program().image.bytes();
-    std::copy(bytes.begin(), bytes.end(), machine_->memory().begin());
+  static std::vector<Attachment> everything() {
+    return {{"ef9365"}, {"alt256"}, {"calcomp565"}, {"minigraf0507"}, {"parallel"}};
   }
 
-  static machines::SkalaConfiguration everything() {
-    machines::SkalaConfiguration configuration;
-    configuration.ef9365 = configuration.alt256 = configuration.calcomp565 = configuration.minigraf0507 =
-        true;
-    configuration.parallel.emplace();
-    return configuration;
+  // The commands are sent over each link that is attached.
+  explicit SkalaMachine(std::vector<std::uint8_t> commands, const std::vector<Attachment>& attachments = everything())
+      : commands_(std::move(commands)) {
+    machine_.strokes().hand_to(&strokes_);
+    for (const Attachment& each : attachments) {
+      EXPECT_EQ(machine_.attach(each.device, each.settings), "");
+      if (core::LinkHost* const host = machine_.device(each.device)->link_host(); host != nullptr) host->send(commands_);
+    }
+    machine_.load(0, program().image.bytes());
   }
 
   // Runs to the halt; the status; empty if it does not end.
   std::optional<std::uint8_t> run() {
-    machines::I8080Limits limits;
+    i8080::Limits limits;
     limits.until = core::at_t_state(100'000'000'000);
-    if (machine_->run(limits) != machines::I8080StopReason::halt) return std::nullopt;
-    return machine_->peek(label("STATUS"));
+    if (machine_.run(limits) != i8080::StopReason::halt) return std::nullopt;
+    return machine_.peek(label("STATUS"));
   }
   // Runs until an instruction at `label` is about to be executed, at most n instructions.
   bool run_to(std::string_view name, std::uint64_t n) {
     const std::uint16_t address = label(name);
     while (n-- > 0) {
-      if (machine_->registers().pc == address) return true;
-      machines::I8080Limits limits;
+      if (machine_.registers().pc == address) return true;
+      i8080::Limits limits;
       limits.instructions = 1;
-      if (machine_->run(limits) == machines::I8080StopReason::halt) return false;
+      if (machine_.run(limits) == i8080::StopReason::halt) return false;
     }
     return false;
   }
 
-  [[nodiscard]] machines::I8080Machine<Ports>& machine() { return *machine_; }
-  [[nodiscard]] Ports& ports() { return *ports_; }
-  [[nodiscard]] const std::vector<core::Stroke>& strokes() const { return strokes_.strokes; }
+  [[nodiscard]] i8080::Machine& machine() { return machine_; }
+  [[nodiscard]] const devices::Ef9365& ef9365() const { return *machine_.find<devices::Ef9365>(); }
+  [[nodiscard]] const devices::Alt256& alt256() const { return *machine_.find<devices::Alt256>(); }
+  [[nodiscard]] const std::vector<core::Stroke>& strokes() const { return strokes_.all; }
   [[nodiscard]] std::span<const std::uint8_t> page(std::string_view name) {
-    return machine_->memory().subspan(label(name), 256);
+    return machine_.memory().subspan(label(name), 256);
   }
 
  private:
   std::vector<std::uint8_t> commands_;
   Strokes strokes_;
-  machines::NoI8080Observer observer_;
-  std::unique_ptr<Ports> ports_;
-  std::unique_ptr<machines::I8080Machine<Ports>> machine_;
+  i8080::Machine machine_;
 };
 
 }  // namespace sightline::skala_test

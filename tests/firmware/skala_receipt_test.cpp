@@ -41,14 +41,14 @@ TEST(SkalaReceipt, StopsAtTheOffendingArgument) {
 TEST(SkalaReceipt, DrawsNothingOfARefusedPicture) {
   SkalaMachine machine({1, 10, 10, 2, 90, 90, 15});
   ASSERT_EQ(machine.run(), 2);
-  EXPECT_EQ(machine.ports().ef9365()->counts().dots, 0U);
+  EXPECT_EQ(machine.ef9365().totals().dots, 0U);
 }
 
 TEST(SkalaReceipt, WaitsForMore) {
   SkalaMachine machine({1, 10, 10, 2, 90});
-  machines::I8080Limits limits;
+  i8080::Limits limits;
   limits.until = core::at_t_state(10'000'000);
-  EXPECT_EQ(machine.machine().run(limits), machines::I8080StopReason::time_limit);
+  EXPECT_EQ(machine.machine().run(limits), i8080::StopReason::time_limit);
   EXPECT_EQ(machine.machine().peek(label("STATUS")), 0);
 }
 
@@ -66,47 +66,38 @@ TEST(SkalaReceipt, APictureMayBeLargerThanTheBuffer) {
   reference.run(commands);
   SkalaMachine machine(commands);
   ASSERT_EQ(machine.run(), 1);
-  const auto points = machine.ports().ef9365()->raster().points();
+  const auto points = machine.ef9365().raster()->points();
   EXPECT_TRUE(std::equal(points.begin(), points.end(), reference.picture.begin()));
 }
 
 TEST(SkalaReceipt, OverTheSerialLink) {
-  machines::SkalaConfiguration configuration;
-  configuration.ef9365 = true;
-  configuration.serial.emplace();
-  SkalaMachine machine({1, 10, 10, 2, 20, 10, 0}, configuration);
+  SkalaMachine machine({1, 10, 10, 2, 20, 10, 0}, {{"ef9365"}, {"serial"}});
   machine.machine().deposit(label("LINKSW"), 1);
   ASSERT_EQ(machine.run(), 1);
-  EXPECT_EQ(machine.ports().ef9365()->counts().dots, 11U);
+  EXPECT_EQ(machine.ef9365().totals().dots, 11U);
 }
 
 // A host at half the speed: the stop bit is not where it should be.
 TEST(SkalaReceipt, StopsAtAnErrorOfTheLine) {
-  machines::SkalaConfiguration configuration;
-  configuration.ef9365 = true;
-  configuration.serial.emplace();
-  configuration.serial_host.baud = 4800;
-  SkalaMachine machine({1, 10, 10, 2, 20, 10, 0}, configuration);
+  SkalaMachine machine({1, 10, 10, 2, 20, 10, 0}, {{"ef9365"}, {"serial", {{"baud", 4800}}}});
   machine.machine().deposit(label("LINKSW"), 1);
   EXPECT_EQ(machine.run(), 4);
 }
 
 TEST(SkalaDevices, MustAnswer) {
-  machines::SkalaConfiguration configuration;
-  configuration.parallel.emplace();
+  const std::vector<Attachment> only_the_link{{"parallel"}};
   for (const int device : {0, 1, 2}) {
-    SkalaMachine machine({10, static_cast<std::uint8_t>(device), 0}, configuration);
+    SkalaMachine machine({10, static_cast<std::uint8_t>(device), 0}, only_the_link);
     EXPECT_EQ(machine.run(), 6) << device;
   }
-  SkalaMachine minigraf({10, 3, 0}, configuration);
+  SkalaMachine minigraf({10, 3, 0}, only_the_link);
   EXPECT_EQ(minigraf.run(), 1);
 }
 
 // The carriage stands at its end: the first step off it is an error of the plotter's.
 TEST(SkalaDevices, APlottersErrorStopsTheProgram) {
-  auto configuration = SkalaMachine::everything();
-  configuration.calcomp565_start = {0, 2000};
-  SkalaMachine machine({10, 2, 1, 200, 200, 2, 250, 250, 0}, configuration);
+  SkalaMachine machine({10, 2, 1, 200, 200, 2, 250, 250, 0},
+                       {{"ef9365"}, {"alt256"}, {"calcomp565", {{"start-y", 1100}}}, {"minigraf0507"}, {"parallel"}});
   EXPECT_EQ(machine.run(), 5);
 }
 

@@ -19,21 +19,16 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using Dots = std::set<std::pair<int, int>>;
 
-machines::SkalaConfiguration raster_only() {
-  machines::SkalaConfiguration configuration;
-  configuration.ef9365 = true;
-  configuration.parallel.emplace();
-  return configuration;
-}
+const std::vector<Attachment> raster_only{{"ef9365"}, {"parallel"}};
 
 // Dots of a colour other than 0 after a run that must end well.
 Dots dots(const Bytes& commands) {
-  SkalaMachine machine(commands, raster_only());
+  SkalaMachine machine(commands, raster_only);
   EXPECT_EQ(machine.run(), 1);
   Dots lit;
   for (int y = 0; y < 256; ++y)
     for (int x = 0; x < 256; ++x)
-      if (machine.ports().ef9365()->raster().at(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y)) !=
+      if (machine.ef9365().raster()->at(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y)) !=
           0)
         lit.insert({x, y});
   return lit;
@@ -111,9 +106,9 @@ TEST(SkalaMasks, AreFoldedAfterTheColumn) {
 
 // Section 6: the column is filled down to the slice before, its level going from 6 to 2 on the way.
 TEST(SkalaSurface, FillsDownToTheSliceBefore) {
-  SkalaMachine machine({9, 2, 50, 100, 2, 52, 100, 2, 6, 9, 2, 50, 108, 6, 52, 108, 6, 6, 0}, raster_only());
+  SkalaMachine machine({9, 2, 50, 100, 2, 52, 100, 2, 6, 9, 2, 50, 108, 6, 52, 108, 6, 6, 0}, raster_only);
   ASSERT_EQ(machine.run(), 1);
-  const auto& raster = machine.ports().ef9365()->raster();
+  const auto& raster = *machine.ef9365().raster();
   // N = 8, D = 4: g = -4, 0 (level 5, -8), -4, 0 (level 4, -8), ...
   const std::vector<int> expected{6, 5, 5, 4, 4, 3, 3, 2};
   for (int i = 0; i < 8; ++i)
@@ -136,12 +131,12 @@ void compare(const StreamKind& kind, std::uint32_t seed) {
   }
   if (kind.device < 2) {
     const auto points =
-        (kind.device == 0 ? machine.ports().ef9365()->raster() : machine.ports().alt256()->raster()).points();
+        (kind.device == 0 ? machine.ef9365().raster() : machine.alt256().raster())->points();
     const std::size_t shown = kind.device == 0 ? 65536 : 240 * 256;  // the ALT-256 has no rows beyond
     for (std::size_t i = 0; i < shown; ++i)
       ASSERT_EQ(points[i], reference.picture[i]) << "seed " << seed << " at " << i % 256 << ' ' << i / 256;
-    EXPECT_EQ(machine.ports().ef9365()->counts().commands_while_busy, 0U);
-    EXPECT_EQ(machine.ports().ef9365()->counts().writes_while_busy, 0U);
+    EXPECT_EQ(machine.ef9365().totals().commands_while_busy, 0U);
+    EXPECT_EQ(machine.ef9365().totals().writes_while_busy, 0U);
     return;
   }
   std::vector<std::pair<int, int>> inked, expected;
@@ -185,7 +180,7 @@ TEST(SkalaStreams, OnThePlotters) {
 
 // What a step of the inner loops costs, as NOTES.md has it: the difference one more of them makes.
 std::int64_t t_states(const Bytes& commands) {
-  SkalaMachine machine(commands, raster_only());
+  SkalaMachine machine(commands, raster_only);
   EXPECT_TRUE(machine.run_to("DRAWIT", 1'000'000));
   const auto begun = machine.machine().now();
   EXPECT_EQ(machine.run(), 1);

@@ -13,6 +13,7 @@
 
 #include "host/guests/run/i8080.hpp"
 #include "host/live/snapshot.hpp"
+#include "tests/host/guests/run/i8080_setup.hpp"
 #include "tests/host/live/small_pdp7.hpp"
 
 namespace {
@@ -26,16 +27,13 @@ void require(bool holds) {
 
 std::unique_ptr<run::Machine> i8080_machine() {
   run::I8080Setup setup;
-  machines::SkalaConfiguration& configuration = setup.machine;
-  configuration.ef9365 = configuration.calcomp565 = configuration.minigraf0507 = true;
-  configuration.ef9365_restart = 1;
-  configuration.calcomp565_restart = 2;
-  configuration.parallel_restart = 3;
-  configuration.serial_receive_restart = 4;
-  const run::Bytes& parallel = setup.sent["parallel"] = run::Bytes(20, 0x55);
-  configuration.parallel = parallel;
-  const run::Bytes& serial = setup.sent["serial"] = run::Bytes(20, 0xAA);
-  configuration.serial = serial;
+  for (const char* device : {"ef9365", "calcomp565", "minigraf0507"}) test::attach(setup, device);
+  test::attach_link(setup, "parallel", run::Bytes(20, 0x55));
+  test::attach_link(setup, "serial", run::Bytes(20, 0xAA));
+  test::wire(setup, "ef9365", 1);
+  test::wire(setup, "calcomp", 2);
+  test::wire(setup, "parallel", 3);
+  test::wire(setup, "serial-receive", 4);
   setup.drawing = true;
   auto machine = run::make_i8080(std::move(setup));
   std::uint32_t at = 0;

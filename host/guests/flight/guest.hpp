@@ -60,11 +60,11 @@ class Guest {
   [[nodiscard]] std::span<const std::uint32_t> picture();
 
  private:
-  class Ports;
-  struct Machine;
+  class DisplayFront;
+  struct Parts;
   GuestOptions options_;
   GuestFlight flight_;
-  std::unique_ptr<Machine> machine_;
+  std::unique_ptr<Parts> parts_;
 };
 
 // More than any program can take for that stream.

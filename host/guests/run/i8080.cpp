@@ -16,14 +16,16 @@
 #include <utility>
 #include <vector>
 
+#include "emulators/core/port_device.hpp"
+#include "emulators/core/state_visitor.hpp"
 #include "emulators/i8080/bus.hpp"
-#include "emulators/machines/i8080_hold.hpp"
-#include "emulators/machines/i8080_run.hpp"
+#include "emulators/i8080/isa.hpp"
+#include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/cpm.hpp"
 #include "host/guests/run/i8080_observers.hpp"
-#include "host/guests/run/i8080_ports.hpp"
-#include "host/guests/run/i8080_processor.hpp"
+#include "host/guests/run/plotter_taker.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/raster_image.hpp"
@@ -34,8 +36,6 @@
 namespace sightline::guests::run {
 
 namespace {
-
-using machines::DeviceKind;
 
 // Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
 constexpr core::TStates time_between_questions{1 << 25};
@@ -74,38 +74,62 @@ auto& pair_of(State& state, std::size_t number) {
   return number < 4 ? state.bc : number < 6 ? state.de : state.hl;
 }
 
+// --- CP/M's entries ---
+
+// A device sees no registers, so an OUT to a port of an entry only ends the run at the next instruction boundary; the caller then
+// reads the registers there and continues the run. An OUT that turns out to be none of an entry's is handed on to the device
+// behind.
+class CpmFront final : public i8080::Front {
+ public:
+  struct Call {
+    std::uint8_t port;
+    std::uint8_t value;
+    core::TStateInstant at;
+  };
+
+  explicit CpmFront(i8080::Machine& machine) : Front(machine, ports) {}
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
+    call_ = {port, value, at};
+    machine().request_stop();
+  }
+
+  // The OUT that ended the run, once.
+  [[nodiscard]] std::optional<Call> take_call() { return std::exchange(call_, std::nullopt); }
+  void hand_on(const Call& call) { Front::out(call.port, call.value, call.at); }
+
+ private:
+  static constexpr core::PortRange ports[]{{0, Cpm::last_port}};
+
+  std::optional<Call> call_;
+};
+
 // --- The machine ---
 
-// Lives on the heap: the raster boards are large.
 class I8080Run final : public Machine {
  public:
-  explicit I8080Run(I8080Setup setup)
-      : setup_(std::move(setup)),
-        plotter_(setup_.drawing),
-        devices_(setup_.machine, plotter_),
-        lines_(devices_, setup_.hold),
-        ports_(devices_, lines_, setup_.cpm.has_value(), setup_.strict),
-        processor_(ports_) {
+  explicit I8080Run(I8080Setup setup) : setup_(std::move(setup)), plotter_(setup_.drawing), machine_(std::move(setup_.machine)) {
+    machine_->strokes().hand_to(&plotter_);
     if (setup_.monitored) probe_.emplace(std::size_t{0x10000}, std::size_t{0x100});
     if (setup_.observed) recorder_.emplace();
     if (setup_.cpm) {
       setup_.cpm->journal = setup_.monitored;
       cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
+      cpm_front_.emplace(*machine_);
     }
-    if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), setup_.machine.clock, [this] { return ports_.interrupt(); });
+    if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), clock(), [this] { return machine_->interrupt(); });
   }
 
   [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
-    return processor_.memory()[address];
+    return machine_->memory()[address];
   }
   void put(std::uint32_t address, std::uint32_t word) override {
-    processor_.memory()[address] = static_cast<i8080::Byte>(word);
+    machine_->memory()[address] = static_cast<i8080::Byte>(word);
     loaded_.set(address);
   }
 
   [[nodiscard]] std::uint32_t get(std::size_t number) const override {
-    const i8080::State& s = processor_.registers();
+    const i8080::State& s = machine_->registers();
     switch (number) {
       case 0: return s.a;
       case 1: return s.f;
@@ -117,7 +141,7 @@ class I8080Run final : public Machine {
   }
   // Bits of F that the machine does not have are passed over.
   void set(std::size_t number, std::uint32_t value) override {
-    i8080::State& s = processor_.registers();
+    i8080::State& s = machine_->registers();
     const auto byte = static_cast<i8080::Byte>(value);
     switch (number) {
       case 0: s.a = byte; break;
@@ -137,21 +161,21 @@ class I8080Run final : public Machine {
     return cpm_ ? image::com_origin : loaded.value_or(0);
   }
   void start(std::uint32_t address) override {
-    processor_.registers().pc = static_cast<i8080::Address>(address);
+    machine_->registers().pc = static_cast<i8080::Address>(address);
   }
-  [[nodiscard]] bool halted() const override { return processor_.registers().halted; }
+  [[nodiscard]] bool halted() const override { return machine_->registers().halted; }
   [[nodiscard]] std::string_view system_missing(std::uint32_t lowest) const override {
     return !cpm_ && lowest == image::com_origin ? "--cpm gives a CP/M program its system" : "";
   }
   [[nodiscard]] Result<Done> ready() override {
     if (!cpm_) return Done{};
     for (const auto& [address, byte] : cpm_->entries()) {
-      if (loaded_[address] && processor_.memory()[address] != byte) {
+      if (loaded_[address] && machine_->memory()[address] != byte) {
         return bad_input(fmt::format(
             "--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there", address));
       }
     }
-    cpm_->start(processor_.registers(), processor_.memory());
+    cpm_->start(machine_->registers(), machine_->memory());
     return Done{};
   }
 
@@ -173,42 +197,45 @@ class I8080Run final : public Machine {
       const bool waited = cpm_->waits_for_key();
       if (!watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
       if (waited && condition_changed()) return Stop{stopped_by_probe, {}};
+      // CP/M has written to a watched place, now or where the last slice ended.
+      if (probe_ && !probe_->events().empty()) return Stop{stopped_by_probe, {}};
     }
     const core::TStateInstant limit = core::at_t_state(limits.until);
     const core::TStateInstant until =
-        asked ? std::min(limit, processor_.now() + slice()) : limit;
-    const std::uint64_t left = limits.instructions - std::min(processor_.instructions(), limits.instructions);
+        asked ? std::min(limit, machine_->now() + slice()) : limit;
+    const std::uint64_t left = limits.instructions - std::min(machine_->instructions(), limits.instructions);
     const auto reason = run_observed({left, until});
-    each_terminal([this](auto& terminal) {
+    each_terminal([this](core::Terminal& terminal) {
       const auto bytes = terminal.take_printed();
       if (!bytes.empty()) print({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     });
     // A call of CP/M is answered before a monitor looks at the machine.
-    if (probe_ && !probe_->events().empty() && reason != machines::I8080StopReason::ports) return Stop{stopped_by_probe, {}};
+    if (probe_ && !probe_->events().empty() && reason != i8080::StopReason::device) return Stop{stopped_by_probe, {}};
     switch (reason) {
-      case machines::I8080StopReason::halt: return Stop{"halt", {}};
-      case machines::I8080StopReason::instruction_limit: return Stop{"instruction_limit", {}};
-      case machines::I8080StopReason::time_limit:
-        if (processor_.now() < limit) return std::nullopt;
+      case i8080::StopReason::halt: return Stop{"halt", {}};
+      case i8080::StopReason::instruction_limit: return Stop{"instruction_limit", {}};
+      case i8080::StopReason::time_limit:
+        if (machine_->now() < limit) return std::nullopt;
         return Stop{"state_limit", {}, true};
-      case machines::I8080StopReason::ports: {
-        const auto call = ports_.take_call();
-        const auto stop = call ? answer(*call) : unanswered();
+      case i8080::StopReason::unanswered: return unanswered();
+      case i8080::StopReason::device: {
+        const auto call = cpm_front_ ? cpm_front_->take_call() : std::nullopt;
+        const auto stop = call ? answer(*call) : std::nullopt;
         if (stop || !condition_changed()) return stop;
         return Stop{stopped_by_probe, {}};
       }
-      case machines::I8080StopReason::observer: break;
+      case i8080::StopReason::observer: break;
     }
     return Stop{"interrupted", {}};
   }
   void finish() override {
-    if (recorder_) recorder_->finish(processor_.now());
+    if (recorder_) recorder_->finish(machine_->now());
     plotter_.finish();
   }
 
   [[nodiscard]] Probe* probe() override { return probe_ ? &*probe_ : nullptr; }
   [[nodiscard]] Instruction instruction_at(std::uint32_t address) const override {
-    const auto at = [&](std::uint32_t n) { return processor_.memory()[static_cast<i8080::Address>(address + n)]; };
+    const auto at = [&](std::uint32_t n) { return machine_->memory()[static_cast<i8080::Address>(address + n)]; };
     const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction({at(0), at(1), at(2)});
     return {(line.duplicate ? "*" : "") + line.text, static_cast<unsigned>(line.bytes)};
   }
@@ -247,12 +274,12 @@ class I8080Run final : public Machine {
 
   void type(std::uint8_t code) override {
     if (cpm_) cpm_->type(code);
-    each_terminal([code](auto& terminal) { terminal.type(code); });
+    each_terminal([code](core::Terminal& terminal) { terminal.type(code); });
     if (probe_) probe_->keys.push_back({ticks(), code});
   }
   [[nodiscard]] bool wants_key() const override {
     bool wants = cpm_ && cpm_->wants_key();
-    each_terminal([&wants](const auto& terminal) { wants = wants || terminal.wants_key(); });
+    each_terminal([&wants](const core::Terminal& terminal) { wants = wants || terminal.wants_key(); });
     return wants;
   }
   [[nodiscard]] bool waits_for_key() const override { return cpm_ && cpm_->waits_for_key(); }
@@ -260,12 +287,12 @@ class I8080Run final : public Machine {
 
   [[nodiscard]] std::int64_t trim_journal(std::size_t most) override { return cpm_ ? cpm_->trim_journal(most) : 0; }
 
-  [[nodiscard]] std::uint64_t instructions() const override { return processor_.instructions(); }
+  [[nodiscard]] std::uint64_t instructions() const override { return machine_->instructions(); }
   [[nodiscard]] core::Instant now() const override {
-    return setup_.machine.clock.to_nanoseconds(processor_.now());
+    return clock().to_nanoseconds(machine_->now());
   }
-  [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(processor_.now()); }
-  [[nodiscard]] std::int64_t ticks_a_second() const override { return setup_.machine.clock.hertz; }
+  [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(machine_->now()); }
+  [[nodiscard]] std::int64_t ticks_a_second() const override { return clock().hertz; }
 
   [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
   [[nodiscard]] MachineState save() override {
@@ -274,51 +301,49 @@ class I8080Run final : public Machine {
     return writer.take();
   }
   [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
-    const auto done = restore_state(state, [this](auto& visit) { this->visit_state(visit); });
+    const auto done = restore_state(state, [this](core::StateVisitor& visit) { visit_state(visit); });
     if (done) printed_.clear();
     return done;
   }
 
   [[nodiscard]] std::vector<ReportLine> lines() const override {
-    const core::ClockRate clock = setup_.machine.clock;
     std::vector<ReportLine> lines{
-        {"T-states", fmt::format("{}", core::t_states_of(processor_.now()))},
-        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(processor_.now(), clock), clock.hertz)},
-        {"instructions", fmt::format("{}", processor_.instructions())}};
-    if (setup_.hold.length != 0) lines.push_back({"held", fmt::format("{} T-states", processor_.held())});
-    devices_.each_device([&lines](auto row, const auto& device) {
+        {"T-states", fmt::format("{}", core::t_states_of(machine_->now()))},
+        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(machine_->now(), clock()), clock().hertz)},
+        {"instructions", fmt::format("{}", machine_->instructions())}};
+    if (has_hold()) lines.push_back({"held", fmt::format("{} T-states", machine_->held())});
+    each_reported([&lines](const i8080::AttachedDevice& each) {
       std::string counts;
-      row.count(device, [&counts](std::string_view name, std::uint64_t count) {
-        if (count == 0) return;
-        std::string spoken(name);
+      for (const core::Count& count : each.device->counts()) {
+        if (count.value == 0) continue;
+        std::string spoken(count.name);
         std::replace(spoken.begin(), spoken.end(), '_', ' ');
-        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", spoken, count);
-      });
-      lines.push_back({std::string(row.name), counts.empty() ? "nothing" : counts});
+        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", spoken, count.value);
+      }
+      lines.push_back({std::string(each.info->name), counts.empty() ? "nothing" : counts});
     });
     return lines;
   }
   void add_times(base::Json& report) const override {
-    const core::ClockRate clock = setup_.machine.clock;
-    const std::int64_t t_states = core::t_states_of(processor_.now());
+    const std::int64_t t_states = core::t_states_of(machine_->now());
     report["t_states"] = t_states;
-    if (setup_.hold.length != 0) report["held_t_states"] = processor_.held();
-    report["clock_hz"] = clock.hertz;
+    if (has_hold()) report["held_t_states"] = machine_->held();
+    report["clock_hz"] = clock().hertz;
     // null where no 64 bits hold it
     report["emulated_ns"] = now() == core::never ? base::Json() : base::Json(core::nanoseconds_of(now()));
-    report["emulated_seconds"] = static_cast<double>(t_states) / static_cast<double>(clock.hertz);
+    report["emulated_seconds"] = static_cast<double>(t_states) / static_cast<double>(clock().hertz);
   }
   void add_details(base::Json& report) const override {
     report["cpm"] = cpm_.has_value();
     if (cpm_) cpm_->add_details(report);
     if (setup_.keep_console) report["console"] = as_utf8(kept_console_);
     base::Json& devices = report["devices"] = base::Json::object();
-    devices_.each_device([&devices](auto row, const auto& device) {
-      base::Json& counts = devices[row.name];
-      row.count(device, [&counts](std::string_view name, std::uint64_t count) { counts[name] = count; });
+    each_reported([&devices](const i8080::AttachedDevice& each) {
+      base::Json& counts = devices[each.info->name];
+      for (const core::Count& count : each.device->counts()) counts[count.name] = count.value;
     });
     base::Json& unanswered = report["unanswered"] = base::Json::array();
-    each_unanswered([&unanswered](std::size_t port, const machines::UnansweredPort& counts) {
+    each_unanswered([&unanswered](std::size_t port, const i8080::UnansweredPort& counts) {
       unanswered.push_back(base::Json{
           {"port", fmt::format("{:02X}", port)}, {"reads", counts.reads}, {"writes", counts.writes}});
     });
@@ -326,14 +351,11 @@ class I8080Run final : public Machine {
 
   [[nodiscard]] std::vector<std::string> warnings() const override {
     std::vector<std::string> warnings;
-    devices_.each_device([&warnings](auto row, const auto& device) {
-      row.count(device, [&warnings, row](std::string_view name, std::uint64_t count) {
-        if (name == machines::not_kept && count != 0) {
-          warnings.push_back(
-              fmt::format("{}: the last {} bytes from the program were not kept", row.name, count));
-        }
-      });
-    });
+    for (const auto& [info, device] : machine_->devices()) {
+      const core::LinkHost* const host = device->link_host();
+      if (host != nullptr && host->left_out() != 0)
+        warnings.push_back(fmt::format("{}: the last {} bytes from the program were not kept", info->name, host->left_out()));
+    }
     for (std::string& warning : early_warnings_left()) warnings.push_back(std::move(warning));
     if (console_left_out_ != 0) {
       warnings.push_back(
@@ -351,35 +373,27 @@ class I8080Run final : public Machine {
   std::span<const core::Stroke> take_strokes() override { return plotter_.take_strokes(); }
   [[nodiscard]] const core::Raster* raster() const override {
     const core::Raster* shown = nullptr;
-    devices_.each_device([&shown](auto row, const auto& device) {
-      if constexpr (decltype(row)::kind == DeviceKind::raster_board) shown = &device.raster();
-    });
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      if (const core::Raster* const raster = each.device->raster(); raster != nullptr) shown = raster;
+    }
     return shown;
   }
 
   // --png of the raster board, --svg of the plotter, --parallel-out and its like of the links.
   [[nodiscard]] Bytes output(std::string_view option) const override {
-    Bytes bytes;
-    devices_.each_device([&](auto row, const auto& device) {
-      using Row = decltype(row);
-      if constexpr (Row::kind == DeviceKind::raster_board) {
-        if (option == "--png") bytes = png(device.raster());
-      } else if constexpr (Row::kind == DeviceKind::plotter) {
-        if (option == "--svg") bytes = svg(Row::micrometres_a_step);
-      } else if constexpr (Row::kind == DeviceKind::link) {
-        if (option != fmt::format("--{}-out", Row::name)) return;
-        row.received(device, [&bytes](const devices::KeptBytes& received) {
-          bytes.insert(bytes.end(), received.bytes().begin(), received.bytes().end());
-        });
-      }
-    });
-    return bytes;
+    for (const auto& [info, device] : machine_->devices()) {
+      if (option == "--png" && device->raster() != nullptr) return png(*device->raster());
+      if (option == "--svg" && info->kind == core::PortDeviceKind::plotter) return svg(device->micrometres_a_step());
+      core::LinkHost* const host = device->link_host();
+      if (host != nullptr && option == fmt::format("--{}-out", info->name)) return host->received();
+    }
+    return {};
   }
 
  protected:
   [[nodiscard]] std::vector<EarlyWarning> early_warnings() const override {
     std::vector<EarlyWarning> warnings;
-    each_unanswered([&warnings](std::size_t port, const machines::UnansweredPort& counts) {
+    each_unanswered([&warnings](std::size_t port, const i8080::UnansweredPort& counts) {
       const auto warn = [&](std::uint64_t count, std::string_view what) {
         if (count == 0) return;
         warnings.push_back({fmt::format("port {:02X}: no device at this port, {}", port, what),
@@ -394,25 +408,27 @@ class I8080Run final : public Machine {
  private:
   [[nodiscard]] core::TStates slice() const {
     if (setup_.observed) return time_to_first_question;
-    return std::clamp(processor_.now().time_since_epoch(), time_to_first_question, time_between_questions);
+    return std::clamp(machine_->now().time_since_epoch(), time_to_first_question, time_between_questions);
   }
-  machines::I8080StopReason run_observed(const machines::I8080Limits& limits) {
-    if (recorder_) return run_watched(limits, I8080Reporter(*recorder_));
-    if (probe_ && probe_->watches_instructions()) return run_watched(limits, I8080Reporter(*probe_));
-    if (probe_ && probe_->watches_boundaries()) return run_watched(limits, I8080Watcher(*probe_));
-    return processor_.run(limits);
-  }
-  template <class Observer>
-  machines::I8080StopReason run_watched(const machines::I8080Limits& limits, Observer observer) {
-    observer.begin(processor_.now());
-    return processor_.run(limits, observer);
+  i8080::StopReason run_observed(const i8080::Limits& limits) {
+    if (recorder_) return machine_->run(limits, *recorder_);
+    if (probe_ && probe_->watches_instructions()) {
+      I8080Listener listener(*probe_, machine_->now());
+      return machine_->run(limits, listener);
+    }
+    if (probe_ && probe_->watches_boundaries()) {
+      I8080Watcher watcher(*probe_, machine_->now());
+      return machine_->run(limits, watcher);
+    }
+    return machine_->run(limits);
   }
 
+  // Between two runs no call of CP/M waits.
   void visit_state(core::StateVisitor& visit) {
-    processor_.visit_state(visit);
-    ports_.visit_state(visit);
+    machine_->visit_state(visit);
+    if (cpm_front_ && visit.restores()) static_cast<void>(cpm_front_->take_call());
     visit.section("drawing", plotter_);
-    visit.section("console", [this](auto& fields) {
+    visit.section("console", [this](core::StateVisitor& fields) {
       fields.output("printed", kept_console_, console_before_);
       fields("left_out", console_left_out_);
       fields("list_dropped", list_dropped_);
@@ -425,11 +441,11 @@ class I8080Run final : public Machine {
   std::invoke_result_t<Work> watching_host(Work work) {
     if (!probe_ || probe_->written_places().empty()) return work();
     std::vector<i8080::Byte> before;
-    for (const std::uint32_t at : probe_->written_places()) before.push_back(processor_.memory()[at]);
+    for (const std::uint32_t at : probe_->written_places()) before.push_back(machine_->memory()[at]);
     const std::invoke_result_t<Work> done = work();
     for (std::size_t n = 0; n < before.size(); ++n) {
       const std::uint32_t at = probe_->written_places()[n];
-      const i8080::Byte now = processor_.memory()[at];
+      const i8080::Byte now = machine_->memory()[at];
       if (now != before[n]) probe_->add({Probe::Kind::write, ticks(), at, now});
     }
     return done;
@@ -438,37 +454,45 @@ class I8080Run final : public Machine {
   // CP/M has been at work: whether what it has changed is waited for.
   bool condition_changed() {
     if (!probe_ || !probe_->has_conditions() || !probe_->condition_changed()) return false;
-    probe_->add({Probe::Kind::condition, ticks(), processor_.registers().pc, 0});
+    probe_->add({Probe::Kind::condition, ticks(), machine_->registers().pc, 0});
     return true;
   }
 
   // Nothing: the run goes on.
-  std::optional<Stop> answer(const PortCall& call) {
+  std::optional<Stop> answer(const CpmFront::Call& call) {
     switch (watching_host([this, &call] { return cpm_->out(call.port, processor()); })) {
       case Cpm::Called::answered: return std::nullopt;
       case Cpm::Called::stopped: return cpm_->stop();
       case Cpm::Called::no: break;
     }
-    ports_.pass_on(call);
-    return ports_.unanswered() ? unanswered() : std::nullopt;
-  }
-  template <class Visit>
-  void each_terminal(Visit visit) {
-    devices_.each_device([&visit](auto row, auto& device) {
-      if constexpr (decltype(row)::kind == DeviceKind::terminal) visit(device);
-    });
+    const std::uint64_t before = machine_->unanswered()[call.port].writes;
+    cpm_front_->hand_on(call);
+    if (machine_->options().strict && machine_->unanswered()[call.port].writes != before) return unanswered();
+    return std::nullopt;
   }
   template <class Visit>
   void each_terminal(Visit visit) const {
-    devices_.each_device([&visit](auto row, const auto& device) {
-      if constexpr (decltype(row)::kind == DeviceKind::terminal) visit(device);
-    });
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      if (core::Terminal* const terminal = each.device->terminal(); terminal != nullptr) visit(*terminal);
+    }
   }
-  [[nodiscard]] Cpm::Processor processor() { return {processor_.registers(), processor_.memory(), ticks()}; }
+  // The devices that were chosen by name.
+  template <class Visit>
+  void each_reported(Visit visit) const {
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      if (each.info->kind != core::PortDeviceKind::special) visit(each);
+    }
+  }
+  [[nodiscard]] bool has_hold() const {
+    const auto devices = machine_->devices();
+    return std::any_of(devices.begin(), devices.end(), [](const auto& each) { return each.device->drives_hold(); });
+  }
+  [[nodiscard]] core::ClockRate clock() const { return machine_->options().clock; }
+  [[nodiscard]] Cpm::Processor processor() { return {machine_->registers(), machine_->memory(), ticks()}; }
   // The IN or OUT is before PC.
   std::optional<Stop> unanswered() const {
     return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
-                                      static_cast<i8080::Address>(processor_.registers().pc - 2))};
+                                      static_cast<i8080::Address>(machine_->registers().pc - 2))};
   }
 
   void print(std::string_view text) {
@@ -491,7 +515,7 @@ class I8080Run final : public Machine {
   template <class Visit>
   void each_unanswered(Visit visit) const {
     for (std::size_t port = 0; port < 256; ++port) {
-      const machines::UnansweredPort& counts = devices_.unanswered()[port];
+      const i8080::UnansweredPort& counts = machine_->unanswered()[port];
       if (counts.reads + counts.writes != 0) visit(port, counts);
     }
   }
@@ -501,7 +525,7 @@ class I8080Run final : public Machine {
     return *picture::encode_png(
         picture::raster_image(raster, palette, 1),
         {{"Software", "sightline " SIGHTLINE_VERSION},
-         {"End of run", fmt::format("T-state {}", core::t_states_of(processor_.now()))}});
+         {"End of run", fmt::format("T-state {}", core::t_states_of(machine_->now()))}});
   }
   // The paper is as large as the drawing needs, from step (0, 0) on.
   [[nodiscard]] Bytes svg(std::int64_t micrometres_a_step) const {
@@ -512,18 +536,16 @@ class I8080Run final : public Machine {
     }
     const std::string drawing =
         picture::pen_svg(plotter_.paths(), paper,
-                         fmt::format("8080: plotter at T-state {}", core::t_states_of(processor_.now())));
+                         fmt::format("8080: plotter at T-state {}", core::t_states_of(machine_->now())));
     return {drawing.begin(), drawing.end()};
   }
 
   I8080Setup setup_;
   PlotterTaker plotter_;
-  RunDevices devices_;
-  RunLines lines_;
-  RunPorts ports_;
+  std::unique_ptr<i8080::Machine> machine_;
+  std::optional<CpmFront> cpm_front_;  // with CP/M
   std::optional<I8080Recorder> recorder_;
   std::optional<Probe> probe_;
-  I8080Processor processor_;
   std::bitset<0x10000> loaded_;
   TextTaker console_;
   std::string kept_console_;

@@ -1,5 +1,4 @@
-// An 8080 configured for one run, with the devices that the run needs on its ports. Without a trace and
-// a bus log no observer is compiled in.
+// An 8080 configured for one run, with the devices that the run needs on its ports.
 //
 // For CP/M programs two entries of the operating system are in memory as the programs that check and time
 // 8080s have them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005,
@@ -16,13 +15,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "emulators/machines/i8080_hold.hpp"
-#include "emulators/machines/skala_ports.hpp"
+#include "emulators/machines/i8080.hpp"
 #include "host/guests/run/cpm.hpp"
 #include "host/guests/run/machine.hpp"
 #include "host/guests/run/vcd.hpp"
@@ -30,12 +27,10 @@
 namespace sightline::guests::run {
 
 struct I8080Setup {
-  machines::SkalaConfiguration machine;    // the links' bytes are views of `sent`
-  std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links
+  std::unique_ptr<i8080::Machine> machine = std::make_unique<i8080::Machine>();
+  std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links, which have views of them
   std::map<std::string_view, std::string> sent_from;  // the names of these files
-  machines::HoldTimes hold;                // a board that takes the bus
   std::optional<CpmSetup> cpm;             // CP/M around the program
-  bool strict = false;                     // an access to a port without a device ends the run
   std::vector<std::string> configuration;  // see Machine
   bool observed = false;                   // take("--trace"), take("--bus") or take("--vcd") is to come
   std::optional<VcdWriter> vcd;            // of i8080_signals()

@@ -1,11 +1,23 @@
 // The 8080 as a MachineDescription: its options and what their texts mean, its program files, its assembler
-// and disassembler. What the options of devices are follows from the rows of machines::SkalaRows.
+// and disassembler. What the options of devices are follows from i8080::known_devices.
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
+#include "emulators/core/port_device.hpp"
+#include "emulators/devices/bus_master.hpp"
 #include "emulators/devices/calcomp565.hpp"
+#include "emulators/machines/i8080_devices.hpp"
 #include "host/base/number.hpp"
+#include "host/guests/run/device_option.hpp"
 #include "host/guests/run/i8080.hpp"
 #include "host/guests/run/i8080_vcd.hpp"
 #include "tools/asm/i8080.hpp"
@@ -17,84 +29,166 @@ namespace sightline::guests::run {
 
 namespace {
 
-using machines::DeviceKind;
-using machines::SkalaConfiguration;
-using machines::SkalaRows;
+using core::PortDeviceInfo;
+using core::PortDeviceKind;
 
 constexpr std::uint64_t slowest_clock = 1'000;
 constexpr std::uint64_t fastest_clock = 1'000'000'000;  // core::ClockRate's bound
 
 // --- Devices ---
 
+// All that a machine is put together from.
+struct Wanted {
+  i8080::Options options;
+  std::vector<DeviceChoice> devices;  // in the order of the list
+  std::map<std::string_view, std::uint8_t> interrupts;  // restarts, by line
+};
+
+// Null: it is not wanted.
+template <class Machine>
+auto find(Machine& wanted, const PortDeviceInfo& info) {
+  const auto found =
+      std::find_if(wanted.devices.begin(), wanted.devices.end(), [&info](const DeviceChoice& each) { return each.name == info.name; });
+  return found == wanted.devices.end() ? nullptr : &*found;
+}
+
+// visit(info) for each device of a kind.
+template <class Visit>
+void each_of(PortDeviceKind kind, Visit visit) {
+  for (const i8080::KnownDevice& known : i8080::known_devices)
+    if (known.info->kind == kind) visit(*known.info);
+}
+
 // The values of the option that attaches a device of this kind.
-template <DeviceKind kind>
-std::vector<std::string_view> choices() {
+std::vector<std::string_view> choices(PortDeviceKind kind) {
   std::vector<std::string_view> choices;
-  SkalaRows::each([&choices](auto row) {
-    if constexpr (decltype(row)::kind == kind) choices.push_back(row.choice);
-  });
+  each_of(kind, [&choices](const PortDeviceInfo& info) { choices.push_back(info.choice); });
   return choices;
 }
 
-// visit(row, line) for every interrupt line of a device.
+// visit(info, line) for every interrupt line of a device.
 template <class Visit>
 void each_line(Visit visit) {
-  SkalaRows::each([&visit](auto row) {
-    for (const auto& line : decltype(row)::lines) visit(row, line);
-  });
+  for (const i8080::KnownDevice& known : i8080::known_devices)
+    for (const std::string_view line : known.info->lines) visit(*known.info, line);
 }
 
 // "ef9365, calcomp, parallel"
 std::string line_names(std::string_view separator, std::string_view last_separator) {
   std::size_t left = 0;
-  each_line([&left](auto, const auto&) { ++left; });
+  each_line([&left](const PortDeviceInfo&, std::string_view) { ++left; });
   std::string names;
-  each_line([&](auto, const auto& line) {
+  each_line([&](const PortDeviceInfo&, std::string_view line) {
     --left;
-    names += fmt::format("{}{}", names.empty() ? "" : left == 0 ? last_separator : separator, line.name);
+    names += fmt::format("{}{}", names.empty() ? "" : left == 0 ? last_separator : separator, line);
   });
   return names;
 }
 
 // The option that attaches one device of a kind.
-const char* option_of(DeviceKind kind) {
+const char* option_of(PortDeviceKind kind) {
   switch (kind) {
-    case DeviceKind::raster_board: return "--board";
-    case DeviceKind::plotter: return "--plotter";
-    case DeviceKind::terminal: return "--terminal";
+    case PortDeviceKind::raster_board: return "--board";
+    case PortDeviceKind::plotter: return "--plotter";
+    case PortDeviceKind::terminal: return "--terminal";
     default: return "--device";
   }
 }
 
-bool is_attached(const SkalaConfiguration& machine, auto row) {
-  if constexpr (decltype(row)::kind == DeviceKind::link) {
-    return (machine.*decltype(row)::bytes).has_value();
-  } else {
-    return machine.*decltype(row)::attached;
-  }
+// Those that --device attaches.
+std::vector<ListedDevice> listed_devices() {
+  std::vector<ListedDevice> devices;
+  each_of(PortDeviceKind::other, [&devices](const PortDeviceInfo& info) { devices.push_back({info.name, info.help, info.options}); });
+  return devices;
 }
 
-void attach(const Arguments& arguments, const FileReader& read, I8080Setup& setup) {
-  SkalaRows::each([&](auto row) {
-    using Row = decltype(row);
-    if constexpr (Row::kind == DeviceKind::link) {
-      const std::string option = fmt::format("--{}", Row::name);
-      if (!arguments.given(option)) return;
-      Input file = read(arguments.text(option));
-      setup.machine.*Row::bytes = setup.sent[Row::name] = std::move(file.bytes);
-      setup.sent_from[Row::name] = std::move(file.name);
-    } else if constexpr (Row::kind == DeviceKind::other) {
-      const auto& wanted = arguments.list("--device");
-      setup.machine.*Row::attached = std::find(wanted.begin(), wanted.end(), Row::choice) != wanted.end();
-    } else {
-      const char* const option = option_of(Row::kind);
-      setup.machine.*Row::attached = arguments.text(option) == Row::choice;
-    }
-  });
+// What the options that attach a device say of this one; nothing: it is not wanted.
+std::optional<DeviceChoice> choice_of(const PortDeviceInfo& info, const Arguments& arguments, std::span<const DeviceChoice> listed) {
+  switch (info.kind) {
+    case PortDeviceKind::raster_board:
+    case PortDeviceKind::plotter:
+    case PortDeviceKind::terminal:
+      if (arguments.text(option_of(info.kind)) == info.choice) return DeviceChoice{info.name, {}};
+      break;
+    case PortDeviceKind::link:
+      if (arguments.given(fmt::format("--{}", info.name))) return DeviceChoice{info.name, {}};
+      break;
+    case PortDeviceKind::other:
+      for (const DeviceChoice& choice : listed)
+        if (choice.name == info.name) return choice;
+      break;
+    case PortDeviceKind::special: break;
+  }
+  return std::nullopt;
+}
+
+// --- What options of their own say of devices: settings ---
+
+using Settings = std::vector<core::Setting>;
+
+// "FIRST+LENGTH" or "FIRST+LENGTH/PERIOD", in T-states: the settings of a bus master.
+Result<Settings> hold_times(const std::string& text) {
+  const std::size_t plus = std::min(text.find('+'), text.size());
+  const std::size_t slash = std::min(text.find('/', plus), text.size());
+  const std::string_view whole = text;
+  const auto number = [](std::string_view digits) { return base::whole_number<std::uint32_t>(digits); };
+  const auto first = number(whole.substr(0, plus));
+  const auto length = number(whole.substr(std::min(plus + 1, slash), slash - std::min(plus + 1, slash)));
+  const auto period = number(whole.substr(std::min(slash + 1, text.size())));
+  const bool once = slash == text.size();
+  if (first && length && *length > 0 && (once || (period && *period > *length)))
+    return Settings{{"first", *first}, {"length", *length}, {"period", once ? 0 : *period}};
+  return usage(fmt::format("--hold: found \"{}\", expected FIRST+LENGTH or FIRST+LENGTH/PERIOD in T-states, decimal, LENGTH of 1 "
+                           "and more, PERIOD longer than LENGTH",
+                           text));
+}
+
+// "X,Y", decimal steps, Y on the carriage of the CalComp: the settings of one.
+Result<Settings> plotter_place(const std::string& text) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view whole = text;
+  const auto x = base::whole_number<std::uint16_t>(whole.substr(0, comma));
+  const auto y = base::whole_number<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())));
+  constexpr std::int32_t highest = devices::calcomp565::carriage_steps;
+  if (x && y && *y <= highest) return Settings{{"start-x", *x}, {"start-y", *y}};
+  return usage(
+      fmt::format("--plotter-start: found \"{}\", expected X,Y, decimal, X 0 to 65535, Y 0 to {}", text, highest));
+}
+
+Result<Settings> terminal_baud(const std::string& text) {
+  constexpr std::uint64_t slowest = 50, fastest = 1'000'000;
+  const auto baud = count_argument("--baud", text);
+  if (!baud) return baud.error();
+  if (*baud < slowest || *baud > fastest) return usage(fmt::format("--baud: found {}, expected {} to {}", text, slowest, fastest));
+  return Settings{{"baud", static_cast<std::int64_t>(*baud)}};
+}
+
+// --- A machine from its options ---
+
+Result<Done> want_devices(const Arguments& arguments, Wanted& wanted) {
+  Settings place;
+  Settings hold;
+  if (arguments.given("--plotter-start")) {
+    auto settings = plotter_place(arguments.text("--plotter-start"));
+    if (!settings) return settings.error();
+    place = std::move(*settings);
+  }
+  if (arguments.given("--hold")) {
+    auto settings = hold_times(arguments.text("--hold"));
+    if (!settings) return settings.error();
+    hold = std::move(*settings);
+  }
+  const auto listed = read_devices(arguments.list("--device"), listed_devices());
+  if (!listed) return listed.error();
+  for (const i8080::KnownDevice& known : i8080::known_devices)
+    if (auto choice = choice_of(*known.info, arguments, *listed)) wanted.devices.push_back(std::move(*choice));
+  if (DeviceChoice* const calcomp = find(wanted, devices::CalComp565::info); calcomp != nullptr) calcomp->settings = std::move(place);
+  if (!hold.empty()) wanted.devices.push_back({devices::BusMaster::info.name, std::move(hold)});
+  return Done{};
 }
 
 // "DEVICE=N": the request of that line is wired to RST N.
-Result<Done> wire_interrupt(SkalaConfiguration& machine, const std::string& text) {
+Result<Done> want_interrupt(Wanted& wanted, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string_view name = std::string_view(text).substr(0, equals);
   const auto restart =
@@ -102,11 +196,11 @@ Result<Done> wire_interrupt(SkalaConfiguration& machine, const std::string& text
   bool known = false;
   bool there = false;
   if (restart && *restart <= 7) {
-    each_line([&](auto row, const auto& line) {
-      if (line.name != name) return;
+    each_line([&](const PortDeviceInfo& info, std::string_view line) {
+      if (line != name) return;
       known = true;
-      there = is_attached(machine, row);
-      machine.*line.restart = restart;
+      there = find(wanted, info) != nullptr;
+      wanted.interrupts[line] = *restart;
     });
   }
   if (!known) {
@@ -117,81 +211,38 @@ Result<Done> wire_interrupt(SkalaConfiguration& machine, const std::string& text
   return Done{};
 }
 
-// "FIRST+LENGTH" or "FIRST+LENGTH/PERIOD", in T-states.
-Result<machines::HoldTimes> hold_times(const std::string& text) {
-  const std::size_t plus = std::min(text.find('+'), text.size());
-  const std::size_t slash = std::min(text.find('/', plus), text.size());
-  const std::string_view whole = text;
-  const auto number = [](std::string_view digits) { return base::whole_number<std::uint32_t>(digits); };
-  const auto first = number(whole.substr(0, plus));
-  const auto length = number(whole.substr(std::min(plus + 1, slash), slash - std::min(plus + 1, slash)));
-  const auto period = number(whole.substr(std::min(slash + 1, text.size())));
-  const bool once = slash == text.size();
-  if (first && length && *length > 0 && (once || (period && *period > *length)))
-    return machines::HoldTimes{*first, *length, once ? 0 : std::int64_t{*period}};
-  return usage(fmt::format("--hold: found \"{}\", expected FIRST+LENGTH or FIRST+LENGTH/PERIOD in T-states, decimal, LENGTH of 1 "
-                           "and more, PERIOD longer than LENGTH",
-                           text));
-}
-
-// "X,Y", decimal steps, Y on the carriage of the CalComp.
-Result<devices::PlotterPlace> plotter_place(std::string_view option, const std::string& text) {
-  const std::size_t comma = std::min(text.find(','), text.size());
-  const std::string_view whole = text;
-  const auto x = base::whole_number<std::uint16_t>(whole.substr(0, comma));
-  const auto y = base::whole_number<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())));
-  constexpr std::int32_t highest = devices::calcomp565::carriage_steps;
-  if (x && y && *y <= highest) return devices::PlotterPlace{*x, *y};
-  return usage(
-      fmt::format("{}: found \"{}\", expected X,Y, decimal, X 0 to 65535, Y 0 to {}", option, text, highest));
-}
-
-// --- A machine from its options ---
-
 // All that decides how the machine works and is no state; --strict only says where a run ends.
-std::vector<std::string> configuration_of(const I8080Setup& setup) {
-  std::vector<std::string> words{fmt::format("--clock {}", setup.machine.clock.hertz)};
-  if (setup.hold.length != 0) {
-    words.push_back(fmt::format("--hold {}+{}", setup.hold.first, setup.hold.length));
-    if (setup.hold.period != 0) words.back() += fmt::format("/{}", setup.hold.period);
+std::vector<std::string> configuration_of(const Wanted& wanted, const std::optional<CpmSetup>& cpm) {
+  std::vector<std::string> words{fmt::format("--clock {}", wanted.options.clock.hertz)};
+  if (const DeviceChoice* const hold = find(wanted, devices::BusMaster::info); hold != nullptr) {
+    words.push_back(fmt::format("--hold {}+{}", hold->settings[0].value, hold->settings[1].value));
+    if (hold->settings[2].value != 0) words.back() += fmt::format("/{}", hold->settings[2].value);
   }
-  if (setup.cpm) {
+  if (cpm) {
     words.emplace_back("--cpm");
-    if (setup.cpm->console || !setup.cpm->drives.empty()) words.emplace_back("--cpm with console or drives");
-    for (const CpmDrive& drive : setup.cpm->drives)
+    if (cpm->console || !cpm->drives.empty()) words.emplace_back("--cpm with console or drives");
+    for (const CpmDrive& drive : cpm->drives)
       words.push_back(fmt::format("--cpm-drive {}{}", static_cast<char>('A' + drive.number), drive.read_only ? ",ro" : ""));
   }
-  SkalaRows::each([&](auto row) {
-    using Row = decltype(row);
-    if (!is_attached(setup.machine, row)) return;
-    if constexpr (Row::kind == DeviceKind::link) {
-      words.push_back(fmt::format("--{}", Row::name));
-    } else if constexpr (Row::kind == DeviceKind::other) {
-      words.push_back(fmt::format("--device {}", Row::choice));
-    } else {
-      words.push_back(fmt::format("{} {}", option_of(Row::kind), Row::choice));
-      if constexpr (Row::kind == DeviceKind::terminal) words.push_back(fmt::format("--baud {}", setup.machine.*Row::baud));
+  for (const i8080::KnownDevice& known : i8080::known_devices) {
+    const PortDeviceInfo& info = *known.info;
+    const DeviceChoice* const choice = find(wanted, info);
+    if (choice == nullptr) continue;
+    switch (info.kind) {
+      case PortDeviceKind::special: break;
+      case PortDeviceKind::link: words.push_back(fmt::format("--{}", info.name)); break;
+      case PortDeviceKind::other: words.push_back(fmt::format("--device {}", device_text(*choice))); break;
+      default: words.push_back(fmt::format("{} {}", option_of(info.kind), info.choice));
     }
-  });
-  each_line([&](auto, const auto& line) {
-    const machines::Restart restart = setup.machine.*line.restart;
-    if (restart) words.push_back(fmt::format("--interrupt {}={}", line.name, *restart));
+    if (info.kind != PortDeviceKind::terminal) continue;
+    for (const core::DeviceOption& option : info.options)
+      if (option.name == "baud") words.push_back(fmt::format("--baud {}", choice->settings.empty() ? option.initial : choice->settings[0].value));
+  }
+  each_line([&](const PortDeviceInfo&, std::string_view line) {
+    const auto restart = wanted.interrupts.find(line);
+    if (restart != wanted.interrupts.end()) words.push_back(fmt::format("--interrupt {}={}", line, restart->second));
   });
   return words;
-}
-
-Result<Done> set_baud(const Arguments& arguments, SkalaConfiguration& machine) {
-  constexpr std::uint64_t slowest = 50, fastest = 1'000'000;
-  if (!arguments.given("--baud")) return Done{};
-  const std::string& text = arguments.text("--baud");
-  const auto baud = count_argument("--baud", text);
-  if (!baud) return baud.error();
-  if (*baud < slowest || *baud > fastest) return usage(fmt::format("--baud: found {}, expected {} to {}", text, slowest, fastest));
-  SkalaRows::each([&](auto row) {
-    using Row = decltype(row);
-    if constexpr (Row::kind == DeviceKind::terminal) machine.*Row::baud = static_cast<std::uint32_t>(*baud);
-  });
-  return Done{};
 }
 
 Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
@@ -215,34 +266,56 @@ Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
   return Done{};
 }
 
+Result<Done> set_baud(const Arguments& arguments, Wanted& wanted) {
+  if (!arguments.given("--baud")) return Done{};
+  const auto settings = terminal_baud(arguments.text("--baud"));
+  if (!settings) return settings.error();
+  each_of(PortDeviceKind::terminal, [&](const PortDeviceInfo& info) {
+    if (DeviceChoice* const terminal = find(wanted, info); terminal != nullptr) terminal->settings = *settings;
+  });
+  return Done{};
+}
+
+// What the host sends over a link is in its file.
+void read_links(const Arguments& arguments, const FileReader& read, I8080Setup& setup) {
+  each_of(PortDeviceKind::link, [&](const PortDeviceInfo& info) {
+    const std::string option = fmt::format("--{}", info.name);
+    if (!arguments.given(option)) return;
+    Input file = read(arguments.text(option));
+    setup.sent[info.name] = std::move(file.bytes);
+    setup.sent_from[info.name] = std::move(file.name);
+  });
+}
+
+Result<Done> put_together(const Wanted& wanted, I8080Setup& setup) {
+  setup.machine = std::make_unique<i8080::Machine>(wanted.options);
+  for (const DeviceChoice& choice : wanted.devices)
+    if (const std::string error = setup.machine->attach(choice.name, choice.settings); !error.empty()) return usage(error);
+  for (const auto& [line, restart] : wanted.interrupts)
+    if (const std::string error = setup.machine->wire(line, restart); !error.empty()) return usage(error);
+  for (const auto& [link, bytes] : setup.sent) setup.machine->device(link)->link_host()->send(bytes);
+  return Done{};
+}
+
 Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
   I8080Setup setup;
+  Wanted wanted;
   const std::string& clock = arguments.text("--clock");
   const auto hertz = count_argument("--clock", clock);
   if (!hertz) return hertz.error();
   if (*hertz < slowest_clock || *hertz > fastest_clock)
     return usage(fmt::format("--clock: found {}, expected {} to {} Hz", clock, slowest_clock, fastest_clock));
-  setup.machine.clock.hertz = static_cast<std::int64_t>(*hertz);
-  if (arguments.given("--plotter-start")) {
-    const auto place = plotter_place("--plotter-start", arguments.text("--plotter-start"));
-    if (!place) return place.error();
-    setup.machine.calcomp565_start = *place;
-  }
-  if (arguments.given("--hold")) {
-    const auto hold = hold_times(arguments.text("--hold"));
-    if (!hold) return hold.error();
-    setup.hold = *hold;
-  }
-  attach(arguments, read, setup);
+  wanted.options = {{static_cast<std::int64_t>(*hertz)}, arguments.given("--strict")};
+  if (auto done = want_devices(arguments, wanted); !done) return done.error();
+  read_links(arguments, read, setup);
   for (const std::string& text : arguments.list("--interrupt")) {
-    if (const auto done = wire_interrupt(setup.machine, text); !done) return done.error();
+    if (const auto done = want_interrupt(wanted, text); !done) return done.error();
   }
   if (auto done = set_up_cpm(arguments, setup); !done) return done.error();
-  if (auto done = set_baud(arguments, setup.machine); !done) return done.error();
+  if (auto done = set_baud(arguments, wanted); !done) return done.error();
   setup.console = arguments.given("--console");
   if (arguments.given("--console-out") && !setup.cpm && !arguments.given("--terminal"))
     return usage("--console-out: needs --cpm or --terminal");
-  setup.strict = arguments.given("--strict");
   setup.observed = arguments.given("--trace") || arguments.given("--bus") || arguments.given("--vcd");
   if (arguments.given("--vcd")) {
     auto writer = VcdWriter::make("i8080", i8080_signals(), vcd_target(arguments.text("--vcd")).signals);
@@ -253,7 +326,8 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   setup.monitored = arguments.given("--monitor");
   setup.drawing = arguments.given("--svg");
   setup.grey = arguments.given("--grey");
-  setup.configuration = configuration_of(setup);
+  setup.configuration = configuration_of(wanted, setup.cpm);
+  if (auto done = put_together(wanted, setup); !done) return done.error();
   return make_i8080(std::move(setup));
 }
 
@@ -369,9 +443,9 @@ std::vector<Option> run_options() {
       {text, "--max-instructions", "N", "Stop after this many instructions"},
       {text, "--max-states", "N", "Stop at the first instruction at or after this T-state"},
       {flag, "--strict", {}, "Stop at a port without a device (exit code 3)"},
-      {text, "--board", "BOARD", "Attach a raster board", choices<DeviceKind::raster_board>()},
-      {text, "--plotter", "PLOTTER", "Attach a plotter", choices<DeviceKind::plotter>()},
-      {text, "--terminal", "BOARD", "Attach a serial board of the Altair with a terminal, which --console is", choices<DeviceKind::terminal>()},
+      {text, "--board", "BOARD", "Attach a raster board", choices(PortDeviceKind::raster_board)},
+      {text, "--plotter", "PLOTTER", "Attach a plotter", choices(PortDeviceKind::plotter)},
+      {text, "--terminal", "BOARD", "Attach a serial board of the Altair with a terminal, which --console is", choices(PortDeviceKind::terminal)},
       {.name = "--baud",
        .argument = "N",
        .help = "Bits a second of the terminal's line",
@@ -382,8 +456,7 @@ std::vector<Option> run_options() {
        .help = "Where the CalComp's pen stands first, in steps",
        .shown_initial = "0,0",
        .needs = "--plotter calcomp"}};
-  if (auto others = choices<DeviceKind::other>(); !others.empty())
-    options.push_back({list, "--device", "DEVICE", "Attach this device", std::move(others)});
+  if (auto listed = device_option(listed_devices())) options.push_back(std::move(*listed));
   const std::vector<Option> rest{
       {list, "--interrupt", "DEVICE=N", fmt::format("Wire {} to RST N", line_names(", ", " or "))},
       {text, "--hold", "FIRST+LENGTH[/PERIOD]",
@@ -422,18 +495,10 @@ std::vector<Option> run_options() {
        .help = "What the plotter drew, in millimetres",
        .needs = "--plotter"}};
   std::vector<Option> received;
-  SkalaRows::each([&](auto row) {
-    using Row = decltype(row);
-    if constexpr (Row::kind == DeviceKind::link) {
-      const std::string option = fmt::format("--{}", Row::name);
-      options.push_back({text, option, "FILE",
-                         fmt::format("Attach the {}; the host computer sends these bytes", Row::chip)});
-      received.push_back({.kind = output,
-                          .name = option + "-out",
-                          .argument = "FILE",
-                          .help = std::string(Row::received_by_host),
-                          .needs = option});
-    }
+  each_of(PortDeviceKind::link, [&](const PortDeviceInfo& info) {
+    const std::string option = fmt::format("--{}", info.name);
+    options.push_back({text, option, "FILE", fmt::format("Attach the {}; the host computer sends these bytes", info.choice)});
+    received.push_back({.kind = output, .name = option + "-out", .argument = "FILE", .help = std::string(info.received), .needs = option});
   });
   const auto console = console_options("The console of CP/M, or the terminal,");
   options.insert(options.end(), console.begin(), console.end());
@@ -447,7 +512,7 @@ MachineDescription described() {
   MachineDescription i8080;
   i8080.name = "i8080";
   i8080.help = "Run a program on the 8080";
-  i8080.more_help = vcd_help(i8080_signals());
+  i8080.more_help = vcd_help(i8080_signals()) + device_help(listed_devices());
   i8080.radix = 16;
   i8080.address_bits = 16;
   i8080.word_bits = 8;

@@ -10,11 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/core/inline.hpp"
 #include "emulators/core/tstates.hpp"
 #include "emulators/i8080/bus.hpp"
 #include "emulators/i8080/state.hpp"
-#include "emulators/machines/i8080_observer.hpp"
+#include "emulators/machines/i8080.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/i8080_vcd.hpp"
 #include "host/guests/run/machine.hpp"
@@ -23,9 +22,11 @@
 
 namespace sightline::guests::run {
 
-// Writes what has a taker, in blocks.
-class I8080Recorder {
+// Writes the trace, the bus log and the VCD that have a taker, in blocks.
+class I8080Recorder final : public i8080::Observer {
  public:
+  I8080Recorder() { instructions = true; }
+
   void take(std::string_view option, TextTaker taker) {
     if (option == "--vcd" && vcd) {
       vcd->take(std::move(taker));
@@ -42,16 +43,16 @@ class I8080Recorder {
   // T of the fetch in decimal, address and bytes, the instruction, registers after it. INT is before an
   // instruction that a device supplied, * before an opcode that Intel left undefined and that does the same
   // as another.
-  void instruction(const machines::I8080InstructionRecord& record) {
+  void instruction(const i8080::InstructionRecord& record) override {
     if (trace_.wanted()) write(record);
     if (vcd) vcd->instruction(record);
   }
   // T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle.
-  void cycle(const machines::I8080Cycle& cycle) {
+  void cycle(const i8080::BusCycle& cycle) override {
     if (bus_.wanted()) write(cycle);
     if (vcd) vcd->cycle(cycle);
   }
-  void hold(const machines::I8080HoldPins& pins) {
+  void hold(const i8080::HoldPins& pins) override {
     if (vcd) vcd->hold(pins);
   }
 
@@ -65,7 +66,7 @@ class I8080Recorder {
   };
 
   // A loop meets the same bytes at the same places.
-  const Remembered& disassembled(const machines::I8080InstructionRecord& record) {
+  const Remembered& disassembled(const i8080::InstructionRecord& record) {
     Remembered& known = remembered_[record.pc];
     if (known.length == 0 || known.bytes != record.bytes) {
       const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction(record.bytes);
@@ -74,8 +75,7 @@ class I8080Recorder {
     return known;
   }
 
-  // Out of line: every access of every instruction calls them.
-  [[gnu::noinline]] void write(const machines::I8080InstructionRecord& record) {
+  void write(const i8080::InstructionRecord& record) {
     const Remembered& known = disassembled(record);
     const i8080::State& s = record.after;
     trace_.write([&](std::string& text) {
@@ -94,7 +94,7 @@ class I8080Recorder {
                    i8080::high(s.hl), i8080::low(s.hl), s.sp, s.pc, s.interrupts_on ? 1 : 0);
     });
   }
-  [[gnu::noinline]] void write(const machines::I8080Cycle& cycle) {
+  void write(const i8080::BusCycle& cycle) {
     bus_.write([&](std::string& text) {
       base::append(text, "{} {:02X} {:04X} ", core::t_states_of(cycle.time), cycle.status, cycle.address);
       if (cycle.status == i8080::status::halt_cycle) {
@@ -110,21 +110,24 @@ class I8080Recorder {
   std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
 };
 
-// The observer of a monitor that has marked places or waits for conditions.
-class I8080Watcher {
+static_assert(Probe::executed == i8080::mark::stop && Probe::is_read == i8080::mark::read && Probe::is_written == i8080::mark::written);
+
+// The observer of a monitor that has marked places or waits for conditions. One for each call of Machine::run().
+class I8080Watcher : public i8080::Observer {
  public:
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
+  I8080Watcher(Probe& probe, core::TStateInstant now) : watch_(probe) {
+    marks = probe.marks();
+    port_marks = probe.port_marks();
+    every_boundary = probe.has_conditions();
+    watch_.begin(core::t_states_of(now));
+  }
 
-  explicit I8080Watcher(Probe& probe) : watch_(probe) {}
-
-  void begin(core::TStateInstant now) { watch_.begin(core::t_states_of(now)); }
-  [[nodiscard]] bool reads_machine() const { return watch_.reads_machine(); }
-  [[nodiscard]] bool stop(core::TStateInstant now, i8080::Address next) { return watch_.stop(core::t_states_of(now), next); }
-  SIGHTLINE_INLINE void cycle(const machines::I8080Cycle& cycle) {
+  [[nodiscard]] bool stop(core::TStateInstant now, i8080::Address next) override {
+    return watch_.stop(core::t_states_of(now), next);
+  }
+  // The bytes of the instruction itself are not asked for.
+  void cycle(const i8080::BusCycle& cycle) override {
     namespace status = i8080::status;
-    // The bytes of the instruction itself are not asked for.
     if (cycle.operand) return;
     if ((cycle.status & status::first) != 0) {
       if ((cycle.status & status::acknowledge) != 0 && watch_.at_interrupts()) add(Probe::Kind::interrupt, cycle, cycle.address);
@@ -143,22 +146,22 @@ class I8080Watcher {
 
  private:
   // Of an interrupt the byte is none of memory's, and not told.
-  [[gnu::noinline]] void add(Probe::Kind kind, const machines::I8080Cycle& cycle, std::uint32_t address) {
+  void add(Probe::Kind kind, const i8080::BusCycle& cycle, std::uint32_t address) {
     watch_.add(kind, core::t_states_of(cycle.time), address, kind == Probe::Kind::interrupt ? 0 : cycle.data);
   }
 
   Watch watch_;
 };
 
-// The same, and tells each instruction.
-class I8080Listener {
+// The same, and tells each instruction and each cycle.
+class I8080Listener final : public I8080Watcher {
  public:
-  explicit I8080Listener(Probe& probe) : probe_(probe), watcher_(probe) {}
+  I8080Listener(Probe& probe, core::TStateInstant now) : I8080Watcher(probe, now), probe_(probe) {
+    marks = port_marks = nullptr;
+    instructions = true;
+  }
 
-  void begin(core::TStateInstant now) { watcher_.begin(now); }
-  [[nodiscard]] bool reads_machine() const { return watcher_.reads_machine(); }
-  bool stop(core::TStateInstant now, i8080::Address next) { return watcher_.stop(now, next); }
-  void instruction(const machines::I8080InstructionRecord& record) {
+  void instruction(const i8080::InstructionRecord& record) override {
     entry_.time = core::t_states_of(record.time);
     entry_.pc = record.pc;
     entry_.word = record.bytes[0] | static_cast<std::uint32_t>(record.bytes[1]) << 8 |
@@ -169,9 +172,9 @@ class I8080Listener {
     if (probe_.on_instruction) probe_.on_instruction(entry_);
     entry_.has_address = false;
   }
-  void cycle(const machines::I8080Cycle& cycle) {
+  void cycle(const i8080::BusCycle& cycle) override {
     namespace status = i8080::status;
-    watcher_.cycle(cycle);
+    I8080Watcher::cycle(cycle);
     if (probe_.on_cycle) {
       const std::int64_t least = (cycle.status & status::first) != 0 ? 4 : 3;
       probe_.on_cycle({core::t_states_of(cycle.time), least, name_of(cycle.status), true, cycle.address, cycle.data});
@@ -197,41 +200,7 @@ class I8080Listener {
   }
 
   Probe& probe_;
-  I8080Watcher watcher_;
   Probe::Entry entry_;
-};
-
-// The observer of all that hear every instruction and every cycle. One for them all: a machine is compiled for each observer, which
-// takes long, and they are slow for what they write.
-class I8080Reporter {
- public:
-  static constexpr bool instructions = true;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
-
-  explicit I8080Reporter(I8080Recorder& recorder) : recorder_(&recorder) {}
-  explicit I8080Reporter(Probe& probe) : listener_(std::in_place, probe) {}
-
-  void begin(core::TStateInstant now) {
-    if (listener_) listener_->begin(now);
-  }
-  bool stop(core::TStateInstant now, i8080::Address next) { return listener_ && listener_->stop(now, next); }
-  [[nodiscard]] bool reads_machine() const { return listener_ && listener_->reads_machine(); }
-  [[gnu::noinline]] void instruction(const machines::I8080InstructionRecord& record) {
-    if (recorder_ != nullptr) recorder_->instruction(record);
-    if (listener_) listener_->instruction(record);
-  }
-  [[gnu::noinline]] void cycle(const machines::I8080Cycle& cycle) {
-    if (recorder_ != nullptr) recorder_->cycle(cycle);
-    if (listener_) listener_->cycle(cycle);
-  }
-  void hold(const machines::I8080HoldPins& pins) {
-    if (recorder_ != nullptr) recorder_->hold(pins);
-  }
-
- private:
-  I8080Recorder* recorder_ = nullptr;
-  std::optional<I8080Listener> listener_;
 };
 
 }  // namespace sightline::guests::run

@@ -58,7 +58,7 @@ void I8080Vcd::finish(core::TStateInstant now) {
   writer_.finish(core::nanoseconds_of(clock_.to_nanoseconds(now)));
 }
 
-void I8080Vcd::cycle(const machines::I8080Cycle& cycle) {
+void I8080Vcd::cycle(const i8080::BusCycle& cycle) {
   namespace status = i8080::status;
   end_cycle(cycle.time);
   const bool first = (cycle.status & status::first) != 0;
@@ -75,7 +75,7 @@ void I8080Vcd::cycle(const machines::I8080Cycle& cycle) {
   }
 }
 
-void I8080Vcd::instruction(const machines::I8080InstructionRecord& record) {
+void I8080Vcd::instruction(const i8080::InstructionRecord& record) {
   end_cycle(record.end);
   const i8080::State& s = record.after;
   show(record.end, signal::pc, s.pc);
@@ -89,7 +89,7 @@ void I8080Vcd::instruction(const machines::I8080InstructionRecord& record) {
   show(record.end, signal::interrupt, requested_() ? 1 : 0);
 }
 
-void I8080Vcd::hold(const machines::I8080HoldPins& pins) {
+void I8080Vcd::hold(const i8080::HoldPins& pins) {
   if (pins.stands) end_cycle(pins.time);
   holds_.push_back(pins);
 }
@@ -101,7 +101,7 @@ void I8080Vcd::show(core::TStateInstant at, std::size_t row, std::uint32_t value
 
 void I8080Vcd::show_holds(core::TStateInstant at) {
   while (!holds_.empty() && holds_.front().time <= at) {
-    const machines::I8080HoldPins pins = holds_.front();
+    const i8080::HoldPins pins = holds_.front();
     holds_.pop_front();
     show_pin(pins.time, signal::hold, pins.hold ? 1 : 0);
     show_pin(pins.time, signal::hlda, pins.acknowledge ? 1 : 0);
@@ -118,7 +118,7 @@ void I8080Vcd::show_pin(core::TStateInstant at, std::size_t row, std::uint32_t v
   writer_.show(core::nanoseconds_of(clock_.to_nanoseconds(latest_)), row, value);
 }
 
-void I8080Vcd::first_t_state(const machines::I8080Cycle& cycle) {
+void I8080Vcd::first_t_state(const i8080::BusCycle& cycle) {
   show(cycle.time, signal::address, cycle.address);
   show(cycle.time, signal::data, cycle.status);
   show(cycle.time, signal::sync, 1);
@@ -133,7 +133,7 @@ void I8080Vcd::first_t_state(const machines::I8080Cycle& cycle) {
   for (std::size_t bit = 0; bit < 8; ++bit) show(cycle.time, signal::inta + bit, cycle.status >> bit & 1U);
 }
 
-void I8080Vcd::begin_halt(const machines::I8080Cycle& cycle) {
+void I8080Vcd::begin_halt(const i8080::BusCycle& cycle) {
   first_t_state(cycle);
   const core::TStateInstant second = cycle.time + core::TStates(1);
   show(second, signal::data, VcdWriter::floating);
@@ -146,7 +146,7 @@ void I8080Vcd::begin_halt(const machines::I8080Cycle& cycle) {
 void I8080Vcd::end_cycle(core::TStateInstant end) {
   namespace status = i8080::status;
   if (!pending_) return;
-  const machines::I8080Cycle cycle = *std::exchange(pending_, std::nullopt);
+  const i8080::BusCycle cycle = *std::exchange(pending_, std::nullopt);
   const auto at = [&cycle](std::int64_t n) { return cycle.time + core::TStates(n); };
   const bool reads = (cycle.status & status::read) != 0;
   const std::int64_t length = (end - cycle.time).count();

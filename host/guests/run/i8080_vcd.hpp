@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "emulators/core/tstates.hpp"
-#include "emulators/machines/i8080_observer.hpp"
+#include "emulators/machines/i8080.hpp"
 #include "host/guests/run/vcd.hpp"
 
 namespace sightline::guests::run {
@@ -27,28 +27,28 @@ class I8080Vcd {
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
   void finish(core::TStateInstant now);
 
-  void cycle(const machines::I8080Cycle& cycle);
-  void instruction(const machines::I8080InstructionRecord& record);
+  void cycle(const i8080::BusCycle& cycle);
+  void instruction(const i8080::InstructionRecord& record);
   // Told before the cycle in which it is. Where the processor begins to wait, the cycle before has its end.
-  void hold(const machines::I8080HoldPins& pins);
+  void hold(const i8080::HoldPins& pins);
 
  private:
   void show(core::TStateInstant at, std::size_t row, std::uint32_t value);
   // Those up to then. The board that has the bus drives address and data.
   void show_holds(core::TStateInstant at);
   void show_pin(core::TStateInstant at, std::size_t row, std::uint32_t value);
-  void first_t_state(const machines::I8080Cycle& cycle);
+  void first_t_state(const i8080::BusCycle& cycle);
   // Until the next cycle begins.
-  void begin_halt(const machines::I8080Cycle& cycle);
+  void begin_halt(const i8080::BusCycle& cycle);
   // All T-states of the cycle, which ends at `end`.
   void end_cycle(core::TStateInstant end);
 
   VcdWriter writer_;
   core::ClockRate clock_;
   std::function<bool()> requested_;
-  std::optional<machines::I8080Cycle> pending_;
+  std::optional<i8080::BusCycle> pending_;
   i8080::Byte opcode_ = 0;                     // of the instruction under way
-  std::deque<machines::I8080HoldPins> holds_;  // that are not shown yet
+  std::deque<i8080::HoldPins> holds_;  // that are not shown yet
   bool begun_ = false;
   core::TStateInstant latest_{};
 };

@@ -239,7 +239,7 @@ std::vector<std::string> configuration_of(const Pdp7Setup& setup) {
   if (!setup.display) words.emplace_back("--no-display");
   if (setup.display && setup.display->characters_342) words.emplace_back("--display-option 342");
   if (setup.display && setup.display->subroutines_347) words.emplace_back("--display-option 347");
-  for (const DeviceChoice& device : setup.devices) words.push_back("--device " + device.text);
+  for (const DeviceChoice& device : setup.devices) words.push_back("--device " + device_text(device));
   return words;
 }
 
@@ -297,7 +297,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
     if (auto done = read_light_pen(read(arguments.text("--light-pen")), setup.pen_script); !done)
       return done.error();
   }
-  auto devices = read_devices(arguments.list("--device"));
+  auto devices = read_devices(arguments.list("--device"), further_devices());
   if (!devices) return devices.error();
   setup.devices = std::move(*devices);
   setup.configuration = configuration_of(setup);

@@ -91,8 +91,8 @@ std::size_t StateReader::begin(Group group, std::string_view name, std::size_t e
     case Group::part:
     case Group::section: break;
     // An element has a byte at least.
-    case Group::list: elements = take("number", 4, left()).value_or(elements); break;
-    case Group::optional: elements = take(name, 1, 1).value_or(elements); break;
+    case Group::list: elements = static_cast<std::size_t>(take("number", 4, left()).value_or(elements)); break;
+    case Group::optional: elements = static_cast<std::size_t>(take(name, 1, 1).value_or(elements)); break;
   }
   return elements;
 }

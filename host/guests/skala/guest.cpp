@@ -5,10 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "emulators/machines/skala_ports.hpp"
-#include "host/guests/run/i8080_processor.hpp"
+#include "emulators/devices/alt256.hpp"
+#include "emulators/devices/calcomp565.hpp"
+#include "emulators/devices/ef9365.hpp"
+#include "emulators/devices/minigraf0507.hpp"
+#include "emulators/devices/parallel_link.hpp"
+#include "emulators/devices/serial_link.hpp"
+#include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
+#include "host/base/result.hpp"
+#include "host/guests/run/i8080_run_to.hpp"
 
 namespace sightline::guests::skala {
 
@@ -47,92 +57,61 @@ void report_faults(const devices::MinigrafCounts& counts, GuestPicture& picture)
   add(picture, "steps off the Minigraf's field", counts.off_field);
 }
 
-// --- the ports
+// --- in front of the ports
 
-// Strokes of plotters, kept if they are wanted.
-struct PortStrokes {
-  static constexpr bool consumes = true;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) {
-    if (keep) marks.push_back(stroke);
-  }
-  void end_pass(core::Instant) {}
-  bool keep = false;
-  std::vector<core::Stroke> marks;
-};
-
-// The ports of a Skala run: those of the machine, stopping it where the link says that a block of commands
-// has come or the next one is asked for, and noting every movement of a plotter. They own their sink, which
-// the devices hold by reference from construction on.
-class LinkPorts final : private PortStrokes, public run::I8080Ports, public machines::SkalaPorts<PortStrokes> {
+// Ends the run where the links say that a block of commands has come, or that the next one is asked for.
+class LinkFront final : public i8080::Front {
  public:
-  using Base = machines::SkalaPorts<PortStrokes>;
-
-  explicit LinkPorts(const machines::SkalaConfiguration& configuration)
-      : Base(configuration, static_cast<PortStrokes&>(*this)),
-        plotter_(calcomp565() != nullptr || minigraf0507() != nullptr) {}
-
-  void keep_strokes(bool kept) { keep = kept; }
+  explicit LinkFront(i8080::Machine& machine) : Front(machine, both_links) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
-    const std::uint8_t value = Base::in(port, at);
-    if (port >= first_link_port) note(port);
+    const std::uint8_t value = Front::in(port, at);
+    if (port == parallel_data || port == serial_data) ++taken_;
+    if (at_any_ || taken_ >= stop_at_) machine().request_stop();
     return value;
-  }
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
-    Base::out(port, value, at);
-    if (plotter_) note_movement();
   }
 
   // Bytes counted from the first one of all.
   void stop_after_bytes(std::size_t count) {
     stop_at_ = count;
-    at_link_ = false;
-    stopped_ = taken_ >= stop_at_;
+    at_any_ = false;
+    if (taken_ >= stop_at_) machine().request_stop();
   }
-  void stop_at_link() {
+  // When the program next asks for anything.
+  void stop_at_once() {
     never_stop();
-    at_link_ = true;
+    at_any_ = true;
   }
   void never_stop() {
     stop_at_ = std::numeric_limits<std::size_t>::max();
-    at_link_ = false;
-    stopped_ = false;
-  }
-
-  void report(GuestPicture& picture) {
-    each_device([&picture](auto row, const auto& device) {
-      constexpr machines::DeviceKind kind = decltype(row)::kind;
-      if constexpr (kind == machines::DeviceKind::raster_board) picture.raster = device.raster();
-      // A device without a report is one that the program never uses.
-      if constexpr (requires { report_faults(device.counts(), picture); })
-        report_faults(device.counts(), picture);
-    });
-    for (std::size_t port = 0; port < 256; ++port) {
-      const machines::UnansweredPort& counts = unanswered()[port];
-      if (counts.reads + counts.writes > 0)
-        picture.unanswered.push_back({static_cast<std::uint8_t>(port), counts.reads, counts.writes});
-    }
-    picture.moves = std::move(moves_);
-    picture.strokes = std::move(marks);
+    at_any_ = false;
   }
 
  private:
-  static constexpr std::uint8_t parallel_data = machines::ParallelRow::reads[0].first;
-  static constexpr std::uint8_t serial_data = machines::SerialRow::reads[0].first;
-  static constexpr std::uint8_t first_link_port = std::min(parallel_data, serial_data);
+  static constexpr std::array both_links{devices::ParallelLink::info.reads[0], devices::SerialLink::info.reads[0]};
+  static constexpr std::uint8_t parallel_data = both_links[0].first;
+  static constexpr std::uint8_t serial_data = both_links[1].first;
 
-  void note(std::uint8_t port) {
-    if (port == parallel_data || port == serial_data) ++taken_;
-    if (at_link_ || taken_ >= stop_at_) stopped_ = true;
-  }
+  std::size_t taken_ = 0;
+  std::size_t stop_at_ = std::numeric_limits<std::size_t>::max();
+  bool at_any_ = false;
+};
 
-  // What an output changed: a plotter is asked where it is, not what it was told.
-  void note_movement() {
-    if (calcomp565() != nullptr) note_movement(calcomp565()->place(), calcomp565()->pen_is_down());
-    if (minigraf0507() != nullptr) note_movement(minigraf0507()->place(), minigraf0507()->pen_is_down());
+// Notes every movement of a plotter: it is asked where it is, not what it was told.
+class PlotterFront final : public i8080::Front {
+ public:
+  explicit PlotterFront(i8080::Machine& machine)
+      : Front(machine, both_plotters), calcomp_(machine.find<devices::CalComp565>()), minigraf_(machine.find<devices::Minigraf0507>()) {}
+
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
+    Front::out(port, value, at);
+    if (calcomp_ != nullptr) note(calcomp_->place(), calcomp_->pen_is_down());
+    if (minigraf_ != nullptr) note(minigraf_->place(), minigraf_->pen_is_down());
   }
-  void note_movement(devices::PlotterPlace place, bool pen_down) {
+  [[nodiscard]] std::vector<PlotterMove> take_moves() { return std::move(moves_); }
+
+ private:
+  void note(devices::PlotterPlace place, bool pen_down) {
     if (place != place_) add(PlotterAction::step, place, pen_down_);
     if (pen_down != pen_down_)
       add(pen_down ? PlotterAction::pen_down : PlotterAction::pen_up, place, pen_down);
@@ -144,19 +123,24 @@ class LinkPorts final : private PortStrokes, public run::I8080Ports, public mach
         {action, static_cast<std::uint8_t>(place.x), static_cast<std::uint8_t>(place.y), pen_down});
   }
 
-  bool plotter_;
-  std::size_t taken_ = 0;
-  std::size_t stop_at_ = std::numeric_limits<std::size_t>::max();
-  bool at_link_ = false;
+  static constexpr std::array both_plotters{devices::CalComp565::info.writes[0], devices::Minigraf0507::info.writes[0]};
+
+  const devices::CalComp565* calcomp_;  // null: not attached
+  const devices::Minigraf0507* minigraf_;
   devices::PlotterPlace place_{};
   bool pen_down_ = false;
   std::vector<PlotterMove> moves_;
 };
 
+struct KeptStrokes final : core::StrokeTaker {
+  void strokes(std::span<const core::Stroke> strokes) override { marks.insert(marks.end(), strokes.begin(), strokes.end()); }
+  std::vector<core::Stroke> marks;
+};
+
 // --- the run
 
 // The way from the last byte's IN to DRAWIT is a few dozen instructions.
-constexpr int longest_way_to_drawing = 200;
+constexpr std::uint64_t longest_way_to_drawing = 200;
 
 // How many bytes the program has taken at the end of each block, by its rule of receipt (SPECIFICATION,
 // section 1). A stream with an unknown command or without END has fewer blocks than bytes.
@@ -190,50 +174,56 @@ std::int64_t limit_for(std::size_t bytes, const GuestOptions& options) {
   return seconds * std::max(options.clock.hertz, core::ClockRate{}.hertz);
 }
 
-machines::SkalaConfiguration configuration_for(std::span<const std::uint8_t> stream,
-                                               const GuestOptions& options) {
-  machines::SkalaConfiguration configuration;
-  configuration.clock = options.clock;
-  configuration.ef9365 = options.device == Device::ef9365;
-  configuration.alt256 = options.device == Device::alt256;
-  configuration.calcomp565 = options.device == Device::calcomp;
-  configuration.minigraf0507 = options.device == Device::minigraf;
-  (options.link == Link::serial ? configuration.serial : configuration.parallel) = stream;
-  return configuration;
+std::string_view name_of(Device device) {
+  switch (device) {
+    case Device::ef9365: return devices::Ef9365::info.name;
+    case Device::alt256: return devices::Alt256::info.name;
+    case Device::calcomp: return devices::CalComp565::info.name;
+    case Device::minigraf: return devices::Minigraf0507::info.name;
+  }
+  return {};
 }
+
+// With the devices of a run. The machine is a part of this program, so that an error ends the process.
+class SkalaMachine : public i8080::Machine {
+ public:
+  SkalaMachine(std::span<const std::uint8_t> stream, const GuestOptions& options) : i8080::Machine({options.clock}) {
+    const std::string_view link = options.link == Link::serial ? devices::SerialLink::info.name : devices::ParallelLink::info.name;
+    for (const std::string_view name : {name_of(options.device), link})
+      if (const std::string error = attach(name); !error.empty()) base::give_up(error);
+    device(link)->link_host()->send(stream);
+  }
+};
 
 class GuestMachine {
  public:
   GuestMachine(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options)
-      : program_(program),
-        blocks_(block_ends(stream)),
-        ports_(std::make_unique<LinkPorts>(configuration_for(stream, options))),
-        machine_(*ports_) {
-    std::copy(program.memory.begin(), program.memory.end(), machine_.memory().begin());
+      : program_(program), blocks_(block_ends(stream)), machine_(stream, options) {
+    machine_.load(0, program.memory);
     machine_.deposit(program.labels.link_switch, options.link == Link::serial ? 1 : 0);
-    machine_.registers().pc = program.labels.start;
-    ports_->keep_strokes(options.keep_strokes);
+    machine_.start(program.labels.start);
+    if (options.keep_strokes) machine_.strokes().hand_to(&strokes_);
     limits_.until = core::at_t_state(options.t_state_limit > 0 ? options.t_state_limit
                                                                : limit_for(stream.size(), options));
   }
 
   GuestPicture picture() {
+    using i8080::StopReason;
     GuestPicture result;
-    machines::I8080StopReason reason = machines::I8080StopReason::ports;
-    for (std::size_t block = 0; block < blocks_.size() && reason == machines::I8080StopReason::ports;
-         ++block) {
-      ports_->stop_after_bytes(blocks_[block]);
+    StopReason reason = StopReason::device;
+    for (std::size_t block = 0; block < blocks_.size() && reason == StopReason::device; ++block) {
+      link_.stop_after_bytes(blocks_[block]);
       reason = machine_.run(limits_);
-      if (reason != machines::I8080StopReason::ports || !go_to_drawing()) break;
+      if (reason != StopReason::device || !go_to_drawing()) break;
       ++result.blocks;
       const core::TStateInstant begun = machine_.now();
-      ports_->stop_at_link();
+      link_.stop_at_once();
       reason = machine_.run(limits_);
       result.drawing += end_of_drawing(begun, reason) - begun;
     }
-    ports_->never_stop();
-    if (reason == machines::I8080StopReason::ports) reason = machine_.run(limits_);
-    result.ended = reason == machines::I8080StopReason::halt;
+    link_.never_stop();
+    if (reason == StopReason::device) reason = machine_.run(limits_);
+    result.ended = reason == StopReason::halt;
     report(result);
     return result;
   }
@@ -241,23 +231,18 @@ class GuestMachine {
  private:
   // From the byte that completes a block.
   bool go_to_drawing() {
-    ports_->never_stop();
-    machines::I8080Limits one = limits_;
-    one.instructions = 1;
-    for (int n = 0; n < longest_way_to_drawing; ++n) {
-      if (machine_.registers().pc == program_.labels.drawing) return true;
-      if (machine_.run(one) != machines::I8080StopReason::instruction_limit) return false;
-    }
-    return false;
+    link_.never_stop();
+    i8080::Limits limits = limits_;
+    limits.instructions = longest_way_to_drawing;
+    return run::run_to(machine_, program_.labels.drawing, limits) == i8080::StopReason::observer;
   }
 
-  // The last block's drawing ends with its last dot, the others' with the next look at the link.
-  [[nodiscard]] core::TStateInstant end_of_drawing(core::TStateInstant begun,
-                                                   machines::I8080StopReason reason) {
-    if (reason != machines::I8080StopReason::halt) return machine_.now();
+  // The last block's drawing ends with its last dot, the others' when the link is next asked.
+  [[nodiscard]] core::TStateInstant end_of_drawing(core::TStateInstant begun, i8080::StopReason reason) const {
+    if (reason != i8080::StopReason::halt) return machine_.now();
     core::TStateInstant end = machine_.now();
-    if (ports_->ef9365() != nullptr) end = ports_->ef9365()->busy_until();
-    if (ports_->calcomp565() != nullptr) end = ports_->calcomp565()->busy_until();
+    if (const auto* const board = machine_.find<devices::Ef9365>(); board != nullptr) end = board->busy_until();
+    if (const auto* const plotter = machine_.find<devices::CalComp565>(); plotter != nullptr) end = plotter->busy_until();
     return end > begun ? end : machine_.now();
   }
 
@@ -272,14 +257,32 @@ class GuestMachine {
     page(program_.labels.previous_level, result.columns.previous_level);
     result.total = machine_.now().time_since_epoch();
     result.instructions = machine_.instructions();
-    ports_->report(result);
+    result.moves = plotter_.take_moves();
+    result.strokes = std::move(strokes_.marks);
+    for (const i8080::AttachedDevice& each : machine_.devices())
+      if (const core::Raster* const raster = each.device->raster(); raster != nullptr) result.raster = *raster;
+    report_faults_of<devices::Ef9365>(result);
+    report_faults_of<devices::Alt256>(result);
+    report_faults_of<devices::CalComp565>(result);
+    report_faults_of<devices::Minigraf0507>(result);
+    for (std::size_t port = 0; port < 256; ++port) {
+      const i8080::UnansweredPort& counts = machine_.unanswered()[port];
+      if (counts.reads + counts.writes > 0)
+        result.unanswered.push_back({static_cast<std::uint8_t>(port), counts.reads, counts.writes});
+    }
+  }
+  template <class Device>
+  void report_faults_of(GuestPicture& picture) const {
+    if (const Device* const device = machine_.find<Device>(); device != nullptr) report_faults(device->totals(), picture);
   }
 
   const Program& program_;
   std::vector<std::size_t> blocks_;
-  std::unique_ptr<LinkPorts> ports_;  // large
-  run::I8080Processor machine_;
-  machines::I8080Limits limits_;
+  KeptStrokes strokes_;
+  SkalaMachine machine_;
+  LinkFront link_{machine_};
+  PlotterFront plotter_{machine_};
+  i8080::Limits limits_;
 };
 
 // --- guest and twin

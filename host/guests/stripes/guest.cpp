@@ -3,32 +3,40 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "emulators/machines/skala_ports.hpp"
-#include "host/guests/run/i8080_processor.hpp"
+#include "emulators/devices/calcomp565.hpp"
+#include "emulators/devices/ef9365.hpp"
+#include "emulators/devices/parallel_link.hpp"
+#include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
+#include "host/base/result.hpp"
+#include "host/guests/run/i8080_run_to.hpp"
 
 namespace sightline::guests::stripes {
 
 namespace {
 
-// The link, a device, and what the plotter was told.
-class Ports final : public run::I8080Ports, public machines::SkalaPorts<> {
+// Notes what the plotter is told.
+class PlotterFront final : public i8080::Front {
  public:
-  using Base = machines::SkalaPorts<>;
-  Ports(const machines::SkalaConfiguration& configuration, core::NoStrokes& sink) : Base(configuration, sink) {}
-
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return Base::in(port, at); }
+  explicit PlotterFront(i8080::Machine& machine) : Front(machine, devices::CalComp565::info.writes) {}
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
-    if (port == plotter_port && calcomp565() != nullptr) commands.push_back(value);
-    Base::out(port, value, at);
+    commands.push_back(value);
+    Front::out(port, value, at);
   }
 
   std::vector<std::uint8_t> commands;
-
- private:
-  static constexpr std::uint8_t plotter_port = machines::CalComp565Row::writes[0].first;
 };
+
+// The machine is a part of this program, so that an error ends the process.
+void attach(i8080::Machine& machine, std::string_view device) {
+  if (const std::string error = machine.attach(device); !error.empty()) base::give_up(error);
+}
 
 void add_faults(const devices::Ef9365Counts& counts, GuestPicture& picture) {
   const auto add = [&picture](std::string_view what, std::uint64_t count) {
@@ -59,47 +67,46 @@ std::int64_t limit_for(const GuestOptions& options) {
 }  // namespace
 
 GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options) {
-  machines::SkalaConfiguration configuration;
-  configuration.clock = options.clock;
-  configuration.ef9365 = options.device == Device::ef9365;
-  configuration.calcomp565 = options.device == Device::calcomp;
-  configuration.parallel = stream;
-  core::NoStrokes sink;
-  const auto ports = std::make_unique<Ports>(configuration, sink);  // large
-  run::I8080Processor machine(*ports);
-  std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
-  machine.registers().pc = program.labels.start;
-  machines::I8080Limits limits;
+  i8080::Machine machine({options.clock});
+  if (options.device == Device::ef9365) attach(machine, devices::Ef9365::info.name);
+  if (options.device == Device::calcomp) attach(machine, devices::CalComp565::info.name);
+  attach(machine, devices::ParallelLink::info.name);
+  machine.find<devices::ParallelLink>()->send(stream);
+  std::optional<PlotterFront> plotter_front;
+  if (options.device == Device::calcomp) plotter_front.emplace(machine);
+  machine.load(0, program.memory);
+  machine.start(program.labels.start);
+  i8080::Limits limits;
   limits.until = core::at_t_state(options.t_state_limit > 0 ? options.t_state_limit : limit_for(options));
   // When the program comes to its labels; at the end, if it does not.
   core::TStateInstant check = core::never_t;
   core::TStateInstant drawing = core::never_t;
-  machines::I8080StopReason reason = machine.run_to(program.labels.check, limits);
-  if (reason == machines::I8080StopReason::observer) {
+  i8080::StopReason reason = run::run_to(machine, program.labels.check, limits);
+  if (reason == i8080::StopReason::observer) {
     check = machine.now();
-    reason = machine.run_to(program.labels.drawing, limits);
+    reason = run::run_to(machine, program.labels.drawing, limits);
   }
-  if (reason == machines::I8080StopReason::observer) {
+  if (reason == i8080::StopReason::observer) {
     drawing = machine.now();
     reason = machine.run(limits);
   }
   GuestPicture picture;
-  picture.ended = reason == machines::I8080StopReason::halt;
+  picture.ended = reason == i8080::StopReason::halt;
   picture.status = static_cast<Status>(machine.peek(program.labels.status));
   picture.fault = machine.peek(program.labels.fault);
   picture.instructions = machine.instructions();
   core::TStateInstant end = machine.now();
-  if (auto* board = ports->ef9365(); board != nullptr) {
-    picture.raster = board->raster();
+  if (const auto* const board = machine.find<devices::Ef9365>(); board != nullptr) {
+    picture.raster = *board->raster();
     end = std::max(end, board->busy_until());
-    add_faults(board->counts(), picture);
+    add_faults(board->totals(), picture);
   }
-  if (auto* plotter = ports->calcomp565(); plotter != nullptr) {
+  if (const auto* const plotter = machine.find<devices::CalComp565>(); plotter != nullptr) {
     end = std::max(end, plotter->busy_until());
-    picture.device = plotter->counts().busy;
-    add_faults(plotter->counts(), picture);
+    picture.device = plotter->totals().busy;
+    add_faults(plotter->totals(), picture);
   }
-  picture.commands = std::move(ports->commands);
+  if (plotter_front) picture.commands = std::move(plotter_front->commands);
   picture.receiving = std::min(check, end).time_since_epoch();
   picture.ranking = std::min(drawing, end) - std::min(check, end);
   picture.drawing = end - std::min(drawing, end);

@@ -73,8 +73,8 @@ TEST(AltairSerial, WhatIsWrittenTooSoonTakesThePlaceOfWhatWaits) {
   for (const char c : {'1', '2', '3'}) line.out(data, c, 0);
   line.serial.advance(core::at_t_state(10 * character));
   EXPECT_EQ(line.printed(), "13");
-  EXPECT_EQ(line.serial.counts().overwritten, 1U);
-  EXPECT_EQ(line.serial.counts().sent, 2U);
+  EXPECT_EQ(line.serial.totals().overwritten, 1U);
+  EXPECT_EQ(line.serial.totals().sent, 2U);
 }
 
 TEST(AltairSerial, TenCharactersASecondAt110Baud) {

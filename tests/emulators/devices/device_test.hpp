@@ -1,7 +1,8 @@
-// What the device tests share: the machine's clock and a sink that keeps the strokes.
+// What the device tests share: the machine's clock and a taker that keeps the strokes.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "emulators/core/stroke.hpp"
@@ -11,13 +12,10 @@ namespace sightline::tests {
 
 inline constexpr core::ClockRate three_megahertz{3'000'000};
 
-struct KeptStrokes {
-  static constexpr bool consumes = true;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) { strokes.push_back(stroke); }
-  void end_pass(core::Instant) {}
+struct KeptStrokes : core::StrokeTaker {
+  void strokes(std::span<const core::Stroke> taken) override { kept.insert(kept.end(), taken.begin(), taken.end()); }
 
-  std::vector<core::Stroke> strokes;
+  std::vector<core::Stroke> kept;
 };
 
 // One access of the processor in a transcript: at T-state `t`, write `value`, or read and find it.

@@ -50,7 +50,7 @@ class Board : public testing::Test {
     for (int row = bottom + height - 1; row >= bottom; --row) {
       for (int column = left; column < left + width; ++column) {
         const int value =
-            board->raster().at(static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row));
+            board->raster()->at(static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row));
         text += value == 0 ? '.' : static_cast<char>('0' + value);
       }
       text += '\n';
@@ -80,7 +80,7 @@ TEST_F(Board, RegistersThatDoNotExistReadAsOnesAndTheLightPenAsZero) {
   }
   EXPECT_EQ(in(0xC), 0);
   EXPECT_EQ(in(0xD), 0);
-  EXPECT_EQ(board->counts().unanswered, 4U);
+  EXPECT_EQ(board->totals().unanswered, 4U);
 }
 
 TEST_F(Board, AbsoluteDotsAreThreeWrites) {
@@ -88,8 +88,8 @@ TEST_F(Board, AbsoluteDotsAreThreeWrites) {
   out(0x9, 200);
   out(0xB, 3);
   command(0x80);
-  EXPECT_EQ(board->raster().at(200, 3), 5);
-  EXPECT_EQ(board->counts().dots, 1U);
+  EXPECT_EQ(board->raster()->at(200, 3), 5);
+  EXPECT_EQ(board->totals().dots, 1U);
   EXPECT_EQ(x(), 200);
   EXPECT_EQ(y(), 3);
 }
@@ -101,12 +101,12 @@ TEST_F(Board, PenUpMovesOnlyAndTheEraserClearsAllPlanes) {
   command(0x03);
   command(0xE0);  // three to the right
   EXPECT_EQ(x(), 13);
-  EXPECT_EQ(board->counts().dots, 1U);
+  EXPECT_EQ(board->totals().dots, 1U);
   command(0x01);
   command(0x02);
   command(0xE6);  // and back
   EXPECT_EQ(shown(9, 10, 6, 1), "......\n");
-  EXPECT_EQ(board->counts().dots, 5U);
+  EXPECT_EQ(board->totals().dots, 5U);
 }
 
 TEST_F(Board, TheLatchReplacesAllThreePlanes) {
@@ -114,11 +114,11 @@ TEST_F(Board, TheLatchReplacesAllThreePlanes) {
   command(0x80);
   board->set_colour(2, at_t_state(t));
   command(0x80);
-  EXPECT_EQ(board->raster().at(0, 0), 2);
+  EXPECT_EQ(board->raster()->at(0, 0), 2);
   board->set_colour(0xF8, at_t_state(t));
   EXPECT_EQ(board->colour(), 0);
   command(0x80);
-  EXPECT_EQ(board->raster().at(0, 0), 0);
+  EXPECT_EQ(board->raster()->at(0, 0), 0);
 }
 
 struct DirectionRow {
@@ -202,7 +202,7 @@ TEST_F(Board, DotsOutsideAreClippedAndStatusSaysSo) {
   EXPECT_EQ(in(0) & 0x08, 0);
   command(0xE0);
   EXPECT_EQ(x(), 257);
-  EXPECT_EQ(board->counts().dots_outside, 2U);
+  EXPECT_EQ(board->totals().dots_outside, 2U);
   EXPECT_EQ(shown(250, 7, 6, 1), "....11\n");
   EXPECT_EQ(shown(0, 7, 4, 1), "....\n");
   EXPECT_EQ(in(0) & 0x08, 0x08);
@@ -228,18 +228,18 @@ TEST_F(Board, ClearResetAndOriginCommands) {
   dirty();
   command(0x05);
   EXPECT_EQ(x() + y(), 0);
-  EXPECT_EQ(board->raster().at(50, 60), 3);
+  EXPECT_EQ(board->raster()->at(50, 60), 3);
   dirty();
   command(0x04);
-  EXPECT_EQ(board->raster().at(50, 60), 0);
+  EXPECT_EQ(board->raster()->at(50, 60), 0);
   EXPECT_EQ(x(), 50);
   dirty();
   command(0x06);
-  EXPECT_EQ(board->raster().at(50, 60), 0);
+  EXPECT_EQ(board->raster()->at(50, 60), 0);
   EXPECT_EQ(x() + y(), 0);
   dirty();
   command(0x07);
-  EXPECT_EQ(board->raster().at(50, 60), 0);
+  EXPECT_EQ(board->raster()->at(50, 60), 0);
   EXPECT_EQ(in(0x3), 0x11);
   for (const int number : {0x1, 0x2, 0x5, 0x7, 0x9, 0xB}) EXPECT_EQ(in(number), 0) << number;
   EXPECT_EQ(board->colour(), 3);
@@ -249,12 +249,12 @@ TEST_F(Board, ScreenScanningFillsWithPenOrEraser) {
   pen_of_colour(6);
   command(0x03);
   command(0x0C);
-  EXPECT_EQ(board->raster().at(0, 255), 6);
-  EXPECT_EQ(board->raster().at(255, 0), 6);
+  EXPECT_EQ(board->raster()->at(0, 255), 6);
+  EXPECT_EQ(board->raster()->at(255, 0), 6);
   t += 200'000;
   command(0x01);
   command(0x0C);
-  EXPECT_EQ(board->raster().at(0, 255), 0);
+  EXPECT_EQ(board->raster()->at(0, 255), 0);
 }
 
 TEST_F(Board, CharactersAreFiveByEightAndAdvanceSix) {
@@ -280,15 +280,15 @@ TEST_F(Board, SizesScaleBothWaysAndZeroIsSixteen) {
   out(0x3, 0x23);
   place(0, 0);
   command(0x0A);
-  EXPECT_EQ(board->counts().dots, 10U * 24U);
+  EXPECT_EQ(board->totals().dots, 10U * 24U);
   EXPECT_EQ(x(), 12);
-  EXPECT_EQ(board->raster().at(9, 23), 1);
-  EXPECT_EQ(board->raster().at(10, 0), 0);
-  EXPECT_EQ(board->raster().at(0, 24), 0);
+  EXPECT_EQ(board->raster()->at(9, 23), 1);
+  EXPECT_EQ(board->raster()->at(10, 0), 0);
+  EXPECT_EQ(board->raster()->at(0, 24), 0);
   out(0x3, 0x00);
   place(0, 100);
   command(0x0B);
-  EXPECT_EQ(board->counts().dots, 240U + 64U * 64U);
+  EXPECT_EQ(board->totals().dots, 240U + 64U * 64U);
   EXPECT_EQ(x(), 80);
 }
 
@@ -339,20 +339,20 @@ TEST_F(Board, CommandsWhileBusyAreIgnoredAndCounted) {
   command(0x04);
   const std::int64_t begun = t;
   board->write(0, 0x80, at_t_state(begun + 119'999));
-  EXPECT_EQ(board->counts().commands_while_busy, 1U);
-  EXPECT_EQ(board->raster().at(0, 0), 0);
+  EXPECT_EQ(board->totals().commands_while_busy, 1U);
+  EXPECT_EQ(board->raster()->at(0, 0), 0);
   EXPECT_EQ(board->read(0, at_t_state(begun + 119'999)) & 0x04, 0);
   EXPECT_EQ(board->read(0, at_t_state(begun + 120'000)) & 0x04, 0x04);
   board->write(0, 0x80, at_t_state(begun + 120'000));
-  EXPECT_EQ(board->raster().at(0, 0), 1);
-  EXPECT_EQ(board->counts().commands_while_busy, 1U);
+  EXPECT_EQ(board->raster()->at(0, 0), 1);
+  EXPECT_EQ(board->totals().commands_while_busy, 1U);
 }
 
 TEST_F(Board, RegistersWrittenWhileBusyAreStoredAndCounted) {
   command(0x04);
   board->write(0x9, 77, at_t_state(t + 10));
   board->set_colour(2, at_t_state(t + 20));
-  EXPECT_EQ(board->counts().writes_while_busy, 2U);
+  EXPECT_EQ(board->totals().writes_while_busy, 2U);
   EXPECT_EQ(x(), 77);
 }
 

@@ -19,13 +19,25 @@ using sightline::core::at_nanoseconds;
 using sightline::core::at_t_state;
 using sightline::core::never_t;
 using sightline::core::Stroke;
+using sightline::core::StrokeBuffer;
 using sightline::tests::Access;
 using sightline::tests::KeptStrokes;
 using sightline::tests::three_megahertz;
 
+// What a plotter draws.
+struct Paper {
+  Paper() { strokes.hand_to(&taker); }
+  const std::vector<Stroke>& marks() {
+    strokes.flush();
+    return taker.kept;
+  }
+  StrokeBuffer strokes;
+  KeptStrokes taker;
+};
+
 TEST(CalComp565, HandshakeTranscript) {
-  KeptStrokes sink;
-  CalComp565<KeptStrokes> plotter(three_megahertz, sink, {100, 50});
+  Paper paper;
+  CalComp565 plotter(three_megahertz, paper.strokes, {100, 50});
   constexpr bool reads = true;
   const std::vector<Access> transcript{
       {0, reads, 0x00},        {10, !reads, 0x09},      {20, reads, 0x05},  // pen down, busy
@@ -46,50 +58,50 @@ TEST(CalComp565, HandshakeTranscript) {
   const std::vector<Stroke> expected{{at_nanoseconds(100'003'333), 100, 50, 7, 0},
                                      {at_nanoseconds(103'340'000), 101, 51, 7, 0},
                                      {at_nanoseconds(106'676'666), 100, 50, 7, 0}};
-  EXPECT_EQ(sink.strokes, expected);
-  EXPECT_EQ(plotter.counts().commands_while_busy, 1U);
-  EXPECT_EQ(plotter.counts().unknown_codes, 1U);
-  EXPECT_EQ(plotter.counts().steps, 2U);
-  EXPECT_EQ(plotter.counts().pen_lifts, 1U);
-  EXPECT_EQ(plotter.counts().busy.count(), 620'000);
+  EXPECT_EQ(paper.marks(), expected);
+  EXPECT_EQ(plotter.totals().commands_while_busy, 1U);
+  EXPECT_EQ(plotter.totals().unknown_codes, 1U);
+  EXPECT_EQ(plotter.totals().steps, 2U);
+  EXPECT_EQ(plotter.totals().pen_lifts, 1U);
+  EXPECT_EQ(plotter.totals().busy.count(), 620'000);
 }
 
 TEST(CalComp565, TheDrumTurnsOnWhereItsCountEnds) {
   constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
-  KeptStrokes sink;
-  CalComp565<KeptStrokes> plotter(three_megahertz, sink, {last, 0});
+  Paper paper;
+  CalComp565 plotter(three_megahertz, paper.strokes, {last, 0});
   plotter.write(2, at_t_state(0));
   EXPECT_EQ(plotter.place(), (PlotterPlace{last, 0}));
-  CalComp565<KeptStrokes> back(three_megahertz, sink, {-last - 1, 0});
+  CalComp565 back(three_megahertz, paper.strokes, {-last - 1, 0});
   back.write(6, at_t_state(0));
   EXPECT_EQ(back.place(), (PlotterPlace{-last - 1, 0}));
 }
 
 TEST(Minigraf0507, AMotorTurnsOnWhereItsCountEnds) {
   constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
-  KeptStrokes sink;
-  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {}, {last, -last - 1});
+  Paper paper;
+  Minigraf0507 plotter(three_megahertz, paper.strokes, {}, {last, -last - 1});
   plotter.write(0x39, at_t_state(0));  // +x, -y
   EXPECT_EQ(plotter.place(), (PlotterPlace{last, -last - 1}));
-  EXPECT_EQ(plotter.counts().steps, 1U);
+  EXPECT_EQ(plotter.totals().steps, 1U);
 }
 
 TEST(CalComp565, EightDirectionsClockwiseFromPlusY) {
   constexpr std::array<PlotterPlace, 8> expected{
       {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
-  KeptStrokes sink;
+  Paper paper;
   for (std::uint8_t code = 0; code < 8; ++code) {
-    CalComp565<KeptStrokes> plotter(three_megahertz, sink, {500, 500});
+    CalComp565 plotter(three_megahertz, paper.strokes, {500, 500});
     plotter.write(code, at_t_state(0));
     EXPECT_EQ(plotter.place(), (PlotterPlace{500 + expected[code].x, 500 + expected[code].y})) << int{code};
-    EXPECT_EQ(plotter.counts().steps_pen_up, 1U);
+    EXPECT_EQ(plotter.totals().steps_pen_up, 1U);
   }
-  EXPECT_TRUE(sink.strokes.empty());
+  EXPECT_TRUE(paper.marks().empty());
 }
 
 TEST(CalComp565, TheCarriageEndsAtElevenInchesTheDrumNever) {
-  KeptStrokes sink;
-  CalComp565<KeptStrokes> plotter(three_megahertz, sink, {0, 1099});
+  Paper paper;
+  CalComp565 plotter(three_megahertz, paper.strokes, {0, 1099});
   plotter.write(0, at_t_state(0));
   EXPECT_EQ(plotter.read_status(at_t_state(10'000)) & 0x80, 0);
   plotter.write(1, at_t_state(20'000));
@@ -99,33 +111,33 @@ TEST(CalComp565, TheCarriageEndsAtElevenInchesTheDrumNever) {
   plotter.write(6, at_t_state(40'000));
   EXPECT_EQ(plotter.place(), (PlotterPlace{-1, 1100}));
   EXPECT_EQ(int{plotter.read_status(at_t_state(50'000))}, 0x02);
-  EXPECT_EQ(plotter.counts().off_carriage, 1U);
+  EXPECT_EQ(plotter.totals().off_carriage, 1U);
   plotter.write(9, at_t_state(60'000));
-  EXPECT_EQ(plotter.counts().off_paper, 1U);
-  EXPECT_TRUE(sink.strokes.empty());
+  EXPECT_EQ(plotter.totals().off_paper, 1U);
+  EXPECT_TRUE(paper.marks().empty());
 }
 
 TEST(CalComp565, PenCommandsTakeTheirTimeEvenWhenNothingMoves) {
-  KeptStrokes sink;
-  CalComp565<KeptStrokes> plotter(three_megahertz, sink);
+  Paper paper;
+  CalComp565 plotter(three_megahertz, paper.strokes);
   EXPECT_EQ(plotter.deadline(), never_t);
   plotter.write(8, at_t_state(0));
   EXPECT_EQ(plotter.deadline(), at_t_state(300'000));
   plotter.write(9, at_t_state(300'000));
   plotter.write(9, at_t_state(600'000));
-  EXPECT_EQ(sink.strokes.size(), 1U);
+  EXPECT_EQ(paper.marks().size(), 1U);
   plotter.advance(at_t_state(899'999));
   EXPECT_FALSE(plotter.done());
   plotter.advance(at_t_state(900'000));
   EXPECT_TRUE(plotter.done());
   EXPECT_EQ(plotter.deadline(), never_t);
-  EXPECT_EQ(plotter.counts().pen_lifts, 0U);
-  EXPECT_EQ(plotter.counts().pen_commands, 3U);
+  EXPECT_EQ(plotter.totals().pen_lifts, 0U);
+  EXPECT_EQ(plotter.totals().pen_commands, 3U);
 }
 
 TEST(Minigraf0507, PhasesStepBothMotorsForwardAndBack) {
-  KeptStrokes sink;
-  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {}, {10, 10});
+  Paper paper;
+  Minigraf0507 plotter(three_megahertz, paper.strokes, {}, {10, 10});
   std::int64_t t = 0;
   const auto out = [&](int x_phase, int y_phase, int pen) {
     plotter.write(static_cast<std::uint8_t>(x_phase | y_phase << 3 | pen << 7), at_t_state(t));
@@ -143,45 +155,45 @@ TEST(Minigraf0507, PhasesStepBothMotorsForwardAndBack) {
       {at_nanoseconds(0), 10, 10, 7, 0},          {at_nanoseconds(3'333'333), 11, 10, 7, 0},
       {at_nanoseconds(6'666'666), 12, 11, 7, 0},  {at_nanoseconds(10'000'000), 11, 11, 7, 0},
       {at_nanoseconds(13'333'333), 10, 10, 7, 0}, {at_nanoseconds(16'666'666), 9, 9, 7, 0}};
-  EXPECT_EQ(sink.strokes, expected);
+  EXPECT_EQ(paper.marks(), expected);
   EXPECT_EQ(plotter.place(), (PlotterPlace{9, 10}));
-  EXPECT_EQ(plotter.counts().steps, 6U);
-  EXPECT_EQ(plotter.counts().steps_pen_up, 1U);
-  EXPECT_EQ(plotter.counts().pen_lifts, 1U);
-  EXPECT_EQ(plotter.counts().missed_fast + plotter.counts().missed_jump, 0U);
+  EXPECT_EQ(plotter.totals().steps, 6U);
+  EXPECT_EQ(plotter.totals().steps_pen_up, 1U);
+  EXPECT_EQ(plotter.totals().pen_lifts, 1U);
+  EXPECT_EQ(plotter.totals().missed_fast + plotter.totals().missed_jump, 0U);
 }
 
 TEST(Minigraf0507, StepsTooSoonAndJumpsOfPhaseAreMissed) {
-  KeptStrokes sink;
-  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {sightline::core::Duration(5'000'000), {}},
+  Paper paper;
+  Minigraf0507 plotter(three_megahertz, paper.strokes, {sightline::core::Duration(5'000'000), {}},
                                     {10, 10});
   plotter.write(0x01, at_t_state(0));
   plotter.write(0x02, at_t_state(14'999));
   EXPECT_EQ(plotter.place(), (PlotterPlace{11, 10}));
-  EXPECT_EQ(plotter.counts().missed_fast, 1U);
+  EXPECT_EQ(plotter.totals().missed_fast, 1U);
   plotter.write(0x0A, at_t_state(14'999));  // the Y motor has rested
   EXPECT_EQ(plotter.place(), (PlotterPlace{11, 11}));
   plotter.write(0x0B, at_t_state(15'000));
   EXPECT_EQ(plotter.place(), (PlotterPlace{12, 11}));
   plotter.write(0x0F, at_t_state(100'000));
   EXPECT_EQ(plotter.place(), (PlotterPlace{12, 11}));
-  EXPECT_EQ(plotter.counts().missed_jump, 1U);
+  EXPECT_EQ(plotter.totals().missed_jump, 1U);
 }
 
 TEST(Minigraf0507, ThePenNeedsItsTimeAndTheFieldHasNoStops) {
-  KeptStrokes sink;
-  Minigraf0507<KeptStrokes> plotter(three_megahertz, sink, {{}, sightline::core::Duration(10'000'000)},
+  Paper paper;
+  Minigraf0507 plotter(three_megahertz, paper.strokes, {{}, sightline::core::Duration(10'000'000)},
                                     {1500, 0});
   plotter.write(0x80, at_t_state(0));
   plotter.write(0x81, at_t_state(29'999));
-  EXPECT_EQ(plotter.counts().steps_early, 1U);
+  EXPECT_EQ(plotter.totals().steps_early, 1U);
   plotter.write(0x80, at_t_state(30'000));
-  EXPECT_EQ(sink.strokes.size(), 2U);
-  EXPECT_EQ(sink.strokes[0], (Stroke{at_nanoseconds(10'000'000), 1500, 0, 7, 0}));
+  EXPECT_EQ(paper.marks().size(), 2U);
+  EXPECT_EQ(paper.marks()[0], (Stroke{at_nanoseconds(10'000'000), 1500, 0, 7, 0}));
   plotter.write(0xB8, at_t_state(40'000));
   EXPECT_EQ(plotter.place(), (PlotterPlace{1500, -1}));
-  EXPECT_EQ(plotter.counts().off_field, 2U);
-  EXPECT_EQ(sink.strokes.size(), 2U);
+  EXPECT_EQ(plotter.totals().off_field, 2U);
+  EXPECT_EQ(paper.marks().size(), 2U);
 }
 
 }  // namespace

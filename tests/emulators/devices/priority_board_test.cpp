@@ -39,8 +39,8 @@ TEST(PriorityBoard, TheHigherPriorityIsInFront) {
     EXPECT_EQ(picture[15], first_in_front ? 0x111111U : 0x222222U);
     EXPECT_EQ(picture[25], 0x222222U);
     EXPECT_EQ(picture[30], 0U);
-    EXPECT_EQ(board.counts().priorities, 2U);
-    EXPECT_EQ(board.counts().shows, 1U);
+    EXPECT_EQ(board.totals().priorities, 2U);
+    EXPECT_EQ(board.totals().shows, 1U);
   }
 }
 
@@ -52,7 +52,7 @@ TEST(PriorityBoard, NothingCanBeWrittenWhileAFrameWaits) {
   board.write(Register::control, 1, at(300));
   EXPECT_EQ(board.read(Register::status, at(310)) & 2U, 2U);
   set(board, 3, 77, 400);
-  EXPECT_EQ(board.counts().writes_lost, 2U);
+  EXPECT_EQ(board.totals().writes_lost, 2U);
   EXPECT_EQ(board.priorities()[3], 9);
   // Until the display's next frame begins.
   EXPECT_EQ(board.read(Register::status, at(frame - 1)) & 2U, 2U);
@@ -66,7 +66,7 @@ TEST(PriorityBoard, KeepsPrioritiesAndShowsWithoutBit0Nothing) {
   set(board, 1, 4, 0);
   board.write(Register::control, 0xFE, at(50));
   EXPECT_EQ(board.read(Register::status, at(60)) & 2U, 0U);
-  EXPECT_EQ(board.counts().shows, 0U);
+  EXPECT_EQ(board.totals().shows, 0U);
   board.write(Register::control, 1, at(70));
   EXPECT_EQ(board.read(Register::status, at(frame)) & 2U, 0U);
   EXPECT_EQ(board.priorities()[1], 4);
@@ -80,7 +80,7 @@ TEST(PriorityBoard, BlankingAndRegistersThatAreNotThere) {
   EXPECT_EQ(board.read(Register::number, at(frame)), 0xFF);
   EXPECT_EQ(board.read(3, at(frame)), 0xFF);
   board.write(3, 1, at(frame));
-  EXPECT_EQ(board.counts().unanswered, 3U);
+  EXPECT_EQ(board.totals().unanswered, 3U);
 }
 
 }  // namespace

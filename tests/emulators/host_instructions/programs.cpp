@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/core/stroke.hpp"
+#include "emulators/machines/i8080.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "emulators/type340/display.hpp"
 
 namespace {
 
@@ -17,8 +18,9 @@ using namespace sightline;
 constexpr std::uint64_t guest_instructions = 100'000;
 
 struct Pdp7 {
-  Pdp7() { static_cast<void>(machine.attach("display")); }
-  pdp7::Machine machine;
+  core::NoStrokes sink;
+  machines::NoObserver observer;
+  machines::Pdp7<> machine{{{}, type340::Options{}}, sink, observer};
 
   template <std::size_t n>
   void put(pdp7::Address at, const std::array<std::uint32_t, n>& words) {
@@ -58,11 +60,9 @@ struct Pdp7 {
     }
     put(at, std::array<std::uint32_t, 1>{0003000});
     machine.registers().interrupts_on = true;
-    machine.find<type340::Display>()->load_address_and_start(machine.now(), core::Word18(01000));
+    machine.display()->load_address_and_start(machine.now(), core::Word18(01000));
   }
 };
-
-using I8080 = machines::I8080Machine<machines::NoI8080Ports>;
 
 // The checksum of a page, then calls, 16-bit sums, the stack and conditional jumps.
 constexpr std::array<std::uint8_t, 42> i8080_program{
@@ -103,7 +103,7 @@ extern "C" {
 [[gnu::noinline]] void count_pdp7_eae(void* pdp7) { run(*static_cast<Pdp7*>(pdp7)); }
 [[gnu::noinline]] void count_pdp7_refreshing(void* pdp7) { run(*static_cast<Pdp7*>(pdp7)); }
 [[gnu::noinline]] void count_i8080_mix(void* i8080) {
-  static_cast<I8080*>(i8080)->run({guest_instructions, core::never_t});
+  static_cast<i8080::Machine*>(i8080)->run({guest_instructions, core::never_t});
 }
 }
 
@@ -121,12 +121,9 @@ int main() {
   refreshing.put_loop();
   refreshing.put_picture();
   count_pdp7_refreshing(&refreshing);
-  machines::NoI8080Ports ports;
-  machines::NoI8080Observer observer;
-  I8080 machine(ports, observer);
-  for (std::size_t i = 0; i < i8080_program.size(); ++i)
-    machine.deposit(static_cast<i8080::Address>(0x100 + i), i8080_program[i]);
-  machine.registers().pc = 0x100;
+  i8080::Machine machine;
+  machine.load(0x100, i8080_program);
+  machine.start(0x100);
   count_i8080_mix(&machine);
   std::printf("%ld %ld\n", static_cast<long>(core::nanoseconds_of(eae.machine.now())),
               static_cast<long>(core::t_states_of(machine.now())));

@@ -1,9 +1,11 @@
-// The fast 8080 machine against the T-state-by-T-state bus: random programs rich in EI and HLT under random
-// INT, READY and HOLD, with any instruction supplied, must show the same machine cycles, instructions, registers and memory, in
-// whatever pieces they are run. How to run more than a few: lockstep.hpp.
+// The engines of the 8080 machine compared with the T-state-by-T-state bus and with each other: random programs rich in EI and HLT
+// under random INT, READY and HOLD, with any instruction supplied, must show the same machine cycles, instructions, registers and
+// memory, in whatever pieces they are run, with all cycles reported, with those of marked places and with none.
+// How to run more than a few: lockstep.hpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -75,8 +77,8 @@ Program random_program(std::mt19937& random, Asked asked, std::int64_t length, s
 
 // What a run showed, up to the program's length.
 struct Shown {
-  std::vector<machines::I8080Cycle> cycles;
-  std::vector<machines::I8080HoldPins> holds;
+  std::vector<i8080::BusCycle> cycles;
+  std::vector<i8080::HoldPins> holds;
   std::vector<std::pair<std::int64_t, i8080::State>> states;  // when an instruction was over, and what it left
   std::vector<i8080::Byte> memory;
   bool whole = true;  // false: memory is that after one instruction more
@@ -104,11 +106,11 @@ Shown shown_by_pins(const Program& program) {
   }
   shown.memory.assign(board->memory.begin(), board->memory.end());
   std::size_t transfer = 0;
-  machines::I8080HoldPins pins{};
+  i8080::HoldPins pins{};
   for (std::size_t t = 0; t < static_cast<std::size_t>(length); ++t) {
     const i8080::PinState& row = board->rows[t];
     const core::TStateInstant time = core::at_t_state(static_cast<std::int64_t>(t));
-    const machines::I8080HoldPins found{time, row.inputs.hold, row.hold_acknowledge, row.state == i8080::TState::held};
+    const i8080::HoldPins found{time, row.inputs.hold, row.hold_acknowledge, row.state == i8080::TState::held};
     if (found.hold != pins.hold || found.acknowledge != pins.acknowledge || found.stands != pins.stands) {
       shown.holds.push_back(found);
       pins = found;
@@ -123,24 +125,61 @@ Shown shown_by_pins(const Program& program) {
   return shown;
 }
 
-template <bool may_wait, bool tells_instructions>
-Shown shown_by_machine(const Program& program, std::mt19937* pieces) {
-  tests::BasicScriptPorts<may_wait> ports;
-  ports.levels = program.levels;
-  ports.input = program.input;
-  ports.supplied = program.supplied;
-  tests::BasicI8080Recorder<tells_instructions> recorder;
-  machines::I8080Machine<tests::BasicScriptPorts<may_wait>, tests::BasicI8080Recorder<tells_instructions>> machine(ports, recorder);
-  std::copy(program.memory.begin(), program.memory.end(), machine.memory().begin());
-  machine.registers() = program.state;
-  machines::I8080Limits limits{~std::uint64_t{0}, core::at_t_state(program.length)};
-  while (machine.now() < core::at_t_state(program.length)) {
-    if (pieces != nullptr) {
-      limits.instructions = (*pieces)() % 20 + 1;
-      limits.until = std::min(core::at_t_state(program.length), machine.now() + core::TStates((*pieces)() % 100 + 1));
-    }
-    if (machine.run(limits) == machines::I8080StopReason::halt) break;
+// What a machine was left with, and what its device was asked.
+struct Left {
+  i8080::State state;
+  core::TStateInstant now;
+  std::uint64_t instructions;
+  std::uint64_t held;
+  std::vector<tests::PortAccess> reads;
+  std::vector<tests::PortAccess> writes;
+  std::vector<i8080::Byte> memory;
+  friend bool operator==(const Left&, const Left&) = default;
+};
+
+struct Subject {
+  Subject(const Program& of, Asked asked) : program(of), script(tests::attach_script(machine, asked.ready, asked.hold)) {
+    script.levels = program.levels;
+    script.input = program.input;
+    script.supplied = program.supplied;
+    machine.load(0, program.memory);
+    machine.registers() = program.state;
   }
+
+  // The whole program, or pieces of it: run(limits) gives a stop reason.
+  template <class Piece>
+  void run(std::mt19937* pieces, Piece piece) {
+    const core::TStateInstant end = core::at_t_state(program.length);
+    i8080::Limits limits{.until = end};
+    while (machine.now() < end) {
+      if (pieces != nullptr) {
+        limits.instructions = (*pieces)() % 20 + 1;
+        limits.until = std::min(end, machine.now() + core::TStates((*pieces)() % 100 + 1));
+      }
+      if (piece(limits) == i8080::StopReason::halt) break;
+    }
+  }
+  [[nodiscard]] Left left() const {
+    return {machine.registers(), machine.now(),   machine.instructions(), machine.held(), script.reads, script.writes,
+            {machine.memory().begin(), machine.memory().end()}};
+  }
+
+  const Program& program;
+  i8080::Machine machine;
+  tests::ScriptDevice& script;
+};
+
+struct Seen {
+  Shown shown;
+  Left left;
+  std::vector<i8080::BusCycle> cycles;  // to the end of the last instruction, with their operands
+};
+
+Seen seen_by_observer(const Program& program, Asked asked, bool tells_instructions, std::mt19937* pieces) {
+  Subject subject(program, asked);
+  tests::I8080Recorder recorder(tells_instructions);
+  subject.run(pieces, [&](const i8080::Limits& limits) { return subject.machine.run(limits, recorder); });
+  Seen seen{{}, subject.left(), recorder.seen};
   const auto end = core::at_t_state(program.length);
   const auto cut = [end](auto& events) {
     while (!events.empty() && events.back().time >= end) events.pop_back();
@@ -148,13 +187,74 @@ Shown shown_by_machine(const Program& program, std::mt19937* pieces) {
   cut(recorder.seen);
   cut(recorder.holds);
   for (auto& cycle : recorder.seen) cycle.operand = false;  // which pins do not tell
-  Shown shown{recorder.seen, recorder.holds, {}, {}, true};
-  for (const auto& instruction : recorder.executed) shown.states.emplace_back(instruction.end, instruction.after);
-  shown.memory.assign(machine.memory().begin(), machine.memory().end());
-  return shown;
+  seen.shown = {recorder.seen, recorder.holds, {}, {}, true};
+  for (const auto& instruction : recorder.executed) seen.shown.states.emplace_back(instruction.end, instruction.after);
+  seen.shown.memory = seen.left.memory;
+  return seen;
 }
 
-std::string text(const machines::I8080Cycle& cycle) {
+Left left_unobserved(const Program& program, Asked asked, bool plainly, std::mt19937* pieces) {
+  Subject subject(program, asked);
+  subject.run(pieces, [&](const i8080::Limits& limits) {
+    return plainly ? subject.machine.run_plainly(limits) : subject.machine.run(limits);
+  });
+  return subject.left();
+}
+
+// An observer of marked places.
+struct Marked : tests::I8080Recorder {
+  explicit Marked(std::mt19937& random) : I8080Recorder(false) {
+    for (auto& byte : of_memory) byte = static_cast<std::uint8_t>(random() % 8 == 0 ? random() & 13U : 0);
+    for (auto& byte : of_ports) byte = static_cast<std::uint8_t>(random() % 8 == 0 ? random() & 12U : 0);
+    marks = of_memory.data();
+    port_marks = of_ports.data();
+  }
+  bool stop(core::TStateInstant now, i8080::Address next) override {
+    // At every boundary, those that the marks ask for are kept.
+    if (!every_boundary || seen.size() != seen_before || (of_memory[next] & i8080::mark::stop) != 0) boundaries.push_back(now);
+    seen_before = seen.size();
+    return false;
+  }
+  // As the interface says.
+  [[nodiscard]] bool wants(const i8080::BusCycle& cycle) const {
+    namespace status = i8080::status;
+    if (cycle.operand) return false;
+    if ((cycle.status & status::first) != 0) return (cycle.status & status::acknowledge) != 0;
+    if ((cycle.status & status::halt) != 0) return false;
+    const std::uint8_t bit = (cycle.status & status::read) != 0 ? i8080::mark::read : i8080::mark::written;
+    if ((cycle.status & (status::input | status::output)) != 0) return (of_ports[i8080::low(cycle.address)] & bit) != 0;
+    return (of_memory[cycle.address] & bit) != 0;
+  }
+
+  std::array<std::uint8_t, 65536> of_memory{};
+  std::array<std::uint8_t, 256> of_ports{};
+  std::size_t seen_before = 0;
+  std::vector<core::TStateInstant> boundaries;
+};
+
+void expect_marked(const Program& program, Asked asked, const Seen& all, std::mt19937& random, const std::string& name) {
+  const auto marked = std::make_unique<Marked>(random);
+  const auto run = [&](Marked& observer) {
+    Subject subject(program, asked);
+    subject.run(nullptr, [&](const i8080::Limits& limits) { return subject.machine.run(limits, observer); });
+    EXPECT_TRUE(subject.left() == all.left) << name;
+  };
+  const auto at_all = std::make_unique<Marked>(*marked);
+  at_all->marks = at_all->of_memory.data();
+  at_all->port_marks = at_all->of_ports.data();
+  at_all->every_boundary = true;
+  run(*marked);
+  run(*at_all);
+  std::vector<i8080::BusCycle> expected;
+  for (const auto& cycle : all.cycles) {
+    if (marked->wants(cycle)) expected.push_back(cycle);
+  }
+  EXPECT_TRUE(marked->seen == expected) << name;
+  EXPECT_TRUE(at_all->seen == expected) << name;
+  EXPECT_TRUE(marked->boundaries == at_all->boundaries) << name;
+}
+
+std::string text(const i8080::BusCycle& cycle) {
   const auto hexadecimal = [](unsigned value) {
     std::string digits;
     for (int shift = 12; shift >= 0; shift -= 4) digits += "0123456789ABCDEF"[value >> shift & 15U];
@@ -164,7 +264,7 @@ std::string text(const machines::I8080Cycle& cycle) {
          hexadecimal(cycle.address) + ' ' + hexadecimal(cycle.data);
 }
 
-std::string text(const machines::I8080HoldPins& pins) {
+std::string text(const i8080::HoldPins& pins) {
   return std::to_string(core::t_states_of(pins.time)) + (pins.hold ? " hold" : "") + (pins.acknowledge ? " hlda" : "") +
          (pins.stands ? " stands" : "");
 }
@@ -196,7 +296,6 @@ void expect_same(const Shown& found, const Shown& expected, const std::string& p
   expect_equal(found.holds, holds, program);
 }
 
-template <bool may_wait>
 void compare(std::mt19937& random, Asked asked, int programs, const std::string& name) {
   std::size_t interrupts = 0;
   std::size_t waking_fetches = 0;
@@ -215,17 +314,22 @@ void compare(std::mt19937& random, Asked asked, int programs, const std::string&
     const Program program = random_program(random, asked, length, memory);
     const Shown expected = shown_by_pins(program);
     const std::string number = name + ", program " + std::to_string(i);
-    expect_same(shown_by_machine<may_wait, true>(program, nullptr), expected, number);
+    const Seen seen = seen_by_observer(program, asked, true, nullptr);
+    expect_same(seen.shown, expected, number);
     if (testing::Test::HasFatalFailure()) return;
-    Shown fast = shown_by_machine<may_wait, false>(program, nullptr);
-    fast.states = expected.states;
-    expect_same(fast, expected, number + ", no instructions told");
+    Shown fewer = seen_by_observer(program, asked, false, nullptr).shown;
+    fewer.states = expected.states;
+    expect_same(fewer, expected, number + ", no instructions told");
     if (testing::Test::HasFatalFailure()) return;
-    fast = shown_by_machine<may_wait, false>(program, &random);
-    fast.states = expected.states;
-    fast.holds = expected.holds;
-    expect_same(fast, expected, number + ", in pieces");
+    fewer = seen_by_observer(program, asked, false, &random).shown;
+    fewer.states = expected.states;
+    fewer.holds = expected.holds;
+    expect_same(fewer, expected, number + ", in pieces");
     if (testing::Test::HasFatalFailure()) return;
+    ASSERT_TRUE(left_unobserved(program, asked, true, nullptr) == seen.left) << number << ", plain engine";
+    ASSERT_TRUE(left_unobserved(program, asked, false, nullptr) == seen.left) << number << ", fast engine";
+    ASSERT_TRUE(left_unobserved(program, asked, false, &random) == seen.left) << number << ", fast engine in pieces";
+    expect_marked(program, asked, seen, random, number + ", marked");
     tests::WrittenWords words(65536);
     for (const auto& cycle : expected.cycles) {
       if ((cycle.status & (i8080::status::read | i8080::status::output)) == 0) words.write(cycle.address);
@@ -249,24 +353,24 @@ void compare(std::mt19937& random, Asked asked, int programs, const std::string&
 
 TEST(I8080Machine, ShowsTheCyclesOfTheTStateByTStateBus) {
   std::mt19937 random(static_cast<unsigned>(tests::lockstep_seed(8080)));
-  compare<true>(random, {.ready = true}, 400, "INT and READY");
+  compare(random, {.ready = true}, 400, "INT and READY");
 }
 
 TEST(I8080Machine, HoldIsThatOfTheTStateByTStateBus) {
   std::mt19937 random(static_cast<unsigned>(tests::lockstep_seed(1975)));
-  compare<false>(random, {.hold = true}, 600, "INT and HOLD");
+  compare(random, {.hold = true}, 600, "INT and HOLD");
 }
 
 TEST(I8080Machine, HoldAmongWaitStatesIsThatOfTheTStateByTStateBus) {
   std::mt19937 random(static_cast<unsigned>(tests::lockstep_seed(8228)));
-  compare<true>(random, {.ready = true, .hold = true}, 200, "INT, READY and HOLD");
+  compare(random, {.ready = true, .hold = true}, 200, "INT, READY and HOLD");
 }
 
 // Program 167 of seed 77 drops INT and raises it again within an acknowledge cycle that ends a piece.
 TEST(I8080Machine, ARunInPiecesIsTheSameRun) {
   for (const unsigned seed : {1985U, 77U}) {
     std::mt19937 random(seed);
-    compare<false>(random, {}, 200, "INT");
+    compare(random, {}, 200, "INT");
   }
 }
 

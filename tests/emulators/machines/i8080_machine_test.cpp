@@ -2,22 +2,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "emulators/machines/i8080_hold.hpp"
+#include "emulators/devices/bus_master.hpp"
 #include "tests/emulators/machines/i8080_script.hpp"
 
 namespace sightline {
 namespace {
 
-using machines::I8080StopReason;
+using i8080::StopReason;
 
 struct Bench {
-  tests::ScriptPorts ports;
-  tests::I8080Recorder recorder;
-  tests::ScriptMachine machine{ports, recorder};
+  tests::I8080Recorder recorder{true};
+  i8080::Machine machine;
+  tests::ScriptDevice& ports = tests::attach_script(machine, true, true);
 
   explicit Bench(std::initializer_list<std::uint8_t> program) {
     i8080::Address at = 0x100;
@@ -25,7 +27,7 @@ struct Bench {
     machine.registers().pc = 0x100;
     machine.registers().sp = 0x8000;
   }
-  I8080StopReason run(std::uint64_t instructions = 100) { return machine.run({instructions, core::never_t}); }
+  StopReason run(std::uint64_t instructions = 100) { return machine.run({instructions, core::never_t}, recorder); }
   std::int64_t now() const { return core::t_states_of(machine.now()); }
   // INT high from T-state `from` up to and not including `to`.
   void interrupt(std::size_t from, std::size_t to) {
@@ -37,7 +39,7 @@ struct Bench {
 TEST(I8080Machine, PortsAreTouchedInTheTenthTState) {
   Bench bench{0x3E, 0x5A, 0xD3, 0x10, 0xDB, 0x20, 0x76};  // MVI A; OUT; IN; HLT
   bench.ports.input = 0x77;
-  EXPECT_EQ(bench.run(), I8080StopReason::halt);
+  EXPECT_EQ(bench.run(), StopReason::halt);
   EXPECT_EQ(bench.ports.writes, (std::vector<tests::PortAccess>{{7 + 9, 0x10, 0x5A}}));
   EXPECT_EQ(bench.ports.reads, (std::vector<tests::PortAccess>{{17 + 9, 0x20, 0x77}}));
   EXPECT_EQ(bench.machine.registers().a, 0x77);
@@ -124,22 +126,22 @@ TEST(I8080Machine, LimitsAreExact) {
   Bench bench{0x00, 0x23, 0xC3, 0x00, 0x01};  // NOP; INX H; JMP
   for (std::uint64_t n = 1; n < 50; ++n) {
     const std::uint64_t before = bench.machine.instructions();
-    EXPECT_EQ(bench.run(n), I8080StopReason::instruction_limit);
+    EXPECT_EQ(bench.run(n), StopReason::instruction_limit);
     EXPECT_EQ(bench.machine.instructions() - before, n);
   }
   Bench timed{0x00, 0x23, 0xC3, 0x00, 0x01};
-  EXPECT_EQ(timed.machine.run({~std::uint64_t{0}, core::at_t_state(9)}), I8080StopReason::time_limit);
+  EXPECT_EQ(timed.machine.run({.until = core::at_t_state(9)}), StopReason::time_limit);
   EXPECT_EQ(timed.now(), 9);
-  EXPECT_EQ(timed.machine.run({~std::uint64_t{0}, core::at_t_state(10)}), I8080StopReason::time_limit);
+  EXPECT_EQ(timed.machine.run({.until = core::at_t_state(10)}), StopReason::time_limit);
   EXPECT_EQ(timed.now(), 19);
-  EXPECT_EQ(timed.run(0), I8080StopReason::instruction_limit);
+  EXPECT_EQ(timed.run(0), StopReason::instruction_limit);
   EXPECT_EQ(timed.now(), 19);
 }
 
 TEST(I8080Machine, PortsEndARunAfterTheInstructionThatTouchedThem) {
   Bench bench{0xD3, 0x00, 0x00, 0x00};
-  bench.ports.stop_after_writes = 1;
-  EXPECT_EQ(bench.run(), I8080StopReason::ports);
+  bench.ports.stopped_by_writes = &bench.machine;
+  EXPECT_EQ(bench.run(), StopReason::device);
   EXPECT_EQ(bench.now(), 10);
 }
 
@@ -159,7 +161,7 @@ TEST(I8080Machine, ResetKeepsAllButPcAndInte) {
 TEST(I8080Machine, ResetBetweenAHaltAndTheFetchThatEndsItForgetsTheHalt) {
   Bench bench{0xFB, 0x76};  // EI; HLT
   bench.interrupt(20, 40);
-  EXPECT_EQ(bench.machine.run({100, core::at_t_state(22)}), I8080StopReason::time_limit);
+  EXPECT_EQ(bench.machine.run({100, core::at_t_state(22)}, bench.recorder), StopReason::time_limit);
   EXPECT_EQ(bench.now(), 23);
   EXPECT_FALSE(bench.machine.registers().halted);
   bench.machine.reset();
@@ -171,8 +173,7 @@ TEST(I8080Machine, ResetBetweenAHaltAndTheFetchThatEndsItForgetsTheHalt) {
 TEST(I8080Machine, AHaltThatEndedUnobservedLeavesNoHlta) {
   Bench bench{0xFB, 0x76, 0x00, 0x00};  // EI; HLT
   bench.interrupt(50, 51);
-  machines::NoI8080Observer nobody;
-  EXPECT_EQ(bench.machine.run({3, core::never_t}, nobody), I8080StopReason::instruction_limit);
+  EXPECT_EQ(bench.machine.run({3, core::never_t}), StopReason::instruction_limit);
   bench.run(1);
   EXPECT_EQ(bench.recorder.seen.back().address, 0x0103);
   EXPECT_EQ(bench.recorder.seen.back().status, 0xA2);
@@ -187,77 +188,70 @@ TEST(I8080Machine, DadHasNoCycleToReport) {
   EXPECT_EQ(bench.recorder.seen[2].address, 0x0101);
 }
 
-// HOLD again and again, so often that the machine never leaves its pins.
-struct HeldPorts : machines::NoI8080Ports {
-  machines::HoldTimes times{3, 20, 30};
-  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant t) const { return times.next_hold(t); }
-  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant t) const { return times.hold_ends(t); }
-};
-
 TEST(I8080Machine, HoldDoesNotKeepAHaltFromEndingTheRun) {
   for (const bool open : {false, true}) {
-    HeldPorts ports;
-    machines::NoI8080Observer nobody;
-    machines::I8080Machine<HeldPorts> machine(ports, nobody);
+    // Again and again, so often that the machine never leaves its pins.
+    i8080::Machine machine;
+    const std::array<core::Setting, 3> times{{{"first", 3}, {"length", 20}, {"period", 30}}};
+    ASSERT_EQ(machine.attach("bus-master", times), "");
     machine.deposit(0x100, 0x76);
     machine.registers().pc = 0x100;
     machine.registers().interrupts_on = open;
-    EXPECT_EQ(machine.run({}), I8080StopReason::halt);
-    EXPECT_EQ(machine.run({}), I8080StopReason::halt);
+    EXPECT_EQ(machine.run({}), StopReason::halt);
+    EXPECT_EQ(machine.run({}), StopReason::halt);
     EXPECT_TRUE(machine.registers().halted);
   }
 }
 
-// INT rises with the OUT of a value, and one of another ends the run; nothing else is worth a look.
-struct QuietPorts : machines::NoI8080Ports {
-  bool high = false, stops = false;
-  std::uint8_t acknowledge(core::TStateInstant) {
+// INT rises with the OUT of a value, and one of another ends the run.
+struct QuietDevice : core::PortDevice {
+  static constexpr core::PortDeviceInfo info{.name = "quiet", .help = "", .choice = "", .writes = tests::all_ports};
+  explicit QuietDevice(i8080::Machine& machine) : machine_(machine) {}
+  bool high = false;
+  std::uint8_t acknowledge(core::TStateInstant) override {
     high = false;
     return 0xFF;
   }
-  void out(std::uint8_t, std::uint8_t value, core::TStateInstant) {
+  void out(std::uint8_t, std::uint8_t value, core::TStateInstant) override {
     high = value == 2;
-    stops = value == 3;
+    if (value == 3) machine_.request_stop();
   }
-  [[nodiscard]] bool interrupt() const { return high; }
-  [[nodiscard]] bool stopped() const { return stops; }
-  [[nodiscard]] bool wants_look() const { return high || stops; }
+  [[nodiscard]] bool drives_interrupt() const override { return true; }
+  [[nodiscard]] unsigned requests() const override { return high ? 1 : 0; }
+
+ private:
+  i8080::Machine& machine_;
 };
 
-TEST(I8080Machine, PortsMaySayThatAnAccessIsWorthNoLook) {
-  QuietPorts ports;
-  machines::NoI8080Observer nobody;
-  machines::I8080Machine<QuietPorts> machine(ports, nobody);
+TEST(I8080Machine, ADeviceMayRequestAnInterruptOrAStopByAnAccess) {
+  i8080::Machine machine;
+  ASSERT_EQ(machine.attach(QuietDevice::info, std::make_unique<QuietDevice>(machine)), "");
   i8080::Address at = 0;
   // EI; IN; MVI A,1; OUT; INR A; OUT; INR A; OUT; HLT
   for (const int byte : {0xFB, 0xDB, 0x10, 0x3E, 0x01, 0xD3, 0x10, 0x3C, 0xD3, 0x10, 0x3C, 0xD3, 0x10, 0x76})
     machine.deposit(at++, static_cast<i8080::Byte>(byte));
   machine.deposit(0x38, 0xC9);  // RET
   machine.registers().sp = 0x8000;
-  EXPECT_EQ(machine.run({}), I8080StopReason::ports);
+  EXPECT_EQ(machine.run({}), StopReason::device);
   EXPECT_EQ(machine.registers().pc, 0x0D);
   EXPECT_EQ(core::t_states_of(machine.now()), 4 + 10 + 7 + 10 + 5 + 10 + (11 + 10) + 5 + 10);
   EXPECT_EQ(machine.peek(0x7FFE), 0x0A);  // the interrupt came behind the second OUT
-  ports.stops = false;
-  machines::I8080Limits limits;
-  limits.instructions = 1;
   machine.registers().pc = 1;
-  EXPECT_EQ(machine.run(limits), I8080StopReason::instruction_limit);
+  EXPECT_EQ(machine.run({.instructions = 1}), StopReason::instruction_limit);
   EXPECT_EQ(machine.registers().pc, 3);
-  EXPECT_EQ(machine.run({}), I8080StopReason::ports);
+  EXPECT_EQ(machine.run({}), StopReason::device);
 }
 
 TEST(I8080Machine, ALongHoldIsPassedOver) {
-  HeldPorts ports;
-  ports.times = {2'000, 4'000'000'000, 0};
-  machines::NoI8080Observer nobody;
-  machines::I8080Machine<HeldPorts> machine(ports, nobody);
-  EXPECT_EQ(machine.run({~std::uint64_t{0}, core::at_t_state(3'000'000'000)}), I8080StopReason::time_limit);
+  i8080::Machine machine;
+  const std::array<core::Setting, 2> times{{{"first", 2'000}, {"length", 4'000'000'000}}};
+  ASSERT_EQ(machine.attach("bus-master", times), "");
+  EXPECT_EQ(machine.run({.until = core::at_t_state(3'000'000'000)}), StopReason::time_limit);
   EXPECT_EQ(machine.now(), core::at_t_state(3'000'000'000));
   // NOPs: HOLD comes in T1 of a fetch, is seen in its T2 and granted in T3; T4 is the last before the processor stands still.
   EXPECT_EQ(machine.instructions(), 501U);
   EXPECT_EQ(machine.held(), 3'000'000'000U - 2'004U);
-  EXPECT_EQ(machine.run({1, core::never_t}), I8080StopReason::instruction_limit);
+  EXPECT_EQ(machine.run({1, core::never_t}), StopReason::instruction_limit);
   EXPECT_EQ(machine.now(), core::at_t_state(4'000'002'001 + 4));
 }
 

@@ -1,6 +1,7 @@
 // The 8080 beside the machine of an earlier version (../reference), on random programs that modify themselves, with random
 // INT and READY, ports, halts and jammed instructions: the same bus cycles, registers, times and memory, in the same pieces.
-// Four ways through the machine take part: with every cycle told, with nothing told, by the portable loop, and asked at every boundary.
+// Four ways through the machine take part: the fast engine, the plain one by itself, with every cycle reported, and asked at every
+// boundary.
 //
 // How to run more than a few: lockstep.hpp.
 #include <gtest/gtest.h>
@@ -11,13 +12,14 @@
 #include <memory>
 #include <random>
 
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/i8080.hpp"
 #include "tests/emulators/machines/lockstep.hpp"
 #include "tests/emulators/reference/i8080/i8080_machine.hpp"
 
 namespace sightline {
 namespace {
 
+using reference_8080::I8080StopReason;
 using tests::CycleSum;
 
 // INT that changes at instants drawn beforehand, and READY that is low for some memory and port cycles.
@@ -77,42 +79,72 @@ struct RandomPorts {
   }
 };
 
-struct SumCycles {
+// The same as a device.
+template <bool may_wait>
+class RandomDevice final : public core::PortDevice {
+ public:
+  static constexpr std::array all_ports{core::PortRange{0x00, 0xFF}};
+  static constexpr core::PortDeviceInfo info{.name = "random", .help = "", .choice = "", .reads = all_ports, .writes = all_ports};
+
+  explicit RandomDevice(const RandomPorts<may_wait>& of) : ports(of) {}
+  RandomPorts<may_wait> ports;
+
+  std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return ports.in(port, at); }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { ports.out(port, value, at); }
+  void advance(core::TStateInstant at) override { ports.advance(at); }
+  [[nodiscard]] core::TStateInstant deadline() const override { return ports.deadline(); }
+  [[nodiscard]] bool drives_interrupt() const override { return true; }
+  [[nodiscard]] unsigned requests() const override { return ports.interrupt() ? 1 : 0; }
+  [[nodiscard]] std::uint8_t acknowledge(core::TStateInstant at) override { return ports.acknowledge(at); }
+  [[nodiscard]] bool drives_ready() const override { return may_wait; }
+  [[nodiscard]] int wait_states(std::uint8_t, std::uint16_t address, core::TStateInstant at) const override {
+    return ports.wait_states({}, address, at);
+  }
+};
+
+template <class Cycle>
+void add_cycle(CycleSum& sum, const Cycle& c) {
+  sum.add_cycle(static_cast<std::uint64_t>(core::t_states_of(c.time)),
+                std::uint64_t{c.status} << 32 | std::uint64_t{c.address} << 16 | std::uint64_t{c.data} << 8 | (c.operand ? 1U : 0U));
+}
+
+struct SumCycles : i8080::Observer {
+  CycleSum all;
+  void cycle(const i8080::BusCycle& c) override { add_cycle(all, c); }
+};
+// The same of the reference, and what programs do.
+struct WatchedCycles {
   static constexpr bool instructions = false;
   static constexpr bool cycles = true;
   static constexpr bool stops = false;
   CycleSum all;
-  void cycle(const machines::I8080Cycle& c) {
-    all.add_cycle(static_cast<std::uint64_t>(core::t_states_of(c.time)),
-                  std::uint64_t{c.status} << 32 | std::uint64_t{c.address} << 16 | std::uint64_t{c.data} << 8 | (c.operand ? 1U : 0U));
-  }
-};
-// The same of the reference, and what programs do.
-struct WatchedCycles : SumCycles {
   tests::WrittenWords words{65536};
   std::uint64_t waking_fetches = 0;
-  void cycle(const machines::I8080Cycle& c) {
-    SumCycles::cycle(c);
+  void cycle(const reference_8080::I8080Cycle& c) {
+    add_cycle(all, c);
     if ((c.status & (i8080::status::read | i8080::status::output)) == 0) words.write(c.address);
     if ((c.status & i8080::status::first) != 0) words.fetch(c.address);
     if (c.status == 0xAA) ++waking_fetches;
   }
 };
-struct SumCyclesInALoop : SumCycles {
-  static constexpr bool plain_loop = true;
-};
 
 // Is asked at every boundary, as a monitor that waits for a condition; stops at some.
-struct Follower {
-  static constexpr bool instructions = false;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = true;
+struct Follower : i8080::Observer {
   std::uint64_t boundaries = 0;
   std::uint64_t every = 97;
-  void cycle(const machines::I8080Cycle&) {}
-  [[nodiscard]] static bool reads_machine() { return true; }
-  bool stop(core::TStateInstant, i8080::Address) { return ++boundaries % every == 0; }
+  bool stop(core::TStateInstant, i8080::Address) override { return ++boundaries % every == 0; }
 };
+
+// What a reason of the machine is called by the reference.
+I8080StopReason earlier(i8080::StopReason reason) {
+  switch (reason) {
+    case i8080::StopReason::halt: return I8080StopReason::halt;
+    case i8080::StopReason::instruction_limit: return I8080StopReason::instruction_limit;
+    case i8080::StopReason::time_limit: return I8080StopReason::time_limit;
+    case i8080::StopReason::observer: return I8080StopReason::observer;
+    default: return I8080StopReason::ports;
+  }
+}
 
 std::uint8_t random_byte(std::mt19937_64& random) {
   const std::uint64_t r = random();
@@ -138,21 +170,20 @@ struct Done {
 template <bool may_wait>
 bool run_one(std::mt19937_64& random, Done& done) {
   using Ports = RandomPorts<may_wait>;
-  std::array<Ports, 4> ports;
-  ports[0].seed = random();
-  ports[0].period = static_cast<std::int64_t>(5 + random() % 300);
-  for (auto& byte : ports[0].supplied) byte = random() % 3 == 0 ? random_byte(random) : std::uint8_t{0xE7};
-  for (std::size_t i = 1; i < ports.size(); ++i) ports[i] = ports[0];
+  Ports ports;
+  ports.seed = random();
+  ports.period = static_cast<std::int64_t>(5 + random() % 300);
+  for (auto& byte : ports.supplied) byte = random() % 3 == 0 ? random_byte(random) : std::uint8_t{0xE7};
   WatchedCycles of_reference;
   SumCycles cycles;
-  SumCyclesInALoop cycles_in_a_loop;
-  machines::NoI8080Observer no_observer;
   Follower follower;
-  const auto reference =
-      std::make_unique<reference_8080::I8080Machine<Ports, WatchedCycles>>(ports[0], of_reference);
-  const auto told = std::make_unique<machines::I8080Machine<Ports, SumCycles>>(ports[1], cycles);
-  const auto looped = std::make_unique<machines::I8080Machine<Ports, SumCyclesInALoop>>(ports[2], cycles_in_a_loop);
-  const auto untold = std::make_unique<machines::I8080Machine<Ports>>(ports[3], no_observer);
+  i8080::Machine reported;
+  i8080::Machine plain;
+  i8080::Machine fast;
+  for (i8080::Machine* const machine : {&reported, &plain, &fast}) {
+    EXPECT_EQ(machine->attach(RandomDevice<may_wait>::info, std::make_unique<RandomDevice<may_wait>>(ports)), "");
+  }
+  const auto reference = std::make_unique<reference_8080::I8080Machine<Ports, WatchedCycles>>(ports, of_reference);
   for (auto& byte : reference->memory()) byte = random_byte(random);
   i8080::State state;
   state.pc = static_cast<i8080::Address>(random());
@@ -162,34 +193,35 @@ bool run_one(std::mt19937_64& random, Done& done) {
   state.interrupts_on = random() % 2 == 0;
   const auto each = [&](auto what) {
     what(*reference);
-    what(*told);
-    what(*looped);
-    what(*untold);
+    what(reported);
+    what(plain);
+    what(fast);
   };
   each([&](auto& machine) {
     machine.registers() = state;
     std::copy(reference->memory().begin(), reference->memory().end(), machine.memory().begin());
   });
   for (int piece = 0; piece < 100; ++piece) {
-    machines::I8080Limits limits{random() % 2 == 0 ? random() % 30 + 1 : random() % 6000, core::never_t};
-    if (random() % 3 == 0) limits.until = told->now() + core::TStates(static_cast<std::int64_t>(random() % 3000));
-    const auto reason = reference->run(limits);
+    i8080::Limits limits{random() % 2 == 0 ? random() % 30 + 1 : random() % 6000, core::never_t};
+    if (random() % 3 == 0) limits.until = reported.now() + core::TStates(static_cast<std::int64_t>(random() % 3000));
+    const auto reason = reference->run({limits.instructions, limits.until});
     // Where the follower has stopped it the run is taken up again.
-    machines::I8080Limits rest = limits;
-    auto last = reason;
+    i8080::Limits rest = limits;
+    auto last = i8080::StopReason::observer;
     do {
-      const std::uint64_t before = untold->instructions();
-      last = random() % 2 == 0 ? untold->run(rest, follower) : untold->run(rest);
-      rest.instructions -= untold->instructions() - before;
-    } while (last == machines::I8080StopReason::observer && rest.instructions != 0);
-    if (last == machines::I8080StopReason::observer) last = machines::I8080StopReason::instruction_limit;
-    const bool same = told->run(limits) == reason && looped->run(limits) == reason && last == reason;
-    const auto alike = [&](const auto& machine) {
+      const std::uint64_t before = fast.instructions();
+      last = random() % 2 == 0 ? fast.run(rest, follower) : fast.run(rest);
+      rest.instructions -= fast.instructions() - before;
+    } while (last == i8080::StopReason::observer && rest.instructions != 0);
+    if (last == i8080::StopReason::observer) last = i8080::StopReason::instruction_limit;
+    const bool same = earlier(reported.run(limits, cycles)) == reason && earlier(plain.run_plainly(limits)) == reason &&
+                      earlier(last) == reason;
+    const auto alike = [&](const i8080::Machine& machine) {
       return machine.registers() == reference->registers() && machine.now() == reference->now() &&
              machine.instructions() == reference->instructions();
     };
-    if (!same || !alike(*told) || !alike(*looped) || !alike(*untold)) {
-      ADD_FAILURE() << "piece " << piece << ": " << same << alike(*told) << alike(*looped) << alike(*untold);
+    if (!same || !alike(reported) || !alike(plain) || !alike(fast)) {
+      ADD_FAILURE() << "piece " << piece << ": " << same << alike(reported) << alike(plain) << alike(fast);
       return false;
     }
     if (random() % 4 == 0) {
@@ -197,9 +229,10 @@ bool run_one(std::mt19937_64& random, Done& done) {
       each([&](auto& machine) { machine.registers().pc = pc; });
     }
   }
-  const bool same_cycles = of_reference.all == cycles.all && of_reference.all == cycles_in_a_loop.all;
-  const bool same_ports = ports[0].accesses == ports[1].accesses && ports[0].accesses == ports[2].accesses &&
-                          ports[0].accesses == ports[3].accesses;
+  const bool same_cycles = of_reference.all == cycles.all;
+  bool same_ports = true;
+  for (const i8080::Machine* const machine : {&reported, &plain, &fast})
+    same_ports = same_ports && machine->find<RandomDevice<may_wait>>()->ports.accesses == ports.accesses;
   bool same_memory = true;
   each([&](auto& machine) {
     same_memory = same_memory && std::equal(reference->memory().begin(), reference->memory().end(), machine.memory().begin());
@@ -208,7 +241,7 @@ bool run_one(std::mt19937_64& random, Done& done) {
   ++done.programs;
   done.instructions += reference->instructions();
   done.cycles += of_reference.all.count;
-  done.supplied += ports[0].given;
+  done.supplied += ports.given;
   done.waking_fetches += of_reference.waking_fetches;
   done.modified += of_reference.words.fetched();
   return same_cycles && same_ports && same_memory;

@@ -1,15 +1,22 @@
-// Ports of an 8080 machine that follow a script of INT and READY, T-state by T-state, and note what was asked of them.
+// A device on all ports of an 8080 that follows a script of INT, READY and HOLD, T-state by T-state, and notes what was asked of it;
+// and an observer that keeps everything.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "emulators/core/port_device.hpp"
 #include "emulators/core/tstates.hpp"
 #include "emulators/i8080/pin_bus.hpp"
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/i8080.hpp"
 
 namespace sightline::tests {
+
+inline constexpr std::array all_ports{core::PortRange{0x00, 0xFF}};
 
 struct PortAccess {
   std::int64_t t;
@@ -18,52 +25,57 @@ struct PortAccess {
   friend bool operator==(const PortAccess&, const PortAccess&) = default;
 };
 
-template <bool may_wait>
-class BasicScriptPorts {
+class ScriptDevice final : public core::PortDevice {
  public:
-  static constexpr bool waits = may_wait;
+  static constexpr core::PortDeviceInfo info{.name = "script", .help = "", .choice = "", .reads = all_ports, .writes = all_ports};
+
+  // Which pins the script has to do with, besides INT.
+  explicit ScriptDevice(bool ready, bool hold) : ready_(ready), hold_(hold) {}
 
   std::vector<i8080::PinInputs> levels;  // after the last: no INT, ready
   std::uint8_t input = 0;
   std::vector<std::uint8_t> supplied{0xFF};  // given in turn to acknowledge cycles; the last one stays
   std::vector<PortAccess> reads;
   std::vector<PortAccess> writes;
-  std::size_t stop_after_writes = ~std::size_t{0};
+  i8080::Machine* stopped_by_writes = nullptr;  // not null: each write ends its run
 
-  std::uint8_t in(std::uint8_t port, core::TStateInstant at) {
+  std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     advance(at);
     reads.push_back({core::t_states_of(at), port, input});
     return input;
   }
-  void out(std::uint8_t port, std::uint8_t data, core::TStateInstant at) {
+  void out(std::uint8_t port, std::uint8_t data, core::TStateInstant at) override {
     advance(at);
     writes.push_back({core::t_states_of(at), port, data});
+    if (stopped_by_writes != nullptr) stopped_by_writes->request_stop();
   }
-  std::uint8_t acknowledge(core::TStateInstant at) {
+  [[nodiscard]] bool drives_interrupt() const override { return true; }
+  std::uint8_t acknowledge(core::TStateInstant at) override {
     advance(at);
     return supplied[next_ + 1 < supplied.size() ? next_++ : next_];
   }
-  void advance(core::TStateInstant at) { now_ = core::t_states_of(at); }
-  [[nodiscard]] bool interrupt() const { return level(now_).interrupt; }
-  [[nodiscard]] bool stopped() const { return writes.size() >= stop_after_writes; }
-  [[nodiscard]] core::TStateInstant deadline() const {
+  void advance(core::TStateInstant at) override { now_ = core::t_states_of(at); }
+  [[nodiscard]] unsigned requests() const override { return level(now_).interrupt ? 1 : 0; }
+  [[nodiscard]] core::TStateInstant deadline() const override {
     for (std::int64_t t = now_ + 1; t <= static_cast<std::int64_t>(levels.size()); ++t) {
-      if (level(t).interrupt != interrupt()) return core::at_t_state(t);
+      if (level(t).interrupt != level(now_).interrupt) return core::at_t_state(t);
     }
     return core::never_t;
   }
-  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant at) const {
+  [[nodiscard]] bool drives_hold() const override { return hold_; }
+  [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant at) const override {
     for (std::int64_t t = core::t_states_of(at); t < static_cast<std::int64_t>(levels.size()); ++t) {
       if (level(t).hold) return core::at_t_state(t);
     }
     return core::never_t;
   }
-  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant at) const {
+  [[nodiscard]] core::TStateInstant hold_ends(core::TStateInstant at) const override {
     std::int64_t t = core::t_states_of(at);
     while (level(t).hold) ++t;
     return core::at_t_state(t);
   }
-  [[nodiscard]] int wait_states(i8080::CycleKind, i8080::Address, core::TStateInstant second) const {
+  [[nodiscard]] bool drives_ready() const override { return ready_; }
+  [[nodiscard]] int wait_states(std::uint8_t, std::uint16_t, core::TStateInstant second) const override {
     int count = 0;
     while (!level(core::t_states_of(second) + count).ready) ++count;
     return count;
@@ -75,18 +87,23 @@ class BasicScriptPorts {
                                                                   : i8080::PinInputs{};
   }
 
+  bool ready_;
+  bool hold_;
   std::int64_t now_ = 0;
   std::size_t next_ = 0;
 };
 
-using ScriptPorts = BasicScriptPorts<true>;
+// Attaches it.
+inline ScriptDevice& attach_script(i8080::Machine& machine, bool ready, bool hold) {
+  auto device = std::make_unique<ScriptDevice>(ready, hold);
+  ScriptDevice& script = *device;
+  static_cast<void>(machine.attach(ScriptDevice::info, std::move(device)));
+  return script;
+}
 
-// Keeps everything a machine reports; without instructions it goes the fast way.
-template <bool tells_instructions>
-struct BasicI8080Recorder {
-  static constexpr bool instructions = tells_instructions;
-  static constexpr bool cycles = true;
-  static constexpr bool stops = false;
+// Keeps everything that a machine reports.
+struct I8080Recorder : i8080::Observer {
+  explicit I8080Recorder(bool with_instructions) { instructions = with_instructions; }
 
   struct Instruction {
     std::int64_t begun;
@@ -97,19 +114,16 @@ struct BasicI8080Recorder {
     i8080::State after;
     friend bool operator==(const Instruction&, const Instruction&) = default;
   };
-  std::vector<machines::I8080Cycle> seen;
+  std::vector<i8080::BusCycle> seen;
   std::vector<Instruction> executed;
-  std::vector<machines::I8080HoldPins> holds;
+  std::vector<i8080::HoldPins> holds;
 
-  void hold(const machines::I8080HoldPins& pins) { holds.push_back(pins); }
-  void cycle(const machines::I8080Cycle& cycle) { seen.push_back(cycle); }
-  void instruction(const machines::I8080InstructionRecord& record) {
+  void hold(const i8080::HoldPins& pins) override { holds.push_back(pins); }
+  void cycle(const i8080::BusCycle& cycle) override { seen.push_back(cycle); }
+  void instruction(const i8080::InstructionRecord& record) override {
     executed.push_back({core::t_states_of(record.time), core::t_states_of(record.end), record.pc, record.bytes[0],
                         record.acknowledged, record.after});
   }
 };
-
-using I8080Recorder = BasicI8080Recorder<true>;
-using ScriptMachine = machines::I8080Machine<ScriptPorts, I8080Recorder>;
 
 }  // namespace sightline::tests

@@ -90,6 +90,35 @@ TEST_F(DisplayOptions, DepositPlantsTheReturn) {
   EXPECT_TRUE(display_.stop_interrupt(at_nanoseconds(2'000'000)));
 }
 
+// IDRS in the deflection of a lit Y point that names mode 7 does its word again as DDS 2100; the point's own request, at
+// 42.1 us, then takes the place of the write.
+TEST_F(DisplayOptions, ARequestTakesThePlaceOfADeposit) {
+  using Direction = core::DataBreak::Direction;
+  for (const std::int64_t served : {42'500, 50'000}) {
+    Display display({.subroutines_347 = true}, strokes_);
+    display.load_address_and_start(at_nanoseconds(0), Word18(0));
+    display.served(at_nanoseconds(0), Word18(0020000));
+    display.advance(at_nanoseconds(3300));
+    display.served(at_nanoseconds(3300), Word18(0362100));
+    display.resume(at_nanoseconds(10'000));
+    display.advance(at_nanoseconds(11'500));
+    ASSERT_NE(display.data_break(), nullptr);
+    EXPECT_EQ(display.data_break()->direction, Direction::to_core);
+    EXPECT_EQ(display.data_break()->address, 02100);
+    // A break that begins before the request writes, and the next one takes the display word; one that begins later is
+    // of the request itself.
+    const bool writes = served < 45'000;
+    if (!writes) display.advance(at_nanoseconds(42'100));
+    display.served(at_nanoseconds(served), Word18(0003000));
+    EXPECT_EQ(display.counters().words, writes ? 2U : 3U);
+    EXPECT_EQ(display.data_break() != nullptr, writes);
+    if (!writes) continue;
+    EXPECT_EQ(display.data_break()->direction, Direction::from_core);
+    EXPECT_EQ(display.data_break()->address, 2);
+    EXPECT_EQ(display.requested_at(), at_nanoseconds(42'100));
+  }
+}
+
 TEST_F(DisplayOptions, EdgeEscapesFromASubroutineToo) {
   put(0, {0160117, 0720100, 0003000});  // DJS 100, mode vector continue
   put(0100, {0000377});                 // left from x = 0

@@ -2,6 +2,7 @@
 // that access all devices and are interrupted by them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "host/guests/skala/commands.hpp"
 #include "host/guests/skala/program.hpp"
 #include "tests/firmware/skala_streams.hpp"
+#include "tests/host/guests/run/i8080_setup.hpp"
 #include "tests/host/live/snapshot_law.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
@@ -20,11 +22,6 @@ namespace {
 
 namespace skala = guests::skala;
 using guests::jones::Dice;
-
-void send(run::I8080Setup& setup, std::string_view link, run::Bytes bytes) {
-  const run::Bytes& kept = setup.sent[link] = std::move(bytes);
-  (link == "serial" ? setup.machine.serial : setup.machine.parallel) = kept;
-}
 
 LawProgram program_of(std::function<std::unique_ptr<run::Machine>()> make) {
   return {"i8080",   std::move(make), {"--trace", "--bus", "--strokes"}, {"--parallel-out", "--serial-out"},
@@ -48,11 +45,8 @@ TEST_P(SkalaSnapshots, ContinueBitForBit) {
   const run::Bytes stream = skala_test::StreamMaker(kind, 1986).make(60);
   const LawProgram program = program_of([&] {
     run::I8080Setup setup;
-    setup.machine.ef9365 = chosen.device == skala::Device::ef9365;
-    setup.machine.alt256 = chosen.device == skala::Device::alt256;
-    setup.machine.calcomp565 = chosen.device == skala::Device::calcomp;
-    setup.machine.minigraf0507 = chosen.device == skala::Device::minigraf;
-    send(setup, chosen.serial ? "serial" : "parallel", stream);
+    attach(setup, std::array{"ef9365", "alt256", "calcomp565", "minigraf0507"}[static_cast<std::size_t>(chosen.device)]);
+    attach_link(setup, chosen.serial ? "serial" : "parallel", stream);
     setup.observed = true;
     setup.drawing = true;
     auto machine = run::make_i8080(std::move(setup));
@@ -80,19 +74,17 @@ INSTANTIATE_TEST_SUITE_P(Devices, SkalaSnapshots,
 // Everything at once, each request on a restart of its own.
 run::I8080Setup everything() {
   run::I8080Setup setup;
-  machines::SkalaConfiguration& machine = setup.machine;
-  machine.ef9365 = machine.alt256 = machine.calcomp565 = machine.minigraf0507 = true;
-  machine.sio = machine.two_sio = true;
-  machine.two_sio_restart = 6;
-  machine.ef9365_restart = 1;
-  machine.calcomp565_restart = 2;
-  machine.parallel_restart = 3;
-  machine.serial_receive_restart = 4;
-  machine.serial_transmit_restart = 5;
+  for (const char* device : {"ef9365", "alt256", "calcomp565", "minigraf0507", "sio", "2sio"}) attach(setup, device);
   run::Bytes bytes;
   for (int n = 0; n < 500; ++n) bytes.push_back(static_cast<std::uint8_t>(n * 41));
-  send(setup, "parallel", bytes);
-  send(setup, "serial", bytes);
+  attach_link(setup, "parallel", bytes);
+  attach_link(setup, "serial", bytes);
+  wire(setup, "ef9365", 1);
+  wire(setup, "calcomp", 2);
+  wire(setup, "parallel", 3);
+  wire(setup, "serial-receive", 4);
+  wire(setup, "serial-transmit", 5);
+  wire(setup, "2sio", 6);
   setup.observed = true;
   setup.drawing = true;
   return setup;
@@ -238,7 +230,7 @@ TEST(I8080Snapshots, ContinueFromAHold) {
   for (std::uint32_t seed = 1; seed <= tests::effort(4U, 1U); ++seed) {
     const LawProgram program = program_of([seed] {
       run::I8080Setup setup = everything();
-      setup.hold = {50 + seed, 40, 97};
+      attach(setup, "bus-master", {{"first", 50 + seed}, {"length", 40}, {"period", 97}});
       auto machine = run::make_i8080(std::move(setup));
       put_random_program(*machine, seed);
       machine->start(0x40);

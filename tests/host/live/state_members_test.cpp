@@ -8,17 +8,15 @@
 
 #include <cstddef>
 
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/i8080_devices.hpp"
+#include "emulators/machines/i8080_parts.hpp"
 #include "emulators/machines/pdp7_devices.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "emulators/machines/skala_ports.hpp"
 #include "host/guests/run/pdp7_scripts.hpp"
 
 namespace sightline::test {
 namespace {
 
-using Ports = machines::SkalaPorts<>;
-using Machine8080 = machines::I8080Machine<Ports>;
 using guests::run::PenMove;
 
 template <class State>
@@ -50,28 +48,28 @@ TEST(StateMembers, AreVisited) {
   expect_size<pdp7::Machine>(1456, "pdp7::Machine");
   expect_size<core::Raster>(65536, "core::Raster");
   expect_size<i8080::State>(16, "i8080::State");
-  expect_size<devices::Alt256>(65592, "devices::Alt256");
+  expect_size<devices::Alt256>(65600, "devices::Alt256");
   expect_size<devices::Alt256Counts>(32, "devices::Alt256Counts");
-  expect_size<devices::AltairSerial>(128, "devices::AltairSerial");
+  expect_size<devices::AltairSerial>(144, "devices::AltairSerial");
   expect_size<devices::AltairSerialCounts>(24, "devices::AltairSerialCounts");
-  expect_size<devices::CalComp565<core::NoStrokes>>(128, "devices::CalComp565<core::NoStrokes>");
+  expect_size<devices::CalComp565>(136, "devices::CalComp565");
   expect_size<devices::CalComp565Counts>(72, "devices::CalComp565Counts");
-  expect_size<devices::Minigraf0507<core::NoStrokes>>(144, "devices::Minigraf0507<core::NoStrokes>");
+  expect_size<devices::Minigraf0507>(152, "devices::Minigraf0507");
   expect_size<devices::MinigrafCounts>(56, "devices::MinigrafCounts");
   expect_size<devices::ef9365::Drawing>(65560, "devices::ef9365::Drawing");
-  expect_size<devices::Ef9365>(65680, "devices::Ef9365");
+  expect_size<devices::Ef9365>(65688, "devices::Ef9365");
   expect_size<devices::Ef9365Counts>(48, "devices::Ef9365Counts");
   expect_size<devices::KeptBytes>(48, "devices::KeptBytes");
   expect_size<devices::I8255>(27, "devices::I8255");
-  expect_size<devices::ParallelLink>(232, "devices::ParallelLink");
+  expect_size<devices::ParallelLink>(248, "devices::ParallelLink");
   expect_size<devices::SerialFrame>(16, "devices::SerialFrame");
   expect_size<devices::SerialFormat>(12, "devices::SerialFormat");
   expect_size<devices::I8251>(176, "devices::I8251");
   expect_size<devices::I8251Counts>(64, "devices::I8251Counts");
-  expect_size<devices::SerialLink>(312, "devices::SerialLink");
-  expect_size<machines::UnansweredPort>(16, "machines::UnansweredPort");
-  expect_size<Ports>(137240, "Ports");
-  expect_size<Machine8080>(112, "Machine8080");
+  expect_size<devices::SerialLink>(328, "devices::SerialLink");
+  expect_size<i8080::UnansweredPort>(16, "i8080::UnansweredPort");
+  expect_size<i8080::PinLatches>(9, "i8080::PinLatches");
+  expect_size<i8080::MachineParts>(96520, "i8080::MachineParts");
   expect_size<PenMove>(32, "PenMove");
 }
 #endif

@@ -3,12 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "emulators/i8080/isa.hpp"
-#include "emulators/machines/skala_ports.hpp"
+#include "emulators/machines/i8080_devices.hpp"
 #include "table.hpp"
 
 namespace sightline::manual {
@@ -73,9 +74,9 @@ std::string opcodes(const i8080::Instruction& row) {
   return count == 1 ? fmt::format("{:02X}", first) : fmt::format("{:02X} and {} more", first, count - 1);
 }
 
-std::string ports_text(const auto& ranges) {
+std::string ports_text(std::span<const core::PortRange> ranges) {
   std::string text;
-  for (const machines::PortRange range : ranges) {
+  for (const core::PortRange range : ranges) {
     if (!text.empty()) text += ", ";
     text += fmt::format("{:02X}", range.first);
     if (range.last != range.first) text += fmt::format("-{:02X}", range.last);
@@ -202,17 +203,19 @@ std::string i8080_instructions() {
 
 std::string i8080_ports() {
   Table table{"device", "option", "IN", "OUT", "interrupt lines"};
-  machines::SkalaRows::each([&table](auto row) {
-    using Row = decltype(row);
-    std::string option;
-    if constexpr (Row::kind == machines::DeviceKind::raster_board) option = "--board " + std::string(Row::choice);
-    if constexpr (Row::kind == machines::DeviceKind::plotter) option = "--plotter " + std::string(Row::choice);
-    if constexpr (Row::kind == machines::DeviceKind::terminal) option = "--terminal " + std::string(Row::choice);
-    if constexpr (Row::kind == machines::DeviceKind::link) option = "--" + std::string(Row::name) + " FILE";
+  using Kind = core::PortDeviceKind;
+  for (const i8080::KnownDevice& known : i8080::known_devices) {
+    const core::PortDeviceInfo& info = *known.info;
+    if (info.kind == Kind::special) continue;
+    std::string option = "--device " + std::string(info.name);
+    if (info.kind == Kind::raster_board) option = "--board " + std::string(info.choice);
+    if (info.kind == Kind::plotter) option = "--plotter " + std::string(info.choice);
+    if (info.kind == Kind::terminal) option = "--terminal " + std::string(info.choice);
+    if (info.kind == Kind::link) option = "--" + std::string(info.name) + " FILE";
     std::string lines;
-    for (const auto& line : Row::lines) lines += (lines.empty() ? "" : ", ") + std::string(line.name);
-    table.row({std::string(Row::name), code(option), ports_text(Row::reads), ports_text(Row::writes), lines});
-  });
+    for (const std::string_view line : info.lines) lines += (lines.empty() ? "" : ", ") + std::string(line);
+    table.row({std::string(info.name), code(option), ports_text(info.reads), ports_text(info.writes), lines});
+  }
   return table.text();
 }
 
@@ -250,7 +253,7 @@ std::string board_times() {
 }
 
 std::string calcomp_status() {
-  using Status = devices::CalComp565<core::NoStrokes>::Status;
+  using Status = devices::CalComp565::Status;
   Table table{"mask", "1 means"};
   table.row({byte(Status::busy), "busy: a command is under way"});
   table.row({byte(Status::done), "done: a command has ended; the next command clears it"});

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "emulators/core/state_visitor.hpp"
-#include "emulators/machines/i8080_machine.hpp"
+#include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_devices.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "emulators/machines/skala_ports.hpp"
 #include "table.hpp"
 
 namespace sightline::manual {
@@ -102,20 +102,13 @@ std::string snapshot_pdp7() {
 }
 
 std::string snapshot_i8080() {
-  machines::SkalaConfiguration configuration;
-  configuration.ef9365 = configuration.alt256 = configuration.calcomp565 = configuration.minigraf0507 = true;
-  configuration.sio = configuration.two_sio = true;
-  configuration.parallel.emplace();
-  configuration.serial.emplace();
-  core::NoStrokes sink;
-  machines::NoI8080Observer observer;
-  using Ports = machines::SkalaPorts<>;
-  const auto ports = std::make_unique<Ports>(configuration, sink);
-  machines::I8080Machine<Ports> machine(*ports, observer);
+  i8080::Machine machine;
+  for (const i8080::KnownDevice& known : i8080::known_devices) {
+    if (known.info->has_state) static_cast<void>(machine.attach(known.info->name));
+  }
   Table table{"section", "fields"};
   Describer describer(table);
   machine.visit_state(describer);
-  ports->visit_state(describer);
   return table.text();
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "emulators/devices/calcomp565.hpp"
@@ -14,11 +15,10 @@
 namespace sightline::picture {
 namespace {
 
-struct DrawnSteps {
-  static constexpr bool consumes = true;
-  void begin_pass(core::Instant) {}
-  void stroke(const core::Stroke& stroke) { points.push_back({double(stroke.x), double(stroke.y)}); }
-  void end_pass(core::Instant) {}
+struct DrawnSteps final : core::StrokeTaker {
+  void strokes(std::span<const core::Stroke> strokes) override {
+    for (const core::Stroke& stroke : strokes) points.push_back({double(stroke.x), double(stroke.y)});
+  }
   std::vector<std::array<double, 2>> points;
 };
 
@@ -30,15 +30,18 @@ struct Plotted {
 
 Plotted plotted(const std::string& file) {
   constexpr core::ClockRate rate{3'000'000};
-  DrawnSteps sink;
-  devices::CalComp565<DrawnSteps> plotter(rate, sink);
+  DrawnSteps drawn;
+  core::StrokeBuffer strokes;
+  strokes.hand_to(&drawn);
+  devices::CalComp565 plotter(rate, strokes);
   core::TStateInstant now{};
   EXPECT_EQ(file.back(), step_file_end);
   for (const char c : file.substr(0, file.size() - 1)) {
     plotter.write(static_cast<std::uint8_t>(c), now);
     now = plotter.busy_until();
   }
-  return {sink.points, plotter.counts(), !plotter.pen_is_down()};
+  strokes.flush();
+  return {drawn.points, plotter.totals(), !plotter.pen_is_down()};
 }
 
 double distance(const std::array<double, 2>& p, const std::array<double, 2>& a, const std::array<double, 2>& b) {

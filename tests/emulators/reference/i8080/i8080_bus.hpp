@@ -6,17 +6,13 @@
 #pragma once
 
 #include "emulators/core/inline.hpp"
-#include "emulators/core/reporter.hpp"
 #include "emulators/core/tstates.hpp"
 #include "emulators/i8080/bus.hpp"
 #include "emulators/i8080/isa.hpp"
 #include "emulators/i8080/state.hpp"
-#include "emulators/machines/i8080_observer.hpp"
+#include "tests/emulators/reference/i8080/observer.hpp"
 
 namespace sightline::reference_8080 {
-using namespace machines;
-
-
 template <class Machine, class Ports, class Observer>
 class I8080Bus {
  public:
@@ -125,7 +121,7 @@ class I8080Bus {
   }
 
   Machine* machine_;
-  [[no_unique_address]] core::Reporter<Observer> report_;
+  [[no_unique_address]] Reporter<Observer> report_;
   i8080::Byte* memory_;
   core::TStateInstant now_;
   core::TStateInstant deadline_ = core::TStateInstant::min();  // the first boundary of a run is always looked at

@@ -16,19 +16,14 @@
 #include <vector>
 
 #include "emulators/core/inline.hpp"
-#include "emulators/core/reporter.hpp"
 #include "emulators/core/state_visitor.hpp"
 #include "emulators/core/tstates.hpp"
 #include "tests/emulators/reference/i8080/cpu.hpp"
 #include "emulators/i8080/state.hpp"
 #include "tests/emulators/reference/i8080/i8080_bus.hpp"
-#include "emulators/machines/i8080_observer.hpp"
-#include "emulators/machines/i8080_run.hpp"
+#include "tests/emulators/reference/i8080/observer.hpp"
 
 namespace sightline::reference_8080 {
-using namespace machines;
-
-
 template <class Ports, class Observer = NoI8080Observer>
 class I8080Machine {
  public:
@@ -85,7 +80,7 @@ class I8080Machine {
   [[gnu::noinline]] I8080StopReason run(const I8080Limits& limits, Watcher& watcher) {
     using Bus = I8080Bus<I8080Machine, Ports, Watcher>;
     reference_8080::Cpu<Bus> cpu(Bus(*this, watcher), state_, state_);
-    [[maybe_unused]] const core::Arrivals<Watcher> arrives(watcher);
+    [[maybe_unused]] const Arrivals<Watcher> arrives(watcher);
     std::uint64_t count = 0;
     I8080StopReason reason = I8080StopReason::observer;
     while (true) {
@@ -95,7 +90,7 @@ class I8080Machine {
         }
       }
       if (cpu.bus().due()) [[unlikely]] {
-        if constexpr (core::Filtered<Watcher>) {
+        if constexpr (Filtered<Watcher>) {
           if (!state_.halted && watcher.stop(cpu.bus().now(), cpu.pc())) break;
         }
         const Attention found = attend(cpu.bus().now(), limits, count);

@@ -18,7 +18,7 @@ constexpr std::array devices{run::ListedDevice{"drum", "the Type 24 serial drum"
                              run::ListedDevice{"lights", "sixteen lamps", {}}};
 
 std::string refusal(const std::string& text) {
-  const auto read = run::read_devices(std::array{text});
+  const auto read = run::read_devices(std::array{text}, devices);
   return read ? "read" : read.error().message;
 }
 
@@ -37,29 +37,33 @@ TEST(DeviceOption, IsThereWithDevicesOnly) {
 }
 
 TEST(DeviceOption, ReadsNamesAndSettings) {
-  const auto read = run::read_devices(std::array<std::string, 2>{"drum,units=2,late=-1", "lights"});
+  const auto read = run::read_devices(std::array<std::string, 2>{"drum,units=2,late=1", "lights"}, devices);
   ASSERT_TRUE(read.has_value());
   ASSERT_EQ(read->size(), 2U);
   const run::DeviceChoice& drum = read->front();
-  EXPECT_EQ(drum.text, "drum,units=2,late=-1");
+  EXPECT_EQ(run::device_text(drum), "drum,units=2,late=1");
   EXPECT_EQ(drum.name, "drum");
-  const auto values = drum.settings();
+  const auto& values = drum.settings;
   ASSERT_EQ(values.size(), 2U);
   EXPECT_EQ(values[0].name, "units");
   EXPECT_EQ(values[0].value, 2);
   EXPECT_EQ(values[1].name, "late");
-  EXPECT_EQ(values[1].value, -1);
+  EXPECT_EQ(values[1].value, 1);
   EXPECT_EQ(read->back().name, "lights");
-  EXPECT_TRUE(read->back().settings().empty());
+  EXPECT_TRUE(read->back().settings.empty());
 }
 
-TEST(DeviceOption, RefusesWhatIsNoSetting) {
-  EXPECT_EQ(refusal("drum,units"), "--device drum: found \"units\", expected SETTING=N, N in decimal");
-  EXPECT_EQ(refusal("drum,units="), "--device drum: found \"units=\", expected SETTING=N, N in decimal");
-  EXPECT_EQ(refusal("drum,,units=1"), "--device drum: found \"\", expected SETTING=N, N in decimal");
-  EXPECT_EQ(refusal("drum,units=1x"), "--device drum: found \"units=1x\", expected SETTING=N, N in decimal");
+TEST(DeviceOption, RefusesWhatIsNoDeviceOrSetting) {
+  EXPECT_EQ(refusal("drums"), "--device: found \"drums\", expected one of drum, lights");
+  EXPECT_EQ(refusal("drum,units"), "--device drum: found \"units\", expected SETTING=N with one of units, late");
+  EXPECT_EQ(refusal("drum,,units=1"), "--device drum: found \"\", expected SETTING=N with one of units, late");
+  EXPECT_EQ(refusal("lights,units=1"), "--device lights: found \"units=1\", expected no setting");
+  EXPECT_EQ(refusal("drum,units=1,units=1"), "--device drum: found units twice, expected it once");
+  EXPECT_EQ(refusal("drum,units="), "--device drum,units: found \"\", expected a whole decimal number, 1 to 4");
+  EXPECT_EQ(refusal("drum,units=1x"), "--device drum,units: found \"1x\", expected a whole decimal number, 1 to 4");
+  EXPECT_EQ(refusal("drum,units=5"), "--device drum,units: found \"5\", expected a whole decimal number, 1 to 4");
   EXPECT_EQ(refusal("drum,units=99999999999999999999"),
-            "--device drum: found \"units=99999999999999999999\", expected SETTING=N, N in decimal");
+            "--device drum,units: found \"99999999999999999999\", expected a whole decimal number, 1 to 4");
 }
 
 TEST(DeviceOption, CountsInAReport) {

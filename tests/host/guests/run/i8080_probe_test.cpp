@@ -243,6 +243,62 @@ TEST(I8080Probe, ABreakpointIsPassedOverOnceBehindAHold) {
   }
 }
 
+// LHLD 2000, and back to it. HOLD for 30 T-states, from each T-state of its second and third time on: the processor stands within the
+// instruction, between it and the jump, or within the jump. The watched access is seen at its own time, from snapshots of any time too.
+TEST(I8080Probe, AWatchSeesWhatAHeldInstructionReadsFromASnapshotToo) {
+  std::string memory(0x200, '\0');
+  const std::string program("\x2A\x00\x20\xC3\x00\x01", 6);
+  memory.replace(0x100, program.size(), program);
+  constexpr std::uint64_t instructions = 8;
+  constexpr std::uint32_t watched_place = 0x2001;
+  int held_within = 0;
+  int pieces = 0;
+  for (int first = 26; first < 78; ++first) {
+    const std::string hold = std::to_string(first) + "+30";
+    // What happens, from each cycle of an unwatched run.
+    const auto told = machine_of(memory, hold);
+    std::vector<Probe::Cycle> cycles;
+    told->probe()->on_instruction = [](const Probe::Entry&) {};
+    told->probe()->on_cycle = [&cycles](const Probe::Cycle& cycle) { cycles.push_back(cycle); };
+    run::Limits limits;
+    limits.instructions = instructions;
+    ASSERT_EQ(told->run(limits, false)->name, "instruction_limit");
+    std::vector<Probe::Event> expected;
+    for (std::size_t n = 0; n < cycles.size(); ++n) {
+      if (cycles[n].address == watched_place)
+        expected.push_back({Probe::Kind::read, cycles[n].time, watched_place, 0});
+      // No cycle of LHLD or JMP has more than four T-states.
+      if (n != 0 && cycles[n].name != "fetch" && cycles[n].time - cycles[n - 1].time > 30) ++held_within;
+    }
+    ASSERT_EQ(expected.size(), instructions / 2);
+    for (std::int64_t piece = 1; piece < 60; piece += sightline::tests::effort(1, 7)) {
+      auto watched = machine_of(memory, hold);
+      watched->probe()->mark(watched_place, Probe::is_read);
+      std::vector<Probe::Event> seen;
+      while (watched->instructions() < instructions) {
+        limits.until = watched->ticks() + piece;
+        const auto stop = watched->run(limits, false);
+        ASSERT_TRUE(stop);
+        if (stop->name == run::stopped_by_probe) {
+          for (const Probe::Event& event : watched->probe()->events()) seen.push_back(event);
+          watched->probe()->resume();
+        } else if (stop->at_until) {
+          ++pieces;
+          const auto state = watched->save();
+          watched = machine_of(memory, hold);
+          ASSERT_TRUE(watched->restore(state).has_value());
+          watched->probe()->mark(watched_place, Probe::is_read);
+        }
+      }
+      ASSERT_EQ(seen, expected) << hold << ", pieces of " << piece;
+      ASSERT_EQ(watched->ticks(), told->ticks()) << hold << ", pieces of " << piece;
+      ASSERT_EQ(watched->save(), told->save()) << hold << ", pieces of " << piece;
+    }
+  }
+  EXPECT_GT(held_within, 20);
+  EXPECT_GT(pieces, sightline::tests::effort(1000, 100));
+}
+
 std::size_t times(const Walk& found, Probe::Kind kind) { return found.of_kind[static_cast<std::size_t>(kind)]; }
 
 TEST(I8080Probe, BreakpointsStopWhereEachInstructionIsCompared) {

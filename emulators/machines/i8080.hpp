@@ -1,0 +1,205 @@
+// An 8080 with 64K of RAM and whatever is attached to its ports.
+//
+//   i8080::Machine machine;
+//   machine.load(0x100, program);
+//   std::string error = machine.attach("ef9365");      // a device of i8080_devices.hpp, or one's own
+//   machine.start(0x100);
+//   i8080::StopReason why = machine.run({.until = core::at_t_state(3'000'000)});
+//   const core::Raster* raster = machine.device("ef9365")->raster();
+//
+// Between two runs everything can be read and changed. Time is counted in T-states (core/tstates.hpp). A port without a
+// device reads as FFh, the level of the undriven bus, and swallows what is written; such accesses are counted.
+//
+// Left out: ROM, and memory banks. Source: the processor's (../i8080/cpu.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "../core/port_device.hpp"
+#include "../core/state_visitor.hpp"
+#include "../core/stroke.hpp"
+#include "../core/tstates.hpp"
+#include "../i8080/bus.hpp"
+#include "../i8080/state.hpp"
+
+namespace sightline::i8080 {
+
+struct Options {
+  core::ClockRate clock{};
+  bool strict = false;  // an access to a port without a device ends the run
+};
+
+enum class StopReason : std::uint8_t {
+  halt,               // HLT, and no interrupt can ever end it
+  instruction_limit,  // Limits::instructions done
+  time_limit,         // the first boundary at or after Limits::until
+  observer,           // Observer::stop()
+  device,             // Machine::request_stop()
+  unanswered,         // Options::strict
+};
+
+struct Limits {
+  std::uint64_t instructions = ~std::uint64_t{0};  // of this run
+  core::TStateInstant until = core::never_t;
+};
+
+struct InstructionRecord {
+  core::TStateInstant time;  // T1 of its fetch
+  core::TStateInstant end;
+  Address pc;                 // its address; PC, if a device supplied the instruction
+  std::array<Byte, 3> bytes;  // the bytes there; as many count as the instruction is long
+  bool acknowledged;          // a device supplied it
+  const State& before;
+  const State& after;
+};
+
+// A machine cycle with a SYNC; the internal cycles of DAD have none.
+struct BusCycle {
+  core::TStateInstant time;  // its T1
+  Status status;
+  Address address;  // of IN and OUT: the port, in both halves
+  Byte data;        // nothing is on the bus in the halt cycle: 0
+  bool operand = false;  // a byte of the instruction behind its opcode
+
+  friend constexpr bool operator==(const BusCycle&, const BusCycle&) = default;
+};
+
+struct HoldPins {
+  core::TStateInstant time;
+  bool hold;
+  bool acknowledge;  // HLDA
+  bool stands;       // the processor waits for the end of HOLD before its next cycle
+
+  friend constexpr bool operator==(const HoldPins&, const HoldPins&) = default;
+};
+
+// Marks of an address or a port, one byte each.
+namespace mark {
+inline constexpr std::uint8_t stop = 1;  // of an address: stop() is called at the boundary before an instruction there
+inline constexpr std::uint8_t read = 4;  // cycle() is called after such an access
+inline constexpr std::uint8_t written = 8;
+}  // namespace mark
+
+// Sees a run; it must not write to the machine. The members are read when a run begins.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  const std::uint8_t* marks = nullptr;       // 65536; null: every cycle is reported, and stop() is called at every boundary
+  const std::uint8_t* port_marks = nullptr;  // 256, where there are marks; null: no port is marked
+  bool every_boundary = false;               // where there are marks: stop() is called at every boundary all the same
+  bool instructions = false;                 // instruction() is called after each
+
+  virtual void instruction(const InstructionRecord& record) { static_cast<void>(record); }
+  // When the byte is known. Where there are marks: accesses that are marked, but for bytes of the instruction itself; and each
+  // acknowledge cycle that fetches.
+  virtual void cycle(const BusCycle& cycle) { static_cast<void>(cycle); }
+  // One of the pins has changed.
+  virtual void hold(const HoldPins& pins) { static_cast<void>(pins); }
+  // Before the instruction at `next`, not while a halt lasts. Where there are marks: before an instruction with mark::stop, and
+  // at the boundary after a reported cycle. The machine's registers, time and counts are those of the boundary. True: the run
+  // ends there.
+  [[nodiscard]] virtual bool stop(core::TStateInstant now, Address next) {
+    return static_cast<void>(now), static_cast<void>(next), false;
+  }
+};
+
+// Accesses of a port that no device answered.
+struct UnansweredPort {
+  std::uint64_t reads = 0;
+  std::uint64_t writes = 0;
+};
+
+struct AttachedDevice {
+  const core::PortDeviceInfo* info;
+  std::unique_ptr<core::PortDevice> device;
+};
+
+struct MachineParts;  // i8080_parts.hpp
+
+class Machine {
+ public:
+  explicit Machine(const Options& options = {});
+  ~Machine();
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  // --- Devices, between runs. Each call gives the text of an error, and changes nothing then; or an empty text.
+
+  // A device of the list in i8080_devices.hpp, once each. Errors: no such name, no such option, a value beyond its bounds, a
+  // port that another device has.
+  [[nodiscard]] std::string attach(std::string_view name, std::span<const core::Setting> settings = {});
+  // Another one; `info` must outlive the machine. Error: a port that another device has, a name that is taken.
+  [[nodiscard]] std::string attach(const core::PortDeviceInfo& info, std::unique_ptr<core::PortDevice> device);
+  // Connects an interrupt line of an attached device to RST 0..7. Of several requests the highest restart wins, as an 8214 would
+  // have it, and RST 7 is what the bus gives when none is left. Errors: no such line, no such restart.
+  [[nodiscard]] std::string wire(std::string_view line, std::uint8_t restart);
+
+  // Null: not attached.
+  [[nodiscard]] core::PortDevice* device(std::string_view name) const;
+  template <class Device>
+  [[nodiscard]] Device* find() const {
+    return static_cast<Device*>(device(Device::info.name));
+  }
+  // In the order of the list, those that are not in it last.
+  [[nodiscard]] std::span<const AttachedDevice> devices() const;
+  // Where plotters draw.
+  [[nodiscard]] core::StrokeBuffer& strokes();
+
+  // `front` gets the IN and OUT of these ports in place of the device there, and hands on what it likes by in_behind() and
+  // out_behind(). It must live as long as the machine runs. One front a port: the last. i8080_front.hpp has one to derive from.
+  void put_before(core::PortRange ports, core::PortDevice& front);
+  [[nodiscard]] std::uint8_t in_behind(std::uint8_t port, core::TStateInstant at);
+  void out_behind(std::uint8_t port, std::uint8_t value, core::TStateInstant at);
+  // By port.
+  [[nodiscard]] std::span<const UnansweredPort, 256> unanswered() const;
+
+  // --- Registers and memory, between runs
+
+  [[nodiscard]] State& registers();
+  [[nodiscard]] const State& registers() const;
+  [[nodiscard]] Byte peek(Address address) const;
+  void deposit(Address address, Byte byte);
+  // Beyond FFFFh it goes on at 0.
+  void load(Address address, std::span<const Byte> bytes);
+  [[nodiscard]] std::span<Byte> memory();
+  [[nodiscard]] std::span<const Byte> memory() const;
+  // Sets PC.
+  void start(Address address);
+  // The RESET pin; memory stays, and so do all registers but PC and INTE.
+  void reset();
+
+  // --- Runs
+
+  // From the state as it is until something stops it. What is due at the boundary where it stops is left to the next run, so
+  // that a run in pieces is the same as a run in one.
+  StopReason run(const Limits& limits = {});
+  StopReason run(const Limits& limits, Observer& observer);
+  // Without an observer, but by the engine that observed runs have: for tests.
+  StopReason run_plainly(const Limits& limits);
+  // For devices, fronts and takers of strokes: the run, or the next one, ends at the next boundary, with StopReason::device.
+  void request_stop();
+
+  [[nodiscard]] const Options& options() const;
+  [[nodiscard]] core::TStateInstant now() const;
+  // Since the machine was made; those a device supplied included.
+  [[nodiscard]] std::uint64_t instructions() const;
+  // T-states in which the processor stood still because of HOLD, since the machine was made.
+  [[nodiscard]] std::uint64_t held() const;
+  // The level of INT, as of the last T-state at which a device has been asked.
+  [[nodiscard]] bool interrupt() const;
+
+  // All that a further run depends on, as it is between two runs.
+  void visit_state(core::StateVisitor& visit);
+
+ private:
+  std::unique_ptr<MachineParts> parts_;
+};
+
+}  // namespace sightline::i8080

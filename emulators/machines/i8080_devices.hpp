@@ -1,0 +1,44 @@
+// The devices that an 8080 can be given by name, in the order in which snapshots and reports have them.
+//
+// A new device is a file in ../devices with a class like the others (core/port_device.hpp), and a line here.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "../core/port_device.hpp"
+#include "../devices/alt256.hpp"
+#include "../devices/altair_serial.hpp"
+#include "../devices/bus_master.hpp"
+#include "../devices/calcomp565.hpp"
+#include "../devices/ef9365.hpp"
+#include "../devices/minigraf0507.hpp"
+#include "../devices/parallel_link.hpp"
+#include "../devices/priority_board.hpp"
+#include "../devices/serial_link.hpp"
+
+namespace sightline::i8080 {
+
+struct KnownDevice {
+  const core::PortDeviceInfo* info;
+  std::unique_ptr<core::PortDevice> (*make)(const core::PortDeviceSetup& setup);
+};
+
+template <class Device>
+inline constexpr KnownDevice known{
+    &Device::info, [](const core::PortDeviceSetup& setup) -> std::unique_ptr<core::PortDevice> { return std::make_unique<Device>(setup); }};
+
+inline constexpr std::array known_devices{
+    known<devices::Ef9365>,
+    known<devices::Alt256>,
+    known<devices::CalComp565>,
+    known<devices::Minigraf0507>,
+    known<devices::ParallelLink>,
+    known<devices::SerialLink>,
+    known<devices::AltairSio>,
+    known<devices::Altair2Sio>,
+    known<devices::PriorityBoard>,
+    known<devices::BusMaster>,
+};
+
+}  // namespace sightline::i8080

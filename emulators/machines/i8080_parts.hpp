@@ -1,0 +1,129 @@
+// An 8080 machine inside: registers, memory, time and ports; and what executes its instructions. Three engines do, each of them an
+// instance of ../i8080/cpu.hpp on a bus of its own:
+//
+//   i8080_fast.cpp    runs that nobody observes
+//   i8080_plain.cpp   observed runs, memory that makes the processor wait, and hosts without the fast one
+//   i8080_pins.cpp    T-state by T-state: the time about a HOLD, and the instruction that an interrupting device supplies
+//
+// i8080.cpp decides at the boundaries between instructions which one goes on. A boundary is attended only where the deadline has
+// passed: before that nothing but instructions happens.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "../core/allowance.hpp"
+#include "../core/stroke.hpp"
+#include "../core/tstates.hpp"
+#include "../i8080/bus.hpp"
+#include "../i8080/pin_bus.hpp"
+#include "../i8080/state.hpp"
+#include "i8080.hpp"
+#include "i8080_ports.hpp"
+
+namespace sightline::i8080 {
+
+struct MachineParts {
+  explicit MachineParts(const Options& chosen) : options(chosen), ports(chosen.strict) {}
+
+  // The fast engine has most of these at hand by one small offset: they come first.
+  State state;
+  core::TStateInstant deadline{};  // a boundary later than this is attended
+  core::Allowance<core::TState> allowance{core::TStates(0), 0};  // of the fast engine
+  core::TStateInstant now{};
+  std::uint64_t instructions = 0;
+  core::TStateInstant halt_sampled{};              // the next T-state in which a halted processor samples INT
+  core::TStateInstant halt_ended = core::never_t;  // T1 of the fetch after the last halt
+  PinLatches pins;                                 // all false between instructions, but about an acknowledge or a HOLD
+  std::uint64_t held = 0;
+  Options options;
+  Ports ports;
+  core::StrokeBuffer strokes;
+  std::array<Byte, 0x10000> memory{};
+
+  static constexpr core::TStates one{1};
+  static constexpr core::TStates longest_instruction{18};  // XTHL, without wait states
+
+  // The next boundary is to be attended.
+  void attend_next() { deadline = now - one; }
+
+  [[nodiscard]] bool pins_under_way() const {
+    return pins.acknowledged || pins.hold || pins.hold_acknowledge || pins.passed_over || pins.waking;
+  }
+  // HOLD was high in the T-state before, or may be within the next instruction, which is of any length where it has to wait.
+  [[nodiscard]] bool hold_is_near(core::TStateInstant at) const {
+    const core::TStateInstant next = ports.next_hold(at - one);
+    return next != core::never_t && (ports.has_wait_states() || next < at + longest_instruction);
+  }
+  // As of the T-state before.
+  [[nodiscard]] bool halt_may_end(const PinLatches& latches) const {
+    return latches.waking || latches.acknowledged ||
+           (state.interrupts_on && (ports.interrupt() || ports.deadline() != core::never_t));
+  }
+  [[nodiscard]] std::array<Byte, 3> bytes_at(Address address) const {
+    const auto at = [&](unsigned i) { return memory[static_cast<Address>(address + i)]; };
+    return {at(0), at(1), at(2)};
+  }
+};
+
+// What the observer of a run wants.
+class Watch {
+ public:
+  Watch() = default;  // no observer
+  explicit Watch(Observer& observer)
+      : observer_(&observer),
+        marks_(observer.marks),
+        port_marks_(observer.marks != nullptr ? observer.port_marks : nullptr),
+        all_cycles_(observer.marks == nullptr),
+        every_boundary_(observer.marks == nullptr || observer.every_boundary),
+        instructions_(observer.instructions) {}
+
+  // Cycles that bring bytes of instructions, and halt cycles, are wanted only then.
+  [[nodiscard]] bool wants_all_cycles() const { return all_cycles_; }
+  [[nodiscard]] bool wants(Address address, std::uint8_t marks) const {
+    return marks_ != nullptr ? (marks_[address] & marks) != 0 : all_cycles_;
+  }
+  [[nodiscard]] bool wants_port(std::uint8_t port, std::uint8_t marks) const {
+    return port_marks_ != nullptr ? (port_marks_[port] & marks) != 0 : all_cycles_;
+  }
+  [[nodiscard]] bool wants_instructions() const { return instructions_; }
+  [[nodiscard]] bool is_observed() const { return observer_ != nullptr; }
+  // stop() is to be called before the instruction at `next`.
+  [[nodiscard]] bool wants_boundary(Address next) const {
+    return every_boundary_ || reported_ || (marks_ != nullptr && (marks_[next] & mark::stop) != 0);
+  }
+
+  void report(const BusCycle& cycle) {
+    reported_ = true;
+    observer_->cycle(cycle);
+  }
+  void report(const HoldPins& pins) { observer_->hold(pins); }
+  void report(const InstructionRecord& record) { observer_->instruction(record); }
+  [[nodiscard]] bool stop(core::TStateInstant now, Address next) {
+    reported_ = false;
+    return observer_->stop(now, next);
+  }
+
+ private:
+  Observer* observer_ = nullptr;
+  const std::uint8_t* marks_ = nullptr;
+  const std::uint8_t* port_marks_ = nullptr;
+  bool all_cycles_ = false;
+  bool every_boundary_ = false;
+  bool instructions_ = false;
+  bool reported_ = false;  // a cycle, since stop() was called
+};
+
+// Each executes at least one instruction from memory, and goes on until a boundary is to be attended. They count instructions and
+// time.
+
+// At most `most` instructions, 1 to Allowance::most, as the deadline must allow.
+void run_fast(MachineParts& machine, std::int64_t most);
+// Until the observer is to be asked, too.
+void run_plainly(MachineParts& machine, Watch& watch);
+// One instruction; or the rest of a halt or a HOLD, up to `until` at most. True: an instruction was executed. Devices are
+// where the T-state before left them. The next boundary is to be attended.
+bool step_by_pins(MachineParts& machine, Watch& watch, core::TStateInstant until);
+
+}  // namespace sightline::i8080
