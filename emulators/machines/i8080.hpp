@@ -153,7 +153,7 @@ class Machine {
   [[nodiscard]] core::StrokeBuffer& strokes();
 
   // `front` gets the IN and OUT of these ports in place of the device there, and hands on what it likes by in_behind() and
-  // out_behind(). It must outlive the machine. One front a port: the last.
+  // out_behind(). It must live as long as the machine runs. One front a port: the last. i8080_front.hpp has one to derive from.
   void put_before(core::PortRange ports, core::PortDevice& front);
   [[nodiscard]] std::uint8_t in_behind(std::uint8_t port, core::TStateInstant at);
   void out_behind(std::uint8_t port, std::uint8_t value, core::TStateInstant at);

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "emulators/core/port_device.hpp"
 #include "emulators/devices/parallel_link.hpp"
 #include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
 #include "host/base/result.hpp"
 
 namespace sightline::guests::flight {
@@ -20,25 +20,23 @@ namespace display = devices::priority_display;
 
 }  // namespace
 
-// In front of the priority display: notes every frame, and how long the program waited for the display to be free.
-class Guest::DisplayFront final : public core::PortDevice {
+// Notes every frame, and how long the program waited for the display to be free.
+class Guest::DisplayFront final : public i8080::Front {
  public:
   DisplayFront(i8080::Machine& machine, const GuestOptions& options, GuestFlight& flight)
-      : machine_(machine), board_(*machine.find<devices::PriorityBoard>()), options_(options), flight_(flight) {
-    machine.put_before({control_port, control_port}, *this);
-  }
+      : Front(machine, control), board_(*machine.find<devices::PriorityBoard>()), options_(options), flight_(flight) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     pass_to_host(options_.clock.to_nanoseconds(at));
     if (!asked_) first_asked_ = at;
     asked_ = true;
     last_asked_ = at;
-    return machine_.in_behind(port, at);
+    return Front::in(port, at);
   }
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     const bool shows = (value & 1U) != 0;
     if (shows && options_.give) options_.give(static_cast<std::uint32_t>(flight_.frames.size()), board_);
-    machine_.out_behind(port, value, at);
+    Front::out(port, value, at);
     if (shows) note(at);
   }
 
@@ -49,6 +47,7 @@ class Guest::DisplayFront final : public core::PortDevice {
 
  private:
   static constexpr std::uint8_t control_port = devices::PriorityBoard::info.writes[0].first + devices::PriorityBoard::Register::control;
+  static constexpr core::PortRange control[]{{control_port, control_port}};
 
   void note(core::TStateInstant at) {
     GuestFrame frame;
@@ -76,7 +75,6 @@ class Guest::DisplayFront final : public core::PortDevice {
     }
   }
 
-  i8080::Machine& machine_;
   devices::PriorityBoard& board_;
   const GuestOptions& options_;
   GuestFlight& flight_;

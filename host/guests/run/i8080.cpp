@@ -21,6 +21,7 @@
 #include "emulators/i8080/bus.hpp"
 #include "emulators/i8080/isa.hpp"
 #include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/cpm.hpp"
 #include "host/guests/run/i8080_observers.hpp"
@@ -75,12 +76,10 @@ auto& pair_of(State& state, std::size_t number) {
 
 // --- CP/M's entries ---
 
-// In front of the ports of CP/M's entries.
-//
-// A device sees no registers, so an OUT to one of them only ends the run at the next instruction boundary; the caller then
+// A device sees no registers, so an OUT to a port of an entry only ends the run at the next instruction boundary; the caller then
 // reads the registers there and continues the run. An OUT that turns out to be none of an entry's is handed on to the device
 // behind.
-class CpmPorts final : public core::PortDevice {
+class CpmFront final : public i8080::Front {
  public:
   struct Call {
     std::uint8_t port;
@@ -88,24 +87,19 @@ class CpmPorts final : public core::PortDevice {
     core::TStateInstant at;
   };
 
-  // It must outlive the machine.
-  void put_before(i8080::Machine& machine) {
-    machine_ = &machine;
-    machine.put_before({0, Cpm::last_port}, *this);
-  }
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return machine_->in_behind(port, at); }
+  explicit CpmFront(i8080::Machine& machine) : Front(machine, ports) {}
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     call_ = {port, value, at};
-    machine_->request_stop();
+    machine().request_stop();
   }
 
   // The OUT that ended the run, once.
   [[nodiscard]] std::optional<Call> take_call() { return std::exchange(call_, std::nullopt); }
-  void forget_call() { call_.reset(); }
-  void hand_on(const Call& call) { machine_->out_behind(call.port, call.value, call.at); }
+  void hand_on(const Call& call) { Front::out(call.port, call.value, call.at); }
 
  private:
-  i8080::Machine* machine_ = nullptr;
+  static constexpr core::PortRange ports[]{{0, Cpm::last_port}};
+
   std::optional<Call> call_;
 };
 
@@ -120,7 +114,7 @@ class I8080Run final : public Machine {
     if (setup_.cpm) {
       setup_.cpm->journal = setup_.monitored;
       cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
-      cpm_ports_.put_before(*machine_);
+      cpm_front_.emplace(*machine_);
     }
     if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), clock(), [this] { return machine_->interrupt(); });
   }
@@ -225,7 +219,7 @@ class I8080Run final : public Machine {
         return Stop{"state_limit", {}, true};
       case i8080::StopReason::unanswered: return unanswered();
       case i8080::StopReason::device: {
-        const auto call = cpm_ports_.take_call();
+        const auto call = cpm_front_ ? cpm_front_->take_call() : std::nullopt;
         const auto stop = call ? answer(*call) : std::nullopt;
         if (stop || !condition_changed()) return stop;
         return Stop{stopped_by_probe, {}};
@@ -432,7 +426,7 @@ class I8080Run final : public Machine {
   // Between two runs no call of CP/M waits.
   void visit_state(core::StateVisitor& visit) {
     machine_->visit_state(visit);
-    if (visit.restores()) cpm_ports_.forget_call();
+    if (cpm_front_ && visit.restores()) static_cast<void>(cpm_front_->take_call());
     visit.section("drawing", plotter_);
     visit.section("console", [this](core::StateVisitor& fields) {
       fields.output("printed", kept_console_, console_before_);
@@ -465,14 +459,14 @@ class I8080Run final : public Machine {
   }
 
   // Nothing: the run goes on.
-  std::optional<Stop> answer(const CpmPorts::Call& call) {
+  std::optional<Stop> answer(const CpmFront::Call& call) {
     switch (watching_host([this, &call] { return cpm_->out(call.port, processor()); })) {
       case Cpm::Called::answered: return std::nullopt;
       case Cpm::Called::stopped: return cpm_->stop();
       case Cpm::Called::no: break;
     }
     const std::uint64_t before = machine_->unanswered()[call.port].writes;
-    cpm_ports_.hand_on(call);
+    cpm_front_->hand_on(call);
     if (machine_->options().strict && machine_->unanswered()[call.port].writes != before) return unanswered();
     return std::nullopt;
   }
@@ -548,8 +542,8 @@ class I8080Run final : public Machine {
 
   I8080Setup setup_;
   PlotterTaker plotter_;
-  CpmPorts cpm_ports_;
   std::unique_ptr<i8080::Machine> machine_;
+  std::optional<CpmFront> cpm_front_;  // with CP/M
   std::optional<I8080Recorder> recorder_;
   std::optional<Probe> probe_;
   std::bitset<0x10000> loaded_;

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/core/port_device.hpp"
 #include "emulators/devices/alt256.hpp"
 #include "emulators/devices/calcomp565.hpp"
 #include "emulators/devices/ef9365.hpp"
@@ -17,6 +16,7 @@
 #include "emulators/devices/parallel_link.hpp"
 #include "emulators/devices/serial_link.hpp"
 #include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
 #include "host/base/result.hpp"
 #include "host/guests/run/i8080_run_to.hpp"
 
@@ -59,30 +59,10 @@ void report_faults(const devices::MinigrafCounts& counts, GuestPicture& picture)
 
 // --- in front of the ports
 
-// Hands everything on to the devices behind.
-class Front : public core::PortDevice {
- public:
-  explicit Front(i8080::Machine& machine) : machine_(machine) {}
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return machine_.in_behind(port, at); }
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { machine_.out_behind(port, value, at); }
-
- protected:
-  void stand_before(std::span<const core::PortRange> ports) {
-    for (const core::PortRange range : ports) machine_.put_before(range, *this);
-  }
-  [[nodiscard]] i8080::Machine& machine() const { return machine_; }
-
- private:
-  i8080::Machine& machine_;
-};
-
 // Ends the run where the links say that a block of commands has come, or that the next one is asked for.
-class LinkFront final : public Front {
+class LinkFront final : public i8080::Front {
  public:
-  explicit LinkFront(i8080::Machine& machine) : Front(machine) {
-    stand_before(devices::ParallelLink::info.reads);
-    stand_before(devices::SerialLink::info.reads);
-  }
+  explicit LinkFront(i8080::Machine& machine) : Front(machine, both_links) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     const std::uint8_t value = Front::in(port, at);
@@ -108,8 +88,9 @@ class LinkFront final : public Front {
   }
 
  private:
-  static constexpr std::uint8_t parallel_data = devices::ParallelLink::info.reads[0].first;
-  static constexpr std::uint8_t serial_data = devices::SerialLink::info.reads[0].first;
+  static constexpr std::array both_links{devices::ParallelLink::info.reads[0], devices::SerialLink::info.reads[0]};
+  static constexpr std::uint8_t parallel_data = both_links[0].first;
+  static constexpr std::uint8_t serial_data = both_links[1].first;
 
   std::size_t taken_ = 0;
   std::size_t stop_at_ = std::numeric_limits<std::size_t>::max();
@@ -117,13 +98,10 @@ class LinkFront final : public Front {
 };
 
 // Notes every movement of a plotter: it is asked where it is, not what it was told.
-class PlotterFront final : public Front {
+class PlotterFront final : public i8080::Front {
  public:
   explicit PlotterFront(i8080::Machine& machine)
-      : Front(machine), calcomp_(machine.find<devices::CalComp565>()), minigraf_(machine.find<devices::Minigraf0507>()) {
-    if (calcomp_ != nullptr) stand_before(devices::CalComp565::info.writes);
-    if (minigraf_ != nullptr) stand_before(devices::Minigraf0507::info.writes);
-  }
+      : Front(machine, both_plotters), calcomp_(machine.find<devices::CalComp565>()), minigraf_(machine.find<devices::Minigraf0507>()) {}
 
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     Front::out(port, value, at);
@@ -145,7 +123,9 @@ class PlotterFront final : public Front {
         {action, static_cast<std::uint8_t>(place.x), static_cast<std::uint8_t>(place.y), pen_down});
   }
 
-  const devices::CalComp565* calcomp_;
+  static constexpr std::array both_plotters{devices::CalComp565::info.writes[0], devices::Minigraf0507::info.writes[0]};
+
+  const devices::CalComp565* calcomp_;  // null: not attached
   const devices::Minigraf0507* minigraf_;
   devices::PlotterPlace place_{};
   bool pen_down_ = false;

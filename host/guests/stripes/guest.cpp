@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "emulators/core/port_device.hpp"
 #include "emulators/devices/calcomp565.hpp"
 #include "emulators/devices/ef9365.hpp"
 #include "emulators/devices/parallel_link.hpp"
 #include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
 #include "host/base/result.hpp"
 #include "host/guests/run/i8080_run_to.hpp"
 
@@ -21,22 +21,16 @@ namespace sightline::guests::stripes {
 
 namespace {
 
-// In front of the plotter: notes what it is told.
-class CommandNote final : public core::PortDevice {
+// Notes what the plotter is told.
+class PlotterFront final : public i8080::Front {
  public:
-  explicit CommandNote(i8080::Machine& machine) : machine_(machine) {
-    for (const core::PortRange range : devices::CalComp565::info.writes) machine.put_before(range, *this);
-  }
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return machine_.in_behind(port, at); }
+  explicit PlotterFront(i8080::Machine& machine) : Front(machine, devices::CalComp565::info.writes) {}
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     commands.push_back(value);
-    machine_.out_behind(port, value, at);
+    Front::out(port, value, at);
   }
 
   std::vector<std::uint8_t> commands;
-
- private:
-  i8080::Machine& machine_;
 };
 
 // The machine is a part of this program, so that an error ends the process.
@@ -78,8 +72,8 @@ GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> str
   if (options.device == Device::calcomp) attach(machine, devices::CalComp565::info.name);
   attach(machine, devices::ParallelLink::info.name);
   machine.find<devices::ParallelLink>()->send(stream);
-  std::optional<CommandNote> note;
-  if (options.device == Device::calcomp) note.emplace(machine);
+  std::optional<PlotterFront> plotter_front;
+  if (options.device == Device::calcomp) plotter_front.emplace(machine);
   machine.load(0, program.memory);
   machine.start(program.labels.start);
   i8080::Limits limits;
@@ -112,7 +106,7 @@ GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> str
     picture.device = plotter->totals().busy;
     add_faults(plotter->totals(), picture);
   }
-  if (note) picture.commands = std::move(note->commands);
+  if (plotter_front) picture.commands = std::move(plotter_front->commands);
   picture.receiving = std::min(check, end).time_since_epoch();
   picture.ranking = std::min(drawing, end) - std::min(check, end);
   picture.drawing = end - std::min(drawing, end);

@@ -68,6 +68,8 @@ TEST(StateMembers, AreVisited) {
   expect_size<devices::I8251Counts>(64, "devices::I8251Counts");
   expect_size<devices::SerialLink>(328, "devices::SerialLink");
   expect_size<i8080::UnansweredPort>(16, "i8080::UnansweredPort");
+  expect_size<i8080::PinLatches>(9, "i8080::PinLatches");
+  expect_size<i8080::MachineParts>(96520, "i8080::MachineParts");
   expect_size<PenMove>(32, "PenMove");
 }
 #endif
