@@ -45,7 +45,7 @@ TEST(StateMembers, AreVisited) {
   expect_size<type340::Display>(968, "type340::Display");
   expect_size<pdp7::Counts>(24, "pdp7::Counts");
   expect_size<pdp7::Unanswered>(24, "pdp7::Unanswered");
-  expect_size<pdp7::Machine>(1456, "pdp7::Machine");
+  expect_size<pdp7::Machine>(1024, "pdp7::Machine");
   expect_size<core::Raster>(65536, "core::Raster");
   expect_size<i8080::State>(16, "i8080::State");
   expect_size<devices::Alt256>(65600, "devices::Alt256");
