@@ -59,9 +59,9 @@
 
 namespace sightline::core {
 
-// As much as fits into the host's registers beside the address of the frame. If a processor does not use `e`, the dispatch table is
-// passed in its register, which saves an instruction of the host each time, and `d` has 64 bits, so that an index into memory need
-// not be widened; else `d` has 32.
+// As much as fits into the host's registers beside the address of the frame. If a processor does not use `e`, the dispatch
+// table is passed in its register, which saves an instruction of the host each time, and `d` has 64 bits, so that an index into
+// memory need not be widened; else `d` has 32.
 struct HostWords {
   std::uint64_t a;
   std::uint64_t b;
