@@ -1,4 +1,4 @@
-// How long a processor may run before its machine has to look around: a time, and a number of instructions, in one host
+// How long a processor may run before its machine attends to a boundary: a time, and a number of instructions, in one host
 // register, so that an instruction takes its time and its count off in one subtraction.
 #pragma once
 
@@ -17,7 +17,7 @@ class Allowance {
   // at the end of a function into a jump (threads.hpp).
   static constexpr std::int64_t most = 4095;
 
-  // The machine looks around at the first boundary that is later than `left` from now. `instructions`, 0 to `most`, must be
+  // The machine attends to the first boundary that is later than `left` from now. `instructions`, 0 to `most`, must be
   // as many as can end within that time.
   constexpr Allowance(TickCount<Tick> left, std::int64_t instructions)
       : packed_(left.count() * one_tick + instructions) {}
@@ -27,7 +27,7 @@ class Allowance {
   SIGHTLINE_INLINE constexpr void pass(TickCount<Tick> time) { packed_ -= time.count() * one_tick; }
   SIGHTLINE_INLINE constexpr void count_instruction() { --packed_; }
   [[nodiscard]] SIGHTLINE_INLINE constexpr bool over() const { return packed_ < 0; }
-  // The machine looks around at the next boundary.
+  // The machine attends to the next boundary.
   constexpr void end() { packed_ = instructions() - one_tick; }
 
   // Negative: so long ago.

@@ -29,7 +29,8 @@ namespace sightline::core {
 }
 
 // found WHAT "nmae", expected one of: name, ...; did you mean "name"?
-[[nodiscard]] inline std::string unknown_name(std::string_view what, std::string_view name, std::span<const std::string_view> names) {
+[[nodiscard]] inline std::string unknown_name(std::string_view what, std::string_view name,
+                                              std::span<const std::string_view> names) {
   std::string text = "found " + std::string(what) + " \"" + std::string(name) + "\", expected ";
   if (names.empty()) return text + "none";
   if (names.size() > 1) text += "one of: ";

@@ -71,7 +71,7 @@ class LinkHost {
 class Terminal {
  public:
   virtual void type(std::uint8_t code) = 0;
-  // All keys have been read, and the program has looked for another.
+  // All keys have been read, and the program has polled for another.
   [[nodiscard]] virtual bool wants_key() const = 0;
   // What has been printed since the last call.
   [[nodiscard]] virtual std::vector<std::uint8_t> take_printed() = 0;

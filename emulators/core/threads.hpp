@@ -1,10 +1,13 @@
-// Runs the instructions of a processor one after the other until something outside them is due.
+// The fast engine of a processor: its instructions as functions of which each ends with a jump to the next one.
 //
-// Each of the processor's codes becomes a function that executes one instruction and ends with a jump to the function
-// of the next one. Registers, time and count are its arguments, so they stay in the host's registers by the rules
-// of calls, whatever a compiler thinks of the rest: no function is large, and none depends on where another one lies. A
-// processor of this kind is a type
-//   using Frame                         what stays in memory: the bus's other half, registers that few instructions use
+// Each of the processor's codes becomes a function that executes one instruction and jumps to the function of the next. The
+// registers that instructions need most are the arguments of these functions, so they stay in the host's registers by the rules
+// of calls, whatever a compiler thinks of the rest: no function is large, and none depends on where another one lies. What
+// instructions need less lies in a frame in memory. Whether something outside the processor is due costs one test an
+// instruction (allowance.hpp); if it is, all goes into the frame and Threads::run returns.
+//
+// A processor of this kind is a type
+//   using Frame                         what stays in memory
 //   static constexpr unsigned codes     32 or 256
 //   static constexpr bool has_spare_word    HostWords::e is not used
 //   static Thread resume(Frame&, HostWords)     and, with a spare word, takes the instruction again
@@ -12,14 +15,15 @@
 //   explicit Thread(Frame&)             from what leave() has put there
 //   unsigned code()                     takes the next instruction, gives its code
 //   template <unsigned code> bool is_rare() const    the instruction taken has to be executed by execute_any()
-//   template <unsigned code> void execute()          without a call
-//   void execute_any()
-//   bool leaves() const                 at the boundary after that: the run has to be left
+//   template <unsigned code> void execute()          without a call, which would spill the host's registers
+//   void execute_any()                  any instruction
+//   bool leaves() const                 something is due at the boundary after it
 //   void leave()                        puts all into the frame
 //
-// The jump is a call in tail position. clang is made to turn it into a jump by an attribute; g++ does so where it optimises
-// (-O2). WebAssembly has no such call, and checks of addresses spoil it: there a loop with a switch does the same, on the
-// same functions. Where a compiler makes a real call after all, Allowance::most bounds the depth of the stack.
+// The jump is a call in tail position. clang turns it into a jump because of an attribute; g++ does so where it optimises
+// (-O2). Where a compiler makes a real call after all, Allowance::most bounds the depth of the stack. WebAssembly has no such
+// call, and checks of addresses spoil it: there is no fast engine (SIGHTLINE_THREADS is 0), and a machine runs by the plain loop
+// that serves its observers.
 #pragma once
 
 #include <array>
@@ -28,7 +32,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "dispatch.hpp"
 #include "inline.hpp"
 
 // A function that stays one, with its arguments where the rules of calls put them.
@@ -38,7 +41,7 @@
 #define SIGHTLINE_OUT_OF_LINE [[gnu::noinline, gnu::noipa]]
 #endif
 
-#if defined(SIGHTLINE_PLAIN_LOOP) || defined(__SANITIZE_ADDRESS__) || defined(__wasm__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__wasm__)
 #define SIGHTLINE_THREADS 0
 #elif defined(__clang__)
 #if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || !__has_cpp_attribute(clang::musttail)
@@ -56,37 +59,15 @@
 
 namespace sightline::core {
 
-// As much as fits into the host's registers beside the address of the frame. Who leaves `e` has a table of functions in its place,
-// which saves more than the instruction there would, as that is quickly taken twice, and `d` in 64 bits, so that an index into memory
-// need not be widened; else `d` has 32.
+// As much as fits into the host's registers beside the address of the frame. If a processor does not use `e`, the dispatch
+// table is passed in its register, which saves an instruction of the host each time, and `d` has 64 bits, so that an index into
+// memory need not be widened; else `d` has 32.
 struct HostWords {
   std::uint64_t a;
   std::uint64_t b;
   std::uint32_t c;
   std::uint64_t d;
   std::uint32_t e = 0;
-};
-
-// The loop: portable C++.
-template <class Thread>
-struct PlainLoop {
-  [[gnu::noinline]] static void run(typename Thread::Frame& frame) {
-    Thread thread(frame);
-    while (!dispatch<Thread::codes>(thread.code(), Executor{&thread})) {
-    }
-    thread.leave();
-  }
-
- private:
-  struct Executor {
-    Thread* thread;
-    template <unsigned code>
-    SIGHTLINE_INLINE bool execute() const {
-      if (thread->template is_rare<code>()) thread->execute_any();
-      else thread->template execute<code>();
-      return thread->leaves();
-    }
-  };
 };
 
 #if SIGHTLINE_THREADS
@@ -126,7 +107,7 @@ class Threads {
     else return &table;
   }
 
-  // Each begins a line of the host's cache: how fast it is does not depend on what a linker puts before it.
+  // Each begins a line of the host's cache, so that its speed does not depend on what a linker puts before it.
   template <unsigned code>
   [[gnu::aligned(64)]] static void one(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
     Thread thread = Thread::resume(frame, words_of(a, b, c, d, e));
@@ -164,17 +145,6 @@ class Threads {
   static constexpr Table table = all(std::make_index_sequence<Thread::codes>{});
 };
 
-#else
-
-template <class Thread>
-using Threads = PlainLoop<Thread>;
-
 #endif
-
-// A test asks for the loop by an observer that has a member `plain_loop`.
-template <class Observer>
-concept WantsPlainLoop = requires { Observer::plain_loop; };
-template <class Thread, class Observer>
-using Runner = std::conditional_t<WantsPlainLoop<Observer>, PlainLoop<Thread>, Threads<Thread>>;
 
 }  // namespace sightline::core

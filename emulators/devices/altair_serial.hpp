@@ -107,7 +107,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
     keys_.push_back(code);
     asked_ = false;
   }
-  // All keys have been read, and the program has looked for another.
+  // All keys have been read, and the program has polled for another.
   [[nodiscard]] bool wants_key() const override { return keys_.empty() && asked_; }
   // What has been sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> take_printed() override { return std::exchange(printed_, {}); }

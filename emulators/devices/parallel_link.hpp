@@ -74,14 +74,14 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
   [[nodiscard]] std::uint8_t read(std::uint8_t address, core::TStateInstant at) {
     advance(at);
     const std::uint8_t value = chip_.read(address);
-    look(at);
+    sample_lines(at);
     return value;
   }
   void write(std::uint8_t address, std::uint8_t value, core::TStateInstant at) {
     advance(at);
     if ((address & 3U) == 3 && (value & 0x80U) != 0) drop_pulses();
     chip_.write(address, value);
-    look(at);
+    sample_lines(at);
   }
 
   void advance(core::TStateInstant now) override {
@@ -151,7 +151,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
     }
     chip_.strobe_rises(I8255::Port::a);
     strobe_ = {};
-    look(edge);
+    sample_lines(edge);
   }
 
   void take_byte(Taker& taker) {
@@ -163,11 +163,11 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
     }
     chip_.acknowledge_rises(taker.port);
     taker.pulse = {};
-    look(edge);
+    sample_lines(edge);
   }
 
-  // The host looks at IBF and OBF#, which may have fallen at `at`.
-  void look(core::TStateInstant at) {
+  // The host samples IBF and OBF#, which may have fallen at `at`.
+  void sample_lines(core::TStateInstant at) {
     if (strobe_.due == core::never_t && sent_ < bytes_.size() && !chip_.input_buffer_full(I8255::Port::a))
       strobe_.due = at + response_;
     for (Taker& taker : takers_)
@@ -175,7 +175,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
         taker.pulse.due = at + response_;
   }
 
-  // A new mode clears the handshakes: what the host was about to do is void, and it looks again.
+  // A new mode clears the handshakes: what the host was about to do is void, and it samples the lines anew.
   void drop_pulses() {
     strobe_ = {};
     for (Taker& taker : takers_) taker.pulse = {};

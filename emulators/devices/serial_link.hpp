@@ -1,8 +1,8 @@
 // The slow, authentic link to the host computer: an 8251 on a line at 9600 baud, on ports EC-EF (Intel's SBC 80/10): data even,
 // control odd.
 //
-// The host sends its bytes one after the other. By itself it looks at RTS before each character and waits
-// while the program has it off; set to send blindly it starts at a given instant and never looks, so that a
+// The host sends its bytes one after the other. By itself it samples RTS before each character and waits
+// while the program has it off; set to send blindly it starts at a given instant and never does, so that a
 // program that is late loses characters (overrun) as it would have. What the program transmits is collected
 // by the chip.
 #pragma once

@@ -14,7 +14,7 @@
 //   interrupt_enable(bool)          INTE changes, in T1 of the next cycle
 //   acknowledging()                 INT has stayed high since the acknowledge cycle began
 //   end_acknowledge()               RST, EI and DI end it whatever INT does
-//   attention()                     the next instruction boundary is to be looked at (EI, HLT)
+//   attention()                     the next instruction boundary is to be attended (EI, HLT)
 //
 // READY and HOLD are handled by the bus: a bus that knows them stretches its verbs and waits before it begins one
 // (pin_bus.hpp does, T-state by T-state); for a bus without them nothing is asked and nothing is paid. INT is

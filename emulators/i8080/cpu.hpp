@@ -278,7 +278,7 @@ class Execution {
     }
   }
 
-  // INT is not looked at at the end of EI, so that EI; RET returns before the next interrupt.
+  // INT is not sampled at the end of EI, so that EI; RET returns before the next interrupt.
   SIGHTLINE_INLINE constexpr void enable_interrupts(bool on) {
     control_->interrupts_on = control_->deferred = on;
     bus_.interrupt_enable(on);

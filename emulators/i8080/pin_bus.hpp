@@ -55,7 +55,7 @@ struct PinLatches {
   bool hold = false;              // the HOLD flip-flop
   bool hold_acknowledge = false;  // HLDA
   bool after_write = false;       // the last T-state was T3 of a write, or of a cycle inside
-  bool passed_over = false;       // HOLD was granted after the last instruction: INT is not looked at before the next
+  bool passed_over = false;       // HOLD was granted after the last instruction: INT is not sampled before the next
   bool halted = false;            // since the halt cycle no other has begun
   bool waking = false;            // one more TW, and the halt is over
   bool woken = false;             // it is over
@@ -107,7 +107,7 @@ class PinBus {
   Byte in(Status cycle, Byte port) { return read(cycle, joined(port, port)); }
   void out(Status cycle, Byte port, Byte byte) { write(cycle, joined(port, port), byte); }
 
-  // READY is not looked at, the status and the address stay; HOLD is met as in a write.
+  // READY is not sampled, the status and the address stay; HOLD is met as in a write.
   void internal(Byte first, Byte then) {
     wait_while_held();
     reading_ = false;
@@ -163,7 +163,7 @@ class PinBus {
     return latches_.acknowledged && latches_.interrupt;
   }
 
-  // INT in the last T-state of the instruction. Where HOLD is granted between two instructions it is not looked at
+  // INT in the last T-state of the instruction. Where HOLD is granted between two instructions it is not sampled
   // there; the second runs first.
   bool interrupt() {
     const bool held = latches_.hold || latches_.passed_over;

@@ -40,7 +40,7 @@ struct Registers {
 // What decides at the end of an instruction what comes next.
 struct Control {
   bool interrupts_on = false;  // INTE
-  bool deferred = false;       // the last instruction was EI: INT is not looked at after it
+  bool deferred = false;       // the last instruction was EI: INT is not sampled after it
   bool halted = false;         // HLT was executed and nothing has ended it yet
 
   friend constexpr bool operator==(const Control&, const Control&) = default;

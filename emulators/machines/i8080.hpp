@@ -102,8 +102,8 @@ class Observer {
   virtual void cycle(const BusCycle& cycle) { static_cast<void>(cycle); }
   // One of the pins has changed.
   virtual void hold(const HoldPins& pins) { static_cast<void>(pins); }
-  // Before the instruction at `next`, not while a halt lasts. Where there are marks: before an instruction with mark::stop, and
-  // at the boundary after a reported cycle. The machine's registers, time and counts are those of the boundary. True: the run
+  // Before the instruction at `next`, not while a halt lasts. Where there are marks: before an instruction with mark::stop, at
+  // the boundary after a reported cycle, and where the run begins. The machine's registers, time and counts are those of the boundary. True: the run
   // ends there.
   [[nodiscard]] virtual bool stop(core::TStateInstant now, Address next) {
     return static_cast<void>(now), static_cast<void>(next), false;

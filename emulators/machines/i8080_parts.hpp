@@ -77,7 +77,8 @@ class Watch {
         port_marks_(observer.marks != nullptr ? observer.port_marks : nullptr),
         all_cycles_(observer.marks == nullptr),
         every_boundary_(observer.marks == nullptr || observer.every_boundary),
-        instructions_(observer.instructions) {}
+        instructions_(observer.instructions),
+        expects_stop_(true) {}
 
   // Cycles that bring bytes of instructions, and halt cycles, are wanted only then.
   [[nodiscard]] bool wants_all_cycles() const { return all_cycles_; }
@@ -91,17 +92,17 @@ class Watch {
   [[nodiscard]] bool is_observed() const { return observer_ != nullptr; }
   // stop() is to be called before the instruction at `next`.
   [[nodiscard]] bool wants_boundary(Address next) const {
-    return every_boundary_ || reported_ || (marks_ != nullptr && (marks_[next] & mark::stop) != 0);
+    return every_boundary_ || expects_stop_ || (marks_ != nullptr && (marks_[next] & mark::stop) != 0);
   }
 
   void report(const BusCycle& cycle) {
-    reported_ = true;
+    expects_stop_ = true;
     observer_->cycle(cycle);
   }
   void report(const HoldPins& pins) { observer_->hold(pins); }
   void report(const InstructionRecord& record) { observer_->instruction(record); }
   [[nodiscard]] bool stop(core::TStateInstant now, Address next) {
-    reported_ = false;
+    expects_stop_ = false;
     return observer_->stop(now, next);
   }
 
@@ -112,7 +113,7 @@ class Watch {
   bool all_cycles_ = false;
   bool every_boundary_ = false;
   bool instructions_ = false;
-  bool reported_ = false;  // a cycle, since stop() was called
+  bool expects_stop_ = false;  // at the next boundary: the run begins, or a cycle has been reported
 };
 
 // Each executes at least one instruction from memory, and goes on until a boundary is to be attended. They count instructions and

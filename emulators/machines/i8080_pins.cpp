@@ -132,7 +132,7 @@ class Board {
   std::size_t supplied_count_ = 0;
 };
 
-// The bus on it, which tells it what is behind an opcode.
+// The bus on it, which says what is behind an opcode.
 class BoardBus : public PinBus<Board> {
  public:
   BoardBus(Board& board, bool interrupts_on, const PinLatches& latches) : PinBus(board, interrupts_on, latches), board_(board) {}

@@ -1,8 +1,8 @@
-// What is on an 8080's ports: the devices, whose interrupt lines are connected to what, and what asks the processor for
-// something next.
+// What is on the ports of an 8080: the devices, what their interrupt lines are connected to, and the next instant at which one of
+// them wants something of the processor.
 //
-// A device is told of time when the processor touches it, when its deadline has come, and at the end of a run. Only a device that
-// is connected to INT or HOLD has a deadline; of the others nothing reaches the processor but what it reads.
+// A device brings itself up to date when the processor touches it; it is advanced when its deadline has come, and at the end of a
+// run. Only devices that are connected to INT or HOLD are asked for a deadline: the others reach the processor by IN alone.
 #pragma once
 
 #include <algorithm>

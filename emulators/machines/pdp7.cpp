@@ -10,7 +10,7 @@
 #include "../pdp7/cpu.hpp"
 #include "../pdp7/registers.hpp"
 #include "pdp7_devices.hpp"
-#include "pdp7_told.hpp"
+#include "pdp7_observer_calls.hpp"
 
 namespace sightline::pdp7 {
 namespace {
@@ -122,16 +122,11 @@ std::string Machine::attach_when_used(std::string_view name, std::span<const cor
 }
 
 void Machine::plug_in(std::string_view name, bool in) {
-  Attached* const attached = find_attached(name);
-  if (attached != nullptr) {
-    std::erase_if(devices_, [attached](const auto& each) { return each.get() == attached; });
-    wire();
-  }
-  if (!in) return;
-  for (const Spare& spare : spares_) {
-    if (spare.known->info.name == name)
-      static_cast<void>(attach(spare.known->info, make(*spare.known, spare.settings, options_, *strokes_)));
-  }
+  const auto spare = std::find_if(spares_.begin(), spares_.end(), [name](const Spare& each) { return each.known->info.name == name; });
+  if (spare == spares_.end()) return;
+  std::erase_if(devices_, [name](const auto& each) { return each->info.name == name; });
+  wire();
+  if (in) static_cast<void>(attach(spare->known->info, make(*spare->known, spare->settings, options_, *strokes_)));
 }
 
 void Machine::plug_in_used(std::uint32_t word) {
@@ -213,7 +208,7 @@ void Machine::end_run() {
 
 // The time after the data break. The request is copied: it is the device's own and goes as soon as it is met.
 SIGHTLINE_INLINE inline core::Instant Machine::grant(core::IotDevice& device, core::DataBreak request, core::Instant now,
-                                                     Told* told) {
+                                                     ObserverCalls* calls) {
   using Direction = core::DataBreak::Direction;
   core::Word18 word = request.direction == Direction::to_core ? request.word : core_.read(request.address);
   Verb verb = Verb::break_read;
@@ -226,14 +221,14 @@ SIGHTLINE_INLINE inline core::Instant Machine::grant(core::IotDevice& device, co
     core_.write(request.address, word);
   }
   const core::Duration length = machine_cycle * request.cycles;
-  if (told != nullptr) told->access(access, {now, length, verb, request.address, word});
+  if (calls != nullptr) calls->access(access, {now, length, verb, request.address, word});
   counts_.stolen_cycles += static_cast<std::uint64_t>(request.cycles);
   device.served(now + length, word);
   return now + length;
 }
 
 // A boundary at which something may be due: brings the devices up to date that are, and gives them their data breaks.
-Machine::Boundary Machine::attend(core::Instant now, Registers& registers, Told* told) {
+Machine::Boundary Machine::attend(core::Instant now, Registers& registers, ObserverCalls* calls) {
   const bool deferred = registers.is(mode::interrupts_deferred);
   const bool open = registers.is(mode::interrupts_on) && !deferred;
   registers.modes &= ~mode::interrupts_deferred;
@@ -250,7 +245,7 @@ Machine::Boundary Machine::attend(core::Instant now, Registers& registers, Told*
     device.advance(now);
     const core::DataBreak* const request = device.data_break();
     if (request != nullptr) {
-      now = grant(device, *request, now, told);
+      now = grant(device, *request, now, calls);
       due = core::never;
     }
     due_[i] = device.deadline();

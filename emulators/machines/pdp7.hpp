@@ -77,12 +77,12 @@ struct Unanswered {
   Address first_pc;
 };
 
-// One byte of marks for each of the 32768 addresses: where an observer is asked and told.
+// Marks of an address, one byte for each of the 32768.
 namespace mark {
-inline constexpr std::uint8_t stop = 1,  // stop() is asked before the instruction there
-    fetched = 2,                         // cycle() is told of the fetch of an instruction
-    read = 4,                            // of other reads, those of data breaks included
-    written = 8;                         // of writes, likewise; ISZ, auto-index and clock ticks read and write
+inline constexpr std::uint8_t stop = 1,  // Observer::stop() is called before the instruction there
+    fetched = 2,                         // Observer::cycle() is called for the fetch of an instruction
+    read = 4,                            // for other reads, those of data breaks included
+    written = 8;                         // for writes, likewise; ISZ, auto-index and clock ticks read and write
 }  // namespace mark
 
 struct InstructionRecord {
@@ -94,32 +94,32 @@ struct InstructionRecord {
   const State& after;
 };
 
-// Watches a run. It must not write to the machine.
+// Watches a run. It must not write to the machine. The members are read when a run begins.
 class Observer {
  public:
-  // What it wants, as of the beginning of a run.
-  const std::uint8_t* marks = nullptr;  // 32768 bytes, which may change during the run; null: every cycle is told, stop() is
-                                        // asked at every boundary
-  bool every_boundary = false;          // with marks: stop() is asked at every boundary all the same
+  const std::uint8_t* marks = nullptr;  // 32768 bytes, which may change during the run; null: everything is reported
+  bool every_boundary = false;          // with marks: stop() is called at every boundary all the same
   bool instructions = false;            // instruction() is called after every instruction
 
   virtual void instruction(const InstructionRecord& record) { static_cast<void>(record); }
-  // With marks, the cycles at marked addresses, and all of the program interrupt and of IOTs.
+  // With marks: cycles at marked addresses, and all of program interrupts and IOTs. Without: every cycle.
   virtual void cycle(const Cycle& cycle) { static_cast<void>(cycle); }
-  // Asked at an instruction boundary, before the data breaks and the interrupt that are due there: at every one, or, with marks,
-  // at those of mark::stop, at the next one after a cycle that was told, and where a run begins. The machine's registers, time
-  // and counts are those of the boundary; devices are as they were last touched. True ends the run there. Not asked at the
-  // boundary where Limits::instructions are done: the next run asks it first.
-  virtual bool stop(core::Instant now, Address next) { return static_cast<void>(now), static_cast<void>(next), false; }
+  // At an instruction boundary, before the data breaks and the interrupt that are due there. With marks: where the next
+  // instruction has mark::stop, after a cycle that was reported, and where a run begins. Without: at every boundary. The
+  // machine's registers, time and counts are those of the boundary; devices are as they were last touched. True: the run ends
+  // there. Not called at the boundary where Limits::instructions are done: the next run calls it first.
+  [[nodiscard]] virtual bool stop(core::Instant now, Address next) {
+    return static_cast<void>(now), static_cast<void>(next), false;
+  }
 
  protected:
   ~Observer() = default;
 };
 
-struct KnownDevice;  // pdp7_devices.hpp
-struct Registers;    // ../pdp7/registers.hpp
+class ObserverCalls;                // pdp7_observer_calls.hpp
+struct KnownDevice;                 // pdp7_devices.hpp
+struct Registers;                   // ../pdp7/registers.hpp
 enum class Outcome : std::uint8_t;  // ../pdp7/cpu.hpp
-class Told;          // pdp7_told.hpp
 
 class Machine {
  public:
@@ -141,7 +141,7 @@ class Machine {
   // It is there as soon as the program uses it: from its first IOT on, unless that is one of a device that is absent on
   // purpose (../pdp7/absent_devices.hpp). A program that uses it cannot tell it from one that was there all the time.
   [[nodiscard]] std::string attach_when_used(std::string_view name, std::span<const core::Setting> settings = {});
-  // Of a device attached by name, between runs: takes it out, or plugs it in as new.
+  // Of a device that attach_when_used() was given, between runs: takes it out, or plugs it in as new.
   void plug_in(std::string_view name, bool in);
 
   // Null: no such device is attached. What the host does to a device between runs the next run finds.
@@ -200,7 +200,7 @@ class Machine {
   struct Attached {
     core::IotDeviceInfo info;
     std::unique_ptr<core::IotDevice> device;
-    std::size_t priority;  // its place in the list
+    std::size_t priority;   // its place in the list
     bool requests = false;  // an interrupt
   };
   // One that the program's first IOT plugs in.
@@ -226,8 +226,8 @@ class Machine {
   };
   void begin_run();
   void end_run();
-  [[nodiscard]] Boundary attend(core::Instant now, Registers& registers, Told* told);
-  [[nodiscard]] core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, Told* told);
+  [[nodiscard]] Boundary attend(core::Instant now, Registers& registers, ObserverCalls* calls);
+  [[nodiscard]] core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, ObserverCalls* calls);
   [[nodiscard]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac);
   void control_pulses(core::Instant now, std::uint32_t word, core::IotReply& reply);
   void count_unanswered(std::uint32_t word, Address at);
@@ -243,9 +243,10 @@ class Machine {
   std::unique_ptr<core::StrokeBuffer> strokes_ = std::make_unique<core::StrokeBuffer>();
   std::vector<std::unique_ptr<Attached>> devices_;  // in the order in which they were attached
   std::vector<Attached*> by_priority_;
-  std::vector<core::Instant> due_;  // likewise: it wants nothing by itself before
-  std::size_t requesting_ = 0;      // how many of them request an interrupt
-  std::array<std::uint8_t, 64> by_code_{};  // their places in by_priority_; no_device
+  // What the machine knows of each of by_priority_: it wants nothing by itself before.
+  std::vector<core::Instant> due_;
+  std::size_t requesting_ = 0;              // how many devices request an interrupt
+  std::array<std::uint8_t, 64> by_code_{};  // the place in by_priority_, or no_device
   std::vector<Spare> spares_;
   Counts counts_;
   std::vector<Unanswered> unanswered_;

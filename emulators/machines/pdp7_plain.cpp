@@ -1,5 +1,5 @@
-// The plain loop: what a PDP-7 does, instruction by instruction, told to an observer. It serves all that is observed, and
-// every run where the fast engine cannot be compiled (WebAssembly, sanitizers).
+// The plain loop: what a PDP-7 does, instruction by instruction, and which calls an observer gets. All that is observed runs here,
+// and every run where the fast engine cannot be compiled (WebAssembly, sanitizers).
 #include "pdp7.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "../core/inline.hpp"
 #include "../pdp7/cpu.hpp"
-#include "pdp7_told.hpp"
+#include "pdp7_observer_calls.hpp"
 
 namespace sightline::pdp7 {
 
@@ -18,11 +18,11 @@ struct Machine::PlainRun {
   StopReason run(const Limits& limits);
 
   Machine& machine;
-  Told told;
+  ObserverCalls calls;
   Processor processor{machine.options_.model, machine.options_.timing, machine.state_};
 };
 
-// The verbs of ../pdp7/bus.hpp: each tells its cycle, and lets its time pass.
+// The verbs of ../pdp7/bus.hpp: each reports its cycle, and lets its time pass.
 class Machine::PlainRun::Bus {
  public:
   explicit Bus(PlainRun& run)
@@ -50,18 +50,18 @@ class Machine::PlainRun::Bus {
   }
   void interrupt(core::Word18 word) {
     put(0, word);
-    run_->told.event({now_, machine_cycle, Verb::interrupt, 0, word});
+    run_->calls.event({now_, machine_cycle, Verb::interrupt, 0, word});
     now_ += machine_cycle;
   }
   core::IotReply iot(std::uint32_t word, core::Word18 ac) {
     const IotEffect effect = run_->machine.input_output(now_, word, ac);
-    run_->told.event({now_, effect.stretch, Verb::iot, word & 07777U, effect.reply.ac});
+    run_->calls.event({now_, effect.stretch, Verb::iot, word & 07777U, effect.reply.ac});
     pass_asynchronous(effect.stretch);
     if (effect.attention) attention();
     return effect.reply;
   }
   void idle(core::Duration duration) {
-    run_->told.idle({now_, duration, Verb::idle, 0, core::Word18(0)});
+    run_->calls.idle({now_, duration, Verb::idle, 0, core::Word18(0)});
     pass_asynchronous(duration);
   }
   core::Word18 switches() { return run_->machine.console_.switches(now_); }
@@ -74,7 +74,7 @@ class Machine::PlainRun::Bus {
     if (address < words_) core_[address] = word;
   }
   SIGHTLINE_INLINE core::Word18 access(std::uint8_t mark, Verb verb, Address address, core::Word18 word) {
-    run_->told.access(mark, {now_, machine_cycle, verb, address, word});
+    run_->calls.access(mark, {now_, machine_cycle, verb, address, word});
     now_ += machine_cycle;
     return word;
   }
@@ -104,22 +104,22 @@ StopReason Machine::PlainRun::run(const Limits& limits) {
     show();
     return reason;
   };
-  const bool records = told.observer() != nullptr && told.observer()->instructions;
+  const bool records = calls.observer() != nullptr && calls.observer()->instructions;
 
   for (std::uint64_t left = limits.instructions;; --left) {
     // The boundary.
     for (bool interrupted = true; interrupted;) {
       const Address next = execution.next();
-      if (left != 0 && told.asks(next)) {
+      if (left != 0 && calls.wants_stop(next)) {
         if (!is_shown) show();
-        if (told.stops(bus.now(), next)) return StopReason::observer;
+        if (calls.stop(bus.now(), next)) return StopReason::observer;
       }
       if (left == 0) return ends(StopReason::instruction_limit);
       interrupted = false;
       if (bus.due()) {
         if (std::exchange(machine.stop_requested_, false)) return ends(StopReason::observer);
         if (bus.now() >= limits.until) return ends(StopReason::time_limit);
-        const Boundary boundary = machine.attend(bus.now(), processor.registers, &told);
+        const Boundary boundary = machine.attend(bus.now(), processor.registers, &calls);
         bus.attend(boundary.now, std::min(boundary.due, limits.until));
         interrupted = boundary.interrupt;
         if (interrupted) execution.interrupt();
@@ -140,7 +140,7 @@ StopReason Machine::PlainRun::run(const Limits& limits) {
       outcome = execution.step();
       ++machine.counts_.instructions;
       show();
-      told.observer()->instruction({begun, bus.now(), before.pc, word, before, machine.state_});
+      calls.observer()->instruction({begun, bus.now(), before.pc, word, before, machine.state_});
     }
     if (outcome != Outcome::completed) return ends(reason_of(outcome));
   }
@@ -148,14 +148,14 @@ StopReason Machine::PlainRun::run(const Limits& limits) {
 
 StopReason Machine::run(const Limits& limits, Observer& observer) {
   begin_run();
-  const StopReason reason = PlainRun{*this, Told(&observer)}.run(limits);
+  const StopReason reason = PlainRun{*this, ObserverCalls(&observer)}.run(limits);
   end_run();
   return reason;
 }
 
 StopReason Machine::run_plainly(const Limits& limits) {
   begin_run();
-  const StopReason reason = PlainRun{*this, Told(nullptr)}.run(limits);
+  const StopReason reason = PlainRun{*this, ObserverCalls(nullptr)}.run(limits);
   end_run();
   return reason;
 }

@@ -14,12 +14,6 @@
 
 namespace sightline::pdp7 {
 
-struct Operated {
-  core::Word18 ac;
-  bool link = false;
-  bool skip = false;
-};
-
 namespace operate_bits {
 inline constexpr std::uint32_t cma = 01, cml = 02, oas = 04, ral = 010, rar = 020, hlt = 040, sma = 0100,
                                sza = 0200, snl = 0400, invert = 01000, twice = 02000, cll = 04000,
@@ -79,11 +73,6 @@ struct OperatedBits {
     }
   }
   return result;
-}
-
-[[nodiscard]] constexpr Operated operate(std::uint32_t word, core::Word18 ac, bool link, core::Word18 switches) {
-  const OperatedBits result = operate_on_bits(word, ac.value() | (link ? detail::link_bit : 0U), switches);
-  return {core::Word18(result.lac), (result.lac & detail::link_bit) != 0, result.skip};
 }
 
 }  // namespace sightline::pdp7

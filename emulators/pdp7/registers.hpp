@@ -15,8 +15,7 @@ inline constexpr std::uint32_t extend = 0200000, trap = 0100000, extend_restore 
                                interrupts_deferred = 04;
 }
 
-// L in bit 18 above AC. Bits above L mean nothing: what an addition carries beyond it stays there, and so do the marks of a word
-// from core (core_memory.hpp), which set_ac(), add(), exclusive_or() and and_() take as it is.
+// L in bit 18 above AC. Bits above L mean nothing: what an addition carries beyond it stays there.
 class Accumulator {
  public:
   constexpr Accumulator() = default;

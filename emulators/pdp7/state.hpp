@@ -19,11 +19,6 @@ inline constexpr Address bank_mask = 060000;     // which 8K bank
 inline constexpr Address in_bank_mask = 017777;  // the place inside it
 inline constexpr Address address_mask = 077777;
 
-// The address after `a`, inside the same 8K bank: 17777 is followed by 00000.
-[[nodiscard]] constexpr Address next_in_bank(Address a) {
-  return (a & bank_mask) | ((a + 1) & in_bank_mask);
-}
-
 struct State {
   core::Word18 ac;
   core::Word18 mq;

@@ -1,4 +1,5 @@
-// The KSR 33 teletype: a keyboard, IOT device 03, and a printer, IOT device 04, that share only the cabinet and the character time.
+// The KSR 33 teletype: a keyboard, IOT device 03, and a printer, IOT device 04, that share only the cabinet and the character
+// time.
 //
 // The keyboard sends eight bits, channel 8 always marked. A key pressed before the last character has been
 // sent waits for the line; one that arrives before the program has read the last overwrites it. The printer's

@@ -15,7 +15,7 @@ failed=0
 
 for compiler in "$@"; do
   command -v "$compiler" >/dev/null || { echo "host_instructions: no $compiler here" >&2; exit 77; }
-  "$compiler" -std=c++20 -O2 -DNDEBUG -I"$source" "$here/programs.cpp" "$source"/emulators/machines/i8080*.cpp "$source"/emulators/devices/*.cpp -o "$work/programs"
+  "$compiler" -std=c++20 -O2 -DNDEBUG -I"$source" "$here/programs.cpp" "$source"/emulators/machines/*.cpp "$source"/emulators/devices/*.cpp "$source"/emulators/type340/*.cpp -o "$work/programs"
   (cd "$work" && valgrind --tool=callgrind --callgrind-out-file=counts --collect-atstart=no --toggle-collect='count_*' \
     ./programs >/dev/null 2>log) || { cat "$work/log" >&2; exit 1; }
   callgrind_annotate --inclusive=yes --threshold=100 "$work/counts" > "$work/table"

@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "emulators/core/stroke.hpp"
 #include "emulators/machines/i8080.hpp"
 #include "emulators/machines/pdp7.hpp"
+#include "emulators/type340/display.hpp"
 
 namespace {
 
@@ -18,9 +18,8 @@ using namespace sightline;
 constexpr std::uint64_t guest_instructions = 100'000;
 
 struct Pdp7 {
-  core::NoStrokes sink;
-  machines::NoObserver observer;
-  machines::Pdp7<> machine{{{}, type340::Options{}}, sink, observer};
+  Pdp7() { static_cast<void>(machine.attach("display")); }
+  pdp7::Machine machine;
 
   template <std::size_t n>
   void put(pdp7::Address at, const std::array<std::uint32_t, n>& words) {
@@ -60,7 +59,7 @@ struct Pdp7 {
     }
     put(at, std::array<std::uint32_t, 1>{0003000});
     machine.registers().interrupts_on = true;
-    machine.display()->load_address_and_start(machine.now(), core::Word18(01000));
+    machine.find<type340::Display>()->load_address_and_start(machine.now(), core::Word18(01000));
   }
 };
 

@@ -211,7 +211,7 @@ struct Marked : tests::I8080Recorder {
   }
   bool stop(core::TStateInstant now, i8080::Address next) override {
     // At every boundary, those that the marks ask for are kept.
-    if (!every_boundary || seen.size() != seen_before || (of_memory[next] & i8080::mark::stop) != 0) boundaries.push_back(now);
+    if (!every_boundary || boundaries.empty() || seen.size() != seen_before || (of_memory[next] & i8080::mark::stop) != 0) boundaries.push_back(now);
     seen_before = seen.size();
     return false;
   }

@@ -179,6 +179,33 @@ TEST(I8080Machine, AHaltThatEndedUnobservedLeavesNoHlta) {
   EXPECT_EQ(bench.recorder.seen.back().status, 0xA2);
 }
 
+TEST(I8080Machine, AnObserverOfMarksIsAskedWhereARunBeginsAtMarksAndAfterReportedCycles) {
+  struct Marked : i8080::Observer {
+    std::array<std::uint8_t, 65536> of_memory{};
+    std::array<std::uint8_t, 256> of_ports{};
+    std::vector<i8080::Address> stops;
+    std::vector<i8080::Address> cycles;
+    Marked() {
+      marks = of_memory.data();
+      port_marks = of_ports.data();
+    }
+    void cycle(const i8080::BusCycle& cycle) override { cycles.push_back(cycle.address); }
+    bool stop(core::TStateInstant, i8080::Address next) override {
+      stops.push_back(next);
+      return false;
+    }
+  } observer;
+  Bench bench{0x00, 0x32, 0x00, 0x20, 0x3A, 0x01, 0x20, 0xD3, 0x10, 0xD3, 0x11, 0x00, 0x76};  // NOP; STA 2000; LDA 2001; OUT; OUT; NOP; HLT
+  observer.of_memory[0x2000] = i8080::mark::read;
+  observer.of_memory[0x2001] = i8080::mark::read;
+  observer.of_memory[0x0104] = i8080::mark::read | i8080::mark::stop;  // of an opcode
+  observer.of_ports[0x10] = i8080::mark::read;
+  observer.of_ports[0x11] = i8080::mark::written;
+  EXPECT_EQ(bench.machine.run({}, observer), StopReason::halt);
+  EXPECT_EQ(observer.cycles, (std::vector<i8080::Address>{0x2001, 0x1111}));
+  EXPECT_EQ(observer.stops, (std::vector<i8080::Address>{0x0100, 0x0104, 0x0107, 0x010B}));
+}
+
 TEST(I8080Machine, DadHasNoCycleToReport) {
   Bench bench{0x29, 0x76};
   bench.run();

@@ -1,7 +1,7 @@
 // The PDP-7 beside the machine of an earlier version (../reference), on random programs that modify themselves, chain XCTs,
 // count pointers up, change banks, multiply, and drive a refreshing display, a clock, a teletype, tapes and interrupts: the same
 // bus cycles, registers, times, strokes, core and states, in the same pieces. Four machines take part: one that runs on the fast
-// engine, one that tells an observer every cycle, one that tells another observer the marked ones, and one that changes between
+// engine, one whose observer gets every cycle, one whose observer gets the marked ones, and one that changes between
 // all ways to run, without a taker of strokes.
 //
 // How to run more than a few: lockstep.hpp.
@@ -13,6 +13,7 @@
 #include <random>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "emulators/machines/pdp7.hpp"
@@ -109,7 +110,7 @@ struct WatchedCycles {
 
 using Marks = std::vector<std::uint8_t>;
 
-// The cycles that an observer with marks is told, and the boundaries at which it is asked.
+// The cycles that are reported to an observer with marks, and the boundaries at which its stop() is called.
 struct Asked {
   CycleSum cycles;
   CycleSum boundaries;
@@ -121,18 +122,18 @@ struct Asked {
   friend bool operator==(const Asked&, const Asked&) = default;
 };
 
-// Is told every cycle and asked at every boundary, and knows what one with marks would be.
+// Gets every cycle and every boundary, and knows which of them one with marks would get.
 struct EveryCycle final : pdp7::Observer {
   explicit EveryCycle(const Marks& of_other) : others(of_other) {}
   void cycle(const pdp7::Cycle& c) override {
     add_cycle(all, c);
     if (!is_marked(c)) return;
     add_cycle(expected.cycles, c);
-    told = true;
+    reported = true;
   }
   bool stop(core::Instant now, pdp7::Address next) override {
-    if (told || (others[next] & pdp7::mark::stop) != 0) expected.stop(*machine, now, next);
-    told = false;
+    if (reported || (others[next] & pdp7::mark::stop) != 0) expected.stop(*machine, now, next);
+    reported = false;
     return false;
   }
   [[nodiscard]] bool is_marked(const pdp7::Cycle& c) const {
@@ -155,7 +156,7 @@ struct EveryCycle final : pdp7::Observer {
   const pdp7::Machine* machine = nullptr;
   CycleSum all;
   Asked expected;
-  bool told = false;
+  bool reported = false;
 };
 
 struct MarkedCycles final : pdp7::Observer {
@@ -182,7 +183,7 @@ struct Breakpoint final : pdp7::Observer {
   bool armed = true;
 };
 
-// Is asked at every boundary, as a monitor that waits for a condition, and stops at some; is told instructions, too.
+// Gets every boundary, as a monitor that waits for a condition, and stops at some; gets instructions, too.
 struct Follower final : pdp7::Observer {
   Follower() {
     marks = marked.data();
@@ -279,7 +280,7 @@ struct Machines {
         breakpoint(stop_at),
         reference(options.reference, of_reference),
         fast(options.machine),
-        told(options.machine),
+        every(options.machine),
         watched(options.machine),
         mixed(options.machine) {
     reference.attach_display(options.display, reference_strokes);
@@ -291,32 +292,32 @@ struct Machines {
       machine.strokes().hand_to(strokes);
     };
     attach(fast, &fast_strokes);
-    attach(told, &told_strokes);
+    attach(every, &every_strokes);
     attach(watched, &watched_strokes);
     attach(mixed, nullptr);
-    of_told.machine = &told;
+    of_every.machine = &every;
     of_watched.machine = &watched;
   }
 
   template <class Do>
   void each(Do what) {
     what(reference, *reference.display());
-    for (pdp7::Machine* const machine : {&fast, &told, &watched, &mixed}) what(*machine, display_of(*machine));
+    for (pdp7::Machine* const machine : {&fast, &every, &watched, &mixed}) what(*machine, display_of(*machine));
   }
 
   Marks marks;
   WatchedCycles of_reference;
-  EveryCycle of_told{marks};
+  EveryCycle of_every{marks};
   MarkedCycles of_watched{marks};
   Breakpoint breakpoint;
   Follower follower;
   SumStrokes reference_strokes;
   SumStrokes fast_strokes;
-  SumStrokes told_strokes;
+  SumStrokes every_strokes;
   SumStrokes watched_strokes;
   reference::BasicPdp7<reference_display::Display<SumStrokes>, WatchedCycles> reference;
   pdp7::Machine fast;
-  pdp7::Machine told;
+  pdp7::Machine every;
   pdp7::Machine watched;
   pdp7::Machine mixed;
 };
@@ -328,8 +329,8 @@ struct Done {
   std::uint64_t interrupts = 0;
   std::uint64_t breaks = 0;
   std::uint64_t flashes = 0;
-  std::uint64_t marked = 0;    // cycles that an observer with marks was told
-  std::uint64_t followed = 0;  // instructions that an observer was told
+  std::uint64_t marked = 0;    // cycles that an observer with marks got
+  std::uint64_t followed = 0;  // instructions that an observer got
   std::uint64_t modified = 0;
 };
 
@@ -371,8 +372,8 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
       limits.until = all.fast.now() + core::Duration(static_cast<std::int64_t>(random() % 2'000'000));
     }
     const pdp7::StopReason reason = all.reference.run(limits);
-    all.of_told.told = true;  // where a run begins the other is asked, too
-    const bool same_reasons = all.fast.run(limits) == reason && all.told.run(limits, all.of_told) == reason &&
+    all.of_every.reported = true;  // where a run begins the other gets a boundary, too
+    const bool same_reasons = all.fast.run(limits) == reason && all.every.run(limits, all.of_every) == reason &&
                               all.watched.run(limits, all.of_watched) == reason;
     // With a breakpoint the run has to be taken up again where it stopped.
     pdp7::Limits rest = limits;
@@ -396,8 +397,8 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
              display.counters().words == all.reference.display()->counters().words &&
              machine.unanswered().size() == all.reference.unanswered().size();
     };
-    if (!same_reasons || last != reason || !alike(all.fast) || !alike(all.told) || !alike(all.watched) || !alike(all.mixed)) {
-      ADD_FAILURE() << "piece " << piece << ": " << same_reasons << (last == reason) << alike(all.fast) << alike(all.told)
+    if (!same_reasons || last != reason || !alike(all.fast) || !alike(all.every) || !alike(all.watched) || !alike(all.mixed)) {
+      ADD_FAILURE() << "piece " << piece << ": " << same_reasons << (last == reason) << alike(all.fast) << alike(all.every)
                     << alike(all.watched) << alike(all.mixed);
       return false;
     }
@@ -420,26 +421,26 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
     }
   }
   const CycleSum saved = state_of(all.fast);
-  if (!(state_of(all.told) == saved) || !(state_of(all.watched) == saved) || !(state_of(all.mixed) == saved)) {
+  if (!(state_of(all.every) == saved) || !(state_of(all.watched) == saved) || !(state_of(all.mixed) == saved)) {
     ADD_FAILURE() << "states";
     return false;
   }
-  if (!(all.of_reference.all == all.of_told.all)) {
+  if (!(all.of_reference.all == all.of_every.all)) {
     ADD_FAILURE() << "bus cycles";
     return false;
   }
-  if (!(all.of_told.expected == all.of_watched.asked)) {
+  if (!(all.of_every.expected == all.of_watched.asked)) {
     ADD_FAILURE() << "marked cycles and boundaries";
     return false;
   }
   const CycleSum& drawn = all.reference_strokes.all;
-  if (!(drawn == all.fast_strokes.all) || !(drawn == all.told_strokes.all) || !(drawn == all.watched_strokes.all)) {
+  if (!(drawn == all.fast_strokes.all) || !(drawn == all.every_strokes.all) || !(drawn == all.watched_strokes.all)) {
     ADD_FAILURE() << "strokes";
     return false;
   }
   for (pdp7::Address a = 0; a <= pdp7::address_mask; ++a) {
     const core::Word18 word = all.reference.peek(a);
-    if (all.told.peek(a) != word || all.fast.peek(a) != word || all.watched.peek(a) != word || all.mixed.peek(a) != word) {
+    if (all.every.peek(a) != word || all.fast.peek(a) != word || all.watched.peek(a) != word || all.mixed.peek(a) != word) {
       ADD_FAILURE() << "core at " << std::oct << a;
       return false;
     }

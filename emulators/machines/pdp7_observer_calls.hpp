@@ -1,4 +1,4 @@
-// What of a run an observer is told, by the marks of addresses. Without an observer nothing is marked.
+// Which calls an observer gets in a run, by its marks. Without an observer nothing is marked.
 #pragma once
 
 #include <array>
@@ -12,34 +12,34 @@
 
 namespace sightline::pdp7 {
 
-class Told {
+class ObserverCalls {
  public:
-  explicit Told(Observer* observer)
+  explicit ObserverCalls(Observer* observer)
       : observer_(observer),
         marks_(observer == nullptr ? no_marks.data() : observer->marks == nullptr ? all_accesses.data() : observer->marks),
         all_(observer != nullptr && observer->marks == nullptr),
-        asks_always_(all_ || (observer != nullptr && observer->every_boundary)),
-        asks_(observer != nullptr) {}
+        every_boundary_(all_ || (observer != nullptr && observer->every_boundary)),
+        next_boundary_(observer != nullptr) {}
 
   [[nodiscard]] Observer* observer() const { return observer_; }
 
-  // An access to core; `mark`: one that an address must have for it.
+  // An access to core; `mark`: what its address must be marked with.
   SIGHTLINE_INLINE void access(std::uint8_t mark, const Cycle& cycle) {
-    if ((marks_[cycle.address & address_mask] & mark) != 0) [[unlikely]] tell(cycle);
+    if ((marks_[cycle.address & address_mask] & mark) != 0) [[unlikely]] report(cycle);
   }
   // The program interrupt or an IOT.
   void event(const Cycle& cycle) {
-    if (observer_ != nullptr) tell(cycle);
+    if (observer_ != nullptr) report(cycle);
   }
   void idle(const Cycle& cycle) {
-    if (all_) tell(cycle);
+    if (all_) report(cycle);
   }
 
-  // Whether stop() is to be asked at a boundary.
-  [[nodiscard]] SIGHTLINE_INLINE bool asks(Address next) const { return asks_ || (marks_[next] & mark::stop) != 0; }
+  // Whether stop() is to be called at a boundary.
+  [[nodiscard]] SIGHTLINE_INLINE bool wants_stop(Address next) const { return next_boundary_ || (marks_[next] & mark::stop) != 0; }
   // At that boundary. True: the run ends there.
-  [[nodiscard]] bool stops(core::Instant now, Address next) {
-    asks_ = asks_always_;
+  [[nodiscard]] bool stop(core::Instant now, Address next) {
+    next_boundary_ = every_boundary_;
     return observer_->stop(now, next);
   }
 
@@ -52,16 +52,16 @@ class Told {
     return marks;
   }();
 
-  void tell(const Cycle& cycle) {
-    asks_ = true;
+  void report(const Cycle& cycle) {
+    next_boundary_ = true;
     observer_->cycle(cycle);
   }
 
   Observer* observer_;
   const std::uint8_t* marks_;
-  bool all_;          // every cycle is told
-  bool asks_always_;  // at every boundary
-  bool asks_;         // at the next one
+  bool all_;             // every cycle is reported
+  bool every_boundary_;  // stop() is called at every boundary
+  bool next_boundary_;   // at the next one
 };
 
 }  // namespace sightline::pdp7
