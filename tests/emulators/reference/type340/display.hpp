@@ -33,7 +33,8 @@ struct BreakRequest {
   core::Word18 word;      // to be written
 };
 
-template <class Sink = core::NoStrokes>
+// `Sink`: begin_pass(Instant), stroke(const Stroke&), end_pass(Instant); `consumes` false: single flashes are not wanted.
+template <class Sink>
 class Display {
  public:
   Display(Options options, Sink& sink) : options_(options), sink_(&sink) {}
