@@ -29,6 +29,17 @@ struct Setting {
   std::string_view name;
   std::int64_t value;
 };
+// That of one of `options`: as it is set, or as it is initially.
+[[nodiscard]] constexpr std::int64_t value_of(std::string_view option, std::span<const DeviceOption> options,
+                                              std::span<const Setting> settings) {
+  for (const Setting& setting : settings) {
+    if (setting.name == option) return setting.value;
+  }
+  for (const DeviceOption& row : options) {
+    if (row.name == option) return row.initial;
+  }
+  return 0;
+}
 
 // Something a device has counted, for reports.
 struct Count {

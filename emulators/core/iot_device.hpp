@@ -34,9 +34,14 @@ struct IotDeviceInfo {
 
 // What a device is made from.
 struct IotDeviceSetup {
-  std::span<const Setting> settings;  // of its options, within their bounds; those that are not there are as initial
+  std::span<const Setting> settings;  // of its options, within their bounds; `value` reads them
   StrokeBuffer& strokes;
   std::uint16_t address_mask;  // where the core address of a data break wraps
+
+  // The value of an option of `info`, which must have it.
+  [[nodiscard]] constexpr std::int64_t value(const IotDeviceInfo& info, std::string_view option) const {
+    return value_of(option, info.options, settings);
+  }
 };
 
 // What an IOT is answered.

@@ -51,13 +51,7 @@ struct PortDeviceSetup {
 
   // The value of an option of `info`, which must have it.
   [[nodiscard]] constexpr std::int64_t value(const PortDeviceInfo& info, std::string_view option) const {
-    for (const Setting& setting : settings) {
-      if (setting.name == option) return setting.value;
-    }
-    for (const DeviceOption& row : info.options) {
-      if (row.name == option) return row.initial;
-    }
-    return 0;
+    return value_of(option, info.options, settings);
   }
 };
 

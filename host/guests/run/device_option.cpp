@@ -12,7 +12,7 @@ namespace sightline::guests::run {
 
 namespace {
 
-// Of what stands in a row and has a name.
+// The element with the name; null: there is none.
 template <class Named>
 const Named* find_named(std::span<const Named> all, std::string_view name) {
   const auto found = std::find_if(all.begin(), all.end(), [name](const Named& each) { return each.name == name; });
