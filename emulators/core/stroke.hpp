@@ -1,14 +1,7 @@
-// The output of calligraphic display hardware, and the interface of its consumers.
+// The output of calligraphic display hardware, and the interface of those that take it.
 //
 // One Stroke is one flash of the beam: everything the Type 340 draws consists of them. A plotter makes one of each step of
 // its lowered pen. A device puts them into a StrokeBuffer, which hands them on in blocks.
-//
-// (Until the machines are ordinary classes:) A sink is a type with
-//   static constexpr bool consumes;             false: the display may skip the work of finding single flashes
-//   void begin_pass(Instant);                   the program started the display (IDLA)
-//   void stroke(const Stroke&);                 in the order of time within one display
-//   void end_pass(Instant);                     the display stopped (stop word or edge)
-// Consumers (raster, phosphor, logs, statistics) use no other output of a display.
 #pragma once
 
 #include <array>
@@ -73,14 +66,6 @@ class StrokeBuffer {
   std::array<Stroke, 1024> strokes_;
   std::size_t count_ = 0;
   StrokeTaker* taker_ = nullptr;
-};
-
-// A sink that discards everything.
-struct NoStrokes {
-  static constexpr bool consumes = false;
-  void begin_pass(Instant) {}
-  void stroke(const Stroke&) {}
-  void end_pass(Instant) {}
 };
 
 }  // namespace sightline::core
