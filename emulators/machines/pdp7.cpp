@@ -160,9 +160,8 @@ void Machine::load(Address address, std::initializer_list<std::uint32_t> words) 
 }
 
 Counts Machine::counts() const {
-  Counts counts = counts_;
-  counts.machine_cycles = static_cast<std::uint64_t>((now_.time_since_epoch() - asynchronous_) / machine_cycle);
-  return counts;
+  const std::int64_t machine_cycles = (now_.time_since_epoch() - asynchronous_) / machine_cycle;
+  return {counts_.instructions, static_cast<std::uint64_t>(machine_cycles), counts_.stolen_cycles};
 }
 
 void Machine::start(Address address) {
