@@ -175,7 +175,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
         taker.pulse.due = at + response_;
   }
 
-  // A new mode clears the handshakes: what the host was about to do is void, and it samples the lines anew.
+  // A new mode clears the handshakes: what the host was about to do is void, and it samples the lines again.
   void drop_pulses() {
     strobe_ = {};
     for (Taker& taker : takers_) taker.pulse = {};

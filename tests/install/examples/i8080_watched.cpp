@@ -12,7 +12,7 @@ struct Watcher : i8080::Observer {
     instructions = true;
   }
   void instruction(const i8080::InstructionRecord& done) override { decrements += done.bytes[0] == 0x05; }
-  bool stop(core::TStateInstant, i8080::Address) override { return true; }
+  bool stop(core::TStateInstant, i8080::Address next) override { return next == 7; }
   std::array<std::uint8_t, 65536> places{};
   int decrements = 0;
 };
