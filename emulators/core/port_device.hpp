@@ -33,7 +33,7 @@ enum class PortDeviceKind : std::uint8_t {
 struct PortDeviceInfo {
   std::string_view name;  // of the device, of its section in a snapshot
   std::string_view help;  // one line
-  std::string_view choice;  // of its kind's option; of a link: its chip
+  std::string_view choice = {};  // of its kind's option; of a link: its chip
   PortDeviceKind kind = PortDeviceKind::other;
   std::span<const PortRange> reads = {};         // ports that answer an IN
   std::span<const PortRange> writes = {};        // ports that take an OUT

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <memory>
 #include <random>
+#include <span>
 
 #include "emulators/machines/i8080.hpp"
 #include "emulators/machines/i8080_ports.hpp"
@@ -129,14 +130,27 @@ TEST_F(I8080Devices, WithAllDevicesOnlyTheirPortsAnswer) {
     in(port);
     answered += ports.unanswered()[static_cast<std::size_t>(port)].reads == 0;
   }
-  // 0, 1, 10, 11, 30, 40-4F, 50, 60, E4-E7, EC-EF; the Minigraf cannot be read.
-  EXPECT_EQ(answered, 4 + 1 + 16 + 1 + 1 + 4 + 4);
+  int reads = 0;
+  int writes = 0;
+  const auto ports_in = [](std::span<const core::PortRange> ranges) {
+    int count = 0;
+    for (const core::PortRange range : ranges) count += range.last - range.first + 1;
+    return count;
+  };
+  for (const auto& [info, device] : ports.devices()) {
+    reads += ports_in(info->reads);
+    writes += ports_in(info->writes);
+  }
+  // Among them 0, 1, 10, 11, 30, 40-4F, 50, 60, E4-E7, EC-EF; the Minigraf cannot be read.
+  EXPECT_GE(reads, 4 + 1 + 16 + 1 + 1 + 4 + 4);
+  EXPECT_EQ(answered, reads);
   answered = 0;
   for (int port = 0; port < 256; ++port) {
     out(port, 0);
     answered += ports.unanswered()[static_cast<std::size_t>(port)].writes == 0;
   }
-  EXPECT_EQ(answered, 4 + 4 + 16 + 1 + 1 + 4 + 4 + 1);
+  EXPECT_GE(writes, 4 + 4 + 16 + 1 + 1 + 4 + 4 + 1);
+  EXPECT_EQ(answered, writes);
 }
 
 TEST_F(I8080Devices, UnconnectedDevicesNeverInterrupt) {

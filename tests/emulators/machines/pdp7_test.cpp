@@ -366,14 +366,14 @@ TEST_F(Pdp7, ADeviceCodeTakenTwiceIsAnErrorWithBothNames) {
 
 TEST_F(Pdp7, AnUnknownDeviceIsAnErrorWithTheNearestName) {
   Machine machine;
-  EXPECT_EQ(machine.attach("pinter"),
-            "found device \"pinter\", expected one of: rb09, display, clock, reader, punch, keyboard, printer; did you mean "
-            "\"printer\"?");
+  std::string names;
+  for (const core::IotDeviceInfo& info : pdp7::device_infos) names += (names.empty() ? "" : ", ") + std::string(info.name);
+  EXPECT_EQ(machine.attach("pinter"), "found device \"pinter\", expected one of: " + names + "; did you mean \"printer\"?");
   EXPECT_EQ(machine.attach("printer"), "the device printer is attached already");
   pdp7::Options options;
   EXPECT_EQ(machine.error(), "");
   options.devices = {"clock", "drum"};
-  EXPECT_EQ(Machine(options).error(), "found device \"drum\", expected one of: rb09, display, clock, reader, punch, keyboard, printer");
+  EXPECT_EQ(Machine(options).error(), "found device \"drum\", expected one of: " + names);
 }
 
 TEST_F(Pdp7, ASettingThatADeviceDoesNotHaveIsAnError) {

@@ -12,6 +12,7 @@
 #include "emulators/machines/i8080.hpp"
 #include "emulators/machines/i8080_devices.hpp"
 #include "emulators/machines/pdp7.hpp"
+#include "emulators/machines/pdp7_devices.hpp"
 #include "table.hpp"
 
 namespace sightline::manual {
@@ -92,9 +93,9 @@ class Describer final : public core::StateVisitor {
 }  // namespace
 
 std::string snapshot_pdp7() {
-  pdp7::Options options;
-  options.devices.insert(options.devices.end(), {"rb09", "display"});
-  pdp7::Machine machine(options);
+  pdp7::Machine machine;
+  for (const core::IotDeviceInfo& info : pdp7::device_infos)
+    if (machine.device(info.name) == nullptr) static_cast<void>(machine.attach(info.name));
   Table table{"section", "fields"};
   Describer describer(table);
   machine.visit_state(describer);
