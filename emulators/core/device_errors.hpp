@@ -64,6 +64,8 @@ namespace sightline::core {
       return "found " + std::to_string(setting.value) + " for the option " + std::string(setting.name) + of_device +
              ", expected " + std::to_string(option->least) + " to " + std::to_string(option->most);
     }
+    if (std::count_if(settings.begin(), settings.end(), [&](const Setting& each) { return each.name == setting.name; }) > 1)
+      return "found the option " + std::string(setting.name) + of_device + " twice, expected it once";
   }
   return {};
 }

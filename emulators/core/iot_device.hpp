@@ -71,7 +71,7 @@ struct DataBreak {
   int cycles = 1;             // that the processor waits
 };
 
-// The device brings itself up to date in every function that is given the time. A machine calls `advance` when the deadline
+// The device brings itself up to date in every function that is given the time, but for what needs a data break. A machine calls `advance` when the deadline
 // has passed.
 class IotDevice : public Device<Nanosecond> {
  public:

@@ -58,8 +58,9 @@ class StrokeBuffer {
   }
   // What is waiting goes to the taker; a machine does so at the end of each run.
   void flush() {
-    if (taker_ != nullptr && count_ != 0) taker_->strokes({strokes_.data(), count_});
+    const std::size_t count = count_;
     count_ = 0;
+    if (taker_ != nullptr && count != 0) taker_->strokes({strokes_.data(), count});
   }
 
  private:

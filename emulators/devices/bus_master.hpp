@@ -50,7 +50,8 @@ class BusMaster final : public core::PortDevice {
   static constexpr std::int64_t longest = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::array options{core::DeviceOption{"first", "T-state in which HOLD rises for the first time", 0, 0, longest},
                                       core::DeviceOption{"length", "T-states for which it stays; 0: never", 0, 0, longest},
-                                      core::DeviceOption{"period", "T-states from one rise to the next, more than length; 0: once", 0, 0, longest}};
+                                      core::DeviceOption{"period", "T-states from one rise to the next; not more than length: once", 0,
+                                                         0, longest}};
   static constexpr core::PortDeviceInfo info{.name = "bus-master",
                                              .help = "takes the bus from the processor",
                                              .choice = "bus-master",

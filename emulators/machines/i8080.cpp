@@ -72,7 +72,7 @@ class Run {
     const bool samples = !state.deferred && machine_.now > core::at_t_state(0);
     if (samples && state.interrupts_on && machine_.ports.interrupt()) return Next::by_pins;
     most_ = static_cast<std::int64_t>(std::min<std::uint64_t>(limits_.instructions - count, core::Allowance<core::TState>::most));
-    if (samples) machine_.deadline = next_deadline();
+    if (samples && !machine_.ports.stops()) machine_.deadline = next_deadline();
     else machine_.attend_next();
     state.deferred = false;
     machine_.ports.note_change();

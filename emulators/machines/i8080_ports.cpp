@@ -2,7 +2,6 @@
 #include "i8080_ports.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "../core/device_errors.hpp"
 #include "i8080_devices.hpp"
@@ -28,6 +27,7 @@ std::size_t place_of(const core::PortDeviceInfo& info) {
 }  // namespace
 
 std::string Ports::attach(const core::PortDeviceInfo& info, std::unique_ptr<core::PortDevice> device) {
+  if (device == nullptr) return "found no device to be attached as " + std::string(info.name);
   for (const AttachedDevice& other : devices_) {
     if (other.info->name == info.name) return quoted(info.name) + " is attached already";
   }

@@ -83,18 +83,29 @@ std::string Machine::attach(std::string_view name, std::span<const core::Setting
 }
 
 std::string Machine::attach(const core::IotDeviceInfo& info, std::unique_ptr<core::IotDevice> device) {
+  if (device == nullptr) return "found no device to be attached as " + std::string(info.name);
+  if (std::string error = wrong_codes(info); !error.empty()) return error;
+  devices_.push_back(std::make_unique<Attached>(Attached{info, std::move(device), priority_of(info.name)}));
+  wire();
+  return {};
+}
+
+// What keeps such a device from being attached: its name, or a device code of another one, be it one that waits to be used.
+std::string Machine::wrong_codes(const core::IotDeviceInfo& info) const {
   const std::string name(info.name);
   if (find_attached(info.name) != nullptr) return "the device " + name + " is attached already";
   for (const std::uint8_t code : info.codes) {
     if (code >= by_code_.size()) return "the device " + name + " has the code " + std::to_string(code) + ", expected 0 to 63";
-    const bool is_processors = code == control_code || code == extension_code;
-    if (!is_processors && by_code_[code] == no_device) continue;
-    const std::string other =
-        is_processors ? "the processor" : "the device " + std::string(by_priority_[by_code_[code]]->info.name);
-    return "the device " + name + " has the device code " + octal(code) + ", which " + other + " has already";
+    std::string other;
+    if (code == control_code || code == extension_code) other = "the processor";
+    else if (by_code_[code] != no_device) other = "the device " + std::string(by_priority_[by_code_[code]]->info.name);
+    for (const Spare& spare : spares_) {
+      const auto codes = spare.known->info.codes;
+      const bool has_it = spare.known->info.name != info.name && std::find(codes.begin(), codes.end(), code) != codes.end();
+      if (other.empty() && has_it) other = "the device " + std::string(spare.known->info.name);
+    }
+    if (!other.empty()) return "the device " + name + " has the device code " + octal(code) + ", which " + other + " has already";
   }
-  devices_.push_back(std::make_unique<Attached>(Attached{info, std::move(device), priority_of(info.name)}));
-  wire();
   return {};
 }
 
@@ -117,6 +128,7 @@ std::string Machine::attach_when_used(std::string_view name, std::span<const cor
   const KnownDevice* const known = find_known(name);
   if (known == nullptr) return unknown_device(name);
   std::string error = core::wrong_setting(name, known->info.options, settings);
+  if (error.empty()) error = wrong_codes(known->info);
   if (error.empty()) spares_.push_back({known, kept_settings(known->info.options, settings)});
   return error;
 }
@@ -184,6 +196,7 @@ void Machine::visit_state(core::StateVisitor& visit) {
     visit.section(each->info.name, *each->device);
     each->device->require_time(visit, now_);
   }
+  if (visit.restores()) stop_requested_ = false;
   visit.section("unanswered", [this](core::StateVisitor& fields) {
     fields.list("words", unanswered_, [&fields](Unanswered& entry) {
       fields("word", entry.word, core::Word18::mask);
@@ -276,7 +289,7 @@ Machine::IotEffect Machine::input_output(core::Instant now, std::uint32_t word, 
     reply.answered |= 04U;
   }
   if (code == control_code) control_pulses(now, word, reply);
-  return {reply, options_.timing.iot_stretch[code], acts};
+  return {reply, options_.timing.iot_stretch[code], acts || stop_requested_};
 }
 
 // TTS 703301 (skips if there is a teletype), CAF 703302. SKP7 is the processor's.

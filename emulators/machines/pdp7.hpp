@@ -1,11 +1,11 @@
 // A PDP-7 with its core memory, its console and the devices attached to it.
 //
 //   pdp7::Machine pdp7;                          // 8192 words, clock, reader, punch, keyboard and printer
-//   pdp7.attach("display");                      // by name, from pdp7_devices.hpp; the text of an error, or empty
+//   std::string error = pdp7.attach("display");  // by name, from pdp7_devices.hpp; empty: none
 //   pdp7.strokes().hand_to(&screen);             // a core::StrokeTaker
-//   pdp7.load(0100, {0760200, 0700606, 0740040});
+//   pdp7.load(0100, program);
 //   pdp7.start(0100);
-//   pdp7.run({.until = core::at_nanoseconds(1'000'000)});
+//   pdp7::StopReason why = pdp7.run({.until = core::at_nanoseconds(1'000'000)});
 //
 // Everything that is not an instruction happens at an instruction boundary, in this order: data breaks, those of the first
 // device in the list first, then the program interrupt. A data break is granted at the first boundary at or after the
@@ -47,7 +47,8 @@ struct Options {
   std::uint32_t core_words = 8192;  // 4096, 8192, 16384 or 32768
   Model model{};                    // extend is implied by more than 8192 words
   Timing timing{};
-  std::vector<std::string_view> devices{"clock", "reader", "punch", "keyboard", "printer"};  // attached from the beginning
+  // Attached from the beginning. The names must outlive the machine.
+  std::vector<std::string_view> devices{"clock", "reader", "punch", "keyboard", "printer"};
 };
 
 enum class StopReason : std::uint8_t {
@@ -151,11 +152,6 @@ class Machine {
   [[nodiscard]] D* find() const {
     return static_cast<D*>(device(D::info.name));
   }
-  // visit(info, device) for all that are attached, in the order in which they were.
-  template <class Visit>
-  void each_device(Visit visit) const {
-    for (const auto& each : devices_) visit(each->info, *each->device);
-  }
   // What displays draw.
   [[nodiscard]] core::StrokeBuffer& strokes() { return *strokes_; }
 
@@ -190,7 +186,7 @@ class Machine {
   StopReason run(const Limits& limits = {});                  // as fast as possible
   StopReason run(const Limits& limits, Observer& observer);   // by the plain loop
   StopReason run_plainly(const Limits& limits);               // by the plain loop, unwatched: for tests
-  // By a StrokeTaker or a device during a run: the run ends at the next boundary, with StopReason::observer.
+  // By a StrokeTaker or a device: the run, or the next one, ends at the next boundary, with StopReason::observer.
   void request_stop() { stop_requested_ = true; }
 
  private:
@@ -210,6 +206,7 @@ class Machine {
   };
 
   [[nodiscard]] Attached* find_attached(std::string_view name) const;
+  [[nodiscard]] std::string wrong_codes(const core::IotDeviceInfo& info) const;
   void wire();
   void plug_in_used(std::uint32_t word);
 
@@ -227,7 +224,7 @@ class Machine {
   void begin_run();
   void end_run();
   [[nodiscard]] Boundary attend(core::Instant now, Registers& registers, ObserverCalls* calls);
-  [[nodiscard]] core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, ObserverCalls* calls);
+  [[nodiscard]] inline core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, ObserverCalls* calls);
   [[nodiscard]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac);
   void control_pulses(core::Instant now, std::uint32_t word, core::IotReply& reply);
   void count_unanswered(std::uint32_t word, Address at);

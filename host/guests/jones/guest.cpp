@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "emulators/machines/pdp7.hpp"
+#include "emulators/type340/display.hpp"
+#include "host/base/result.hpp"
 #include "host/guests/pdp7/stroke_keeper.hpp"
 #include "host/guests/pdp7/watch.hpp"
 
@@ -214,7 +216,7 @@ GuestView report(const pdp7::Machine& machine, const Program& program, const Wat
 pdp7::Options machine_for(const GuestOptions& options) {
   pdp7::Options machine;
   machine.model.eae = options.eae;
-  if (options.display) machine.devices.emplace_back("display");
+  if (options.display) machine.devices.push_back(type340::Display::info.name);
   return machine;
 }
 
@@ -251,6 +253,7 @@ GuestRun run_guest(const Program& program, const GuestOptions& options) {
 GuestRun run_guest(const Program& program, std::span<const core::Word18> core, const GuestOptions& options) {
   Watch watch(program, options.immediate);
   pdp7::Machine machine(machine_for(options));
+  if (!machine.error().empty()) base::give_up(machine.error());
   PassWatch passes(machine);
   machine.strokes().hand_to(&passes);
   load(machine, program, core, options);

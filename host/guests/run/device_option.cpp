@@ -52,11 +52,13 @@ Result<core::Setting> read_setting(std::string_view text, const ListedDevice& de
 }
 
 Result<DeviceChoice> read_device(std::string_view text, std::span<const ListedDevice> devices) {
+  const bool has_comma = text.find(',') != std::string_view::npos;
   const std::string_view name = take_part(text);
   const ListedDevice* const device = find_named(devices, name);
   if (device == nullptr) return usage(fmt::format("--device: found \"{}\", expected one of {}", name, names_of(devices)));
   DeviceChoice choice{device->name, {}};
-  while (!text.empty()) {
+  for (bool more = has_comma; more;) {
+    more = text.find(',') != std::string_view::npos;
     auto setting = read_setting(take_part(text), *device);
     if (!setting) return setting.error();
     if (find_named(std::span<const core::Setting>(choice.settings), setting->name) != nullptr)

@@ -99,13 +99,11 @@ class Pdp7Machine final : public Machine {
       if (error.empty()) error = machine_.attach(name, settings);
     };
     if (setup_.disk) attach(pdp7::Rb09::info.name);
-    // It is there while the others are attached, and so none can take its device codes.
     if (setup_.display) {
       if (error.empty()) error = machine_.attach_when_used(display_name, settings_of(*setup_.display));
-      machine_.plug_in(display_name, true);
+      machine_.plug_in(display_name, !setup_.display_when_used);
     }
     for (const DeviceChoice& device : setup_.devices) attach(device.name, device.settings);
-    if (setup_.display_when_used) machine_.plug_in(display_name, false);
     if (!error.empty()) return usage("--device: " + error);
     if (setup_.disk) {
       disk_ = machine_.find<pdp7::Rb09>();

@@ -141,7 +141,6 @@ class Watch {
     if (probe_->condition_changed && probe_->condition_changed()) add(Probe::Kind::condition, now, next, 0);
     return told_;
   }
-  [[nodiscard]] bool reads_machine() const { return probe_->has_conditions(); }
 
   [[nodiscard]] bool has(std::uint32_t address, std::uint8_t marks) const { return (places_[address] & marks) != 0; }
   [[nodiscard]] bool port_has(std::uint32_t port, std::uint8_t marks) const { return (ports_[port] & marks) != 0; }
@@ -152,7 +151,6 @@ class Watch {
     probe_->add(event);
     told_ = true;
   }
-  [[nodiscard]] Probe& probe() const { return *probe_; }
 
  private:
   Probe* probe_;

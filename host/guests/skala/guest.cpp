@@ -232,6 +232,7 @@ class GuestMachine {
   // From the byte that completes a block.
   bool go_to_drawing() {
     link_.never_stop();
+    if (machine_.registers().pc == program_.labels.drawing) return true;
     i8080::Limits limits = limits_;
     limits.instructions = longest_way_to_drawing;
     return run::run_to(machine_, program_.labels.drawing, limits) == i8080::StopReason::observer;

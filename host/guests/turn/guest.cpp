@@ -4,6 +4,8 @@
 
 #include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/paper_tape.hpp"
+#include "emulators/type340/display.hpp"
+#include "host/base/result.hpp"
 #include "host/guests/pdp7/stroke_keeper.hpp"
 #include "host/guests/pdp7/watch.hpp"
 
@@ -111,7 +113,7 @@ pdp7::Options options_for(const Program& program) {
   pdp7::Options options;
   options.model.eae = program.eae;
   if (program.memory == Memory::words_32k) options.core_words = 32768;
-  options.devices.emplace_back("display");
+  options.devices.push_back(type340::Display::info.name);
   return options;
 }
 
@@ -124,6 +126,7 @@ class Guest::Machine {
         watch_(program.labels, first_file, file_words),
         passes_(watch_, strokes == Strokes::kept),
         machine_(options_for(program)) {
+    if (!machine_.error().empty()) base::give_up(machine_.error());
     machine_.strokes().hand_to(&passes_);
     machine_.load(0, program.core);
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "emulators/machines/i8080.hpp"
 #include "tests/emulators/i8080/memory_board.hpp"
 
 namespace sightline {
@@ -120,6 +121,12 @@ std::string transfer_text(const tests::Transfer& transfer) {
          hexadecimal(transfer.status, 2);
 }
 
+// What IN finds.
+struct Input final : core::PortDevice {
+  i8080::Byte byte = 0;
+  std::uint8_t in(std::uint8_t, core::TStateInstant) override { return byte; }
+};
+
 void expect_same(const Case& expected) {
   SCOPED_TRACE(expected.name);
   const auto board = std::make_unique<tests::MemoryBoard>();
@@ -146,6 +153,23 @@ void expect_same(const Case& expected) {
   for (const auto& transfer : board->transfers) transfers.push_back(transfer_text(transfer));
   EXPECT_EQ(rows, expected.rows);
   EXPECT_EQ(transfers, expected.transfers);
+
+  // The machine's engines, which have no pins to be compared.
+  for (const bool fast : {true, false}) {
+    i8080::Machine whole;
+    Input input;
+    input.byte = board->port_data;
+    whole.put_before({0, 0xFF}, input);
+    for (const Cell& cell : expected.memory_before) whole.deposit(static_cast<i8080::Address>(cell.address), static_cast<i8080::Byte>(cell.byte));
+    whole.registers() = expected.initial;
+    if (fast) whole.run({1, core::never_t});
+    else whole.run_plainly({1, core::never_t});
+    i8080::State left = machine.registers();
+    left.deferred = whole.registers().deferred;  // until the boundary after it
+    EXPECT_EQ(whole.registers(), left) << (fast ? "fast engine" : "plain engine");
+    EXPECT_EQ(core::t_states_of(whole.now()), static_cast<std::int64_t>(expected.t_states));
+    EXPECT_TRUE(std::equal(memory.begin(), memory.end(), whole.memory().begin()));
+  }
 }
 
 TEST(I8080SingleStep, EveryCaseOfEveryOpcodeIsThatOfTheChip) {

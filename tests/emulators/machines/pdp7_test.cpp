@@ -357,11 +357,50 @@ TEST_F(Pdp7, ADeviceCodeTakenTwiceIsAnErrorWithBothNames) {
   lamp.codes = Lamp::processors_codes;
   EXPECT_EQ(machine.attach(lamp, std::make_unique<Lamp>()),
             "the device lamp has the device code 33, which the processor has already");
+  EXPECT_EQ(machine.attach(Lamp::info, nullptr), "found no device to be attached as lamp");
   EXPECT_EQ(machine.device("lamp"), nullptr);
   machine.load(0100, {0704504, 0740040});
   machine.start(0100);
   machine.run();
   EXPECT_EQ(machine.unanswered().size(), 1U);
+}
+
+// Also one of a device that is not there yet.
+TEST_F(Pdp7, TheCodesOfADeviceThatWaitsAreTaken) {
+  constexpr std::array<std::uint8_t, 1> edge{005};
+  core::IotDeviceInfo lamp = Lamp::info;
+  lamp.codes = edge;
+  Machine machine;
+  ASSERT_EQ(machine.attach_when_used("display"), "");
+  EXPECT_EQ(machine.attach(lamp, std::make_unique<Lamp>()),
+            "the device lamp has the device code 05, which the device display has already");
+  Machine other;
+  ASSERT_EQ(other.attach(lamp, std::make_unique<Lamp>()), "");
+  EXPECT_EQ(other.attach_when_used("display"), "the device display has the device code 05, which the device lamp has already");
+}
+
+// A skip test asks for no data break and no interrupt, but it may ask for the end of the run.
+struct Stopper final : core::IotDevice {
+  static constexpr std::array<std::uint8_t, 1> codes{045};
+  static constexpr core::IotDeviceInfo info{.name = "stopper", .help = "ends the run", .codes = codes};
+  explicit Stopper(Machine& of) : machine(of) {}
+  void iot(core::Instant, std::uint32_t word, core::IotReply& reply) override {
+    reply.answered |= word & 01U;
+    machine.request_stop();
+  }
+  Machine& machine;
+};
+
+TEST_F(Pdp7, AStopThatASkipTestRequestsIsAtTheNextBoundary) {
+  for (const bool fast : {true, false}) {
+    Machine machine;
+    ASSERT_EQ(machine.attach(Stopper::info, std::make_unique<Stopper>(machine)), "");
+    machine.load(0100, {0704501, 0600101});
+    machine.start(0100);
+    const pdp7::Limits limits{1000, core::never};
+    EXPECT_EQ(fast ? machine.run(limits) : machine.run_plainly(limits), StopReason::observer);
+    EXPECT_EQ(machine.counts().instructions, 1U);
+  }
 }
 
 TEST_F(Pdp7, AnUnknownDeviceIsAnErrorWithTheNearestName) {
@@ -380,6 +419,8 @@ TEST_F(Pdp7, ASettingThatADeviceDoesNotHaveIsAnError) {
   Machine machine;
   const std::array<core::Setting, 1> unknown{core::Setting{"flash", 1}};
   EXPECT_EQ(machine.attach("display", unknown), "found option of the display \"flash\", expected one of: 342, 347, flash-again");
+  const std::array<core::Setting, 2> twice{core::Setting{"347", 0}, core::Setting{"347", 1}};
+  EXPECT_EQ(machine.attach("display", twice), "found the option 347 of the display twice, expected it once");
   const std::array<core::Setting, 1> large{core::Setting{"347", 2}};
   EXPECT_EQ(machine.attach_when_used("display", large), "found 2 for the option 347 of the display, expected 0 to 1");
   EXPECT_EQ(machine.device("display"), nullptr);

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <set>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "emulators/machines/pdp7.hpp"
 #include "emulators/pdp7/isa.hpp"
@@ -117,7 +119,45 @@ TEST(Pdp7Transcripts, EveryCaseMatchesCycleByCycle) {
     EXPECT_EQ(seen, c.events);
     EXPECT_FALSE(c.end.empty());
     for (const auto& [name, value] : c.end) EXPECT_EQ(register_of(machine.registers(), name), value) << name;
+    for (const bool fast : {true, false}) {
+      Machine other(options_for(c));
+      prepare(other, c);
+      if (fast) other.run({c.run, core::never});
+      else other.run_plainly({c.run, core::never});
+      EXPECT_EQ(other.registers(), machine.registers()) << (fast ? "fast engine" : "plain loop");
+      EXPECT_EQ(other.now(), machine.now());
+      EXPECT_TRUE(std::equal(other.core().begin(), other.core().end(), machine.core().begin(), machine.core().end()));
+    }
   }
+}
+
+TEST(Pdp7Vectors, EachEngineGivesTheResultsOfAnotherSimulator) {
+  std::ifstream in(SIGHTLINE_TEST_DATA "/pdp7/instruction-vectors.csv");
+  ASSERT_TRUE(in);
+  int cases = 0;
+  Machine fast;
+  Machine plain;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream fields(line);
+    std::string name;
+    std::getline(fields, name, ',');
+    std::vector<std::uint32_t> v;
+    for (std::string field; std::getline(fields, field, ',');) v.push_back(static_cast<std::uint32_t>(std::stoul(field, nullptr, 8)));
+    ASSERT_EQ(v.size(), 10U) << line;
+    for (Machine* const machine : {&fast, &plain}) {
+      machine->console().set(core::Word18(0707070));
+      machine->load(0100, {v[0], v[4]});
+      machine->registers() = {.ac = core::Word18(v[1]), .mq = core::Word18(v[2]), .sc = core::Word<6>(025), .pc = 0100, .link = v[3] != 0};
+      if (machine == &fast) machine->run({1, core::never});
+      else machine->run_plainly({1, core::never});
+      const pdp7::State& after = machine->registers();
+      const std::vector<std::uint32_t> got{after.ac.value(), after.mq.value(), after.link ? 1U : 0U, after.sc.value(), after.pc};
+      ASSERT_EQ(got, (std::vector<std::uint32_t>(v.begin() + 5, v.end()))) << line << (machine == &fast ? ": fast engine" : ": plain loop");
+    }
+    ++cases;
+  }
+  EXPECT_EQ(cases, 6688);
 }
 
 TEST(Pdp7Transcripts, NoInstructionRowIsWithoutATranscript) {

@@ -56,6 +56,7 @@ TEST(DeviceOption, ReadsNamesAndSettings) {
 TEST(DeviceOption, RefusesWhatIsNoDeviceOrSetting) {
   EXPECT_EQ(refusal("drums"), "--device: found \"drums\", expected one of drum, lights");
   EXPECT_EQ(refusal("drum,units"), "--device drum: found \"units\", expected SETTING=N with one of units, late");
+  EXPECT_EQ(refusal("drum,"), "--device drum: found \"\", expected SETTING=N with one of units, late");
   EXPECT_EQ(refusal("drum,,units=1"), "--device drum: found \"\", expected SETTING=N with one of units, late");
   EXPECT_EQ(refusal("lights,units=1"), "--device lights: found \"units=1\", expected no setting");
   EXPECT_EQ(refusal("drum,units=1,units=1"), "--device drum: found units twice, expected it once");
