@@ -71,8 +71,8 @@ struct DataBreak {
   int cycles = 1;             // that the processor waits
 };
 
-// The device brings itself up to date in every function that is given the time, but for what needs a data break. A machine calls `advance` when the deadline
-// has passed.
+// The device brings itself up to date in every function that is given the time, but for what needs a data break. A machine
+// calls `advance` when the deadline has passed.
 class IotDevice : public Device<Nanosecond> {
  public:
   // The pulses of an IOT of one of its codes at `now`; `reply` has AC on entry. Pulse 1 only tests: it changes nothing that

@@ -102,9 +102,9 @@ class Observer {
   virtual void cycle(const BusCycle& cycle) { static_cast<void>(cycle); }
   // One of the pins has changed.
   virtual void hold(const HoldPins& pins) { static_cast<void>(pins); }
-  // Before the instruction at `next`, not while a halt lasts. Where there are marks: before an instruction with mark::stop, at
-  // the boundary after a reported cycle, and where the run begins. The machine's registers, time and counts are those of the boundary. True: the run
-  // ends there.
+  // Before the instruction at `next`, not while a halt lasts, also at the boundary where Limits::instructions are done. Where there
+  // are marks: before an instruction with mark::stop, at the boundary after a reported cycle, and where the run begins. The
+  // machine's registers, time and counts are those of the boundary. True: the run ends there.
   [[nodiscard]] virtual bool stop(core::TStateInstant now, Address next) {
     return static_cast<void>(now), static_cast<void>(next), false;
   }
@@ -192,7 +192,7 @@ class Machine {
   [[nodiscard]] std::uint64_t instructions() const;
   // T-states in which the processor stood still because of HOLD, since the machine was made.
   [[nodiscard]] std::uint64_t held() const;
-  // The level of INT, as of the last T-state at which a device has been asked.
+  // The level of INT, as of the last T-state at which the devices have been polled.
   [[nodiscard]] bool interrupt() const;
 
   // All that a further run depends on, as it is between two runs.

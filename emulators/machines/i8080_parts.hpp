@@ -121,7 +121,7 @@ class Watch {
 
 // At most `most` instructions, 1 to Allowance::most, as the deadline must allow.
 void run_fast(MachineParts& machine, std::int64_t most);
-// Until the observer is to be asked, too.
+// Or until Observer::stop() is to be called.
 void run_plainly(MachineParts& machine, Watch& watch);
 // One instruction; or the rest of a halt or a HOLD, up to `until` at most. True: an instruction was executed. Devices are
 // where the T-state before left them. The next boundary is to be attended.

@@ -2,7 +2,7 @@
 // them wants something of the processor.
 //
 // A device brings itself up to date when the processor touches it; it is advanced when its deadline has come, and at the end of a
-// run. Only devices that are connected to INT or HOLD are asked for a deadline: the others reach the processor by IN alone.
+// run. Only devices that are connected to INT or HOLD are polled for a deadline: the others reach the processor by IN alone.
 #pragma once
 
 #include <algorithm>

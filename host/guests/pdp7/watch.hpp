@@ -10,7 +10,7 @@
 
 namespace sightline::guests {
 
-// An observer with a table of marks. Its cycle() is also told the cycles that need no mark (pdp7::Observer).
+// An observer with a table of marks. Its cycle() is also called for the cycles that need no mark (pdp7::Observer).
 class GuestWatch : public pdp7::Observer {
  public:
   GuestWatch() { marks = table_.data(); }

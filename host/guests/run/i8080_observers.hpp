@@ -1,4 +1,4 @@
-// Who hears what happens in a run of the 8080: traces, logs and dumps, and what a monitor has asked for.
+// Observers of a run of the 8080: trace, bus log, VCD and monitor.
 #pragma once
 
 #include <array>
@@ -125,7 +125,7 @@ class I8080Watcher : public i8080::Observer {
   [[nodiscard]] bool stop(core::TStateInstant now, i8080::Address next) override {
     return watch_.stop(core::t_states_of(now), next);
   }
-  // The bytes of the instruction itself are not asked for.
+  // Bytes of the instruction itself are not reported.
   void cycle(const i8080::BusCycle& cycle) override {
     namespace status = i8080::status;
     if (cycle.operand) return;
@@ -145,7 +145,7 @@ class I8080Watcher : public i8080::Observer {
   }
 
  private:
-  // Of an interrupt the byte is none of memory's, and not told.
+  // Of an interrupt the byte is not memory's, and is not reported.
   void add(Probe::Kind kind, const i8080::BusCycle& cycle, std::uint32_t address) {
     watch_.add(kind, core::t_states_of(cycle.time), address, kind == Probe::Kind::interrupt ? 0 : cycle.data);
   }
@@ -153,7 +153,7 @@ class I8080Watcher : public i8080::Observer {
   Watch watch_;
 };
 
-// The same, and tells each instruction and each cycle.
+// The same, and reports each instruction and each cycle.
 class I8080Listener final : public I8080Watcher {
  public:
   I8080Listener(Probe& probe, core::TStateInstant now) : I8080Watcher(probe, now), probe_(probe) {

@@ -1,4 +1,4 @@
-// Who watches a run of the PDP-7: traces and dumps, and what a monitor has asked for.
+// Observers of a run of the PDP-7: trace, VCD and monitor.
 #pragma once
 
 #include <cstdint>
@@ -63,7 +63,7 @@ class Pdp7Watcher final : public pdp7::Observer {
 
   Probe& probe_;
   Watch watch_;
-  bool listens_;  // each instruction is told
+  bool listens_;  // each instruction is reported
   Probe::Entry entry_;
 };
 

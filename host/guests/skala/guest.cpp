@@ -97,7 +97,7 @@ class LinkFront final : public i8080::Front {
   bool at_any_ = false;
 };
 
-// Notes every movement of a plotter: it is asked where it is, not what it was told.
+// Notes every movement of a plotter: by its place, not by its commands.
 class PlotterFront final : public i8080::Front {
  public:
   explicit PlotterFront(i8080::Machine& machine)

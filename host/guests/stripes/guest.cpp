@@ -21,7 +21,7 @@ namespace sightline::guests::stripes {
 
 namespace {
 
-// Notes what the plotter is told.
+// Notes the commands to the plotter.
 class PlotterFront final : public i8080::Front {
  public:
   explicit PlotterFront(i8080::Machine& machine) : Front(machine, devices::CalComp565::info.writes) {}

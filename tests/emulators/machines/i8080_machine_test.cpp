@@ -1,4 +1,4 @@
-// The 8080 machine by itself: when ports are touched, when a run stops, what an observer is told.
+// The 8080 machine by itself: when ports are touched, when a run stops, which calls an observer gets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
