@@ -449,6 +449,7 @@ class Execution {
   }
   constexpr void set(std::uint32_t modes) { processor_->registers.modes |= modes; }
   constexpr void clear(std::uint32_t modes) { processor_->registers.modes &= ~modes; }
+  // What JMS, CAL, an interrupt and a trap store: bit 0 L, bit 1 extend mode, bit 2 trap mode, bits 3-17 PC.
   [[nodiscard]] SIGHTLINE_INLINE constexpr core::Word18 saved_word() const {
     const std::uint32_t modes = processor_->registers.modes;
     return core::Word18((accumulator_.bits() & Accumulator::carry) >> 1 | (modes & (mode::extend | mode::trap)) |

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 
-#include "../core/inline.hpp"
 #include "../core/state_visitor.hpp"
 #include "../core/word.hpp"
 
@@ -46,11 +45,5 @@ struct State {
 
   friend constexpr bool operator==(const State&, const State&) = default;
 };
-
-// What JMS, CAL, an interrupt and a trap store: bit 0 L, bit 1 extend mode, bit 2 trap mode, bits 3-17 PC.
-[[nodiscard]] SIGHTLINE_INLINE constexpr core::Word18 saved_word(const State& state) {
-  return core::Word18((state.link ? 0400000U : 0U) | (state.extend ? 0200000U : 0U) |
-                      (state.trap_mode ? 0100000U : 0U) | (state.pc & address_mask));
-}
 
 }  // namespace sightline::pdp7

@@ -7,16 +7,11 @@
 
 namespace sightline::type340 {
 
-Options options_of(std::span<const core::Setting> settings) {
-  Options options;
-  for (const core::Setting& setting : settings) {
-    const bool on = setting.value != 0;
-    if (setting.name == "342") options.characters_342 = on;
-    if (setting.name == "347") options.subroutines_347 = on;
-    if (setting.name == "flash-again") options.flash_again = on;
-  }
-  return options;
-}
+Display::Display(const core::IotDeviceSetup& setup)
+    : Display({.subroutines_347 = setup.value(info, "347") != 0,
+               .characters_342 = setup.value(info, "342") != 0,
+               .flash_again = setup.value(info, "flash-again") != 0},
+              setup.strokes) {}
 
 // --- IOTs
 //

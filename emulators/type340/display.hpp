@@ -37,9 +37,6 @@ struct Options {
   bool flash_again = true;
 };
 
-// The settings of Display::info as options.
-[[nodiscard]] Options options_of(std::span<const core::Setting> settings);
-
 // The light pen of the Type 340 (Type 370): where it points, and how late it answers.
 //
 // The field of view is a rectangle in display points, which a test can state exactly; a real pen sees a disc of some
@@ -105,7 +102,7 @@ class Display final : public core::IotDevice {
 
   // The strokes go into `strokes`, which outlives the display.
   Display(Options options, core::StrokeBuffer& strokes) : options_(options), strokes_(strokes) {}
-  explicit Display(const core::IotDeviceSetup& setup) : Display(options_of(setup.settings), setup.strokes) {}
+  explicit Display(const core::IotDeviceSetup& setup);
 
   // --- On the IOT bus
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override;

@@ -110,11 +110,12 @@ std::string device_text(const DeviceChoice& choice) {
 std::string counts_text(std::span<const core::Count> counts) {
   std::string text;
   for (const core::Count& count : counts) {
+    if (count.value == 0) continue;
     std::string name(count.name);
     std::replace(name.begin(), name.end(), '_', ' ');
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.value, name);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count.value);
   }
-  return text.empty() ? "nothing counted" : text;
+  return text.empty() ? "nothing" : text;
 }
 
 base::Json counts_json(std::span<const core::Count> counts) {

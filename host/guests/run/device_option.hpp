@@ -35,7 +35,7 @@ struct DeviceChoice {
 // As the option is written.
 [[nodiscard]] std::string device_text(const DeviceChoice& choice);
 
-// "5 lines printed, 2 pages": what a device has counted, for a report.
+// "lines printed 5, pages 2": what a device has counted, but for zeros, for a report; or "nothing".
 [[nodiscard]] std::string counts_text(std::span<const core::Count> counts);
 [[nodiscard]] base::Json counts_json(std::span<const core::Count> counts);
 

@@ -22,6 +22,7 @@
 #include "emulators/machines/i8080_front.hpp"
 #include "host/base/text.hpp"
 #include "host/guests/run/cpm.hpp"
+#include "host/guests/run/device_option.hpp"
 #include "host/guests/run/i8080_observers.hpp"
 #include "host/guests/run/plotter_taker.hpp"
 #include "host/picture/pen_drawing.hpp"
@@ -310,14 +311,7 @@ class I8080Run final : public Machine {
         {"instructions", fmt::format("{}", machine_->instructions())}};
     if (has_hold()) lines.push_back({"held", fmt::format("{} T-states", machine_->held())});
     each_reported([&lines](const i8080::AttachedDevice& each) {
-      std::string counts;
-      for (const core::Count& count : each.device->counts()) {
-        if (count.value == 0) continue;
-        std::string spoken(count.name);
-        std::replace(spoken.begin(), spoken.end(), '_', ' ');
-        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", spoken, count.value);
-      }
-      lines.push_back({std::string(each.info->name), counts.empty() ? "nothing" : counts});
+      lines.push_back({std::string(each.info->name), counts_text(each.device->counts())});
     });
     return lines;
   }
@@ -336,8 +330,7 @@ class I8080Run final : public Machine {
     if (setup_.keep_console) report["console"] = as_utf8(kept_console_);
     base::Json& devices = report["devices"] = base::Json::object();
     each_reported([&devices](const i8080::AttachedDevice& each) {
-      base::Json& counts = devices[each.info->name];
-      for (const core::Count& count : each.device->counts()) counts[count.name] = count.value;
+      devices[each.info->name] = counts_json(each.device->counts());
     });
     base::Json& unanswered = report["unanswered"] = base::Json::array();
     each_unanswered([&unanswered](std::size_t port, const i8080::UnansweredPort& counts) {

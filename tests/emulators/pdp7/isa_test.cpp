@@ -112,15 +112,21 @@ TEST(Pdp7Cpu, WithoutTheEaeItsClassIsACountedNoOperation) {
   EXPECT_EQ(machine.cycles, 1);
 }
 
+// By JMS 200 at 100: the word has the place after it.
 TEST(Pdp7Cpu, SavedWordHasLinkExtendAndTrapAboveThePc) {
+  tests::ArrayMachine machine;
+  machine.core[0100] = core::Word18(0100200);
   pdp7::State state;
-  state.pc = 017777;
-  EXPECT_EQ(pdp7::saved_word(state).value(), 017777U);
+  state.pc = 0100;
+  const auto saved = [&] {
+    static_cast<void>(tests::run_on_array(machine, state));
+    return machine.core[0200].value();
+  };
+  EXPECT_EQ(saved(), 0000101U);
   state.link = true;
-  EXPECT_EQ(pdp7::saved_word(state).value(), 0417777U);
+  EXPECT_EQ(saved(), 0400101U);
   state.extend = state.trap_mode = true;
-  state.pc = 077777;
-  EXPECT_EQ(pdp7::saved_word(state).value(), 0777777U);
+  EXPECT_EQ(saved(), 0700101U);
 }
 
 }  // namespace

@@ -68,10 +68,10 @@ TEST(DeviceOption, RefusesWhatIsNoDeviceOrSetting) {
 }
 
 TEST(DeviceOption, CountsInAReport) {
-  const std::vector<core::Count> counts{{"words_read", 12}, {"transfers", 1}};
-  EXPECT_EQ(run::counts_text(counts), "12 words read, 1 transfers");
-  EXPECT_EQ(run::counts_json(counts).dump(), R"({"words_read":12,"transfers":1})");
-  EXPECT_EQ(run::counts_text({}), "nothing counted");
+  const std::vector<core::Count> counts{{"words_read", 12}, {"errors", 0}, {"transfers", 1}};
+  EXPECT_EQ(run::counts_text(counts), "words read 12, transfers 1");
+  EXPECT_EQ(run::counts_json(counts).dump(), R"({"words_read":12,"errors":0,"transfers":1})");
+  EXPECT_EQ(run::counts_text({}), "nothing");
 }
 
 }  // namespace
