@@ -16,7 +16,7 @@
 # What else is under test is optimised in its own library; the tests themselves need less, and compile faster for it.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
   # Templates of the standard library that a checked library calls may be those of a test's object: they keep their assertions.
-  set(SIGHTLINE_TEST_OPTIONS -O0 -D_GLIBCXX_ASSERTIONS)
+  set(SIGHTLINE_TEST_OPTIONS -O1 -D_GLIBCXX_ASSERTIONS)
   set(SIGHTLINE_OPTIMISED_TEST_OPTIONS -O1 -D_GLIBCXX_ASSERTIONS)
 elseif(SIGHTLINE_SANITIZE)
   set(SIGHTLINE_TEST_OPTIONS -fno-sanitize=all)

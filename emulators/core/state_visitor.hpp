@@ -3,7 +3,7 @@
 //   void visit_state(core::StateVisitor& visit);
 //
 // that names its members in a fixed order. The same function serves saving, restoring and describing, so that they
-// cannot differ; what a visitor does with them is the caller's (host/guests/run/state.hpp).
+// cannot differ; what a visitor does with them is the caller's (host/machines/state.hpp).
 //
 //   visit(name, member)                   a bool, integer, core::Word, TickCount or TickInstant
 //   visit(name, member, most)             an integer or enumerator from 0 to `most`

@@ -144,7 +144,7 @@ MethodView method_view(const ComparedRaster& row) {
 MethodView method_view(const ComparedDevice& row) {
   MethodView view;
   // The EF9365 is the board of the paper's figures.
-  view.method = row.device == guests::skala::Device::ef9365 ? "skala-8080" : fmt::format("skala-8080 {}", row.name);
+  view.method = row.device == programs::skala::Device::ef9365 ? "skala-8080" : fmt::format("skala-8080 {}", row.name);
   view.rounding = "dots";
   view.raster = row.raster;
   view.defect = row.difference;
@@ -206,7 +206,7 @@ std::string height_method_name(std::string_view name) {
 std::vector<MethodView> method_views(const HeightComparison& comparison) {
   std::vector<MethodView> views;
   const auto of_guest = std::find_if(comparison.devices.begin(), comparison.devices.end(),
-                                     [](const ComparedDevice& row) { return row.device == guests::skala::Device::ef9365; });
+                                     [](const ComparedDevice& row) { return row.device == programs::skala::Device::ef9365; });
   for (const ComparedRaster& row : comparison.rasters) {
     // Of a native drawing of lines the lines are measured, not dots made of them.
     if (row.name.starts_with("native") && !comparison.vectors.empty()) continue;
@@ -231,7 +231,7 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
     views.push_back(method_view(lines));
   }
   for (const ComparedDevice& row : comparison.devices)
-    if (row.device != guests::skala::Device::ef9365) views.push_back(method_view(row));
+    if (row.device != programs::skala::Device::ef9365) views.push_back(method_view(row));
   constexpr std::array<std::string_view, 3> pictures{"dots", "surface", "contours"};
   for (MethodView& view : views) {
     if (comparison.chord) view.chord = comparison.chord->greatest;

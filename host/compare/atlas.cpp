@@ -10,13 +10,13 @@
 
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/compare/sweep_views.hpp"
-#include "host/guests/jones/precision/precision.hpp"
+#include "host/programs/jones/precision/precision.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
 namespace sightline::compare {
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 namespace oracle = algorithms::oracle;
 
 constexpr double forgiven = 1;  // points

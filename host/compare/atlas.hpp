@@ -23,7 +23,7 @@
 #include "host/base/result.hpp"
 #include "host/compare/lines.hpp"
 #include "host/compare/wrong_stretches.hpp"
-#include "host/guests/jones/session.hpp"
+#include "host/programs/jones/session.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {
@@ -46,8 +46,8 @@ inline constexpr int most_lattice_steps = 1000;
 
 // Why a view is wrong.
 struct WrongCause {
-  guests::jones::Status status =
-      guests::jones::Status::complete;  // of the machine: it stopped before the end
+  programs::jones::Status status =
+      programs::jones::Status::complete;  // of the machine: it stopped before the end
   // The program is assembled with fewer fraction bits than it can have, and is right with all of them.
   bool fraction_bits = false;
   // If not: the view is right if corners at which rounding has made a mask hollow are left out: the line
@@ -56,7 +56,7 @@ struct WrongCause {
   bool hollow_mask = false;
   // If not: each makes the view right if these of the program's roundings, by the order of `Rounding`, become
   // 32 times finer or more; all have the same, least number of roundings. Empty: none does.
-  std::vector<std::array<bool, guests::jones::roundings>> finer;
+  std::vector<std::array<bool, programs::jones::roundings>> finer;
   // The view is right with this number of fraction bits and with every greater one up to 8, in words of 36
   // bits.
   std::optional<int> right_from_bits;
@@ -81,7 +81,7 @@ struct AtlasView {
 
 struct AtlasOptions {
   bool eae = true;
-  int fraction_bits = guests::jones::machine_fraction_bits;  // 0..3
+  int fraction_bits = programs::jones::machine_fraction_bits;  // 0..3
 };
 
 // A checked scene, the program assembled for it, and its truth.
@@ -98,14 +98,14 @@ class ErrorAtlas {
   [[nodiscard]] AtlasView view(std::size_t number) const;
 
  private:
-  ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, guests::jones::Session session,
+  ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, programs::jones::Session session,
              algorithms::oracle::Matter matter);
-  [[nodiscard]] WrongCause cause_of(guests::jones::Status status, const std::vector<core::Word18>& core,
+  [[nodiscard]] WrongCause cause_of(programs::jones::Status status, const std::vector<core::Word18>& core,
                                     const std::vector<ImagePiece>& truth, const geometry::Point& eye) const;
 
   std::vector<geometry::Point> eyes_;
   AtlasOptions options_;
-  guests::jones::Session session_;
+  programs::jones::Session session_;
   std::map<std::uint32_t, AxisLine> lines_of_words_;
   algorithms::oracle::Matter matter_;
   std::vector<algorithms::oracle::RealLine> lines_;

@@ -58,7 +58,7 @@ const WrongClass& class_of(double length) {
 
 Colour colour_of(const AtlasView& view) {
   if (!view.is_wrong()) return right;
-  if (view.cause->status != guests::jones::Status::complete) return stopped;
+  if (view.cause->status != programs::jones::Status::complete) return stopped;
   return class_of(view.wrong.length()).colour;
 }
 
@@ -215,7 +215,7 @@ void wrong_legend(Sheet& sheet, double x, double y, const std::vector<AtlasView>
     y = legend_row(sheet, x, y, each.colour, fmt::format("{}: {}", each.label, count));
   }
   const auto ended = std::count_if(views.begin(), views.end(), [](const AtlasView& view) {
-    return view.is_wrong() && view.cause->status != guests::jones::Status::complete;
+    return view.is_wrong() && view.cause->status != programs::jones::Status::complete;
   });
   y = legend_row(sheet, x, y, stopped, fmt::format("the program stopped: {}", ended));
   y = legend_row(sheet, x, y, grey,

@@ -14,16 +14,16 @@
 #include "host/algorithms/registry/lines.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/lines.hpp"
-#include "host/guests/jones/precision/precision.hpp"
-#include "host/guests/jones/session.hpp"
+#include "host/programs/jones/precision/precision.hpp"
+#include "host/programs/jones/session.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 
 namespace sightline::compare {
 namespace {
 
-namespace jones = guests::jones;
-namespace skala = guests::skala;
+namespace jones = programs::jones;
+namespace skala = programs::skala;
 using picture::PixelGrid;
 using picture::PixelPoint;
 using picture::PixelSegment;
@@ -268,7 +268,7 @@ ViewVerdict compare_with_native(const CommonScene& scene, const NamedInk& a) {
   return distances.take();
 }
 
-guests::skala::View program_view(const CommonScene& scene) {
+programs::skala::View program_view(const CommonScene& scene) {
   registry::HeightView view;
   static_cast<algorithms::skala::View&>(view) = scene.height_view;
   skala::View asked = registry::program_view(view);

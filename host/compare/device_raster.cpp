@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "emulators/type340/vector_generator.hpp"
-#include "host/guests/skala/projection.hpp"
+#include "host/programs/skala/projection.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 
 namespace sightline::compare {
@@ -108,9 +108,9 @@ double distance_from_line(const PixelSegment& line, const PixelPoint& point) {
 template <class Visit>
 void for_dots(const PixelSegment& image, const Visit& visit) {
   const auto rounded = [](const PixelPoint& p) {
-    constexpr int last = guests::skala::raster_side - 1;
-    return GridPoint{std::clamp(guests::skala::raster_coordinate(p.x), 0, last),
-                     std::clamp(guests::skala::raster_coordinate(p.y), 0, last)};
+    constexpr int last = programs::skala::raster_side - 1;
+    return GridPoint{std::clamp(programs::skala::raster_coordinate(p.x), 0, last),
+                     std::clamp(programs::skala::raster_coordinate(p.y), 0, last)};
   };
   GridPoint at = rounded(image.a);
   const GridPoint end = rounded(image.b);
@@ -252,7 +252,7 @@ std::vector<ReferenceLine> lines_as_drawn(std::vector<ReferenceLine> lines, std:
 PixelGrid skala_points(std::span<const ReferenceLine> lines, SkalaDevice device) {
   // Of places on a line and what is seen of it, both rounded.
   constexpr double rounding = 1e-9;
-  PixelGrid grid(guests::skala::raster_side, guests::skala::raster_side);
+  PixelGrid grid(programs::skala::raster_side, programs::skala::raster_side);
   const std::size_t least_run = device == SkalaDevice::plotter ? 2 : 1;
   std::vector<GridPoint> run;
   const auto end_run = [&] {

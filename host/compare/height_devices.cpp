@@ -10,13 +10,13 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
-#include "host/guests/skala/session.hpp"
-#include "host/guests/skala/stream.hpp"
+#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/stream.hpp"
 
 namespace sightline::compare {
 namespace {
 
-namespace skala = guests::skala;
+namespace skala = programs::skala;
 using picture::PixelGrid;
 
 constexpr std::array<std::pair<skala::Device, std::string_view>, 4> devices{{{skala::Device::ef9365, "ef9365"},

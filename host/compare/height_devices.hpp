@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "emulators/core/tstates.hpp"
-#include "host/guests/skala/view.hpp"
+#include "host/programs/skala/view.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/raster_difference.hpp"
@@ -25,7 +25,7 @@
 namespace sightline::compare {
 
 struct ComparedDevice {
-  guests::skala::Device device = guests::skala::Device::ef9365;
+  programs::skala::Device device = programs::skala::Device::ef9365;
   std::string_view name;     // "ef9365", "alt256", "calcomp", "minigraf"
   std::string difference;    // where the guest is not its twin; empty: nowhere
   core::TStates time{};      // of drawing
@@ -37,7 +37,7 @@ struct ComparedDevice {
 
 // The grid and the view can be compared (why_not_comparable: precondition).
 [[nodiscard]] std::vector<ComparedDevice> compare_devices(
-    const scene::HeightGrid& grid, const guests::skala::View& view,
+    const scene::HeightGrid& grid, const programs::skala::View& view,
     const std::function<void(std::string_view)>& progress = [](std::string_view) {}, bool ef9365_alone = false);
 
 }  // namespace sightline::compare

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "host/guests/skala/contours.hpp"
-#include "host/guests/skala/projection.hpp"
+#include "host/programs/skala/contours.hpp"
+#include "host/programs/skala/projection.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 
 namespace sightline::compare {
@@ -63,9 +63,9 @@ LinePart both_positive(const LinePart& part, const std::array<double, 2>& f,
   return {part.low + low * length, part.low + high * length};
 }
 
-bool runs_along_x(guests::skala::Family family, const guests::skala::SineCosine& turn) {
-  if (family == guests::skala::Family::automatic) return std::abs(turn.cosine) >= std::abs(turn.sine);
-  return family != guests::skala::Family::along_z;
+bool runs_along_x(programs::skala::Family family, const programs::skala::SineCosine& turn) {
+  if (family == programs::skala::Family::automatic) return std::abs(turn.cosine) >= std::abs(turn.sine);
+  return family != programs::skala::Family::along_z;
 }
 
 double distance(const PixelPoint& p, const PixelSegment& segment) {
@@ -75,19 +75,19 @@ double distance(const PixelPoint& p, const PixelSegment& segment) {
 
 }  // namespace
 
-bool rising_diagonals(const guests::skala::SineCosine& turn) {
+bool rising_diagonals(const programs::skala::SineCosine& turn) {
   const bool greater_x_nearer = turn.sine > 0 || (turn.sine == 0 && turn.cosine < 0);
   const bool greater_z_nearer = turn.cosine < 0 || (turn.cosine == 0 && turn.sine < 0);
   return greater_x_nearer != greater_z_nearer;
 }
 
-HeightLines::HeightLines(const scene::HeightGrid& grid, const guests::skala::View& view, double grazing)
+HeightLines::HeightLines(const scene::HeightGrid& grid, const programs::skala::View& view, double grazing)
     : grazing_(std::max(grazing, rounding)), hiding_in_(columns), lines_in_(columns) {
-  const guests::skala::Projection projection(grid, view);
+  const programs::skala::Projection projection(grid, view);
   std::vector<LevelEdge> inked = add_sides(projection, view);
-  if (view.picture == guests::skala::PictureKind::contours) {
+  if (view.picture == programs::skala::PictureKind::contours) {
     const auto contours =
-        add_halves(grid, projection, guests::skala::contour_levels(grid.range, view.levels));
+        add_halves(grid, projection, programs::skala::contour_levels(grid.range, view.levels));
     inked.insert(inked.end(), contours.begin(), contours.end());
   }
   for (std::uint32_t i = 0; i < hiding_.size(); ++i) {
@@ -97,14 +97,14 @@ HeightLines::HeightLines(const scene::HeightGrid& grid, const guests::skala::Vie
   for (const LevelEdge& line : inked) add_line(line);
 }
 
-HeightLines::Ends HeightLines::ends_of(const guests::skala::Vertex& vertex) {
+HeightLines::Ends HeightLines::ends_of(const programs::skala::Vertex& vertex) {
   return {{vertex.x, vertex.y}, vertex.depth};
 }
 
-std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const guests::skala::Projection& projection,
-                                                           const guests::skala::View& view) {
-  const bool contours = view.picture == guests::skala::PictureKind::contours;
-  const bool both = contours || view.family == guests::skala::Family::both;
+std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const programs::skala::Projection& projection,
+                                                           const programs::skala::View& view) {
+  const bool contours = view.picture == programs::skala::PictureKind::contours;
+  const bool both = contours || view.family == programs::skala::Family::both;
   const bool along_x = runs_along_x(view.family, projection.rotation());
   const std::size_t last_point = projection.points() - 1;
   const std::size_t last_slice = projection.slices() - 1;
@@ -116,7 +116,7 @@ std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const guests::skala::
   };
   for (std::size_t slice = 0; slice <= last_slice; ++slice) {
     for (std::size_t point = 0; point <= last_point; ++point) {
-      const guests::skala::GridIndex here{point, slice};
+      const programs::skala::GridIndex here{point, slice};
       if (point < last_point) add({here, {point + 1, slice}}, both || along_x, slice % last_slice == 0);
       if (slice < last_slice) add({here, {point, slice + 1}}, both || !along_x, point % last_point == 0);
     }
@@ -125,21 +125,21 @@ std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const guests::skala::
 }
 
 std::vector<HeightLines::LevelEdge> HeightLines::add_halves(const scene::HeightGrid& grid,
-                                                            const guests::skala::Projection& projection,
+                                                            const programs::skala::Projection& projection,
                                                             const std::vector<double>& levels) {
   const bool rising = rising_diagonals(projection.rotation());
   std::vector<LevelEdge> inked;
   for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
     for (std::size_t point = 0; point + 1 < projection.points(); ++point) {
-      const guests::skala::GridIndex one{rising ? point : point + 1, slice};
-      const guests::skala::GridIndex other{rising ? point + 1 : point, slice + 1};
+      const programs::skala::GridIndex one{rising ? point : point + 1, slice};
+      const programs::skala::GridIndex other{rising ? point + 1 : point, slice + 1};
       hiding_.push_back(
           {ends_of(projection.at(one.point, one.slice)), ends_of(projection.at(other.point, other.slice))});
-      for (const guests::skala::GridIndex apex : {guests::skala::GridIndex{other.point, one.slice},
-                                                  guests::skala::GridIndex{one.point, other.slice}}) {
+      for (const programs::skala::GridIndex apex : {programs::skala::GridIndex{other.point, one.slice},
+                                                  programs::skala::GridIndex{one.point, other.slice}}) {
         for (std::uint32_t k = 0; k < levels.size(); ++k) {
           const auto crossing =
-              guests::skala::contour_crossing(grid, projection, {apex, one, other}, levels[k]);
+              programs::skala::contour_crossing(grid, projection, {apex, one, other}, levels[k]);
           if (!crossing.crossed) continue;
           inked.push_back({{ends_of(crossing.piece.from), ends_of(crossing.piece.to)}, k + 1});
         }
@@ -291,7 +291,7 @@ void for_points(const Triangle& triangle, const Visit& visit) {
   const auto [low_y, high_y] = std::minmax({a.point.y, b.point.y, c.point.y});
   const auto first = [](double low) { return std::max(0, static_cast<int>(std::ceil(low))); };
   const auto last = [](double high) {
-    return std::min(guests::skala::raster_side - 1, static_cast<int>(std::floor(high)));
+    return std::min(programs::skala::raster_side - 1, static_cast<int>(std::floor(high)));
   };
   for (int y = first(low_y); y <= last(high_y); ++y) {
     for (int x = first(low_x); x <= last(high_x); ++x) {
@@ -306,10 +306,10 @@ void for_points(const Triangle& triangle, const Visit& visit) {
 }
 
 // The two triangles of the cell whose least corner this is.
-std::array<Triangle, 2> halves_of(const guests::skala::Projection& projection, bool rising, std::size_t point,
+std::array<Triangle, 2> halves_of(const programs::skala::Projection& projection, bool rising, std::size_t point,
                                   std::size_t slice) {
   const auto at = [&](std::size_t p, std::size_t s) {
-    const guests::skala::Vertex& vertex = projection.at(p, s);
+    const programs::skala::Vertex& vertex = projection.at(p, s);
     return Corner{{vertex.x, vertex.y}, vertex.depth};
   };
   const std::size_t low = rising ? point : point + 1;
@@ -322,7 +322,7 @@ std::array<Triangle, 2> halves_of(const guests::skala::Projection& projection, b
 // Numbers of cells by the middles of their outlines and of their halves.
 class CellsByMiddle {
  public:
-  CellsByMiddle(const guests::skala::Projection& projection, bool rising) {
+  CellsByMiddle(const programs::skala::Projection& projection, bool rising) {
     std::uint32_t number = 0;
     for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
       for (std::size_t point = 0; point + 1 < projection.points(); ++point) {
@@ -370,10 +370,10 @@ class CellsByMiddle {
 
 }  // namespace
 
-PixelGrid nearest_cells(const scene::HeightGrid& grid, const guests::skala::View& view) {
-  const guests::skala::Projection projection(grid, view);
+PixelGrid nearest_cells(const scene::HeightGrid& grid, const programs::skala::View& view) {
+  const programs::skala::Projection projection(grid, view);
   const bool rising = rising_diagonals(projection.rotation());
-  PixelGrid cells(guests::skala::raster_side, guests::skala::raster_side);
+  PixelGrid cells(programs::skala::raster_side, programs::skala::raster_side);
   std::vector<double> depths(cells.values.size(), std::numeric_limits<double>::infinity());
   std::uint32_t number = 0;
   for (std::size_t slice = 0; slice + 1 < projection.slices(); ++slice) {
@@ -392,11 +392,11 @@ PixelGrid nearest_cells(const scene::HeightGrid& grid, const guests::skala::View
   return cells;
 }
 
-PixelGrid painted_cells(const scene::HeightGrid& grid, const guests::skala::View& view,
+PixelGrid painted_cells(const scene::HeightGrid& grid, const programs::skala::View& view,
                         const picture::VectorDrawing& drawing) {
-  const guests::skala::Projection projection(grid, view);
+  const programs::skala::Projection projection(grid, view);
   const CellsByMiddle cells(projection, rising_diagonals(projection.rotation()));
-  PixelGrid painted(guests::skala::raster_side, guests::skala::raster_side);
+  PixelGrid painted(programs::skala::raster_side, programs::skala::raster_side);
   for (const picture::DrawingFacet& facet : drawing.facets) {
     std::array<Corner, 4> corners{};
     double x = 0;

@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
-#include "host/guests/skala/projection.hpp"
-#include "host/guests/skala/view.hpp"
+#include "host/programs/skala/projection.hpp"
+#include "host/programs/skala/view.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/vector_drawing.hpp"
@@ -26,18 +26,18 @@ namespace sightline::compare {
 
 // Cells are divided between the corners at their sides, as seen: from the least x and z to the greatest if
 // this is so, else across. Where two corners are as near as each other, as the native algorithm takes them.
-[[nodiscard]] bool rising_diagonals(const guests::skala::SineCosine& turn);
+[[nodiscard]] bool rising_diagonals(const programs::skala::SineCosine& turn);
 
 // The lines of a picture of lines or contours in 255 x 255 units, with what is seen of them.
 class HeightLines {
  public:
   // The grid is a whole one of at least two by two, the view without zoom (preconditions).
   // What lies behind something nearer by no more than `grazing` units of the screen counts as seen.
-  HeightLines(const scene::HeightGrid& grid, const guests::skala::View& view, double grazing = 0);
+  HeightLines(const scene::HeightGrid& grid, const programs::skala::View& view, double grazing = 0);
 
   [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
   // The samples that lines() join, by their numbers; none of a contour.
-  using Side = std::array<guests::skala::GridIndex, 2>;
+  using Side = std::array<programs::skala::GridIndex, 2>;
   [[nodiscard]] const std::vector<std::optional<Side>>& sides() const { return sides_; }
   // Pieces of a native drawing of the same view, each with the line it is on; pieces that are on none get a
   // number no line has.
@@ -60,13 +60,13 @@ class HeightLines {
   };
   class Hidden;
 
-  [[nodiscard]] static Ends ends_of(const guests::skala::Vertex& vertex);
+  [[nodiscard]] static Ends ends_of(const programs::skala::Vertex& vertex);
   // Sides of cells, and halves of cells with the contours on them: occluders are kept, what is inked
   // returned.
-  std::vector<LevelEdge> add_sides(const guests::skala::Projection& projection,
-                                   const guests::skala::View& view);
+  std::vector<LevelEdge> add_sides(const programs::skala::Projection& projection,
+                                   const programs::skala::View& view);
   std::vector<LevelEdge> add_halves(const scene::HeightGrid& grid,
-                                    const guests::skala::Projection& projection,
+                                    const programs::skala::Projection& projection,
                                     const std::vector<double>& levels);
   void add_line(const LevelEdge& inked);
   [[nodiscard]] std::vector<picture::LinePart> seen_of(const Edge& line) const;
@@ -92,10 +92,10 @@ inline constexpr double same_place = 0.02;
 
 // The grid is a whole one of at least two by two, the view without zoom (preconditions of both).
 [[nodiscard]] picture::PixelGrid nearest_cells(const scene::HeightGrid& grid,
-                                               const guests::skala::View& view);
+                                               const programs::skala::View& view);
 // The topmost facet of a native drawing of the same view, by the cell it lies on; a facet that lies on none
 // is numbered behind all cells.
-[[nodiscard]] picture::PixelGrid painted_cells(const scene::HeightGrid& grid, const guests::skala::View& view,
+[[nodiscard]] picture::PixelGrid painted_cells(const scene::HeightGrid& grid, const programs::skala::View& view,
                                                const picture::VectorDrawing& drawing);
 
 }  // namespace sightline::compare

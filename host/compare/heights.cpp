@@ -11,7 +11,7 @@
 #include "host/compare/height_truth.hpp"
 #include "host/compare/host_time.hpp"
 #include "host/compare/work_bounds.hpp"
-#include "host/guests/skala/projection.hpp"
+#include "host/programs/skala/projection.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -34,10 +34,10 @@ PixelGrid without_outline(PixelGrid dots, const PixelGrid& with, const PixelGrid
 }
 
 // All sides of all cells, hidden or not.
-std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const guests::skala::View& view) {
-  const guests::skala::Projection projection(grid, view);
+std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const programs::skala::View& view) {
+  const programs::skala::Projection projection(grid, view);
   const auto at = [&](std::size_t point, std::size_t slice) {
-    const guests::skala::Vertex& vertex = projection.at(point, slice);
+    const programs::skala::Vertex& vertex = projection.at(point, slice);
     return picture::PixelPoint{vertex.x, vertex.y};
   };
   std::vector<PixelSegment> edges;
@@ -53,17 +53,17 @@ std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const g
 }  // namespace
 
 std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
-                                              const guests::skala::View& view) {
+                                              const programs::skala::View& view) {
   if (const std::size_t points = grid.points() * grid.slices(); points > most_grid_points)
     return fmt::format("{} points of the grid are too many for the truth of its lines, which takes {}", points, most_grid_points);
   return registry::find_height_method(oracle)->why_not(grid, registry::height_view(view));
 }
 
-HeightComparison compare_heights(const scene::HeightGrid& grid, const guests::skala::View& asked,
+HeightComparison compare_heights(const scene::HeightGrid& grid, const programs::skala::View& asked,
                                  const std::function<void(std::string_view)>& progress, const HeightSampler& sampler, bool host_times) {
   HeightComparison comparison;
   comparison.view = asked;
-  comparison.view.device = guests::skala::Device::ef9365;
+  comparison.view.device = programs::skala::Device::ef9365;
   const registry::HeightView view = registry::height_view(asked);
   progress("column oracle");
   const bool contours = view.subject == algorithms::skala::Subject::contours;

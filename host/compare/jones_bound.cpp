@@ -9,15 +9,15 @@
 #include <optional>
 #include <vector>
 
-#include "host/guests/jones/encode.hpp"
-#include "host/guests/jones/twin/elements.hpp"
-#include "host/guests/turn/precision.hpp"
+#include "host/programs/jones/encode.hpp"
+#include "host/programs/jones/twin/elements.hpp"
+#include "host/programs/turn/precision.hpp"
 #include "host/picture/line_metrics.hpp"
 
 namespace sightline::compare {
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 using picture::PixelPoint;
 
 constexpr double half = 0.5;                        // a unit rounded
@@ -285,7 +285,7 @@ double jones_line_bound(double piece_bound, const JonesWords& words) {
 }
 
 double jones_flash_bound(double line_bound) {
-  return line_bound + corner + guests::turn::flash_bound();
+  return line_bound + corner + programs::turn::flash_bound();
 }
 
 }  // namespace sightline::compare

@@ -16,14 +16,14 @@
 // neither. No length of words bounds how long such a stretch is; in the views compared at this bound there is none.
 #pragma once
 
-#include "host/guests/jones/twin/number.hpp"
+#include "host/programs/jones/twin/number.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {
 
 struct JonesWords {
-  int word_bits = guests::jones::machine_word_bits;
-  int fraction_bits = guests::jones::machine_fraction_bits;
+  int word_bits = programs::jones::machine_word_bits;
+  int fraction_bits = programs::jones::machine_fraction_bits;
 
   friend bool operator==(const JonesWords&, const JonesWords&) = default;
 };

@@ -53,14 +53,14 @@ LinePart part_on(const PixelSegment& image, const PixelSegment& pixels) {
 algorithms::oracle::Window type340_window(std::int32_t scale) {
   algorithms::oracle::Window window;
   window.scale = scale;
-  window.near = guests::jones::near_z;
+  window.near = programs::jones::near_z;
   return window;
 }
 
 ScreenFrame type340_frame(std::int32_t scale) {
   ScreenFrame frame;
   frame.scale = scale;
-  frame.near = guests::jones::near_z;
+  frame.near = programs::jones::near_z;
   return frame;
 }
 
@@ -194,7 +194,7 @@ std::int32_t number_in(std::uint32_t word) {
 
 class VectorWalk {
  public:
-  explicit VectorWalk(const guests::jones::EncodedScene& scene) : scene_(scene) {}
+  explicit VectorWalk(const programs::jones::EncodedScene& scene) : scene_(scene) {}
 
   // `at`: the address of X, which Y Z n and the vectors follow.
   void walk(std::uint32_t at) {
@@ -217,16 +217,16 @@ class VectorWalk {
     return number_in(scene_.words[address - scene_.base].value);
   }
 
-  const guests::jones::EncodedScene& scene_;
+  const programs::jones::EncodedScene& scene_;
   std::map<std::uint32_t, AxisLine> lines_;
 };
 
-guests::jones::ShortWords words_of(int fraction_bits) {
-  return guests::jones::ShortWords(guests::jones::machine_word_bits, fraction_bits);
+programs::jones::ShortWords words_of(int fraction_bits) {
+  return programs::jones::ShortWords(programs::jones::machine_word_bits, fraction_bits);
 }
 
 template <class ToPixel>
-std::vector<DrawnPiece> pieces_of(const guests::jones::View& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
+std::vector<DrawnPiece> pieces_of(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
   std::vector<DrawnPiece> pieces;
   for (const auto& piece : view.pieces) {
     const PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)}, {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
@@ -238,14 +238,14 @@ std::vector<DrawnPiece> pieces_of(const guests::jones::View& view, const std::ma
 
 }  // namespace
 
-std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const guests::jones::EncodedScene& scene) {
+std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const programs::jones::EncodedScene& scene) {
   VectorWalk walk(scene);
   for (const std::uint32_t cell : scene.cell_addresses) walk.walk(cell);
   for (const std::uint32_t opening : scene.opening_addresses) walk.walk(opening + 2);
   return std::move(walk).take();
 }
 
-std::map<std::uint32_t, LineId> lines_of_vectors(const guests::jones::EncodedScene& scene, const MatterScene& matter,
+std::map<std::uint32_t, LineId> lines_of_vectors(const programs::jones::EncodedScene& scene, const MatterScene& matter,
                                                  const ImageLines& lines) {
   std::map<std::uint32_t, LineId> result;
   for (const auto& [address, line] : axis_lines_of_vectors(scene)) {
@@ -255,11 +255,11 @@ std::map<std::uint32_t, LineId> lines_of_vectors(const guests::jones::EncodedSce
   return result;
 }
 
-std::vector<DrawnPiece> twin_pieces(const guests::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> twin_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.points(at) + screen_centre; });
 }
 
-std::vector<DrawnPiece> display_pieces(const guests::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> display_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 

@@ -13,8 +13,8 @@
 
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/compare/matter_scene.hpp"
-#include "host/guests/jones/encode.hpp"
-#include "host/guests/jones/twin/twin.hpp"
+#include "host/programs/jones/encode.hpp"
+#include "host/programs/jones/twin/twin.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_picture.hpp"
@@ -63,19 +63,19 @@ class ImageLines {
 };
 
 // Which line of space each vector word of an encoded scene of cells is on, by address: the layout of encode.hpp.
-[[nodiscard]] std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const guests::jones::EncodedScene& scene);
+[[nodiscard]] std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const programs::jones::EncodedScene& scene);
 // And which line of the image; `lines` are of the wires of `matter`.
-[[nodiscard]] std::map<std::uint32_t, picture::LineId> lines_of_vectors(const guests::jones::EncodedScene& scene, const MatterScene& matter,
+[[nodiscard]] std::map<std::uint32_t, picture::LineId> lines_of_vectors(const programs::jones::EncodedScene& scene, const MatterScene& matter,
                                                                         const ImageLines& lines);
 
 // Pieces of a mono view, in pixels, before and after the rounding to points of the screen; those that become a single point then are
 // not drawn.
-[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const guests::jones::View& view,
+[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const programs::jones::View& view,
                                                            const std::map<std::uint32_t, picture::LineId>& lines,
-                                                           int fraction_bits = guests::jones::machine_fraction_bits);
-[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(const guests::jones::View& view,
+                                                           int fraction_bits = programs::jones::machine_fraction_bits);
+[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(const programs::jones::View& view,
                                                               const std::map<std::uint32_t, picture::LineId>& lines,
-                                                              int fraction_bits = guests::jones::machine_fraction_bits);
+                                                              int fraction_bits = programs::jones::machine_fraction_bits);
 
 // Edges on the screen in floating point, cut to a frame: for measuring and drawing only, never for deciding
 // what is visible.

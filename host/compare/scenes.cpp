@@ -17,7 +17,7 @@
 #include "host/compare/stripes.hpp"
 #include "host/compare/sweep_views.hpp"
 #include "host/compare/willis_8080.hpp"
-#include "host/guests/jones/session.hpp"
+#include "host/programs/jones/session.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
@@ -127,7 +127,7 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_pdp7_name) || chosen(options_, jones_twin_name)) {
       program_.eae = options_.eae;
       program_.fraction_bits = options_.fraction_bits;
-      auto session = guests::jones::Session::of(scene, program_);
+      auto session = programs::jones::Session::of(scene, program_);
       // The program may not accept the scene's own view, and accept another: it is assembled for each view then.
       if (session) session_.emplace(std::move(*session));
     }
@@ -286,7 +286,7 @@ class SceneMethods::Parts {
     const bool twin_row = chosen(options_, jones_twin_name);
     if (!guest_row && !twin_row) return std::nullopt;
     progress(jones_pdp7_name);
-    guests::jones::GuestOptions of_guest;
+    programs::jones::GuestOptions of_guest;
     of_guest.scale = options_.scale;
     of_guest.views = 1;
     if (session_) {
@@ -294,9 +294,9 @@ class SceneMethods::Parts {
       if (!core) return leave_programs_out(core.error(), comparison);
       return compare_run(*session_, session_->run(*core, of_guest), truth, comparison);
     }
-    guests::jones::ProgramOptions program = program_;
+    programs::jones::ProgramOptions program = program_;
     program.tape.view = comparison.camera.eye;
-    const auto session = guests::jones::Session::of(*cells_, program);
+    const auto session = programs::jones::Session::of(*cells_, program);
     if (!session) return leave_programs_out(session.error(), comparison);
     return compare_run(*session, session->run(of_guest), truth, comparison);
   }
@@ -319,10 +319,10 @@ class SceneMethods::Parts {
     return std::nullopt;
   }
 
-  std::optional<Error> compare_run(const guests::jones::Session& session, const guests::jones::CheckedRun& run, const Truth& truth,
+  std::optional<Error> compare_run(const programs::jones::Session& session, const programs::jones::CheckedRun& run, const Truth& truth,
                                    SceneComparison& comparison) const {
     if (run.guest.timed_out || run.guest.views.empty()) return Error{"", "", "the program on the PDP-7 did not complete a view"};
-    const guests::jones::GuestView& guest = run.guest.views.back();
+    const programs::jones::GuestView& guest = run.guest.views.back();
     comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference};
 
     const auto lines = lines_of_vectors(session.program().scene, *matter_, truth.lines);
@@ -351,10 +351,10 @@ class SceneMethods::Parts {
       const int parts = 1 << options_.fraction_bits;
       auto row = compared(jones_twin_name, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
                           twin_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)), options_);
-      const guests::jones::Counts& c = run.twin.counts;
+      const programs::jones::Counts& c = run.twin.counts;
       row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
       if (options_.host_times) {
-        guests::jones::GuestOptions of_twin;
+        programs::jones::GuestOptions of_twin;
         of_twin.scale = options_.scale;
         const auto core = session.core_at(comparison.camera.eye);
         if (core) row.host_seconds = median_seconds([&] { static_cast<void>(session.twin(*core, of_twin)); }, options_.host_seconds);
@@ -391,8 +391,8 @@ class SceneMethods::Parts {
   const scene::CellScene* cells_ = nullptr;
   scene::PolyScene polyhedra_;
   std::optional<MatterScene> matter_;  // of a scene of cells
-  guests::jones::ProgramOptions program_;
-  std::optional<guests::jones::Session> session_;
+  programs::jones::ProgramOptions program_;
+  std::optional<programs::jones::Session> session_;
   std::vector<Entry> entries_;
   std::optional<registry::PreparedScene> exact_;  // that the truth is by
   mutable base::Mutex turning_mutex_;

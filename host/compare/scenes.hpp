@@ -25,7 +25,7 @@
 #include "host/compare/piece_difference.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
-#include "host/guests/jones/twin/twin.hpp"
+#include "host/programs/jones/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/raster_difference.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -62,7 +62,7 @@ struct ComparedPicture {
 
 // How the machine's run ended, beside its twin's.
 struct GuestCheck {
-  guests::jones::Status status = guests::jones::Status::complete;
+  programs::jones::Status status = programs::jones::Status::complete;
   core::Duration time{};
   std::size_t words = 0;   // of the display file
   std::string difference;  // the first word that differs, or the status; empty: identical

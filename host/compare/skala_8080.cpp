@@ -13,15 +13,15 @@
 
 #include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
-#include "host/guests/skala/projection.hpp"
-#include "host/guests/skala/session.hpp"
-#include "host/guests/skala/stream.hpp"
+#include "host/programs/skala/projection.hpp"
+#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/stream.hpp"
 #include "host/picture/dots_and_lines.hpp"
 
 namespace sightline::compare {
 namespace {
 
-namespace skala = guests::skala;
+namespace skala = programs::skala;
 using picture::PixelPoint;
 using picture::PixelSegment;
 

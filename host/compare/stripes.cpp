@@ -2,13 +2,13 @@
 
 #include "emulators/core/tstates.hpp"
 #include "host/compare/device_raster.hpp"
-#include "host/guests/stripes/session.hpp"
+#include "host/programs/stripes/session.hpp"
 
 namespace sightline::compare {
 namespace {
 
-const guests::stripes::Session& session() {
-  static const guests::stripes::Session once;
+const programs::stripes::Session& session() {
+  static const programs::stripes::Session once;
   return once;
 }
 
@@ -16,7 +16,7 @@ const guests::stripes::Session& session() {
 
 base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                          const registry::FaceWindow& window) {
-  namespace stripes = guests::stripes;
+  namespace stripes = programs::stripes;
   constexpr int size = stripes::picture_size;
   StripesFaces result;
   result.faces = picture::PixelGrid(window.width, window.height);
@@ -46,7 +46,7 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
 
 base::Result<StripesPen> stripes_pen(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                      const registry::FaceWindow& window, const picture::PixelGrid& nearest) {
-  namespace stripes = guests::stripes;
+  namespace stripes = programs::stripes;
   constexpr int size = stripes::picture_size;
   const stripes::View view{camera, window.scale, window.left, window.height - window.top};
   const auto drawn = session().draw(scene, view, {stripes::Output::vector, stripes::Computer::i8080, stripes::Computer::i8080});

@@ -18,13 +18,13 @@
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/compare/device_raster.hpp"
-#include "host/guests/turn/guest.hpp"
-#include "host/guests/turn/precision.hpp"
-#include "host/guests/turn/screen_view.hpp"
-#include "host/guests/turn/program.hpp"
-#include "host/guests/turn/session.hpp"
-#include "host/guests/turn/tape.hpp"
-#include "host/guests/turn/twin/twin.hpp"
+#include "host/programs/turn/guest.hpp"
+#include "host/programs/turn/precision.hpp"
+#include "host/programs/turn/screen_view.hpp"
+#include "host/programs/turn/program.hpp"
+#include "host/programs/turn/session.hpp"
+#include "host/programs/turn/tape.hpp"
+#include "host/programs/turn/twin/twin.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_metrics_parts.hpp"
@@ -33,7 +33,7 @@
 namespace sightline::compare {
 namespace {
 
-namespace turn = guests::turn;
+namespace turn = programs::turn;
 namespace plantinga = algorithms::plantinga;
 
 constexpr std::uint32_t angles_a_turn = 1U << 18;

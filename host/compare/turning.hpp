@@ -1,10 +1,10 @@
-// A solid turning on the PDP-7 (host/guests/turn), held at one angle and compared: with its twin word for word, and with exact lines
+// A solid turning on the PDP-7 (host/programs/turn), held at one angle and compared: with its twin word for word, and with exact lines
 // at the machine's own angle, in points of its display.
 //
 // The machine's angle is a word, 2^18 to a turn. A camera's vectors are whole numbers below 2^15, and hardly ever that angle. So the
 // camera given to exact methods is one between the same two events as the angle, where the structure is the same, and the nearest:
 // vertices are then placed at the machine's angle. How far the machine's picture may be away follows from its words
-// (host/guests/turn/precision.hpp).
+// (host/programs/turn/precision.hpp).
 #pragma once
 
 #include <cstddef>
@@ -56,7 +56,7 @@ struct TurnPicture {
 // A scene upright on the machine, with the EAE, in 8K of core or else in 32K.
 class Turning {
  public:
-  // Errors: those of stand_on_axis, of the events and of guests::turn::encode; more edges than fit.
+  // Errors: those of stand_on_axis, of the events and of programs::turn::encode; more edges than fit.
   [[nodiscard]] static base::Result<Turning> of(const scene::PolyScene& scene);
   Turning(Turning&&) noexcept;
   Turning& operator=(Turning&&) noexcept;

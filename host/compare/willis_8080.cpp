@@ -8,13 +8,13 @@
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/compare/faces.hpp"
-#include "host/guests/flight/session.hpp"
+#include "host/programs/flight/session.hpp"
 
 namespace sightline::compare {
 
 namespace {
 
-namespace flight = guests::flight;
+namespace flight = programs::flight;
 namespace willis = algorithms::willis;
 
 base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, const willis::ModelOptions& options, const scene::PolyCamera& camera,

@@ -1,4 +1,4 @@
-// Willis's priorities as an 8080 computes them (host/guests/flight), as an algorithm of faces beside those of the registry: a frame is sent to the
+// Willis's priorities as an 8080 computes them (host/programs/flight), as an algorithm of faces beside those of the registry: a frame is sent to the
 // emulated machine, and the pieces are shown in the order that comes back.
 //
 // The machine is given the pieces that are turned to the eye, and the planes that keep apart what touches; in parallel projection the depth of each.

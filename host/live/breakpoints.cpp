@@ -6,7 +6,7 @@
 
 namespace sightline::live {
 
-using guests::run::Probe;
+using machines::Probe;
 
 int Breakpoints::add(Breakpoint breakpoint) {
   breakpoint.number = ++last_number_;

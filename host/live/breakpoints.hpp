@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "host/guests/run/probe.hpp"
+#include "host/machines/probe.hpp"
 
 namespace sightline::live {
 
@@ -17,7 +17,7 @@ struct Breakpoint {
   Kind kind = Kind::execution;
   std::uint32_t first = 0;  // addresses, or a port
   std::uint32_t last = 0;
-  std::uint8_t access = guests::run::Probe::executed;
+  std::uint8_t access = machines::Probe::executed;
   std::optional<std::uint32_t> value;  // read or written
   std::string condition;               // an expression; empty: always
   std::uint64_t count = 1;             // stops each time when so many have passed
@@ -44,17 +44,17 @@ class Breakpoints {
   [[nodiscard]] bool has_conditions() const;
 
   // What a run is to be watched for.
-  void mark(guests::run::Probe& probe) const;
+  void mark(machines::Probe& probe) const;
   // Whether one of them is met by the event, but for its condition.
-  [[nodiscard]] bool wants(const guests::run::Probe::Event& event) const;
+  [[nodiscard]] bool wants(const machines::Probe::Event& event) const;
 
   // A reason to stop: the breakpoint, and the event it was met by; of a condition there is none.
   struct Hit {
     Breakpoint breakpoint;
-    std::optional<guests::run::Probe::Event> event;
+    std::optional<machines::Probe::Event> event;
   };
   // Counts all that are met and gives the first.
-  [[nodiscard]] std::optional<Hit> meet(const std::vector<guests::run::Probe::Event>& events, const Condition& holds);
+  [[nodiscard]] std::optional<Hit> meet(const std::vector<machines::Probe::Event>& events, const Condition& holds);
   // The first condition that has become true since the last look.
   [[nodiscard]] std::optional<Hit> condition_met(const Condition& holds);
 

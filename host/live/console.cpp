@@ -19,12 +19,12 @@ namespace sightline::live {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::Limits;
-using guests::run::Machine;
-using guests::run::Result;
-using guests::run::Stop;
-using guests::run::usage;
+using machines::Arguments;
+using machines::Limits;
+using machines::Machine;
+using machines::Result;
+using machines::Stop;
+using machines::usage;
 
 // The program and its console exchange characters at the ends of slices of emulated time: a fifth of the time of a
 // teletype's character, so that no program notices, and long enough to cost nothing.
@@ -332,7 +332,7 @@ Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& o
     part.until = end;
     while (!stop && machine.ticks() < end && !machine.waits_for_key()) stop = machine.run(part, false);
     if (stop && stop->at_until && end < limits.until) stop.reset();
-    if (!session.pass_on_printed() && !stop) stop = Stop{guests::run::interrupted, {}};
+    if (!session.pass_on_printed() && !stop) stop = Stop{machines::interrupted, {}};
     if (stop) break;
     if (session.script_done()) return ended(machine, {end_of_input, {}});
     // Waited for in short turns: a signal that comes just before would not end a long one.

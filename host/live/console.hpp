@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 #include "host/live/keys.hpp"
 
 namespace sightline::live {
@@ -28,7 +28,7 @@ struct Step {
 };
 
 // What \r \n \t \e \\ \NNN (octal) and \xHH in an option's text stand for.
-[[nodiscard]] guests::run::Result<std::string> plain_text(std::string_view option, std::string_view text);
+[[nodiscard]] machines::Result<std::string> plain_text(std::string_view option, std::string_view text);
 
 // --- A session ---
 
@@ -40,7 +40,7 @@ struct ConsoleOptions {
 
 // The values of --console, --speed, --expect and --send. Without --speed a person at a terminal has the machine's own
 // speed, a pipe or a script the fastest.
-[[nodiscard]] guests::run::Result<ConsoleOptions> console_options(const guests::run::Arguments& arguments,
+[[nodiscard]] machines::Result<ConsoleOptions> console_options(const machines::Arguments& arguments,
                                                                   bool terminal);
 
 // The other end of the console. Functions may be called between slices of a run only.
@@ -64,7 +64,7 @@ inline constexpr std::string_view no_key = "the program waits for a key, and the
 
 // Runs the machine to a stop: its own, Ctrl-E, a signal (base::EndSignals must be alive), the end of the input when the
 // program waits for more, or the end of the script.
-[[nodiscard]] guests::run::Stop run_console(guests::run::Machine& machine, const guests::run::Limits& limits,
+[[nodiscard]] machines::Stop run_console(machines::Machine& machine, const machines::Limits& limits,
                                             const ConsoleOptions& options, Operator& person);
 
 // The process's own standard input, and the descriptor of standard output or error.

@@ -28,7 +28,7 @@ using dap::flag_in;
 using dap::member;
 using dap::Refused;
 using dap::text_in;
-using guests::run::Machine;
+using machines::Machine;
 
 class Adapter {
  public:
@@ -160,15 +160,15 @@ class Adapter {
     launch_arguments_ = arguments;
     finished_ = false;
     RunHost run;
-    run.run = [this](Machine& machine, const guests::run::Limits& limits, const auto& heard) {
-      std::optional<guests::run::Stop> stop;
+    run.run = [this](Machine& machine, const machines::Limits& limits, const auto& heard) {
+      std::optional<machines::Stop> stop;
       while (!stop) {
         stop = machine.run(limits, true);
         const std::string text = shown_text(machine.take_printed());
         heard(text);
         output("stdout", text);
-        if (!stop && message_waits()) stop = guests::run::Stop{guests::run::interrupted, {}};
-        if (!stop && machine.waits_for_key()) stop = guests::run::Stop{end_of_input, std::string(no_key)};
+        if (!stop && message_waits()) stop = machines::Stop{machines::interrupted, {}};
+        if (!stop && machine.waits_for_key()) stop = machines::Stop{end_of_input, std::string(no_key)};
       }
       return *stop;
     };
@@ -315,7 +315,7 @@ class Adapter {
       return;
     }
     // A message waits: the run goes on after it, unless it says otherwise.
-    if (halted.why == Halted::Why::machine && halted.stop.name == guests::run::interrupted) {
+    if (halted.why == Halted::Why::machine && halted.stop.name == machines::interrupted) {
       action_ = Action::go_on;
       return;
     }

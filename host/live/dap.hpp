@@ -14,7 +14,7 @@
 
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 #include "host/live/monitor.hpp"
 #include "host/live/symbols.hpp"
 
@@ -22,8 +22,8 @@ namespace sightline::live {
 
 // A machine made for `launch`, with --monitor.
 struct Launched {
-  const guests::run::MachineDescription* description = nullptr;
-  guests::run::Prepared prepared;
+  const machines::MachineDescription* description = nullptr;
+  machines::Prepared prepared;
   Symbols symbols{8};
   std::vector<std::string> warnings = {};
   int radix = 0;  // of values; 0: that of the machine
@@ -41,7 +41,7 @@ struct DapHost {
   // without their dashes; a value is text, a number, true, or an array of texts.
   std::function<base::Result<Launched>(const base::Json& arguments)> launch;
   // The session of a machine is over; an error is shown to the person.
-  std::function<base::Result<base::Done>(const guests::run::Machine&)> finish = {};
+  std::function<base::Result<base::Done>(const machines::Machine&)> finish = {};
   // How commands of the console read and write files; its `running` is not used.
   MonitorHost commands = {};
 };

@@ -14,12 +14,12 @@
 namespace sightline::live {
 
 using base::Done;
-using guests::run::Limits;
-using guests::run::Machine;
-using guests::run::Probe;
-using guests::run::Stop;
+using machines::Limits;
+using machines::Machine;
+using machines::Probe;
+using machines::Stop;
 
-Debugger::Debugger(const guests::run::MachineDescription& description, Machine& machine, const Limits& limits,
+Debugger::Debugger(const machines::MachineDescription& description, Machine& machine, const Limits& limits,
                    Symbols symbols, RunHost host)
     : description_(description),
       machine_(machine),
@@ -262,7 +262,7 @@ void Debugger::start(std::uint32_t at) {
 
 base::Result<Done> Debugger::put_instruction(std::uint32_t at, std::string_view text) {
   std::string source;
-  guests::run::Arguments options(description_.assembler.options);
+  machines::Arguments options(description_.assembler.options);
   if (!dialect_.empty()) options.value("--dialect").text = dialect_;
   if (dialect_ == "bell") {
     source = "..=0\n";
@@ -341,8 +341,8 @@ Halted Debugger::run(const Goal& goal) {
   std::optional<Reason> reason;
   const bool for_ever = goal.instructions == Goal{}.instructions && goal.until == Goal{}.until && goal.condition.empty();
   std::int64_t answered_at = machine_.ticks();  // when the program was last not asking for a key that nobody will type
-  Stop stop{guests::run::stopped_by_probe, {}};
-  while (!reason && stop.name == guests::run::stopped_by_probe) {
+  Stop stop{machines::stopped_by_probe, {}};
+  while (!reason && stop.name == machines::stopped_by_probe) {
     type_next();
     past_.remember();
     if (conditions) watch_conditions(goal.condition);
@@ -356,15 +356,15 @@ Halted Debugger::run(const Goal& goal) {
     const bool part_done = (stop.at_until && machine_.ticks() < limits.until) ||
                            (stop.name == "instruction_limit" && machine_.instructions() < limits.instructions);
     const bool key_due = stop.name == end_of_input && !keys_.empty();
-    if (part_done || key_due) stop = {guests::run::stopped_by_probe, {}};
+    if (part_done || key_due) stop = {machines::stopped_by_probe, {}};
     const bool unanswered = host_.nobody_types && for_ever && keys_.empty() && machine_.wants_key();
     if (!unanswered) answered_at = machine_.ticks();
-    if (stop.name == guests::run::stopped_by_probe && machine_.ticks() - answered_at >= host_.patience * machine_.ticks_a_second()) {
+    if (stop.name == machines::stopped_by_probe && machine_.ticks() - answered_at >= host_.patience * machine_.ticks_a_second()) {
       stop = {end_of_input, fmt::format("the program has asked for a key for {} s of its time, and there is none: `send` types keys, and "
                                         "`run for TIME` runs on without",
                                         host_.patience)};
     }
-    if (stop.name == guests::run::stopped_by_probe && host_.interrupted()) stop = {guests::run::interrupted, {}};
+    if (stop.name == machines::stopped_by_probe && host_.interrupted()) stop = {machines::interrupted, {}};
     if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
     probe.resume();
     if (conditions) {
@@ -507,7 +507,7 @@ std::vector<Frame> Debugger::stack() {
   return frames;
 }
 
-guests::run::Bytes Debugger::save() {
+machines::Bytes Debugger::save() {
   return save_snapshot(description_.name, machine_);
 }
 

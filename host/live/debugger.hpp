@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 #include "host/live/breakpoints.hpp"
 #include "host/live/expression.hpp"
 #include "host/live/keys.hpp"
@@ -26,7 +26,7 @@ namespace sightline::live {
 // What a run needs of the world outside.
 struct RunHost {
   // Runs to a stop, showing what the program prints and handing it what is typed; `heard` is told what is printed too.
-  std::function<guests::run::Stop(guests::run::Machine&, const guests::run::Limits&,
+  std::function<machines::Stop(machines::Machine&, const machines::Limits&,
                                   const std::function<void(std::string_view)>& heard)>
       run;
   // Asked now and then by all that takes long; true: stop.
@@ -52,7 +52,7 @@ struct Halted {
   Why why = Why::goal;
   int breakpoint = 0;             // its number
   std::string reason = {};        // a line for a person; empty for the goals that are numbers
-  guests::run::Stop stop = {};    // of the machine
+  machines::Stop stop = {};    // of the machine
 };
 
 // A subroutine that has been called and not left.
@@ -65,12 +65,12 @@ struct Frame {
 class Debugger {
  public:
   // The machine and its description outlive the debugger; the machine was made with --monitor.
-  Debugger(const guests::run::MachineDescription& description, guests::run::Machine& machine,
-           const guests::run::Limits& limits, Symbols symbols, RunHost host);
+  Debugger(const machines::MachineDescription& description, machines::Machine& machine,
+           const machines::Limits& limits, Symbols symbols, RunHost host);
 
-  [[nodiscard]] const guests::run::MachineDescription& description() const { return description_; }
-  [[nodiscard]] guests::run::Machine& machine() { return machine_; }
-  [[nodiscard]] const guests::run::Machine& machine() const { return machine_; }
+  [[nodiscard]] const machines::MachineDescription& description() const { return description_; }
+  [[nodiscard]] machines::Machine& machine() { return machine_; }
+  [[nodiscard]] const machines::Machine& machine() const { return machine_; }
   [[nodiscard]] const Symbols& symbols() const { return symbols_; }
   void set_symbols(Symbols symbols) {
     symbols_ = std::move(symbols);
@@ -155,7 +155,7 @@ class Debugger {
   // To the return from the subroutine that was called last.
   [[nodiscard]] base::Result<Halted> step_out();
   // The last stop of the machine by itself, for a report.
-  [[nodiscard]] const guests::run::Stop& last_stop() const { return last_stop_; }
+  [[nodiscard]] const machines::Stop& last_stop() const { return last_stop_; }
   // What has been printed since the last call of forget_printed().
   [[nodiscard]] const std::string& printed() const { return printed_; }
   void forget_printed(std::size_t length) { printed_.erase(0, length); }
@@ -173,7 +173,7 @@ class Debugger {
   // The latest first, as far as the last some ten thousand instructions show them.
   [[nodiscard]] std::vector<Frame> stack();
 
-  [[nodiscard]] guests::run::Bytes save();
+  [[nodiscard]] machines::Bytes save();
   // `file`: its name, for errors.
   [[nodiscard]] base::Result<base::Done> restore(std::span<const std::uint8_t> snapshot, const std::string& file);
 
@@ -191,21 +191,21 @@ class Debugger {
   void watch_conditions(const std::string& goal);
   // What only the time decides can change while the processor stands still in a halt or a HOLD, where there is no boundary: the
   // run ends at the times where it changes.
-  void end_at_times(const std::string& goal, guests::run::Limits& limits);
+  void end_at_times(const std::string& goal, machines::Limits& limits);
   [[nodiscard]] Reason reason_of(const Breakpoints::Hit& hit) const;
   [[nodiscard]] Halted run_to_return(const Frame& frame);
   [[nodiscard]] std::uint32_t behind(std::uint32_t at, std::uint32_t words) const;
   void type_next();
 
-  const guests::run::MachineDescription& description_;
-  guests::run::Machine& machine_;
-  guests::run::Limits limits_;
+  const machines::MachineDescription& description_;
+  machines::Machine& machine_;
+  machines::Limits limits_;
   Symbols symbols_;
   RunHost host_;
   std::size_t pc_ = 0;
   Breakpoints breakpoints_;
   Past past_;
-  guests::run::Stop last_stop_{"operator", {}};
+  machines::Stop last_stop_{"operator", {}};
   std::string dialect_;
   std::string printed_;
   std::string keys_;

@@ -20,10 +20,10 @@ namespace sightline::live {
 
 namespace {
 
-using guests::run::Limits;
-using guests::run::Machine;
-using guests::run::MachineDescription;
-using guests::run::Stop;
+using machines::Limits;
+using machines::Machine;
+using machines::MachineDescription;
+using machines::Stop;
 using base::without_blanks;
 using monitor::Reader;
 using monitor::take_part;
@@ -136,7 +136,7 @@ class Monitor::Inside {
     if (!host_.person || depth_ > 0) return {};
     return {Kind::done, std::string(note) + (note.ends_with('\n') ? "" : "\n")};
   }
-  [[nodiscard]] guests::run::Input file(const std::string& path) const {
+  [[nodiscard]] machines::Input file(const std::string& path) const {
     auto input = host_.read(path);
     if (!input) throw Wrong{input.error().message};
     return std::move(*input);
@@ -364,7 +364,7 @@ Answer Monitor::Inside::save(std::string_view arguments) {
 Answer Monitor::Inside::restore(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw Wrong{"expected a file"};
-  const guests::run::Input input = file(path);
+  const machines::Input input = file(path);
   static_cast<void>(taken(debugger_.restore(input.bytes, path)));
   return {Kind::done, status()};
 }
@@ -429,7 +429,7 @@ Answer Monitor::Inside::show(std::string_view arguments) {
 Answer Monitor::Inside::attach(std::string_view arguments) {
   const std::string device = base::lower_case(take_part(arguments));
   if (device.empty() || arguments.empty()) throw Wrong{"expected DEVICE FILE, such as reader tape.rim"};
-  const guests::run::Input input = file(std::string(take_part(arguments)));
+  const machines::Input input = file(std::string(take_part(arguments)));
   write_media_back();
   const auto done = machine_.attach(device, input);
   debugger_.forget_past();
@@ -544,7 +544,7 @@ Answer Monitor::Inside::read_commands(std::string_view arguments) {
   if (path.empty()) throw Wrong{"expected a file of commands"};
   constexpr int deepest = 8;
   if (depth_ == deepest) throw Wrong{fmt::format("{}: found a file within {} others, expected fewer", path, deepest)};
-  const guests::run::Input input = file(path);
+  const machines::Input input = file(path);
   const std::string text(input.bytes.begin(), input.bytes.end());
   std::string_view rest = text;
   Answer all;

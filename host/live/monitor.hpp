@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 #include "host/live/debugger.hpp"
 #include "host/live/symbols.hpp"
 
@@ -20,11 +20,11 @@ namespace sightline::live {
 // What the monitor cannot do by itself.
 struct MonitorHost {
   RunHost running;
-  std::function<guests::run::Result<guests::run::Input>(const std::string& path)> read;
+  std::function<machines::Result<machines::Input>(const std::string& path)> read;
   // All of the file or nothing.
-  std::function<guests::run::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;
+  std::function<machines::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;
   // "real", "max" or a number; a complaint if it is none.
-  std::function<guests::run::Result<base::Done>(const std::string&)> speed;
+  std::function<machines::Result<base::Done>(const std::string&)> speed;
   // A person at a prompt: commands that else print nothing say in one line what they have done. Those of a file never do.
   bool person = false;
 };
@@ -43,8 +43,8 @@ struct Answer {
 class Monitor {
  public:
   // All must outlive the monitor; the machine was made with --monitor.
-  Monitor(const guests::run::MachineDescription& description, guests::run::Machine& machine,
-          const guests::run::Limits& limits, Symbols symbols, MonitorHost host);
+  Monitor(const machines::MachineDescription& description, machines::Machine& machine,
+          const machines::Limits& limits, Symbols symbols, MonitorHost host);
   // Commands for a machine that is under control already; `host.running` is not used.
   Monitor(Debugger& debugger, MonitorHost host);
   ~Monitor();
@@ -70,7 +70,7 @@ class Monitor {
   // What the word under the cursor may become: verbs at the beginning of a line, else names.
   [[nodiscard]] std::vector<std::string> completions(std::string_view line, std::string_view word) const;
   // The last stop of the machine by itself, for a report.
-  [[nodiscard]] const guests::run::Stop& last_stop() const;
+  [[nodiscard]] const machines::Stop& last_stop() const;
 
  private:
   class Inside;

@@ -8,9 +8,9 @@
 
 namespace sightline::live {
 
-using guests::run::Probe;
+using machines::Probe;
 
-Past::Past(std::string_view name, guests::run::Machine& machine)
+Past::Past(std::string_view name, machines::Machine& machine)
     : name_(name), machine_(machine) {}
 
 std::uint64_t Past::instructions_apart() const { return std::uint64_t{1} << (machine_.display_lines().empty() ? 20 : 18); }
@@ -83,13 +83,13 @@ void Past::run_again(Boundary end, const std::function<void()>& at_event) {
   while (machine_.instructions() < end.instructions || machine_.ticks() < end.ticks) {
     while (next_key_ < keys.size() && keys[next_key_].time <= machine_.ticks()) machine_.type(keys[next_key_++].code);
     if (machine_.waits_for_key()) break;
-    guests::run::Limits limits;
+    machines::Limits limits;
     const bool only_time = machine_.instructions() >= end.instructions;
     limits.instructions = end.instructions + (only_time ? 1 : 0);
     if (only_time) limits.until = end.ticks;
     if (next_key_ < keys.size()) limits.until = std::min(limits.until, keys[next_key_].time);
     const auto stop = machine_.run(limits, false);
-    if (stop && stop->name == guests::run::stopped_by_probe) {
+    if (stop && stop->name == machines::stopped_by_probe) {
       if (at_event) at_event();
       probe.resume();
     } else if (stop && !stop->at_until && stop->name != "instruction_limit") {
@@ -127,7 +127,7 @@ template <class Work>
 void Past::look_back(Work work) {
   if (places_.empty()) return;
   Probe& probe = *machine_.probe();
-  const guests::run::Bytes present = save_snapshot(name_, machine_);
+  const machines::Bytes present = save_snapshot(name_, machine_);
   const Probe kept = std::exchange(probe, probe.empty());
   probe.keys = kept.keys;
   work();
@@ -166,7 +166,7 @@ base::Result<std::vector<Past::Cycle>> Past::go_back_into_instruction() {
   // Those typed at the boundary it begins at, which a run that comes to it has not typed yet.
   for (std::size_t n = probe.keys.size(); n < typed.size() && typed[n].time <= machine_.ticks(); ++n) machine_.type(typed[n].code);
   std::vector<Cycle> cycles;
-  const guests::run::Bytes present = save_snapshot(name_, machine_);
+  const machines::Bytes present = save_snapshot(name_, machine_);
   const Probe kept = std::exchange(probe, probe.empty());
   probe.on_instruction = [](const Entry&) {};
   probe.on_cycle = [&cycles](const Cycle& cycle) { cycles.push_back(cycle); };

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/guests/run/machine.hpp"
+#include "host/machines/machine.hpp"
 
 namespace sightline::live {
 
@@ -23,7 +23,7 @@ class Past {
   static constexpr std::size_t most_history = 65536;
 
   // The machine has a probe and outlives the past; `name` is that of its description.
-  Past(std::string_view name, guests::run::Machine& machine);
+  Past(std::string_view name, machines::Machine& machine);
 
   // How far snapshots lie apart: it runs again in some milliseconds, beside a display, which may be plugged in by the program, in some tens.
   [[nodiscard]] std::uint64_t instructions_apart() const;
@@ -43,20 +43,20 @@ class Past {
   // To the last boundary before here at which a run watched by these marks would have stopped; false: there is none, and the
   // machine is where the past begins.
   // nullopt: `interrupted`, which is asked now and then, said so, and the machine is where it was.
-  [[nodiscard]] base::Result<std::optional<bool>> go_back_to_event(const std::function<void(guests::run::Probe&)>& mark,
+  [[nodiscard]] base::Result<std::optional<bool>> go_back_to_event(const std::function<void(machines::Probe&)>& mark,
                                                                    const std::function<bool()>& interrupted);
 
-  using Cycle = guests::run::Probe::Cycle;
+  using Cycle = machines::Probe::Cycle;
   // To the boundary before the last instruction; the cycles from there to here.
   [[nodiscard]] base::Result<std::vector<Cycle>> go_back_into_instruction();
 
-  using Entry = guests::run::Probe::Entry;
+  using Entry = machines::Probe::Entry;
   // The last `n` instructions, the oldest first; fewer if the past does not reach so far. Here and for the next: what has been
   // printed is taken before, or it is lost.
   [[nodiscard]] std::vector<Entry> history(std::size_t n);
 
   struct Writer {
-    guests::run::Probe::Event event;  // what was written, when, and by what kind of cycle
+    machines::Probe::Event event;  // what was written, when, and by what kind of cycle
     std::uint32_t pc = 0;             // of the instruction; for a data break or an interrupt, of the one that followed
   };
   // Who last wrote a word of memory. Asked now and then, `interrupted` ends the search: nullopt, as for a word that nothing has
@@ -75,7 +75,7 @@ class Past {
     std::int64_t ticks;
     std::size_t keys;  // that had been typed
     bool changed;      // cannot be come to from the place before
-    guests::run::Bytes snapshot;
+    machines::Bytes snapshot;
   };
 
   void thin_out();
@@ -89,7 +89,7 @@ class Past {
   [[nodiscard]] Boundary end_of(std::size_t segment, Boundary here) const;
 
   std::string_view name_;
-  guests::run::Machine& machine_;
+  machines::Machine& machine_;
   std::vector<Place> places_;  // in order of instructions
   std::size_t next_key_ = 0;   // of a run that is repeated
   bool changed_ = true;

@@ -12,10 +12,10 @@ namespace sightline::live {
 
 namespace {
 
-using guests::run::Machine;
-using guests::run::StateSection;
+using machines::Machine;
+using machines::StateSection;
 
-constexpr auto& signature = guests::run::snapshot_signature;
+constexpr auto& signature = machines::snapshot_signature;
 constexpr std::size_t length_at = 12;
 constexpr std::size_t shortest = 16;  // signature, version, length
 constexpr std::size_t checksum_bytes = 4;

@@ -10,7 +10,7 @@
 //   4         CRC-32 of all bytes before
 //
 // Integers are little-endian; a text is 2 bytes, its length, then ASCII. What a section holds is in
-// host/guests/run/state.hpp; host/manual/formats.md lists all fields. Outputs are not in it (what was
+// host/machines/state.hpp; host/manual/formats.md lists all fields. Outputs are not in it (what was
 // printed, punched and drawn), only how much of them there was; inputs of the configuration (a tape in the
 // reader, what a link sends) are referred to by length and checksum.
 //
@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/guests/run/machine.hpp"
+#include "host/machines/machine.hpp"
 
 namespace sightline::live {
 
@@ -34,7 +34,7 @@ inline constexpr std::uint32_t snapshot_version = 5;
 struct Snapshot {
   std::string machine;                     // "pdp7"
   std::vector<std::string> configuration;  // "--memory 8k"
-  guests::run::MachineState state;
+  machines::MachineState state;
 };
 
 [[nodiscard]] Bytes encode_snapshot(const Snapshot& snapshot);
@@ -43,9 +43,9 @@ struct Snapshot {
                                                      const std::string& file);
 
 // Between two calls of Machine::run; `name` is the machine's.
-[[nodiscard]] Bytes save_snapshot(std::string_view name, guests::run::Machine& machine);
+[[nodiscard]] Bytes save_snapshot(std::string_view name, machines::Machine& machine);
 // Into a machine of the same name and configuration. An error leaves the machine as it was.
-[[nodiscard]] base::Result<base::Done> restore_snapshot(std::string_view name, guests::run::Machine& machine,
+[[nodiscard]] base::Result<base::Done> restore_snapshot(std::string_view name, machines::Machine& machine,
                                                         std::span<const std::uint8_t> bytes,
                                                         const std::string& file);
 

@@ -15,14 +15,14 @@
 #include <vector>
 
 #include "host/compare/sweep_views.hpp"
-#include "host/guests/jones/precision/study.hpp"
+#include "host/programs/jones/precision/study.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
 namespace sightline {
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 
 constexpr int most_bits = 3;
 using Shares = std::array<double, most_bits + 1>;  // per cent, by fraction bits
@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
   }
   std::printf("wrong share of the visible length, per cent, mean and standard error, for 0 to %d fraction bits\n", most_bits);
   std::vector<std::pair<std::string, std::future<Views>>> scenes;
-  for (const auto& six : guests::jones::six_views) {
+  for (const auto& six : programs::jones::six_views) {
     const std::string name(six.scene);
     scenes.emplace_back(name, std::async(std::launch::async, measure_scene, name, static_cast<std::size_t>(wanted), 1));
   }

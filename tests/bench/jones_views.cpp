@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "host/guests/jones/guest.hpp"
-#include "host/guests/jones/program.hpp"
+#include "host/programs/jones/guest.hpp"
+#include "host/programs/jones/program.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/read/builtin.hpp"
 #include "host/scene/read/cell_scene.hpp"
@@ -14,7 +14,7 @@
 namespace sightline {
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 
 // nullptr after reporting why to the benchmark.
 template <class Good, class Result>

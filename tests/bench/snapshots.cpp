@@ -6,36 +6,35 @@
 #include <string_view>
 #include <utility>
 
-#include "host/guests/run/i8080.hpp"
-#include "host/guests/run/pdp7.hpp"
+#include "host/machines/i8080.hpp"
+#include "host/machines/pdp7.hpp"
 #include "host/live/snapshot.hpp"
-#include "tests/host/guests/run/i8080_setup.hpp"
+#include "tests/host/machines/i8080_setup.hpp"
 
 namespace sightline {
 namespace {
 
-namespace run = guests::run;
 
-std::unique_ptr<run::Machine> pdp7_machine() {
-  run::Pdp7Setup setup;
+std::unique_ptr<machines::Machine> pdp7_machine() {
+  machines::Pdp7Setup setup;
   setup.display = type340::Options{};
-  setup.reader_tape = run::Bytes(20'000, 0377);
-  return run::make_pdp7(std::move(setup)).value();
+  setup.reader_tape = machines::Bytes(20'000, 0377);
+  return machines::make_pdp7(std::move(setup)).value();
 }
 
-std::unique_ptr<run::Machine> i8080_machine() {
-  run::I8080Setup setup;
+std::unique_ptr<machines::Machine> i8080_machine() {
+  machines::I8080Setup setup;
   test::attach(setup, "ef9365");
-  return run::make_i8080(std::move(setup));
+  return machines::make_i8080(std::move(setup));
 }
 
-void save(benchmark::State& state, std::string_view name, const std::unique_ptr<run::Machine>& machine) {
+void save(benchmark::State& state, std::string_view name, const std::unique_ptr<machines::Machine>& machine) {
   std::size_t bytes = 0;
   for (auto _ : state) bytes = live::save_snapshot(name, *machine).size();
   state.counters["bytes"] = static_cast<double>(bytes);
 }
-void restore(benchmark::State& state, std::string_view name, const std::unique_ptr<run::Machine>& machine) {
-  const run::Bytes snapshot = live::save_snapshot(name, *machine);
+void restore(benchmark::State& state, std::string_view name, const std::unique_ptr<machines::Machine>& machine) {
+  const machines::Bytes snapshot = live::save_snapshot(name, *machine);
   for (auto _ : state) {
     if (!live::restore_snapshot(name, *machine, snapshot, "bench")) state.SkipWithError("refused");
   }

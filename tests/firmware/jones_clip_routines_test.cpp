@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "host/guests/jones/twin/mask.hpp"
+#include "host/programs/jones/twin/mask.hpp"
 #include "tests/firmware/jones_routine.hpp"
 #include "tests/support/dice.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 namespace {
 
 using End = RoutineMachine::End;
@@ -309,4 +309,4 @@ INSTANTIATE_TEST_SUITE_P(Eae, JonesClipRoutines, testing::Bool(),
                          [](const auto& eae) { return std::string(eae.param ? "WithEae" : "WithoutEae"); });
 
 }  // namespace
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

@@ -9,13 +9,13 @@
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "host/guests/jones/guest.hpp"
+#include "host/programs/jones/guest.hpp"
 #include "tests/firmware/jones_core.hpp"
 #include "tests/firmware/jones_drawn_points.hpp"
 #include "tests/firmware/jones_scenes.hpp"
 #include "tests/support/effort.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 namespace {
 
 constexpr std::uint32_t left = 0400000, right = 0200000, up = 0100000, down = 040000, in = 020000,
@@ -257,4 +257,4 @@ INSTANTIATE_TEST_SUITE_P(Eae, JonesStatus, testing::Bool(),
                          [](const auto& eae) { return std::string(eae.param ? "WithEae" : "WithoutEae"); });
 
 }  // namespace
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "host/guests/jones/program.hpp"
-#include "host/guests/jones/twin/twin.hpp"
+#include "host/programs/jones/program.hpp"
+#include "host/programs/jones/twin/twin.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 
 inline constexpr std::array scene_names{"house", "roberts", "street4", "corridor8", "corridor32"};
 
@@ -85,4 +85,4 @@ inline testing::AssertionResult same_words(const std::vector<core::Word18>& gues
                                      << octal(twin, at);
 }
 
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

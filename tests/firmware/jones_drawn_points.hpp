@@ -8,9 +8,9 @@
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/word.hpp"
 #include "emulators/type340/vector_generator.hpp"
-#include "host/guests/jones/twin/arithmetic.hpp"
+#include "host/programs/jones/twin/arithmetic.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 
 inline void add_vector_points(core::Word18 word, ScreenPoint& beam, std::vector<ScreenPoint>& points) {
   const auto dy = static_cast<std::uint8_t>(word.field(3, 9)),
@@ -53,4 +53,4 @@ inline std::vector<ScreenPoint> points_of(const std::vector<core::Stroke>& strok
   return points;
 }
 
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

@@ -1,5 +1,5 @@
 // Watches a view of Jones's program by its core cycles alone: when it began and ended, how deep the search
-// went, and which cell stood at each depth. Much less than the watch of host/guests/jones, and independent of it.
+// went, and which cell stood at each depth. Much less than the watch of host/programs/jones, and independent of it.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "emulators/machines/pdp7.hpp"
 #include "tests/firmware/jones_core.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 
 class PathWatch final : public pdp7::Observer {
  public:
@@ -108,4 +108,4 @@ inline DarkView dark_view(const Program& program, bool eae, const Parameters& pa
   return view;
 }
 
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

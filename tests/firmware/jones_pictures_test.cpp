@@ -12,16 +12,16 @@
 #include "host/algorithms/oracle/drawn_error.hpp"
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/guests/jones/guest.hpp"
+#include "host/programs/jones/guest.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
-#include "tests/host/guests/jones/drawing.hpp"
+#include "tests/host/programs/jones/drawing.hpp"
 #include "tests/support/approve_png.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 namespace {
 
 namespace oracle = algorithms::oracle;
@@ -98,4 +98,4 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesPictures, testing::ValuesIn(scene_names),
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

@@ -11,10 +11,10 @@
 #include <string_view>
 
 #include "emulators/machines/pdp7.hpp"
-#include "host/guests/jones/twin/number.hpp"
+#include "host/programs/jones/twin/number.hpp"
 #include "tests/firmware/jones_core.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 
 class RoutineMachine {
  public:
@@ -82,4 +82,4 @@ class RoutineMachine {
   pdp7::Address piece_ = 0;
 };
 
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

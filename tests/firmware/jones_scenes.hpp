@@ -8,7 +8,7 @@
 
 #include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 
 inline scene::CellScene one_cell(geometry::Point eye, geometry::Box box, std::vector<scene::Line> lines) {
   scene::CellScene scene;
@@ -58,4 +58,4 @@ inline scene::CellScene stairs(std::int32_t steps) {
   return scene;
 }
 
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "host/guests/run/cpm_files.hpp"
+#include "host/machines/cpm_files.hpp"
 
 namespace {
 
@@ -55,7 +55,7 @@ class Folders {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Folders folders;
   folders.fill();
-  guests::run::CpmFiles files({{0, folders.drive(), false}});
+  machines::CpmFiles files({{0, folders.drive(), false}});
   std::vector<std::uint8_t> memory(65536);
   std::span<const std::uint8_t> rest(data, size);
   constexpr std::size_t call = 3, block = 16;
@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t given = std::min(block, rest.size());
     for (std::size_t n = 0; n < given; ++n) memory[static_cast<std::uint16_t>(at + n)] = rest[n];
     rest = rest.subspan(given);
-    if (guests::run::CpmFiles::answers(function)) static_cast<void>(files.call(function, at, memory));
+    if (machines::CpmFiles::answers(function)) static_cast<void>(files.call(function, at, memory));
   }
   if (!folders.sound()) std::abort();
   return 0;

@@ -30,9 +30,9 @@ void hold(std::string_view bytes) {
     return true;
   };
   host.launch = [](const base::Json&) -> base::Result<live::Launched> {
-    guests::run::Limits limits;
+    machines::Limits limits;
     limits.instructions = 3000;
-    return live::Launched{&guests::run::pdp7(), {test::small_pdp7(true), limits}, live::Symbols(8), {}};
+    return live::Launched{&machines::pdp7(), {test::small_pdp7(true), limits}, live::Symbols(8), {}};
   };
   static_cast<void>(live::serve_debug_adapter(host));
 }

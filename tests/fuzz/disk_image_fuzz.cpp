@@ -9,12 +9,11 @@
 #include <cstdlib>
 #include <utility>
 
-#include "host/guests/run/disk_image.hpp"
+#include "host/machines/disk_image.hpp"
 
 namespace {
 
 using namespace sightline;
-namespace run = guests::run;
 
 constexpr std::size_t bytes_of_disk = std::size_t{4} * pdp7::rb09::words_of_disk;
 
@@ -26,8 +25,8 @@ void require(bool holds) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t most_changes = 64, first_of_lengths = 0xFA0000 / 4;
-  static run::Input input{"disk", run::Bytes(bytes_of_disk)};
-  run::Bytes& bytes = input.bytes;
+  static machines::Input input{"disk", machines::Bytes(bytes_of_disk)};
+  machines::Bytes& bytes = input.bytes;
   for (std::size_t n = 0; n + 4 <= size && n < 4 * most_changes; n += 4) {
     const std::size_t place = std::size_t{data[n]} << 16 | std::size_t{data[n + 1]} << 8 | data[n + 2];
     const std::uint8_t value = data[n + 3];
@@ -40,12 +39,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   bool good = bytes.size() == bytes_of_disk;
   for (std::size_t at = 0; good && at < bytes.size(); at += 4) good = bytes[at + 3] == 0 && bytes[at + 2] < 4;
-  auto words = run::read_disk_image(input);
+  auto words = machines::read_disk_image(input);
   require(words.has_value() == good);
   if (words) {
     pdp7::Rb09 disk{pdp7::rb09::Choices{.word = core::Duration(6600)}};
     disk.attach(std::move(*words), 1, 0);
-    require(run::disk_image(disk) == bytes);
+    require(machines::disk_image(disk) == bytes);
   } else {
     require(words.error().message.starts_with("disk: "));
   }

@@ -4,17 +4,17 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  namespace run = sightline::guests::run;
-  const run::Input input{"fuzz", {data, data + size}};
-  for (const run::MachineDescription* const machine : run::machines()) {
-    const bool begins = run::is_dump(*machine, input.bytes);
-    const auto program = run::read_dump(*machine, input);
+  namespace run = sightline::machines;
+  const machines::Input input{"fuzz", {data, data + size}};
+  for (const machines::MachineDescription* const machine : machines::machines()) {
+    const bool begins = machines::is_dump(*machine, input.bytes);
+    const auto program = machines::read_dump(*machine, input);
     if (!program) {
-      const run::Refusal& refusal = program.error();
-      if (refusal.kind != run::Refusal::Kind::bad_input || !refusal.message.starts_with("fuzz: line ")) std::abort();
+      const machines::Refusal& refusal = program.error();
+      if (refusal.kind != machines::Refusal::Kind::bad_input || !refusal.message.starts_with("fuzz: line ")) std::abort();
       continue;
     }
     if (begins && program->words.size() < machine->words_a_line) std::abort();

@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "host/guests/flight/session.hpp"
+#include "host/programs/flight/session.hpp"
 
 namespace {
 
-namespace flight = sightline::guests::flight;
+namespace flight = sightline::programs::flight;
 
 // Numbers from the input, 0 at its end.
 class Input {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "host/algorithms/skala/figure.hpp"
-#include "host/guests/skala/stream.hpp"
+#include "host/programs/skala/stream.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/heights/read_grid.hpp"
 
@@ -20,13 +20,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto result = scene::read_height_grid(text, "fuzz");
   if (!result) return 0;
-  guests::skala::View view;
+  programs::skala::View view;
   view.rotation = static_cast<double>(size % 48) * 7.5;
   view.zoom = size % 3 == 0 ? 4.0 : 1.0;
-  for (const auto picture : {guests::skala::PictureKind::lines, guests::skala::PictureKind::surface,
-                             guests::skala::PictureKind::contours}) {
+  for (const auto picture : {programs::skala::PictureKind::lines, programs::skala::PictureKind::surface,
+                             programs::skala::PictureKind::contours}) {
     view.picture = picture;
-    static_cast<void>(guests::skala::stream_of(*result, view));
+    static_cast<void>(programs::skala::stream_of(*result, view));
   }
   constexpr std::size_t many = 400;
   if (result->heights.size() > many) return 0;

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 #include "host/live/console.hpp"
 #include "host/live/monitor.hpp"
 #include "host/live/snapshot.hpp"
@@ -16,7 +16,6 @@
 namespace {
 
 using namespace sightline;
-namespace run = guests::run;
 
 void require(bool holds) {
   if (!holds) std::abort();
@@ -25,20 +24,20 @@ void require(bool holds) {
 // Files have no content, and what is written goes nowhere.
 live::MonitorHost host(int& patience) {
   live::MonitorHost host;
-  host.running.run = [&patience](run::Machine& machine, const run::Limits& limits, const auto& heard) {
-    std::optional<run::Stop> stop;
+  host.running.run = [&patience](machines::Machine& machine, const machines::Limits& limits, const auto& heard) {
+    std::optional<machines::Stop> stop;
     while (!stop) {
       stop = machine.run(limits, false);
       heard(live::shown_text(machine.take_printed()));
-      if (!stop && --patience < 0) stop = run::Stop{run::interrupted, {}};
+      if (!stop && --patience < 0) stop = machines::Stop{machines::interrupted, {}};
     }
     return *stop;
   };
   host.running.interrupted = [&patience] { return --patience < 0; };
   host.running.print = [](std::string_view) {};
-  host.read = [](const std::string& path) -> run::Result<run::Input> { return run::Input{path, {}}; };
-  host.write = [](const std::string&, std::span<const std::uint8_t>) -> run::Result<base::Done> { return base::Done{}; };
-  host.speed = [](const std::string&) -> run::Result<base::Done> { return run::usage("there is no console"); };
+  host.read = [](const std::string& path) -> machines::Result<machines::Input> { return machines::Input{path, {}}; };
+  host.write = [](const std::string&, std::span<const std::uint8_t>) -> machines::Result<base::Done> { return base::Done{}; };
+  host.speed = [](const std::string&) -> machines::Result<base::Done> { return machines::usage("there is no console"); };
   return host;
 }
 
@@ -47,9 +46,9 @@ live::MonitorHost host(int& patience) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto machine = test::small_pdp7(true);
   int patience = 50;
-  run::Limits limits;
+  machines::Limits limits;
   limits.instructions = 3000;
-  live::Monitor monitor(run::pdp7(), *machine, limits, live::Symbols(8), host(patience));
+  live::Monitor monitor(machines::pdp7(), *machine, limits, live::Symbols(8), host(patience));
   const std::string text(data, data + size);
   std::string_view rest = text;
   for (int lines = 0; !rest.empty() && lines < 20; ++lines) {
@@ -60,7 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (answer.kind == live::Answer::Kind::quit) break;
     static_cast<void>(monitor.completions(line, line.substr(line.size() / 2)));
   }
-  const run::Bytes before = live::save_snapshot("pdp7", *machine);
+  const machines::Bytes before = live::save_snapshot("pdp7", *machine);
   for (const char* const look : {"history 100", "who 7", "show stack", "show display", "list"})
     require(monitor.execute(look).kind == live::Answer::Kind::done);
   require(live::save_snapshot("pdp7", *machine) == before);

@@ -4,20 +4,20 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "host/guests/run/machine.hpp"
+#include "host/machines/machine.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  namespace run = sightline::guests::run;
-  const run::MachineDescription& pdp7 = run::pdp7();
+  namespace run = sightline::machines;
+  const machines::MachineDescription& pdp7 = machines::pdp7();
   for (const char* const option : {"--switches", "--keyboard", "--light-pen"}) {
-    run::Arguments arguments(pdp7.options);
+    machines::Arguments arguments(pdp7.options);
     arguments.value(option).text = "fuzz";
     const auto machine = pdp7.make(arguments, [data, size](const std::string& path) {
-      return run::Input{path, {data, data + size}};
+      return machines::Input{path, {data, data + size}};
     });
     if (machine) continue;
-    const run::Refusal& refusal = machine.error();
-    if (refusal.kind != run::Refusal::Kind::bad_input || !refusal.message.starts_with("fuzz:")) std::abort();
+    const machines::Refusal& refusal = machine.error();
+    if (refusal.kind != machines::Refusal::Kind::bad_input || !refusal.message.starts_with("fuzz:")) std::abort();
   }
   return 0;
 }

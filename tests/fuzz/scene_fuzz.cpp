@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/guests/jones/encode.hpp"
+#include "host/programs/jones/encode.hpp"
 #include "host/scene/check/cell_scene.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto result = scene::read_cell_scene(text, "fuzz");
   if (!result || !scene::check_scene(*result).empty()) return 0;
-  static_cast<void>(guests::jones::write_tape(*result));
+  static_cast<void>(programs::jones::write_tape(*result));
   static_cast<void>(algorithms::oracle::visible_lines(*result, result->default_view, {}));
   return 0;
 }

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "host/guests/skala/twin/twin.hpp"
+#include "host/programs/skala/twin/twin.hpp"
 
 namespace {
 
@@ -14,13 +14,13 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void check_path(const guests::skala::TwinPicture& picture) {
-  guests::skala::PlotterMove before;
+void check_path(const programs::skala::TwinPicture& picture) {
+  programs::skala::PlotterMove before;
   std::uint64_t steps = 0;
-  for (const guests::skala::PlotterMove& move : picture.moves) {
+  for (const programs::skala::PlotterMove& move : picture.moves) {
     const int dx = move.x - before.x;
     const int dy = move.y - before.y;
-    if (move.action == guests::skala::PlotterAction::step) {
+    if (move.action == programs::skala::PlotterAction::step) {
       ++steps;
       require(dx * dx <= 1 && dy * dy <= 1 && (dx != 0 || dy != 0));
       require(move.pen_down == before.pen_down);
@@ -36,13 +36,13 @@ void check_path(const guests::skala::TwinPicture& picture) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::uint8_t> stream(data, size);
-  const guests::skala::TwinPicture picture = guests::skala::run_twin(stream);
+  const programs::skala::TwinPicture picture = programs::skala::run_twin(stream);
   require(picture.bytes_taken <= size);
-  require(picture.status == guests::skala::Status::running ||
-          picture.status == guests::skala::Status::complete ||
-          picture.status == guests::skala::Status::unknown_command ||
-          picture.status == guests::skala::Status::argument_out_of_range);
-  require(picture.status != guests::skala::Status::running || picture.bytes_taken == size);
+  require(picture.status == programs::skala::Status::running ||
+          picture.status == programs::skala::Status::complete ||
+          picture.status == programs::skala::Status::unknown_command ||
+          picture.status == programs::skala::Status::argument_out_of_range);
+  require(picture.status != programs::skala::Status::running || picture.bytes_taken == size);
   unsigned colours = 0;
   for (const auto& raster : picture.rasters)
     for (const std::uint8_t dot : raster.points()) colours |= dot;
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   check_path(picture);
   // What comes after the byte it stopped at makes no difference.
-  const guests::skala::TwinPicture again = guests::skala::run_twin(stream.first(picture.bytes_taken));
+  const programs::skala::TwinPicture again = programs::skala::run_twin(stream.first(picture.bytes_taken));
   require(again.status == picture.status && again.bytes_taken == picture.bytes_taken);
   require(again.moves == picture.moves && again.rasters == picture.rasters);
   return 0;

@@ -11,31 +11,30 @@
 #include <memory>
 #include <utility>
 
-#include "host/guests/run/i8080.hpp"
+#include "host/machines/i8080.hpp"
 #include "host/live/snapshot.hpp"
-#include "tests/host/guests/run/i8080_setup.hpp"
+#include "tests/host/machines/i8080_setup.hpp"
 #include "tests/host/live/small_pdp7.hpp"
 
 namespace {
 
 using namespace sightline;
-namespace run = guests::run;
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
 
-std::unique_ptr<run::Machine> i8080_machine() {
-  run::I8080Setup setup;
+std::unique_ptr<machines::Machine> i8080_machine() {
+  machines::I8080Setup setup;
   for (const char* device : {"ef9365", "calcomp565", "minigraf0507"}) test::attach(setup, device);
-  test::attach_link(setup, "parallel", run::Bytes(20, 0x55));
-  test::attach_link(setup, "serial", run::Bytes(20, 0xAA));
+  test::attach_link(setup, "parallel", machines::Bytes(20, 0x55));
+  test::attach_link(setup, "serial", machines::Bytes(20, 0xAA));
   test::wire(setup, "ef9365", 1);
   test::wire(setup, "calcomp", 2);
   test::wire(setup, "parallel", 3);
   test::wire(setup, "serial-receive", 4);
   setup.drawing = true;
-  auto machine = run::make_i8080(std::move(setup));
+  auto machine = machines::make_i8080(std::move(setup));
   std::uint32_t at = 0;
   // 8251 and 8255 set, the pen of the CalComp down, a vector of the EF9365, EI, HLT, JMP to the last four
   for (const int byte : {0x3E, 0x4D, 0xD3, 0xED, 0x3E, 0x37, 0xD3, 0xED, 0xD3, 0xEC, 0x3E, 0xB4, 0xD3, 0xE7,
@@ -46,11 +45,11 @@ std::unique_ptr<run::Machine> i8080_machine() {
   return machine;
 }
 
-run::Bytes saved(run::Machine& machine) {
+machines::Bytes saved(machines::Machine& machine) {
   return live::save_snapshot("fuzz", machine);
 }
 
-void run_on(run::Machine& machine) {
+void run_on(machines::Machine& machine) {
   static_cast<void>(machine.run({machine.instructions() + 60, machine.ticks() + 1'000'000}, true));
 }
 
@@ -61,10 +60,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const auto machine = (data[0] & 1U) == 0 ? test::small_pdp7() : i8080_machine();
   run_on(*machine);
-  const run::Bytes before = saved(*machine);
+  const machines::Bytes before = saved(*machine);
   auto snapshot = live::decode_snapshot(before, "fuzz");
   require(snapshot.has_value());
-  run::MachineState& state = snapshot->state;
+  machines::MachineState& state = snapshot->state;
   for (std::size_t n = 1; n + 4 <= size; n += 4) {
     const std::size_t place = std::size_t{data[n + 1]} << 8 | data[n + 2];
     const bool sizes = data[n] >= 200;
@@ -77,7 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       byte = static_cast<std::uint8_t>(byte ^ data[n + 3]);
     }
   }
-  const run::Bytes changed = live::encode_snapshot(*snapshot);
+  const machines::Bytes changed = live::encode_snapshot(*snapshot);
   const auto done = live::restore_snapshot("fuzz", *machine, changed, "fuzz");
   if (!done) {
     require(done.error().file == "fuzz" && !done.error().place.empty() && !done.error().expected.empty());
@@ -85,7 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   run_on(*machine);
-  const run::Bytes later = saved(*machine);
+  const machines::Bytes later = saved(*machine);
   require(live::restore_snapshot("fuzz", *machine, later, "fuzz").has_value());
   require(saved(*machine) == later);
   return 0;

@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "host/guests/stripes/stream.hpp"
-#include "host/guests/stripes/twin/twin.hpp"
+#include "host/programs/stripes/stream.hpp"
+#include "host/programs/stripes/twin/twin.hpp"
 
 namespace {
 
-namespace stripes = sightline::guests::stripes;
+namespace stripes = sightline::programs::stripes;
 
 void require(bool holds) {
   if (!holds) std::abort();

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-namespace sightline::guests::jones {
+namespace sightline::programs::jones {
 
 // Uniform enough, and the same on every library.
 class Dice {
@@ -18,4 +18,4 @@ class Dice {
   std::mt19937 engine_;
 };
 
-}  // namespace sightline::guests::jones
+}  // namespace sightline::programs::jones

@@ -9,15 +9,15 @@
 #include "host/algorithms/oracle/column_oracle.hpp"
 #include "host/algorithms/registry/view_chains.hpp"
 #include "host/algorithms/skala/draw.hpp"
-#include "host/guests/skala/session.hpp"
-#include "host/guests/skala/stream.hpp"
+#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/stream.hpp"
 
 namespace sightline::registry {
 
 namespace {
 
 namespace native = algorithms::skala;
-namespace skala = guests::skala;
+namespace skala = programs::skala;
 using algorithms::oracle::Chain;
 using algorithms::oracle::SegmentRole;
 using picture::PixelGrid;
@@ -154,7 +154,7 @@ constexpr std::array rows{
 
 }  // namespace
 
-guests::skala::View program_view(const HeightView& view) {
+programs::skala::View program_view(const HeightView& view) {
   skala::View asked;
   for (const auto& [subject, kind] : kinds)
     if (subject == view.subject) asked.picture = kind;
@@ -169,7 +169,7 @@ guests::skala::View program_view(const HeightView& view) {
   return asked;
 }
 
-HeightView height_view(const guests::skala::View& view) {
+HeightView height_view(const programs::skala::View& view) {
   HeightView asked;
   for (const auto& [subject, kind] : kinds)
     if (kind == view.picture) asked.subject = subject;

@@ -15,7 +15,7 @@
 #include "emulators/core/tstates.hpp"
 #include "host/algorithms/skala/figure.hpp"
 #include "host/algorithms/skala/view.hpp"
-#include "host/guests/skala/view.hpp"
+#include "host/programs/skala/view.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/heights/grid.hpp"
@@ -49,8 +49,8 @@ struct HeightMethod {
 };
 
 // The same view in the terms of the program on the 8080, and back.
-[[nodiscard]] guests::skala::View program_view(const HeightView& view);
-[[nodiscard]] HeightView height_view(const guests::skala::View& view);
+[[nodiscard]] programs::skala::View program_view(const HeightView& view);
+[[nodiscard]] HeightView height_view(const programs::skala::View& view);
 
 // The oracle's dots, with the polygon around all that hides, which contours of the program have, or without.
 [[nodiscard]] picture::PixelGrid oracle_dots(const scene::HeightGrid& grid, const HeightView& view,

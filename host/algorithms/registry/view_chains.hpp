@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "host/algorithms/oracle/column_oracle.hpp"
-#include "host/guests/skala/contours.hpp"
-#include "host/guests/skala/projection.hpp"
+#include "host/programs/skala/contours.hpp"
+#include "host/programs/skala/projection.hpp"
 
 namespace sightline::registry {
 
@@ -22,7 +22,7 @@ class ViewChains {
   using ChainVertex = algorithms::oracle::ChainVertex;
   using SegmentRole = algorithms::oracle::SegmentRole;
 
-  explicit ViewChains(const guests::skala::Projection& projection)
+  explicit ViewChains(const programs::skala::Projection& projection)
       : projection_(projection),
         sine_(projection.rotation().sine),
         cosine_(projection.rotation().cosine),
@@ -64,7 +64,7 @@ class ViewChains {
   // Contour pieces triangle by triangle, the cells' diagonals and far margins; only the domain's edges are
   // inked.
   [[nodiscard]] std::vector<Chain> contours(const scene::HeightGrid& grid, int level_count) const {
-    const auto levels = guests::skala::contour_levels(grid.range, level_count);
+    const auto levels = programs::skala::contour_levels(grid.range, level_count);
     std::vector<Chain> chains{near_margins()};
     for_cells([&](const Cell& cell, int rank) {
       pieces(chains, grid, levels, {cell.nearest, cell.left, cell.right}, rank);
@@ -77,7 +77,7 @@ class ViewChains {
 
  private:
   struct Cell {
-    guests::skala::GridIndex nearest, left, right, farthest;
+    programs::skala::GridIndex nearest, left, right, farthest;
     bool last_along_x = false;  // the edge farthest along x is the domain's
     bool last_along_z = false;
   };
@@ -85,13 +85,13 @@ class ViewChains {
   [[nodiscard]] static std::int64_t quantised(double depth) {
     return static_cast<std::int64_t>(std::llround(std::ldexp(depth, 24)));
   }
-  [[nodiscard]] const guests::skala::Vertex& at(guests::skala::GridIndex index) const {
+  [[nodiscard]] const programs::skala::Vertex& at(programs::skala::GridIndex index) const {
     return projection_.at(index.point, index.slice);
   }
-  [[nodiscard]] static ChainVertex vertex(const guests::skala::Vertex& point, SegmentRole role) {
+  [[nodiscard]] static ChainVertex vertex(const programs::skala::Vertex& point, SegmentRole role) {
     return {point.column, point.row, quantised(point.depth), role};
   }
-  [[nodiscard]] ChainVertex vertex(guests::skala::GridIndex index, SegmentRole role) const {
+  [[nodiscard]] ChainVertex vertex(programs::skala::GridIndex index, SegmentRole role) const {
     return vertex(at(index), role);
   }
 
@@ -101,7 +101,7 @@ class ViewChains {
   // Steps away from the eye: depth is z cos A - x sin A.
   [[nodiscard]] bool z_away() const { return cosine_ >= 0; }
   [[nodiscard]] bool x_away() const { return sine_ <= 0; }
-  [[nodiscard]] guests::skala::GridIndex from_eye(int point, int slice) const {
+  [[nodiscard]] programs::skala::GridIndex from_eye(int point, int slice) const {
     return {static_cast<std::size_t>(x_away() ? point : points() - 1 - point),
             static_cast<std::size_t>(z_away() ? slice : slice_count() - 1 - slice)};
   }
@@ -111,7 +111,7 @@ class ViewChains {
   // Rows are slices from near to far, columns go from left to right on the screen.
   [[nodiscard]] int rows() const { return slices_along_x_ ? slice_count() : points(); }
   [[nodiscard]] int columns() const { return slices_along_x_ ? points() : slice_count(); }
-  [[nodiscard]] guests::skala::GridIndex row_place(int row, int column) const {
+  [[nodiscard]] programs::skala::GridIndex row_place(int row, int column) const {
     const bool to_the_right = slices_along_x_ ? cosine_ > 0 : sine_ > 0;  // screen x is x cos A + z sin A
     const auto across = static_cast<std::size_t>(to_the_right ? column : columns() - 1 - column);
     if (slices_along_x_) return {across, from_eye(0, row).slice};
@@ -129,7 +129,7 @@ class ViewChains {
   }
   // All grid points from one to the other, which share a row or a column; or the segment between two corners
   // of a cell.
-  [[nodiscard]] std::vector<ChainVertex> line(guests::skala::GridIndex from, guests::skala::GridIndex to,
+  [[nodiscard]] std::vector<ChainVertex> line(programs::skala::GridIndex from, programs::skala::GridIndex to,
                                               SegmentRole role) const {
     const auto towards = [](std::size_t a, std::size_t b) { return a < b ? a + 1 : a > b ? a - 1 : a; };
     std::vector<ChainVertex> vertices{vertex(from, SegmentRole::none)};
@@ -152,7 +152,7 @@ class ViewChains {
   }
 
   [[nodiscard]] Chain near_margins() const {
-    const guests::skala::GridIndex corner = from_eye(0, 0);
+    const programs::skala::GridIndex corner = from_eye(0, 0);
     return {-1, joined(turned(line(corner, from_eye(points() - 1, 0), SegmentRole::draw)),
                        line(corner, from_eye(0, slice_count() - 1), SegmentRole::draw))};
   }
@@ -176,15 +176,15 @@ class ViewChains {
             vertex(cell.right, along_x)};
   }
   [[nodiscard]] algorithms::oracle::ColumnExtent columns_of(
-      const std::array<guests::skala::GridIndex, 3>& triangle) const {
+      const std::array<programs::skala::GridIndex, 3>& triangle) const {
     const auto [first, last] =
         std::minmax({at(triangle[0]).column, at(triangle[1]).column, at(triangle[2]).column});
     return {first, last};
   }
   void pieces(std::vector<Chain>& chains, const scene::HeightGrid& grid, const std::vector<double>& levels,
-              const std::array<guests::skala::GridIndex, 3>& triangle, int rank) const {
+              const std::array<programs::skala::GridIndex, 3>& triangle, int rank) const {
     for (const double level : levels) {
-      const auto crossing = guests::skala::contour_crossing(grid, projection_, triangle, level);
+      const auto crossing = programs::skala::contour_crossing(grid, projection_, triangle, level);
       if (!crossing.crossed) continue;
       const auto& [from, to] = crossing.piece;
       if (from.column == to.column && from.row == to.row) continue;
@@ -193,7 +193,7 @@ class ViewChains {
     }
   }
 
-  const guests::skala::Projection& projection_;
+  const programs::skala::Projection& projection_;
   double sine_;
   double cosine_;
   bool slices_along_x_;

@@ -19,10 +19,10 @@ namespace sightline::app {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::Format;
-using guests::run::MachineDescription;
-using guests::run::Program;
+using machines::Arguments;
+using machines::Format;
+using machines::MachineDescription;
+using machines::Program;
 
 constexpr std::array<std::pair<const char*, const char*>, 3> output_options{
     {{"-o", "--output"}, {"--listing", "--listing"}, {"--symbols", "--symbols"}}};  // as shown, as read
@@ -70,7 +70,7 @@ const Format& output_format(const MachineDescription& machine, const Arguments& 
 }
 
 std::string summary(const MachineDescription& machine, const Arguments& arguments,
-                    const guests::run::Assembled& assembled) {
+                    const machines::Assembled& assembled) {
   const Program& program = assembled.program;
   const auto address = [&machine](std::uint32_t a) { return digits(machine, a, machine.address_bits); };
   std::string text = fmt::format("{} {}", program.words.size(), machine.word_bits == 8 ? "bytes" : "words");
@@ -87,9 +87,9 @@ std::string summary(const MachineDescription& machine, const Arguments& argument
 
 // All outputs appear or none. Failure io.
 void write_files(const MachineDescription& machine, const Arguments& arguments,
-                 const guests::run::Assembled& assembled) {
+                 const machines::Assembled& assembled) {
   const std::string& path = arguments.text("--output");
-  guests::run::Bytes program;
+  machines::Bytes program;
   if (!path.empty()) {
     program = accepted(
         output_format(machine, arguments).write(assembled.program, path == "-" ? "standard output" : path));
@@ -108,7 +108,7 @@ ExitCode assemble(const MachineDescription& machine, const Arguments& arguments)
   std::vector<assembler::SourceFile> sources;
   for (const std::string& path : arguments.list("SOURCE"))
     sources.push_back({shown_name(path), read_input_text(path)});
-  const guests::run::Assembled assembled =
+  const machines::Assembled assembled =
       accepted(machine.assembler.assemble(sources, arguments, read_include));
   for (const auto& diagnostic : assembled.diagnostics)
     fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
@@ -121,10 +121,10 @@ ExitCode assemble(const MachineDescription& machine, const Arguments& arguments)
   return ExitCode::ok;
 }
 
-std::vector<guests::run::Option> options_of(const MachineDescription& machine) {
-  using enum guests::run::OptionKind;
+std::vector<machines::Option> options_of(const MachineDescription& machine) {
+  using enum machines::OptionKind;
   const bool by_ending = has_endings(machine);
-  std::vector<guests::run::Option> options{
+  std::vector<machines::Option> options{
       {positions, "SOURCE", {}, "Source files, in order; - is standard input"},
       {list, "-D", "NAME=VALUE",
        fmt::format("Define a symbol, NAME=VALUE, VALUE {}; wins over the source's own",
@@ -146,7 +146,7 @@ std::vector<guests::run::Option> options_of(const MachineDescription& machine) {
 
 void add_asm_command(const Command& program) {
   const Command command = program.add_command("asm", help_page("asm"));
-  for (const MachineDescription* machine : guests::run::machines()) {
+  for (const MachineDescription* machine : machines::machines()) {
     if (machine->assembler.assemble == nullptr) continue;
     const HelpPage help = help_page("asm_" + std::string(machine->name),
                                     {{"summary", std::string(machine->assembler.help)}});

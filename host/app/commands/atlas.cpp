@@ -42,7 +42,7 @@ struct AtlasArguments {
   std::optional<std::uint64_t> views;
   std::uint64_t seed = 1;
   bool no_eae = false;
-  int fraction = guests::jones::machine_fraction_bits;
+  int fraction = programs::jones::machine_fraction_bits;
   unsigned jobs = 0;
   std::string directory = "out";
   bool json = false;
@@ -106,7 +106,7 @@ std::vector<AtlasView> views_of(const compare::ErrorAtlas& atlas, const AtlasArg
 std::string options_of(const AtlasArguments& arguments) {
   std::string text;
   if (arguments.no_eae) text += " --no-eae";
-  if (arguments.fraction != guests::jones::machine_fraction_bits)
+  if (arguments.fraction != programs::jones::machine_fraction_bits)
     text += fmt::format(" --fraction {}", arguments.fraction);
   return text;
 }
@@ -211,7 +211,7 @@ Json document_of(const AtlasArguments& arguments, const Eyes& eyes, const std::v
     }
     if (view.is_wrong()) {
       each["cause"] = view.cause->name();
-      each["status"] = guests::jones::name(view.cause->status);
+      each["status"] = programs::jones::name(view.cause->status);
       each["right_from_fraction_bits"] = view.cause->right_from_bits;
       if (view.cause->word_bits) each["completes_with_word_bits"] = view.cause->word_bits;
       each["stretches"] = Json::array();

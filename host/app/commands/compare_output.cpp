@@ -23,7 +23,7 @@ namespace sightline::app {
 
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 using base::Json;
 using compare::ComparedPicture;
 using compare::ComparedRaster;
@@ -189,11 +189,11 @@ std::string compare_heading(const SceneComparison& comparison) {
 }
 
 std::string compare_heading(const std::string& name, const HeightComparison& comparison) {
-  const guests::skala::View& view = comparison.view;
+  const programs::skala::View& view = comparison.view;
   std::string text =
       fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name, picture_name(view.picture),
                   compared_families[static_cast<std::size_t>(view.family)], view.rotation, view.elevation);
-  if (view.picture == guests::skala::PictureKind::contours) text += fmt::format(", {} levels", view.levels);
+  if (view.picture == programs::skala::PictureKind::contours) text += fmt::format(", {} levels", view.levels);
   if (!comparison.vectors.empty())
     text += fmt::format(": {:.1f} pixels (px) of lines are visible", comparison.vectors.front().metrics.true_length);
   return text + "\n";

@@ -22,9 +22,9 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using guests::run::Arguments;
-using guests::run::MachineDescription;
-using guests::run::OptionKind;
+using machines::Arguments;
+using machines::MachineDescription;
+using machines::OptionKind;
 
 [[noreturn]] void refuse(const std::string& complaint) {
   throw Failure(ExitCode::usage, "launch: " + complaint);
@@ -40,14 +40,14 @@ std::string word_of(const Json& value, std::string_view name) {
 const MachineDescription& machine_named(const Json& arguments) {
   const Json* const name = arguments.find("machine");
   std::string names;
-  for (const MachineDescription* const machine : guests::run::machines()) {
+  for (const MachineDescription* const machine : machines::machines()) {
     if (name != nullptr && name->text() != nullptr && *name->text() == machine->name) return *machine;
     names += (names.empty() ? "" : " or ") + std::string(machine->name);
   }
   refuse("found " + (name == nullptr ? std::string("no machine") : name->dump()) + ", expected machine: " + names);
 }
 
-Arguments arguments_of(const Json& request, std::span<const guests::run::Option> options) {
+Arguments arguments_of(const Json& request, std::span<const machines::Option> options) {
   Arguments arguments(options);
   const auto set = [&](std::string_view name, const Json& value) {
     const auto option = std::find_if(options.begin(), options.end(), [&name](const auto& each) { return each.key() == name; });
@@ -81,7 +81,7 @@ base::Result<live::Launched> launch(const Json& request) {
   try {
     if (!request.is_object()) refuse("found " + describe(request) + " as arguments, expected an object");
     const MachineDescription& machine = machine_named(request);
-    const std::vector<guests::run::Option> options = monitor_options(machine);
+    const std::vector<machines::Option> options = monitor_options(machine);
     const Arguments arguments = arguments_of(request, options);
     MonitoredMachine made = make_monitored(machine, arguments);
     std::vector<std::string> warnings = made.prepared.warnings;
@@ -105,7 +105,7 @@ ExitCode serve() {
   host.write = [](std::string_view text) { return base::write_now(STDOUT_FILENO, text); };
   host.launch = launch;
   host.commands = files_of_commands();
-  host.finish = [](const guests::run::Machine& machine) -> base::Result<base::Done> {
+  host.finish = [](const machines::Machine& machine) -> base::Result<base::Done> {
     try {
       write_media_back(machine);
     } catch (const Failure& failure) {

@@ -98,8 +98,8 @@ ExitCode run_demo(const DemoArguments& arguments) {
   }
   ExitCode code = ExitCode::ok;
   for (const JonesRow& row : results.jones) {
-    if (row.view.status == guests::jones::Status::complete) continue;
-    complain(fmt::format("{}: the view stopped: {}", row.scene, guests::jones::name(row.view.status)));
+    if (row.view.status == programs::jones::Status::complete) continue;
+    complain(fmt::format("{}: the view stopped: {}", row.scene, programs::jones::name(row.view.status)));
     code = ExitCode::guest_failed;
   }
   if (!results.answer.agrees()) {

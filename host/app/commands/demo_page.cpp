@@ -301,7 +301,7 @@ PageGallery skala_gallery(const std::string& directory, const DemoResults& resul
     for (const auto& [name, function] : results.answer.functions) {
       if (name != row.function) continue;
       for (const compare::ComparedDevice& device : function.devices) {
-        if (device.device != guests::skala::Device::ef9365) continue;
+        if (device.device != programs::skala::Device::ef9365) continue;
         const std::string file = row.function + "-difference.png";
         write_difference(directory, file, row.function + ", dots of the 8080 and of exact lines", device.truth, device.dots);
         gallery.figures.push_back({file, difference_caption(row.function, device.raster), true});

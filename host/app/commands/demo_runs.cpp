@@ -12,7 +12,7 @@
 namespace sightline::app {
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 using base::Json;
 
 JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool eae, const std::string& directory) {
@@ -53,7 +53,7 @@ std::string jones_table(const std::vector<JonesRow>& rows) {
   for (const JonesRow& row : rows) {
     text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
                         seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
-                        fmt::format("{}/{}", row.words, guests::jones::core_words), row.refreshes);
+                        fmt::format("{}/{}", row.words, programs::jones::core_words), row.refreshes);
   }
   text += "Seconds of the emulated machine for the first view, while the display does not yet take cycles; the paper: \"a few seconds\".\n";
   return text;
@@ -77,9 +77,9 @@ void add_jones_rows(Json& document, const std::vector<JonesRow>& rows) {
 std::vector<TurnRow> run_turns() {
   std::vector<TurnRow> rows;
   for (const char* model : {"roberts", "boxes-8"}) {
-    const guests::turn::Tape tape = turn_tape(load_scene(model).scene, model, false);
+    const programs::turn::Tape tape = turn_tape(load_scene(model).scene, model, false);
     for (const bool eae : {true, false})
-      rows.push_back({model, eae, tape.edges, measure_turn(guests::turn::Session(tape, eae), model, 0, false)});
+      rows.push_back({model, eae, tape.edges, measure_turn(programs::turn::Session(tape, eae), model, 0, false)});
   }
   return rows;
 }
@@ -114,7 +114,7 @@ void add_turns(Json& document, const std::vector<TurnRow>& rows) {
 }
 
 std::vector<FlightRow> run_flights() {
-  namespace flight = guests::flight;
+  namespace flight = programs::flight;
   std::vector<FlightRow> rows;
   const flight::Session session;
   for (const auto& [name, plan] : {std::pair("town-10", false), std::pair("prisms-25", true)}) {

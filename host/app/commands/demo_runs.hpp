@@ -19,7 +19,7 @@ struct JonesRow {
   bool eae = false;
   std::size_t cells = 0;
   std::uint32_t words = 0;
-  guests::jones::GuestView view;
+  programs::jones::GuestView view;
   double refreshes = 0;
 };
 // Writes SCENE.png, -phosphor.png and .svg into `directory`. Failure as the session's.
@@ -44,7 +44,7 @@ void add_turns(base::Json& document, const std::vector<TurnRow>& rows);
 struct FlightRow {
   std::string scene;
   int bits = 8;
-  guests::flight::FlightSummary summary;
+  programs::flight::FlightSummary summary;
 };
 [[nodiscard]] std::vector<FlightRow> run_flights();
 [[nodiscard]] std::string demo_flight_table(const std::vector<FlightRow>& rows);

@@ -100,7 +100,7 @@ Verdict jones_verdict(const DemoResults& results) {
   bool complete = true;
   for (const JonesRow& row : results.jones) {
     (row.eae ? with : without).add(core::in_seconds(row.view.time));
-    complete = complete && row.view.status == guests::jones::Status::complete;
+    complete = complete && row.view.status == programs::jones::Status::complete;
   }
   const MethodRange range = range_of(results.answer, compare::jones_pdp7_name, "lines");
   return {"Jones 1971 on the PDP-7",
@@ -168,9 +168,9 @@ Verdict stripes_verdict(const DemoResults& results) {
 }
 
 // Lines on a device: no difference from the twin, and nothing farther off than dots or steps explain.
-bool within_dots(const MethodRange& range, guests::skala::Device device) {
+bool within_dots(const MethodRange& range, programs::skala::Device device) {
   compare::SkalaInk ink;
-  ink.kind = guests::skala::PictureKind::lines;
+  ink.kind = programs::skala::PictureKind::lines;
   ink.device = device;
   const compare::InkBounds bounds = compare::ink_bounds(ink);
   return !range.defect && range.farthest <= std::max(bounds.of_ink, bounds.of_lines.value_or(0));
@@ -186,7 +186,7 @@ Verdict skala_verdict(const DemoResults& results) {
     others.add(drawing_seconds(row.contours));
   }
   const MethodRange range = range_of(results.answer, "skala-8080", "dots");
-  const bool right = within_dots(range, guests::skala::Device::ef9365);
+  const bool right = within_dots(range, programs::skala::Device::ef9365);
   return {"Skala 1985 on the 8080",
           fmt::format("lines in {} s (paper: about 2 s), other pictures in {} s; up to {:.2f} % over a dot off, at most {:.1f}{}",
                       lines.text(2), others.text(1), range.wrong.high(), range.farthest, right ? ", by rounding" : ""),
@@ -207,12 +207,12 @@ Verdict visibility_verdict(const DemoResults& results) {
 }
 
 Verdict plotter_verdict(const DemoResults& results) {
-  const guests::skala::PlotterWork& work = results.skala.plot.plotter;
+  const programs::skala::PlotterWork& work = results.skala.plot.plotter;
   const MethodRange range = range_of(results.answer, "skala-8080 calcomp", "dots");
   double on_board = 0;
   for (const SkalaDemoRow& row : results.skala.rows)
     if (row.function == results.skala.plotted) on_board = drawing_seconds(row.lines);
-  const bool right = within_dots(range, guests::skala::Device::calcomp);
+  const bool right = within_dots(range, programs::skala::Device::calcomp);
   return {"Skala on the CalComp 565",
           fmt::format("{} in {:.0f} s, {} steps, {} pen lifts; of all functions no dot farther off than {:.1f}",
                       results.skala.plotted, core::in_seconds(work.time), work.steps_pen_down + work.steps_pen_up, work.pen_lifts,

@@ -13,19 +13,19 @@ namespace sightline::app {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::Disassembler;
-using guests::run::MachineDescription;
+using machines::Arguments;
+using machines::Disassembler;
+using machines::MachineDescription;
 
 std::optional<std::uint32_t> address_argument(const MachineDescription& machine, const Arguments& arguments,
                                               const char* option) {
   if (!arguments.given(option)) return std::nullopt;
-  return accepted(guests::run::number_argument(option, arguments.text(option), machine.radix,
+  return accepted(machines::number_argument(option, arguments.text(option), machine.radix,
                                                (1U << machine.address_bits) - 1, "an address"));
 }
 
 // The words at `first` to `last`. Failure bad_input if there are none.
-void keep_range(guests::run::Program& program, std::uint32_t first, std::uint32_t last) {
+void keep_range(machines::Program& program, std::uint32_t first, std::uint32_t last) {
   if (first > last) throw Failure(ExitCode::usage, "--end: found an address before --start, expected one behind it");
   const bool any = !program.words.empty();
   std::erase_if(program.words, [&](const auto& word) { return word.first < first || word.first > last; });
@@ -34,7 +34,7 @@ void keep_range(guests::run::Program& program, std::uint32_t first, std::uint32_
 }
 
 // Failure bad_input if the dialect cannot say it.
-std::string source_of(const Disassembler& disassembler, const guests::run::Program& program, const Arguments& arguments,
+std::string source_of(const Disassembler& disassembler, const machines::Program& program, const Arguments& arguments,
                       const std::string& file) {
   for (const auto& [name, write] : disassembler.dialects.others)
     if (arguments.text("--dialect") == name) return accepted(write(program, file));
@@ -58,10 +58,10 @@ ExitCode disassemble(const MachineDescription& machine, const Disassembler& disa
   return ExitCode::ok;
 }
 
-std::vector<guests::run::Option> options_of(const MachineDescription& machine,
+std::vector<machines::Option> options_of(const MachineDescription& machine,
                                             const Disassembler& disassembler) {
-  using enum guests::run::OptionKind;
-  std::vector<guests::run::Option> options{{position, "FILE", {}, std::string(disassembler.file_help)}};
+  using enum machines::OptionKind;
+  std::vector<machines::Option> options{{position, "FILE", {}, std::string(disassembler.file_help)}};
   if (has_endings(machine)) {
     options.push_back({.name = "--format",
                        .argument = "FORMAT",
@@ -91,7 +91,7 @@ std::vector<guests::run::Option> options_of(const MachineDescription& machine,
 
 void add_disasm_command(const Command& program) {
   const Command command = program.add_command("disasm", help_page("disasm"));
-  for (const MachineDescription* machine : guests::run::machines()) {
+  for (const MachineDescription* machine : machines::machines()) {
     for (const Disassembler& disassembler : machine->disassemblers) {
       const HelpPage help = help_page("disasm_" + std::string(disassembler.name),
                                       {{"summary", std::string(disassembler.help)}});

@@ -22,7 +22,7 @@ namespace sightline::app {
 
 namespace {
 
-namespace flight = guests::flight;
+namespace flight = programs::flight;
 namespace display = devices::priority_display;
 using base::Json;
 

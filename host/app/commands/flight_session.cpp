@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "host/app/command.hpp"
-#include "host/guests/flight/path.hpp"
+#include "host/programs/flight/path.hpp"
 
 namespace sightline::app {
 
-namespace flight = guests::flight;
+namespace flight = programs::flight;
 
 namespace {
 

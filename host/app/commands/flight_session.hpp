@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/algorithms/willis/model.hpp"
-#include "host/guests/flight/session.hpp"
+#include "host/programs/flight/session.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
@@ -23,8 +23,8 @@ struct PlannedFlight {
                                            std::optional<std::size_t> pieces);
 
 // Failure differs: a priority is not the twin's; guest_failed: the program did not end as it should.
-[[nodiscard]] guests::flight::FlightRun checked_flight(const guests::flight::Session& session, const PlannedFlight& flight,
-                                                       const guests::flight::Packed& packed, const std::string& source,
-                                                       const guests::flight::FlightOptions& options);
+[[nodiscard]] programs::flight::FlightRun checked_flight(const programs::flight::Session& session, const PlannedFlight& flight,
+                                                       const programs::flight::Packed& packed, const std::string& source,
+                                                       const programs::flight::FlightOptions& options);
 
 }  // namespace sightline::app

@@ -8,13 +8,13 @@
 #include "host/app/commands/machine_command.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
-#include "host/guests/run/pdp7_scripts.hpp"
+#include "host/machines/pdp7_scripts.hpp"
 
 namespace sightline::app {
 
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 using base::Json;
 
 struct JonesArguments {
@@ -51,7 +51,7 @@ jones::GuestOptions guest_options(const JonesArguments& arguments) {
   options.views = arguments.views;
   options.photograph = photograph_time;
   if (!arguments.switches.empty()) {
-    static_cast<void>(accepted(guests::run::read_switches(read_named(arguments.switches), options.switches)));
+    static_cast<void>(accepted(machines::read_switches(read_named(arguments.switches), options.switches)));
     // The modes asked for on the command line stay up whatever else the script does.
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
     for (auto& setting : options.switches) setting.switches = setting.switches | modes;
@@ -105,7 +105,7 @@ std::string summary_of(const JonesArguments& arguments, const jones::Program& pr
   text += fmt::format("lines clipped    {}\n", view.lines_clipped);
   text += fmt::format("segments         {}\n", view.pieces);
   text += fmt::format("display words    {}\n", view.display_file.size());
-  text += fmt::format("core used        {} of {} words\n", program.words_used, guests::jones::core_words);
+  text += fmt::format("core used        {} of {} words\n", program.words_used, programs::jones::core_words);
   if (run.refresh_period.count() == 0) return text + "refresh          none: there is nothing to see\n";
   text += fmt::format("refresh          {:.1f} a second, {}\n", refreshes_per_second(run),
                       refreshes_per_second(run) < flicker_limit ? "flickers" : "steady");

@@ -12,9 +12,9 @@
 
 namespace sightline::app {
 
-guests::jones::Session session_of(const scene::CellScene& scene, const std::string& source,
-                                  const guests::jones::ProgramOptions& options) {
-  auto session = guests::jones::Session::of(scene, options);
+programs::jones::Session session_of(const scene::CellScene& scene, const std::string& source,
+                                  const programs::jones::ProgramOptions& options) {
+  auto session = programs::jones::Session::of(scene, options);
   if (!session) {
     session.error().file = source;
     throw Failure(ExitCode::bad_input, session.error().message());
@@ -22,7 +22,7 @@ guests::jones::Session session_of(const scene::CellScene& scene, const std::stri
   return std::move(*session);
 }
 
-void require_twin(const guests::jones::CheckedRun& run, const std::string& source) {
+void require_twin(const programs::jones::CheckedRun& run, const std::string& source) {
   if (run.difference.empty()) return;
   throw Failure(ExitCode::differs,
                 fmt::format("{}: internal error: the view on the PDP-7 is not the one its native twin "
@@ -38,12 +38,12 @@ double seconds(core::Duration time) {
   return core::in_seconds(time);
 }
 
-double refreshes_per_second(const guests::jones::GuestRun& run) {
+double refreshes_per_second(const programs::jones::GuestRun& run) {
   return run.refresh_period.count() > 0 ? 1.0 / seconds(run.refresh_period) : 0.0;
 }
 
 std::vector<std::string> write_jones_pictures(const std::string& directory, const std::string& stem,
-                                              const std::string& title, const guests::jones::GuestRun& run) {
+                                              const std::string& title, const programs::jones::GuestRun& run) {
   make_directory(directory);
   const std::string base = (std::filesystem::path(directory) / stem).string();
   std::vector<std::string> paths;

@@ -9,10 +9,10 @@ namespace sightline::app {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::OptionKind;
+using machines::Arguments;
+using machines::OptionKind;
 
-Option add(const Command& command, const guests::run::Option& option, Arguments& arguments) {
+Option add(const Command& command, const machines::Option& option, Arguments& arguments) {
   Arguments::Value& value = arguments.value(option.key());
   switch (option.kind) {
     case OptionKind::flag:
@@ -36,11 +36,11 @@ Option add(const Command& command, const guests::run::Option& option, Arguments&
 }  // namespace
 
 void add_machine_command(const Command& parent, std::string_view name, const HelpPage& help,
-                         std::span<const guests::run::Option> options,
+                         std::span<const machines::Option> options,
                          std::function<ExitCode(const Arguments&)> work) {
   const Command command = parent.add_command(std::string(name), help);
   const auto arguments = std::make_shared<Arguments>(options);
-  for (const guests::run::Option& option : options) {
+  for (const machines::Option& option : options) {
     const Option added = add(command, option, *arguments);
     const std::vector<std::string> choices(option.choices.begin(), option.choices.end());
     if (!choices.empty())
@@ -57,12 +57,12 @@ void add_machine_command(const Command& parent, std::string_view name, const Hel
   command.run([arguments, work = std::move(work)] { return work(*arguments); });
 }
 
-Failure failure(const guests::run::Refusal& refusal) {
-  return {refusal.kind == guests::run::Refusal::Kind::usage ? ExitCode::usage : ExitCode::bad_input,
+Failure failure(const machines::Refusal& refusal) {
+  return {refusal.kind == machines::Refusal::Kind::usage ? ExitCode::usage : ExitCode::bad_input,
           refusal.message};
 }
 
-guests::run::Input read_named(const std::string& path) {
+machines::Input read_named(const std::string& path) {
   return {shown_name(path), read_input(path)};
 }
 
@@ -77,7 +77,7 @@ std::optional<std::string> read_include(const std::string& path) {
   }
 }
 
-void check_disk(const guests::run::Arguments& arguments) {
+void check_disk(const machines::Arguments& arguments) {
   const std::string& path = arguments.text("--disk");
   if (path.empty() || arguments.given("--disk-read-only") || base::file_status(path).kind != base::FileStatus::Kind::file) return;
   const auto image = base::AtomicFile::create(path);
@@ -85,7 +85,7 @@ void check_disk(const guests::run::Arguments& arguments) {
     throw Failure(ExitCode::io, image.error().message() + "; its changes could not be kept: --disk-read-only leaves it as it is");
 }
 
-void write_media_back(const guests::run::Machine& machine) {
+void write_media_back(const machines::Machine& machine) {
   for (const auto& medium : machine.changed_media()) {
     const auto done = base::write_file_atomically(medium.path, medium.content);
     if (!done) throw Failure(ExitCode::io, done.error().message());

@@ -1,5 +1,5 @@
 // What `run`, `asm` and `disasm` share: a subcommand for each described machine
-// (host/guests/run/machine.hpp), whose options are data.
+// (host/machines/machine.hpp), whose options are data.
 #pragma once
 
 #include <functional>
@@ -10,33 +10,33 @@
 #include <utility>
 
 #include "host/app/command_line.hpp"
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 
 namespace sightline::app {
 
 // One subcommand of `parent`.
 void add_machine_command(const Command& parent, std::string_view name, const HelpPage& help,
-                         std::span<const guests::run::Option> options,
-                         std::function<ExitCode(const guests::run::Arguments&)> work);
+                         std::span<const machines::Option> options,
+                         std::function<ExitCode(const machines::Arguments&)> work);
 
-[[nodiscard]] Failure failure(const guests::run::Refusal& refusal);
+[[nodiscard]] Failure failure(const machines::Refusal& refusal);
 // The value, or a Failure for what was refused.
 template <class T>
-[[nodiscard]] T accepted(guests::run::Result<T> result) {
+[[nodiscard]] T accepted(machines::Result<T> result) {
   if (!result) throw failure(result.error());
   return std::move(*result);
 }
 
 // Reads a file whole; Failure io.
-[[nodiscard]] guests::run::Input read_named(const std::string& path);
+[[nodiscard]] machines::Input read_named(const std::string& path);
 
 // The text of a source that another includes; empty if it cannot be read.
 [[nodiscard]] std::optional<std::string> read_include(const std::string& path);
 
 // Failure io if the image of --disk could not be written back after the run, which is better known before it.
-void check_disk(const guests::run::Arguments& arguments);
+void check_disk(const machines::Arguments& arguments);
 
 // Puts what the program has changed on disks back into their files, each whole or not at all. Failure io.
-void write_media_back(const guests::run::Machine& machine);
+void write_media_back(const machines::Machine& machine);
 
 }  // namespace sightline::app

@@ -15,10 +15,10 @@ namespace sightline::app {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::Machine;
-using guests::run::MachineDescription;
-using guests::run::OptionKind;
+using machines::Arguments;
+using machines::Machine;
+using machines::MachineDescription;
+using machines::OptionKind;
 
 ExitCode monitor(const MachineDescription& description, const Arguments& arguments) {
   if (arguments.list("--load").empty() && !arguments.given("--restore")) {
@@ -49,9 +49,9 @@ MonitoredMachine make_monitored(const MachineDescription& description, Arguments
   return {std::move(prepared), std::move(programs.symbols)};
 }
 
-std::vector<guests::run::Option> monitor_options(const MachineDescription& machine) {
-  std::vector<guests::run::Option> options;
-  for (guests::run::Option option : machine.options) {
+std::vector<machines::Option> monitor_options(const MachineDescription& machine) {
+  std::vector<machines::Option> options;
+  for (machines::Option option : machine.options) {
     if (option.kind == OptionKind::stream || option.kind == OptionKind::step || option.name == "--json") continue;
     if (option.kind == OptionKind::output) continue;
     options.push_back(option);
@@ -71,7 +71,7 @@ std::vector<guests::run::Option> monitor_options(const MachineDescription& machi
 
 void add_monitor_command(const Command& program) {
   const Command command = program.add_command("monitor", help_page("monitor"));
-  for (const MachineDescription* machine : guests::run::machines()) {
+  for (const MachineDescription* machine : machines::machines()) {
     const HelpPage help = help_page("monitor_machine", {{"machine", std::string(machine->name)}});
     add_machine_command(command, machine->name, help, monitor_options(*machine),
                         [machine](const Arguments& arguments) { return monitor(*machine, arguments); });

@@ -30,8 +30,8 @@ namespace sightline::app {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::Machine;
+using machines::Arguments;
+using machines::Machine;
 
 // --- Lines ---
 
@@ -175,8 +175,8 @@ class Person final : public live::Operator {
   const Heard& heard_;
 };
 
-guests::run::Stop run_plainly(Machine& machine, const guests::run::Limits& limits, Printer& printer, const Heard& heard) {
-  std::optional<guests::run::Stop> stop;
+machines::Stop run_plainly(Machine& machine, const machines::Limits& limits, Printer& printer, const Heard& heard) {
+  std::optional<machines::Stop> stop;
   while (!stop) {
     stop = machine.run(limits, true);
     // A monitor runs a machine in parts of so many instructions.
@@ -184,10 +184,10 @@ guests::run::Stop run_plainly(Machine& machine, const guests::run::Limits& limit
       for (const std::string& warning : machine.take_early_warnings()) warn(warning);
     const std::string text = live::shown_text(machine.take_printed());
     heard(text);
-    if (!printer.print(text) && !stop) stop = guests::run::Stop{guests::run::interrupted, {}};
-    if (!stop && base::EndSignals::received() != 0) stop = guests::run::Stop{guests::run::interrupted, {}};
+    if (!printer.print(text) && !stop) stop = machines::Stop{machines::interrupted, {}};
+    if (!stop && base::EndSignals::received() != 0) stop = machines::Stop{machines::interrupted, {}};
     if (!stop && machine.waits_for_key())
-      stop = guests::run::Stop{live::end_of_input, std::string(live::no_key)};
+      stop = machines::Stop{live::end_of_input, std::string(live::no_key)};
   }
   return *stop;
 }
@@ -223,18 +223,18 @@ std::string dialect_of(const Arguments& arguments) {
 
 live::MonitorHost files_of_commands() {
   live::MonitorHost host;
-  host.read = [](const std::string& path) -> guests::run::Result<guests::run::Input> {
+  host.read = [](const std::string& path) -> machines::Result<machines::Input> {
     auto bytes = base::read_file(path);
-    if (!bytes) return guests::run::bad_input(bytes.error().message());
-    return guests::run::Input{path, std::move(*bytes)};
+    if (!bytes) return machines::bad_input(bytes.error().message());
+    return machines::Input{path, std::move(*bytes)};
   };
-  host.write = [](const std::string& path, std::span<const std::uint8_t> bytes) -> guests::run::Result<base::Done> {
+  host.write = [](const std::string& path, std::span<const std::uint8_t> bytes) -> machines::Result<base::Done> {
     const auto done = base::write_file_atomically(path, bytes);
-    if (!done) return guests::run::bad_input(done.error().message());
+    if (!done) return machines::bad_input(done.error().message());
     return base::Done{};
   };
-  host.speed = [](const std::string&) -> guests::run::Result<base::Done> {
-    return guests::run::usage("there is no console; begin with --console MODE");
+  host.speed = [](const std::string&) -> machines::Result<base::Done> {
+    return machines::usage("there is no console; begin with --console MODE");
   };
   return host;
 }
@@ -252,7 +252,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   // A command may run the machine in pieces: the terminal is raw until it has ended.
   std::optional<base::RawTerminal> raw_terminal;
   live::MonitorHost host = files_of_commands();
-  host.running.run = [&](Machine& running, const guests::run::Limits& limits, const Heard& heard) {
+  host.running.run = [&](Machine& running, const machines::Limits& limits, const Heard& heard) {
     if (!console_options || !terminal) return run_plainly(running, limits, printer, heard);
     if (!raw_terminal) raw_terminal.emplace();
     Person person(printer, heard);
@@ -261,8 +261,8 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   host.running.nobody_types = !terminal;
   host.running.interrupted = [] { return base::EndSignals::received() != 0; };
   host.running.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
-  host.speed = [&](const std::string& text) -> guests::run::Result<base::Done> {
-    if (!console_options) return guests::run::usage("there is no console; begin with --console MODE");
+  host.speed = [&](const std::string& text) -> machines::Result<base::Done> {
+    if (!console_options) return machines::usage("there is no console; begin with --console MODE");
     Arguments changed = arguments;
     changed.value("--speed").text = text;
     auto options = live::console_options(changed, terminal);

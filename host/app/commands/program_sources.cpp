@@ -13,8 +13,8 @@ namespace sightline::app {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::MachineDescription;
+using machines::Arguments;
+using machines::MachineDescription;
 
 std::string first_error(const std::vector<assembler::Diagnostic>& diagnostics) {
   for (const auto& diagnostic : diagnostics)
@@ -24,14 +24,14 @@ std::string first_error(const std::vector<assembler::Diagnostic>& diagnostics) {
 
 }  // namespace
 
-guests::run::FileReader Programs::reader() const {
+machines::FileReader Programs::reader() const {
   return [this](const std::string& path) {
     const auto found = assembled.find(path);
-    return found == assembled.end() ? read_named(path) : guests::run::Input{path, found->second};
+    return found == assembled.end() ? read_named(path) : machines::Input{path, found->second};
   };
 }
 
-const guests::run::Option* dialect_option(const MachineDescription& machine) {
+const machines::Option* dialect_option(const MachineDescription& machine) {
   const auto& options = machine.assembler.options;
   const auto found = std::find_if(options.begin(), options.end(), [](const auto& each) { return each.name == "--dialect"; });
   return found == options.end() ? nullptr : &*found;
@@ -39,7 +39,7 @@ const guests::run::Option* dialect_option(const MachineDescription& machine) {
 
 void say_whose_source(const MachineDescription& machine, std::span<const assembler::SourceFile> sources, std::string_view command,
                       std::span<const std::string> names) {
-  for (const MachineDescription* other : guests::run::machines()) {
+  for (const MachineDescription* other : machines::machines()) {
     if (other == &machine || other->assembler.assemble == nullptr) continue;
     const auto assembled = other->assembler.assemble(sources, Arguments(other->assembler.options), read_include);
     if (!assembled || assembler::any_errors(assembled->diagnostics)) continue;
@@ -59,7 +59,7 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
   // Sources side by side are one program, as those of a command line of `sightline asm` are.
   std::vector<std::string>& loads = arguments.value("--load").list;
   for (auto first = loads.begin(); first != loads.end(); ++first) {
-    const auto last = std::find_if_not(first, loads.end(), guests::run::named_as_source);
+    const auto last = std::find_if_not(first, loads.end(), machines::named_as_source);
     if (first == last) continue;
     std::vector<assembler::SourceFile> sources;
     for (auto path = first; path != last; ++path) sources.push_back({*path, read_input_text(*path)});
@@ -75,7 +75,7 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
     }
     static_cast<void>(programs.symbols.add_table(assembled.symbol_table));
     programs.symbols.add_listing(assembled.listing);
-    for (const guests::run::SourceLine& line : assembled.lines)
+    for (const machines::SourceLine& line : assembled.lines)
       programs.symbols.add_line(line.address, {line.file, line.line});
     *first += std::string(": ") + std::string(form->name);
     programs.assembled[*first] = accepted(form->write(assembled.program, *first));

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::app {
@@ -17,20 +17,20 @@ struct Programs {
   live::Symbols symbols;
 
   // Reads what is assembled from here, and all else as a file. The programs outlive it.
-  [[nodiscard]] guests::run::FileReader reader() const;
+  [[nodiscard]] machines::FileReader reader() const;
 };
 
 // The assembler's option of which language sources are in; null if it reads one.
-[[nodiscard]] const guests::run::Option* dialect_option(const guests::run::MachineDescription& machine);
+[[nodiscard]] const machines::Option* dialect_option(const machines::MachineDescription& machine);
 
 // Says on standard error if sources with errors are those of another machine: if its assembler finds none in them. `command`: that
 // which was given ("run"); `names`: the files as they were given.
-void say_whose_source(const guests::run::MachineDescription& machine, std::span<const assembler::SourceFile> sources,
+void say_whose_source(const machines::MachineDescription& machine, std::span<const assembler::SourceFile> sources,
                       std::string_view command, std::span<const std::string> names);
 
 // Replaces sources in --load by what they assemble to; sources side by side are one program. Diagnostics go to standard error.
 // `command`: that which was given. Failure bad_input or io.
-[[nodiscard]] Programs assemble_sources(const guests::run::MachineDescription& machine, guests::run::Arguments& arguments,
+[[nodiscard]] Programs assemble_sources(const machines::MachineDescription& machine, machines::Arguments& arguments,
                                         std::string_view command);
 
 }  // namespace sightline::app

@@ -18,7 +18,7 @@
 #include "host/app/outputs.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/terminal.hpp"
-#include "host/guests/run/vcd.hpp"
+#include "host/machines/vcd.hpp"
 #include "host/live/console.hpp"
 #include "host/live/snapshot.hpp"
 
@@ -26,10 +26,10 @@ namespace sightline::app {
 
 namespace {
 
-using guests::run::Arguments;
-using guests::run::Machine;
-using guests::run::MachineDescription;
-using guests::run::OptionKind;
+using machines::Arguments;
+using machines::Machine;
+using machines::MachineDescription;
+using machines::OptionKind;
 
 // The files a run writes: opened before it, filled during and after it, put in their places at the end.
 class RunOutputs {
@@ -39,11 +39,11 @@ class RunOutputs {
   RunOutputs(const MachineDescription& description, const Arguments& arguments) {
     const bool json = arguments.given("--json");
     std::string stdout_twice = "-: named for two outputs";
-    for (const guests::run::Option& option : description.options) {
+    for (const machines::Option& option : description.options) {
       if (option.kind != OptionKind::output && option.kind != OptionKind::stream) continue;
       std::string path = arguments.text(option.key());
       if (option.key() == "--vcd" && !path.empty()) {
-        const std::string found = std::exchange(path, guests::run::vcd_target(path).file);
+        const std::string found = std::exchange(path, machines::vcd_target(path).file);
         if (path.empty()) throw Failure(ExitCode::usage, fmt::format("--vcd: found \"{}\", expected FILE or FILE:SIGNALS", found));
       }
       if (path.empty() && !json && !arguments.given("--console") && arguments.given(option.stdout_with)) {
@@ -86,7 +86,7 @@ class RunOutputs {
 
  private:
   struct File {
-    const guests::run::Option* option;
+    const machines::Option* option;
     std::string path;
     std::optional<Output> output;
   };
@@ -95,11 +95,11 @@ class RunOutputs {
 };
 
 struct Ended {
-  guests::run::Stop stop;
+  machines::Stop stop;
   int signal = 0;  // that ended it; SIGPIPE: nobody reads what the program prints
 };
 
-Ended run_to_stop(const guests::run::Prepared& prepared, const Arguments& arguments) {
+Ended run_to_stop(const machines::Prepared& prepared, const Arguments& arguments) {
   const base::EndSignals signals;
   // Without a disk nothing is to be put away when nobody reads the output: it ends at once, as other filters do.
   if (!arguments.given("--disk")) static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
@@ -107,8 +107,8 @@ Ended run_to_stop(const guests::run::Prepared& prepared, const Arguments& argume
   // Asked by the count of instructions, and not by a clock: what a run says is the same each time.
   constexpr std::uint64_t instructions_between_warnings = std::uint64_t{1} << 15;
   std::uint64_t next_warnings = 0;
-  guests::run::Stop stop = guests::run::run_to_stop(
-      *prepared.machine, prepared.limits, [&](const guests::run::Progress& progress) {
+  machines::Stop stop = machines::run_to_stop(
+      *prepared.machine, prepared.limits, [&](const machines::Progress& progress) {
         if (progress.instructions >= next_warnings) {
           next_warnings = progress.instructions + instructions_between_warnings;
           for (const std::string& warning : prepared.machine->take_early_warnings()) {
@@ -129,7 +129,7 @@ bool person_types(const Arguments& arguments) {
 
 // A person at a terminal, a pipe, or a script. What the program prints goes to standard output, with --json to standard
 // error.
-Ended run_on_console(const guests::run::Prepared& prepared, const Arguments& arguments) {
+Ended run_on_console(const machines::Prepared& prepared, const Arguments& arguments) {
   const bool person = person_types(arguments);
   const live::ConsoleOptions options = accepted(live::console_options(arguments, base::stdin_is_terminal()));
   const base::EndSignals signals;
@@ -140,7 +140,7 @@ Ended run_on_console(const guests::run::Prepared& prepared, const Arguments& arg
   }
   const auto operator_ = live::standard_operator(
       arguments.given("--json") ? STDERR_FILENO : STDOUT_FILENO, person);
-  guests::run::Stop stop = live::run_console(*prepared.machine, prepared.limits, options, *operator_);
+  machines::Stop stop = live::run_console(*prepared.machine, prepared.limits, options, *operator_);
   if (person) static_cast<void>(base::write_now(STDERR_FILENO, "\r\n"));
   return {std::move(stop), base::EndSignals::received()};
 }
@@ -149,21 +149,21 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   const bool person = person_types(arguments);
   if (person) arguments.value("--monitor").flag = true;
   const auto restore = [&description](Machine& machine,
-                                      const guests::run::Input& snapshot) -> guests::run::Result<base::Done> {
+                                      const machines::Input& snapshot) -> machines::Result<base::Done> {
     const auto done = live::restore_snapshot(description.name, machine, snapshot.bytes, snapshot.name);
-    if (!done) return guests::run::bad_input(done.error().message());
+    if (!done) return machines::bad_input(done.error().message());
     return base::Done{};
   };
   check_disk(arguments);
   Programs programs = assemble_sources(description, arguments, "run");
-  const guests::run::Prepared prepared = accepted(prepare(description, arguments, programs.reader(), restore));
+  const machines::Prepared prepared = accepted(prepare(description, arguments, programs.reader(), restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);
   outputs.attach(machine);
   const bool console = arguments.given("--console");
   Ended ended = console ? run_on_console(prepared, arguments) : run_to_stop(prepared, arguments);
-  const guests::run::Stop& stop = ended.stop;
+  const machines::Stop& stop = ended.stop;
   if (person && stop.name == live::stopped_by_ctrl_e) {
     const ExitCode code =
         hold_monitor_session({description, machine, prepared.limits, std::move(programs.symbols), arguments});
@@ -189,7 +189,7 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
     static_cast<void>(std::fputs(table_report(description, machine, stop).c_str(), stderr));
   }
   if (disk_failure) throw Failure(*disk_failure);
-  if (stop.name == guests::run::interrupted && ended.signal == 0) {
+  if (stop.name == machines::interrupted && ended.signal == 0) {
     complain("stopped: standard output takes no more; all outputs hold what was done so far");
     return ExitCode::io;
   }
@@ -208,11 +208,11 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
 
 void add_run_command(const Command& program) {
   const Command command = program.add_command("run", help_page("run"));
-  for (const MachineDescription* machine : guests::run::machines()) {
+  for (const MachineDescription* machine : machines::machines()) {
     HelpPage help =
         help_page("run_" + std::string(machine->name), {{"summary", std::string(machine->help)}});
     help.text += machine->more_help;
-    std::vector<guests::run::Option> options = machine->options;
+    std::vector<machines::Option> options = machine->options;
     if (const auto* const dialect = dialect_option(*machine)) options.push_back(*dialect);
     add_machine_command(command, machine->name, help, options,
                         [machine](const Arguments& arguments) { return run(*machine, arguments); });

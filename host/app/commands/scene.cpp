@@ -18,7 +18,7 @@
 #include "host/base/json.hpp"
 #include "host/base/text.hpp"
 #include "host/base/text_table.hpp"
-#include "host/guests/jones/encode.hpp"
+#include "host/programs/jones/encode.hpp"
 #include "host/scene/check/cell_complex.hpp"
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/eye_place.hpp"
@@ -80,10 +80,10 @@ struct TapeArguments {
 };
 
 ExitCode tape(const TapeArguments& arguments) {
-  guests::jones::TapeOptions options;
+  programs::jones::TapeOptions options;
   if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
   const scene::CellScene scene = load_cells(arguments.scene);
-  const std::string text = value_of(guests::jones::write_tape(scene, options), arguments.scene);
+  const std::string text = value_of(programs::jones::write_tape(scene, options), arguments.scene);
   Output output(arguments.output);
   output.write(text);
   output.commit();
@@ -162,7 +162,7 @@ TextTable facts_table() {
 }
 
 void describe_cells(const scene::CellScene& scene, const std::string& name, bool json) {
-  const guests::jones::EncodedScene core = value_of(guests::jones::encode(scene), name);
+  const programs::jones::EncodedScene core = value_of(programs::jones::encode(scene), name);
   std::size_t lines = 0;
   for (const scene::Cell& cell : scene.cells) lines += cell.lines.size();
   if (json) {
@@ -191,8 +191,8 @@ void describe_cells(const scene::CellScene& scene, const std::string& name, bool
   facts.row({"default view", fmt::format("{}, in cell {}", base::joined(scene.default_view, ","), core.view.cell)});
   facts.row({"eye may move", box_text(core.view.limits.low, core.view.limits.high)});
   facts.row({"words of core", fmt::format("{} of {} (cells {}, openings {}, header {})", core.words.size(),
-                                          guests::jones::core_words, core.cell_words, core.opening_words,
-                                          guests::jones::scene_header_words)});
+                                          programs::jones::core_words, core.cell_words, core.opening_words,
+                                          programs::jones::scene_header_words)});
   write_stdout(facts.text());
 }
 

@@ -14,9 +14,9 @@ namespace sightline::app {
 
 namespace {
 
-using guests::skala::Device;
-using guests::skala::Link;
-using guests::skala::PictureKind;
+using programs::skala::Device;
+using programs::skala::Link;
+using programs::skala::PictureKind;
 using picture::RasterPalette;
 
 HelpPage skala_help() {
@@ -38,10 +38,10 @@ struct SkalaArguments {
 };
 
 // By the names the option takes.
-guests::skala::Device device_named(const std::string& name) {
-  if (name == "alt256") return guests::skala::Device::alt256;
-  if (name == "calcomp") return guests::skala::Device::calcomp;
-  return name == "minigraf" ? guests::skala::Device::minigraf : guests::skala::Device::ef9365;
+programs::skala::Device device_named(const std::string& name) {
+  if (name == "alt256") return programs::skala::Device::alt256;
+  if (name == "calcomp") return programs::skala::Device::calcomp;
+  return name == "minigraf" ? programs::skala::Device::minigraf : programs::skala::Device::ef9365;
 }
 
 ExitCode run_skala(SkalaArguments arguments) {
@@ -55,8 +55,8 @@ ExitCode run_skala(SkalaArguments arguments) {
   order.view.visibility = !arguments.no_visibility;
   order.view.family = family_of(arguments.slices);
   order.view.device = device_named(arguments.device);
-  if (arguments.link == "serial") order.link = guests::skala::Link::serial;
-  const SkalaOutcome outcome = run_skala_request(guests::skala::Session(), order);
+  if (arguments.link == "serial") order.link = programs::skala::Link::serial;
+  const SkalaOutcome outcome = run_skala_request(programs::skala::Session(), order);
   SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.picture), arguments.scale};
   if (!arguments.palette.empty())
     files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
@@ -73,7 +73,7 @@ void add_skala_source_options(const Command& command, SkalaArguments& arguments)
 }
 
 void add_view_options(const Command& command, SkalaArguments& arguments) {
-  guests::skala::View& view = arguments.order.view;
+  programs::skala::View& view = arguments.order.view;
   add_angle_options(command, view.rotation, view.elevation);
   command.option("--zoom", view.zoom, "Enlarge about the middle")
       .default_value()

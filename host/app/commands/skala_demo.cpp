@@ -10,23 +10,23 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using guests::skala::PictureKind;
+using programs::skala::PictureKind;
 
 constexpr std::string_view plotted_function = "rogers";
 
-SkalaOutcome drawn(const guests::skala::Session& session, const scene::HeightFunction& function,
-                   guests::skala::PictureKind picture, guests::skala::Device device,
+SkalaOutcome drawn(const programs::skala::Session& session, const scene::HeightFunction& function,
+                   programs::skala::PictureKind picture, programs::skala::Device device,
                    const std::string& directory, std::string_view suffix) {
   SkalaRequest order;
   order.name = function.name;
   order.grid =
-      scene::sample(function, picture == guests::skala::PictureKind::contours ? scene::GridSize{33, 33}
+      scene::sample(function, picture == programs::skala::PictureKind::contours ? scene::GridSize{33, 33}
                                                                               : scene::GridSize{33, 60});
   order.view.picture = picture;
   order.view.device = device;
   order.view.rotation = 30;
   order.measure_visibility =
-      picture == guests::skala::PictureKind::lines && device == guests::skala::Device::ef9365;
+      picture == programs::skala::PictureKind::lines && device == programs::skala::Device::ef9365;
   const SkalaOutcome outcome = run_skala_request(session, order);
   write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(picture)},
                        order, outcome);
@@ -48,19 +48,19 @@ Json json_of(const SkalaOutcome& outcome) {
 }  // namespace
 
 SkalaDemo run_skala_demo(const std::string& directory) {
-  const guests::skala::Session session;
+  const programs::skala::Session session;
   SkalaDemo demo;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
-    const auto raster = [&](guests::skala::PictureKind picture, std::string_view suffix) {
-      return drawn(session, function, picture, guests::skala::Device::ef9365, directory, suffix);
+    const auto raster = [&](programs::skala::PictureKind picture, std::string_view suffix) {
+      return drawn(session, function, picture, programs::skala::Device::ef9365, directory, suffix);
     };
-    demo.rows.push_back({std::string(function.name), raster(guests::skala::PictureKind::lines, "lines"),
-                         raster(guests::skala::PictureKind::surface, "surface"),
-                         raster(guests::skala::PictureKind::contours, "contours")});
+    demo.rows.push_back({std::string(function.name), raster(programs::skala::PictureKind::lines, "lines"),
+                         raster(programs::skala::PictureKind::surface, "surface"),
+                         raster(programs::skala::PictureKind::contours, "contours")});
   }
   demo.plotted = plotted_function;
-  demo.plot = drawn(session, *scene::height_function(plotted_function), guests::skala::PictureKind::lines,
-                    guests::skala::Device::calcomp, directory, "calcomp");
+  demo.plot = drawn(session, *scene::height_function(plotted_function), programs::skala::PictureKind::lines,
+                    programs::skala::Device::calcomp, directory, "calcomp");
   return demo;
 }
 
@@ -77,7 +77,7 @@ std::string skala_demo_table(const SkalaDemo& demo) {
       "Seconds of the emulated 8080 at 3 MHz, 60 slices of 33 points rotated 30 degrees (contours 33 by 33); "
       "the\n"
       "paper: about 2 s, about 15 % for the visibility.\n";
-  const guests::skala::PlotterWork& work = demo.plot.plotter;
+  const programs::skala::PlotterWork& work = demo.plot.plotter;
   text += fmt::format("{} on the CalComp 565: {:.0f} s, {} steps, {} pen lifts.\n", demo.plotted,
                       core::in_seconds(work.time), work.steps_pen_down + work.steps_pen_up, work.pen_lifts);
   return text;
@@ -91,7 +91,7 @@ void add_skala_demo(Json& document, const SkalaDemo& demo) {
                                  {"surface", json_of(row.surface)},
                                  {"contours", json_of(row.contours)}});
   }
-  const guests::skala::PlotterWork& work = demo.plot.plotter;
+  const programs::skala::PlotterWork& work = demo.plot.plotter;
   document["skala_plot"] = {{"function", demo.plotted},
                             {"device", "CalComp 565"},
                             {"seconds", core::in_seconds(work.time)},

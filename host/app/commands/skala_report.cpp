@@ -14,8 +14,8 @@ std::string megahertz(core::ClockRate clock) {
   return fmt::format("{:g} MHz", static_cast<double>(clock.hertz) / 1e6);
 }
 
-std::string_view link_name(guests::skala::Link link) {
-  return link == guests::skala::Link::serial ? "serial" : "parallel";
+std::string_view link_name(programs::skala::Link link) {
+  return link == programs::skala::Link::serial ? "serial" : "parallel";
 }
 
 // The paper gives both figures for its pictures on a raster display, lines, surfaces and contours alike, and no number of slices.
@@ -25,21 +25,21 @@ bool in_the_paper(const SkalaRequest& order) {
 
 std::string plotter_lines(const SkalaRequest& order, const SkalaOutcome& outcome) {
   if (is_raster(order.view.device)) return {};
-  const guests::skala::PlotterWork& work = outcome.plotter;
+  const programs::skala::PlotterWork& work = outcome.plotter;
   return fmt::format(
       "pen lifts        {}\nplotter          {:.1f} s: {} steps with the pen down, {} with the pen up\n",
       work.pen_lifts, core::in_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
 }
 
 // The program looks once for the EF9365 board: that nobody answers is no finding.
-bool is_the_look_for_a_board(const guests::skala::Unanswered& port) {
+bool is_the_look_for_a_board(const programs::skala::Unanswered& port) {
   constexpr std::uint8_t ef9365_status = 0x40;
   return port.port == ef9365_status && port.reads == 1 && port.writes == 0;
 }
 
 std::string port_lines(const SkalaOutcome& outcome) {
   std::string text;
-  for (const guests::skala::Unanswered& port : outcome.picture.unanswered)
+  for (const programs::skala::Unanswered& port : outcome.picture.unanswered)
     if (!is_the_look_for_a_board(port))
       text += fmt::format("unanswered       port {:02X}: reads {}, writes {}\n", port.port, port.reads,
                           port.writes);
@@ -51,7 +51,7 @@ Json machine_of(const SkalaRequest& order, const SkalaOutcome& outcome) {
                {"link", std::string(link_name(order.link))},
                {"clock_hz", order.clock.hertz}};
   machine["unanswered_ports"] = Json::array();
-  for (const guests::skala::Unanswered& port : outcome.picture.unanswered)
+  for (const programs::skala::Unanswered& port : outcome.picture.unanswered)
     machine["unanswered_ports"].push_back(
         {{"port", port.port}, {"reads", port.reads}, {"writes", port.writes}});
   return machine;
@@ -61,7 +61,7 @@ Json machine_of(const SkalaRequest& order, const SkalaOutcome& outcome) {
 
 std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome,
                           const std::vector<std::string>& pictures) {
-  const guests::skala::GuestPicture& picture = outcome.picture;
+  const programs::skala::GuestPicture& picture = outcome.picture;
   std::string text = fmt::format(
       "{}, {}{}: {} slices of {} points, rotated {:g}, elevation {:g}\n"
       "machine          8080 at {}, {}, {} link\n",
@@ -90,7 +90,7 @@ std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome
 
 std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcome,
                            const std::vector<std::string>& pictures) {
-  const guests::skala::GuestPicture& picture = outcome.picture;
+  const programs::skala::GuestPicture& picture = outcome.picture;
   Json document{{"schema", "sightline/skala/1"},
                 {"function", order.name},
                 {"picture", std::string(name_of(order.view.picture))},

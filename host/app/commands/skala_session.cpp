@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "host/app/outputs.hpp"
-#include "host/guests/skala/session.hpp"
-#include "host/guests/skala/stream.hpp"
+#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/stream.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/pen_path.hpp"
 
@@ -17,11 +17,11 @@ namespace sightline::app {
 
 namespace {
 
-using guests::skala::Device;
-using guests::skala::GuestPicture;
+using programs::skala::Device;
+using programs::skala::GuestPicture;
 
 struct Drawn {
-  guests::skala::GuestPicture picture;
+  programs::skala::GuestPicture picture;
   std::size_t bytes = 0;
   std::uint64_t points_walked = 0;
 };
@@ -35,7 +35,7 @@ std::string_view clock_hint(const SkalaRequest& order) {
   return order.clock.hertz == core::ClockRate{}.hertz ? "" : "; its timing is made for a clock of 3 MHz";
 }
 
-void check(const SkalaRequest& order, const guests::skala::GuestPicture& picture) {
+void check(const SkalaRequest& order, const programs::skala::GuestPicture& picture) {
   if (!picture.ended) {
     fail(order, ExitCode::guest_failed,
          fmt::format("the program did not end within {:.0f} emulated seconds",
@@ -43,27 +43,27 @@ void check(const SkalaRequest& order, const guests::skala::GuestPicture& picture
   }
   if (!picture.faults.empty()) {
     std::string text = "the program and the device do not get along";
-    for (const guests::skala::DeviceFault& fault : picture.faults)
+    for (const programs::skala::DeviceFault& fault : picture.faults)
       text +=
           fmt::format("{}{}: {}", &fault == &picture.faults.front() ? ": " : ", ", fault.what, fault.count);
     fail(order, ExitCode::guest_failed, text.append(clock_hint(order)));
   }
-  if (picture.status != guests::skala::Status::complete) {
-    const bool timing = picture.status == guests::skala::Status::link_error;
+  if (picture.status != programs::skala::Status::complete) {
+    const bool timing = picture.status == programs::skala::Status::link_error;
     fail(order, ExitCode::guest_failed,
          fmt::format("the program stopped: {}{}", text_of(picture.status), timing ? clock_hint(order) : ""));
   }
 }
 
-Drawn drawn(const guests::skala::Session& session, const SkalaRequest& order, bool visibility) {
-  guests::skala::View view = order.view;
+Drawn drawn(const programs::skala::Session& session, const SkalaRequest& order, bool visibility) {
+  programs::skala::View view = order.view;
   view.visibility = visibility;
-  const auto stream = guests::skala::stream_of(order.grid, view);
-  guests::skala::GuestOptions options;
+  const auto stream = programs::skala::stream_of(order.grid, view);
+  programs::skala::GuestOptions options;
   options.device = view.device;
   options.link = order.link;
   options.clock = order.clock;
-  guests::skala::CheckedPicture run = session.run(stream, options);
+  programs::skala::CheckedPicture run = session.run(stream, options);
   check(order, run.guest);
   if (!run.difference.empty()) {
     fail(order, ExitCode::differs,
@@ -103,29 +103,29 @@ std::string skala_title(const SkalaRequest& order) {
 
 }  // namespace
 
-std::string_view name_of(guests::skala::Device device) {
+std::string_view name_of(programs::skala::Device device) {
   constexpr std::array<std::string_view, 4> names{"EF9365 board", "ALT-256 board", "CalComp 565",
                                                   "Minigraf 0507"};
   return names[static_cast<std::size_t>(device)];
 }
 
-std::string_view name_of(guests::skala::PictureKind picture) {
+std::string_view name_of(programs::skala::PictureKind picture) {
   constexpr std::array<std::string_view, 3> names{"hidden lines", "shaded surface", "contours"};
   return names[static_cast<std::size_t>(picture)];
 }
 
-picture::RasterPalette usual_palette(guests::skala::PictureKind picture) {
-  return picture == guests::skala::PictureKind::surface ? picture::RasterPalette::grey
+picture::RasterPalette usual_palette(programs::skala::PictureKind picture) {
+  return picture == programs::skala::PictureKind::surface ? picture::RasterPalette::grey
                                                         : picture::RasterPalette::colour;
 }
 
-SkalaOutcome run_skala_request(const guests::skala::Session& session, const SkalaRequest& order) {
+SkalaOutcome run_skala_request(const programs::skala::Session& session, const SkalaRequest& order) {
   Drawn asked = drawn(session, order, order.view.visibility);
   SkalaOutcome outcome;
   outcome.bytes = asked.bytes;
   outcome.points_walked = asked.points_walked;
-  outcome.points_lit = guests::skala::points_lit(asked.picture);
-  outcome.plotter = guests::skala::plotter_work(asked.picture.moves);
+  outcome.points_lit = programs::skala::points_lit(asked.picture);
+  outcome.plotter = programs::skala::plotter_work(asked.picture.moves);
   outcome.picture = std::move(asked.picture);
   if (order.view.visibility && order.measure_visibility) {
     const auto plain = static_cast<double>(drawn(session, order, false).picture.drawing.count());
@@ -146,9 +146,9 @@ std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const Ska
     write_png(set.at(0), picture::raster_image(outcome.picture.raster, files.palette, files.scale), text);
     return set.commit();
   }
-  const auto paths = guests::skala::pen_paths(outcome.picture.moves);
+  const auto paths = programs::skala::pen_paths(outcome.picture.moves);
   const picture::PlotterPaper paper =
-      order.view.device == guests::skala::Device::calcomp ? picture::calcomp_paper : picture::minigraf_paper;
+      order.view.device == programs::skala::Device::calcomp ? picture::calcomp_paper : picture::minigraf_paper;
   PictureSet set(base, {".png", ".svg", ".hpgl"});
   write_png(set.at(0), picture::pen_image(paths, paper, files.scale), text);
   set.at(1).write(picture::pen_svg(paths, paper, title));

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "host/guests/skala/session.hpp"
-#include "host/guests/skala/view.hpp"
+#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/view.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/scene/heights/grid.hpp"
 
@@ -17,18 +17,18 @@ namespace sightline::app {
 struct SkalaRequest {
   std::string name;  // of the function, as messages and titles show it
   scene::HeightGrid grid;
-  guests::skala::View view;
-  guests::skala::Link link = guests::skala::Link::parallel;
+  programs::skala::View view;
+  programs::skala::Link link = programs::skala::Link::parallel;
   core::ClockRate clock{};
   bool measure_visibility = true;  // by a second run without the test
 };
 
 struct SkalaOutcome {
-  guests::skala::GuestPicture picture;
+  programs::skala::GuestPicture picture;
   std::size_t bytes = 0;  // of the command stream
   std::uint64_t points_walked = 0;
   std::uint64_t points_lit = 0;
-  guests::skala::PlotterWork plotter;  // nothing on a raster board
+  programs::skala::PlotterWork plotter;  // nothing on a raster board
   // How much longer than without the visibility test, in per cent; below 0 if not. Empty if the order is
   // without the test itself, or if nothing is drawn.
   std::optional<double> visibility_cost;
@@ -37,16 +37,16 @@ struct SkalaOutcome {
 // Runs the program, and where asked again without the visibility test. Failure guest_failed: it did not
 // end, stopped with an error or did what a device does not allow. Failure differs: its picture is not its
 // twin's, which is a defect of this program.
-[[nodiscard]] SkalaOutcome run_skala_request(const guests::skala::Session& session,
+[[nodiscard]] SkalaOutcome run_skala_request(const programs::skala::Session& session,
                                              const SkalaRequest& order);
 
 // "EF9365 board", "ALT-256 board", "CalComp 565", "Minigraf 0507".
-[[nodiscard]] std::string_view name_of(guests::skala::Device device);
+[[nodiscard]] std::string_view name_of(programs::skala::Device device);
 // "hidden lines", "shaded surface", "contours"
-[[nodiscard]] std::string_view name_of(guests::skala::PictureKind picture);
+[[nodiscard]] std::string_view name_of(programs::skala::PictureKind picture);
 
 // Greys for a surface, colours for everything else.
-[[nodiscard]] picture::RasterPalette usual_palette(guests::skala::PictureKind picture);
+[[nodiscard]] picture::RasterPalette usual_palette(programs::skala::PictureKind picture);
 
 struct SkalaFiles {
   std::string directory;  // made if it is not there

@@ -21,7 +21,7 @@ namespace sightline::app {
 
 namespace {
 
-namespace stripes = guests::stripes;
+namespace stripes = programs::stripes;
 using base::Json;
 
 struct StripesArguments {

@@ -11,7 +11,7 @@
 
 namespace sightline::app {
 
-namespace stripes = guests::stripes;
+namespace stripes = programs::stripes;
 
 std::vector<StripesDemoRow> run_stripes_demo(const std::string& directory) {
   const stripes::Session session;

@@ -12,7 +12,7 @@ namespace sightline::app {
 struct StripesDemoRow {
   std::string scene;
   bool plotter = false;
-  guests::stripes::DrawnScene drawn;
+  programs::stripes::DrawnScene drawn;
 };
 
 // Writes SCENE-stripes.png into `directory`. Failure as draw_stripes, or io.

@@ -7,7 +7,7 @@
 
 namespace sightline::app {
 
-namespace stripes = guests::stripes;
+namespace stripes = programs::stripes;
 
 stripes::View stripes_view(const scene::PolyScene& scene, const scene::PolyCamera& camera, std::optional<double> extent) {
   const registry::FaceWindow window =

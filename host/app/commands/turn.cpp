@@ -22,7 +22,7 @@ namespace sightline::app {
 
 namespace {
 
-namespace turn = guests::turn;
+namespace turn = programs::turn;
 using base::Json;
 
 struct TurnArguments {

@@ -7,7 +7,7 @@
 
 namespace sightline::app {
 
-namespace turn = guests::turn;
+namespace turn = programs::turn;
 
 turn::Tape turn_tape(const scene::PolyScene& scene, const std::string& source, bool large, bool tilted) {
   auto tape = turn::make_tape(scene, large ? turn::Memory::words_32k : turn::Memory::words_8k, tilted);

@@ -5,22 +5,22 @@
 #include <cstdint>
 #include <string>
 
-#include "host/guests/turn/session.hpp"
-#include "host/guests/turn/tape.hpp"
+#include "host/programs/turn/session.hpp"
+#include "host/programs/turn/tape.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
 
 // `source` names the scene in errors. Failure bad_input: the model does not fit, by how many words.
-[[nodiscard]] guests::turn::Tape turn_tape(const scene::PolyScene& scene, const std::string& source, bool large,
+[[nodiscard]] programs::turn::Tape turn_tape(const scene::PolyScene& scene, const std::string& source, bool large,
                                            bool tilted = true);
 // As punched. Failure as turn_tape, or io.
 void write_turn_tape(const scene::PolyScene& scene, const std::string& source, bool large, const std::string& path);
 
-using guests::turn::TurnMeasure;
+using programs::turn::TurnMeasure;
 // One turn at the step that takes nearest to 8 s, or so many pictures of it. Failure differs: a picture is not its twin's;
 // guest_failed: the machine stopped.
-[[nodiscard]] TurnMeasure measure_turn(const guests::turn::Session& session, const std::string& source,
+[[nodiscard]] TurnMeasure measure_turn(const programs::turn::Session& session, const std::string& source,
                                        std::uint32_t pictures, bool keep_strokes);
 
 }  // namespace sightline::app

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "host/algorithms/oracle/column_oracle.hpp"
-#include "host/guests/skala/commands.hpp"
-#include "host/guests/skala/projection.hpp"
+#include "host/programs/skala/commands.hpp"
+#include "host/programs/skala/projection.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/heights/read_grid.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
@@ -23,7 +23,7 @@ namespace sightline::compare {
 namespace {
 
 namespace oracle = algorithms::oracle;
-namespace skala = guests::skala;
+namespace skala = programs::skala;
 using picture::PixelGrid;
 using scene::PolyScene;
 

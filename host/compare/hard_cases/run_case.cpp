@@ -12,7 +12,7 @@
 
 #include "host/base/text.hpp"
 #include "host/compare/hard_cases/case_input.hpp"
-#include "host/guests/skala/commands.hpp"
+#include "host/programs/skala/commands.hpp"
 #include "host/scene/read/builtin.hpp"
 
 namespace sightline::compare {
@@ -141,7 +141,7 @@ std::string_view kind_of_commands(std::string_view text) {
     return !word.empty() && word.find_first_not_of(digits) == std::string_view::npos;
   };
   const std::string_view first = words[0];
-  const auto& rows = guests::skala::commands;
+  const auto& rows = programs::skala::commands;
   if (std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == first; }) && is_number(words[1], "0123456789"))
     return "commands of Skala's program on the 8080";
   if ((first == "edge" || first == "vertex") && is_number(words[1], "-0123456789")) return "edges and vertices of a turn";

@@ -18,9 +18,9 @@
 #include "host/compare/lines.hpp"
 #include "host/geometry/box.hpp"
 #include "host/geometry/interval_set.hpp"
-#include "host/guests/jones/session.hpp"
-#include "host/guests/skala/projection.hpp"
-#include "host/guests/skala/session.hpp"
+#include "host/programs/jones/session.hpp"
+#include "host/programs/skala/projection.hpp"
+#include "host/programs/skala/session.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/compare/hard_cases/case_images.hpp"
@@ -35,8 +35,8 @@ namespace sightline::compare {
 namespace {
 
 namespace oracle = algorithms::oracle;
-namespace jones = guests::jones;
-namespace skala = guests::skala;
+namespace jones = programs::jones;
+namespace skala = programs::skala;
 using picture::LinePicture;
 using picture::PixelGrid;
 using scene::PolyCamera;

@@ -12,7 +12,7 @@
 namespace sightline::live::dap {
 
 using base::Json;
-using guests::run::Probe;
+using machines::Probe;
 
 void ClientBreakpoints::forget(std::vector<int>& numbers) {
   for (const int number : std::exchange(numbers, {})) {

@@ -68,7 +68,7 @@ Json View::variables(const Json& arguments) {
     list.push_back(Json{{"name", name}, {"value", value}, {"evaluateName", name}, {"variablesReference", 0}});
   };
   // Texts for a person; no expression gives them.
-  const auto add_lines = [&list](const std::vector<guests::run::ReportLine>& lines) {
+  const auto add_lines = [&list](const std::vector<machines::ReportLine>& lines) {
     for (const auto& line : lines)
       list.push_back(Json{{"name", line.label}, {"value", line.text}, {"variablesReference", 0}});
   };

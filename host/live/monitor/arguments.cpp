@@ -14,7 +14,7 @@
 namespace sightline::live::monitor {
 
 using base::without_blanks;
-using guests::run::Probe;
+using machines::Probe;
 
 namespace {
 

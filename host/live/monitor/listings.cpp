@@ -11,11 +11,11 @@
 
 namespace sightline::live::monitor {
 
-using guests::run::Probe;
+using machines::Probe;
 
 namespace {
 
-std::string labelled(const std::vector<guests::run::ReportLine>& lines) {
+std::string labelled(const std::vector<machines::ReportLine>& lines) {
   std::string text;
   for (const auto& line : lines) text += fmt::format("{:<12} {}\n", line.label, line.text);
   return text;

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "host/guests/flight/packing.hpp"
-#include "host/guests/flight/path.hpp"
-#include "host/guests/flight/session.hpp"
+#include "host/programs/flight/packing.hpp"
+#include "host/programs/flight/path.hpp"
+#include "host/programs/flight/session.hpp"
 #include "host/live/web/requests.hpp"
 #include "host/picture/face_shades.hpp"
 
 namespace sightline::live::web {
 
-namespace flight = guests::flight;
+namespace flight = programs::flight;
 
 struct Flying::Journey {
   Journey(const flight::Program& program, algorithms::willis::Model&& a_model, std::vector<scene::PolyCamera>&& a_path, flight::Precision precision)

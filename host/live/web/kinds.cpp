@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "host/base/text.hpp"
-#include "host/guests/run/engine.hpp"
-#include "host/guests/run/machine.hpp"
-#include "host/guests/run/state.hpp"
+#include "host/machines/engine.hpp"
+#include "host/machines/machine.hpp"
+#include "host/machines/state.hpp"
 #include "host/live/snapshot.hpp"
 #include "host/live/web/requests.hpp"
 #include "host/scene/heights/read_grid.hpp"
@@ -25,7 +25,7 @@
 namespace sightline::live::web {
 namespace {
 
-using guests::run::MachineDescription;
+using machines::MachineDescription;
 using scene::PolyFormat;
 
 constexpr std::string_view expected =
@@ -95,9 +95,9 @@ Json unknown(const File& file) {
 Json snapshot(const File& file) {
   const auto read = decode_snapshot(file.bytes, file.name);
   if (!read) return damaged("snapshot", read.error().message());
-  const bool pdp7 = read->machine == guests::run::pdp7().name;
+  const bool pdp7 = read->machine == machines::pdp7().name;
   Json answer = kind_of_machine("snapshot", pdp7 ? "a snapshot of a PDP-7" : "a snapshot of an 8080",
-                                pdp7 ? guests::run::pdp7() : guests::run::i8080());
+                                pdp7 ? machines::pdp7() : machines::i8080());
   Json configuration = Json::array();
   for (const std::string& word : read->configuration) configuration.push_back(word);
   answer["configuration"] = std::move(configuration);
@@ -156,14 +156,14 @@ bool reads_as(const MachineDescription& machine, std::string_view format, const 
 }
 
 std::optional<Json> program(const File& file) {
-  const MachineDescription& pdp7 = guests::run::pdp7();
-  const MachineDescription& i8080 = guests::run::i8080();
+  const MachineDescription& pdp7 = machines::pdp7();
+  const MachineDescription& i8080 = machines::i8080();
   const auto found = std::find_if(i8080.formats.begin(), i8080.formats.end(),
                                   [](const auto& each) { return each.name == "hex"; });
   if (found->recognise(file.bytes))
     return kind_of_machine("program", "a program of the 8080 in Intel HEX", i8080);
   for (const MachineDescription* const machine : {&pdp7, &i8080})
-    if (guests::run::is_dump(*machine, file.bytes))
+    if (machines::is_dump(*machine, file.bytes))
       return kind_of_machine("program", machine == &pdp7 ? "a dump of a PDP-7" : "a dump of an 8080",
                              *machine);
   if (is_text(file.text)) {
@@ -184,10 +184,10 @@ Json source(const MachineDescription& machine) {
 // A text that one of the assemblers takes without an error, and makes words of.
 std::optional<Json> assembled(const File& file) {
   if (file.text.size() > largest_guess) return std::nullopt;
-  for (const MachineDescription* const machine : {&guests::run::pdp7(), &guests::run::i8080()}) {
+  for (const MachineDescription* const machine : {&machines::pdp7(), &machines::i8080()}) {
     const std::array<assembler::SourceFile, 1> sources{
         assembler::SourceFile{file.name, std::string(file.text)}};
-    const guests::run::Arguments options(machine->assembler.options);
+    const machines::Arguments options(machine->assembler.options);
     const auto made =
         machine->assembler.assemble(sources, options, [](const std::string&) { return std::nullopt; });
     if (made && !assembler::any_errors(made->diagnostics) && !made->program.words.empty())
@@ -198,9 +198,9 @@ std::optional<Json> assembled(const File& file) {
 
 Json kind_by_name(const File& file) {
   if (file.ends_in({".rim", ".hri", ".tape", ".ptp"}))
-    return kind_of_machine("program", "a tape", guests::run::pdp7());
+    return kind_of_machine("program", "a tape", machines::pdp7());
   if (!is_text(file.text) && file.ends_in({".com", ".bin"}))
-    return kind_of_machine("program", "a program of the 8080", guests::run::i8080());
+    return kind_of_machine("program", "a program of the 8080", machines::i8080());
   if (file.ends_in({".csv", ".tsv", ".asc", ".grd", ".xyz"})) return grid(file);
   const auto format = scene::poly_format_of(file.name);
   // A .json that is no JSON is unknown.
@@ -209,7 +209,7 @@ Json kind_by_name(const File& file) {
 }
 
 Json kind_of(const File& file) {
-  constexpr auto& signature = guests::run::snapshot_signature;
+  constexpr auto& signature = machines::snapshot_signature;
   if (file.bytes.empty())
     return damaged("unknown", fmt::format("{}: found an empty file, expected {}", file.name, expected));
   if (file.bytes.size() >= signature.size() &&
@@ -228,8 +228,8 @@ Json kind_of(const File& file) {
   if (!is_text(file.text)) return kind_by_name(file);
   if (file.text.starts_with("newmtl") || file.ends_in({".mtl"}))
     return kind("material", "the materials of an OBJ file");
-  if (file.ends_in({".asm", ".mac", ".src"})) return source(guests::run::i8080());
-  if (file.ends_in({".s", ".pal"})) return source(guests::run::pdp7());
+  if (file.ends_in({".asm", ".mac", ".src"})) return source(machines::i8080());
+  if (file.ends_in({".s", ".pal"})) return source(machines::pdp7());
   if (scene::read_height_grid(file.text, file.name)) return grid(file);
   if (auto found = assembled(file)) return std::move(*found);
   return kind_by_name(file);

@@ -72,7 +72,7 @@ base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const J
 }
 
 Json make_pdp7(Workbench& workbench, const std::string& file, const CoreProgram& program, std::uint32_t switches) {
-  const auto& formats = guests::run::pdp7().formats;
+  const auto& formats = machines::pdp7().formats;
   const auto octal = std::find_if(formats.begin(), formats.end(), [](const auto& each) { return each.name == "octal"; });
   auto written = octal->write(program.image, file);
   if (!written) return refusal(written.error().message);

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "host/base/result.hpp"
-#include "host/guests/run/machine.hpp"
+#include "host/machines/machine.hpp"
 #include "host/live/web/workbench.hpp"
 #include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/load.hpp"
@@ -29,7 +29,7 @@ namespace sightline::live::web {
 
 // A program that has been assembled.
 struct CoreProgram {
-  guests::run::Program image;  // with its start
+  machines::Program image;  // with its start
   bool eae = true;
   Json options = Json::object();  // of the machine, besides the program, its display and the EAE
   std::map<std::string, std::uint32_t, std::less<>> symbols;

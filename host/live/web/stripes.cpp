@@ -5,16 +5,16 @@
 #include <utility>
 
 #include "host/algorithms/registry/faces.hpp"
-#include "host/guests/stripes/program.hpp"
-#include "host/guests/stripes/scene.hpp"
-#include "host/guests/stripes/status.hpp"
-#include "host/guests/stripes/stream.hpp"
+#include "host/programs/stripes/program.hpp"
+#include "host/programs/stripes/scene.hpp"
+#include "host/programs/stripes/status.hpp"
+#include "host/programs/stripes/stream.hpp"
 #include "host/live/web/requests.hpp"
 
 namespace sightline::live::web {
 namespace {
 
-namespace stripes = guests::stripes;
+namespace stripes = programs::stripes;
 
 // The program on an 8080 whose host computer sends the faces; it cuts them into stripes and finds the order itself.
 Json make_stripes(Workbench& workbench, const Json& request) {

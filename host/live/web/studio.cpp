@@ -12,15 +12,15 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/explain/explain.hpp"
-#include "host/guests/flight/program.hpp"
-#include "host/guests/jones/encode.hpp"
-#include "host/guests/jones/program.hpp"
-#include "host/guests/jones/twin/arithmetic.hpp"
-#include "host/guests/skala/guest.hpp"
-#include "host/guests/skala/program.hpp"
-#include "host/guests/skala/stream.hpp"
-#include "host/guests/stripes/program.hpp"
-#include "host/guests/turn/program.hpp"
+#include "host/programs/flight/program.hpp"
+#include "host/programs/jones/encode.hpp"
+#include "host/programs/jones/program.hpp"
+#include "host/programs/jones/twin/arithmetic.hpp"
+#include "host/programs/skala/guest.hpp"
+#include "host/programs/skala/program.hpp"
+#include "host/programs/skala/stream.hpp"
+#include "host/programs/stripes/program.hpp"
+#include "host/programs/turn/program.hpp"
 #include "host/live/web/requests.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/heights/function.hpp"
@@ -33,7 +33,7 @@ namespace sightline::live::web {
 namespace {
 
 namespace oracle = algorithms::oracle;
-namespace skala = guests::skala;
+namespace skala = programs::skala;
 
 Json vector_json(const scene::PolyPoint& p) { return Json::array({p[0], p[1], p[2]}); }
 
@@ -180,12 +180,12 @@ base::Result<scene::CellScene> jones_scene(const Workbench& workbench, const std
 Json make_jones(Workbench& workbench, const Json& request) {
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return refusal(scene.error().message());
-  guests::jones::ProgramOptions options;
+  programs::jones::ProgramOptions options;
   options.eae = flag_of(request, "eae", true);
   if (const auto eye = point_of(request.find("eye"))) options.tape.view = *eye;
-  const auto program = guests::jones::assemble_program(*scene, options);
+  const auto program = programs::jones::assemble_program(*scene, options);
   if (!program) return refusal(program.error().message());
-  guests::run::Program image{{}, program->labels.start};
+  machines::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
   std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
   if (request.find("switches") != nullptr) switches |= static_cast<std::uint32_t>(number_of(request, "switches", 0)) & 0777777U;
@@ -212,7 +212,7 @@ Json make_jones(Workbench& workbench, const Json& request) {
 // What an eye at "eye" sees of a scene of cells at scale "scale", exactly, as `compare` has it: the visible lines of the
 // scene's matter in the program's own windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" the pair.
 Json sight(Workbench& workbench, const Json& request) {
-  namespace jones = guests::jones;
+  namespace jones = programs::jones;
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return refusal(scene.error().message());
   const auto given = point_of(request.find("eye"));
@@ -276,11 +276,11 @@ Json firmware() {
   const auto add = [&sources](std::string_view folder, auto files) {
     for (const auto& [name, text] : files) sources[fmt::format("{}/{}", folder, name)] = text;
   };
-  add("flight", guests::flight::embedded_sources());
-  add("jones", guests::jones::firmware_tapes());
+  add("flight", programs::flight::embedded_sources());
+  add("jones", programs::jones::firmware_tapes());
   add("skala", skala::embedded_sources());
-  add("stripes", guests::stripes::embedded_sources());
-  add("turn", guests::turn::firmware_tapes());
+  add("stripes", programs::stripes::embedded_sources());
+  add("turn", programs::turn::firmware_tapes());
   return Json{{"sources", std::move(sources)}};
 }
 

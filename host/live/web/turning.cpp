@@ -10,16 +10,16 @@
 
 #include "emulators/core/word.hpp"
 #include "host/algorithms/registry/lines.hpp"
-#include "host/guests/turn/program.hpp"
-#include "host/guests/turn/screen_view.hpp"
-#include "host/guests/turn/session.hpp"
-#include "host/guests/turn/tape.hpp"
+#include "host/programs/turn/program.hpp"
+#include "host/programs/turn/screen_view.hpp"
+#include "host/programs/turn/session.hpp"
+#include "host/programs/turn/tape.hpp"
 #include "host/live/web/requests.hpp"
 
 namespace sightline::live::web {
 namespace {
 
-namespace turn = guests::turn;
+namespace turn = programs::turn;
 constexpr std::uint32_t angles = 1U << 18;
 
 turn::Memory memory_of(const Json& request) {

@@ -1,7 +1,7 @@
 // What a browser's module has instead of files, folders and libpng: nothing, said in words. Each function is that of the header
 // it is declared in.
 #include "host/base/file.hpp"
-#include "host/guests/run/cpm_files.hpp"
+#include "host/machines/cpm_files.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/png.hpp"
 
@@ -30,7 +30,7 @@ base::Result<base::Bytes> ApngWriter::finish() const { return base::fail("no mov
 
 }  // namespace sightline::picture
 
-namespace sightline::guests::run {
+namespace sightline::machines {
 
 base::Result<CpmDrive> parse_cpm_drive(std::string_view) {
   return base::Error{"--cpm-drive", "", "found a folder", "none: a page has no folders"};
@@ -44,7 +44,7 @@ bool CpmFiles::answers(std::uint8_t) { return false; }
 bool CpmFiles::needs_host(std::uint8_t) { return false; }
 CpmFiles::Answer CpmFiles::call(std::uint8_t, std::uint16_t, std::span<std::uint8_t>) { return {}; }
 
-}  // namespace sightline::guests::run
+}  // namespace sightline::machines
 
 // Debian's runtime library for wasm32 is compiled with guards of the stack, and has none.
 extern "C" {

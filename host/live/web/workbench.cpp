@@ -15,14 +15,14 @@
 namespace sightline::live::web {
 namespace {
 
-using guests::run::Arguments;
-using guests::run::Input;
-using guests::run::Machine;
-using guests::run::MachineDescription;
-using guests::run::OptionKind;
+using machines::Arguments;
+using machines::Input;
+using machines::Machine;
+using machines::MachineDescription;
+using machines::OptionKind;
 
 const MachineDescription* description_of(std::string_view name) {
-  const auto machines = guests::run::machines();
+  const auto machines = machines::machines();
   const auto found = std::find_if(machines.begin(), machines.end(), [&](const auto* each) { return each->name == name; });
   return found == machines.end() ? nullptr : *found;
 }
@@ -33,7 +33,7 @@ std::int64_t whole_of(const Json& request, std::string_view key, std::int64_t ot
 }
 
 // Options as a command line has them: {"--memory": "8k", "--display": true, "--load": ["a.rim"]}. A complaint, or empty.
-std::string take_options(const Json& given, std::span<const guests::run::Option> options, Arguments& arguments) {
+std::string take_options(const Json& given, std::span<const machines::Option> options, Arguments& arguments) {
   for (const auto& [key, value] : given.members()) {
     const std::string& name = key;
     const auto option = std::find_if(options.begin(), options.end(), [&](const auto& each) { return each.key() == name; });
@@ -94,7 +94,7 @@ Json state_json(Desk& desk) {
     registers.push_back(Json{{"name", each.name},
                              {"value", desk.machine().get(n)},
                              {"bits", each.bits},
-                             {"text", guests::run::digits(desk.description(), desk.machine().get(n), each.bits)}});
+                             {"text", machines::digits(desk.description(), desk.machine().get(n), each.bits)}});
   }
   Json flags = Json::array();
   for (const auto& [name, up] : desk.machine().conditions()) flags.push_back(Json{{"name", name}, {"up", up}});
@@ -162,20 +162,20 @@ std::string reason_text(const Halted& halted) {
 
 Json refusal(std::string_view complaint) { return Json{{"error", complaint}}; }
 
-Desk::Desk(const MachineDescription& description, guests::run::Prepared prepared, Symbols symbols)
+Desk::Desk(const MachineDescription& description, machines::Prepared prepared, Symbols symbols)
     : description_(description),
       prepared_(std::move(prepared)),
       debugger_(description, *prepared_.machine, prepared_.limits, std::move(symbols),
-                {[this](Machine& machine, const guests::run::Limits& limits, const std::function<void(std::string_view)>& heard) {
-                   std::optional<guests::run::Stop> stop;
+                {[this](Machine& machine, const machines::Limits& limits, const std::function<void(std::string_view)>& heard) {
+                   std::optional<machines::Stop> stop;
                    while (!stop) {
-                     if (spent()) return guests::run::Stop{guests::run::interrupted, {}};
+                     if (spent()) return machines::Stop{machines::interrupted, {}};
                      ++slices_;
                      stop = machine.run(limits, true);
                      const std::string text = machine.take_printed();
                      printed_ += text;
                      heard(text);
-                     if (!stop && machine.waits_for_key()) stop = guests::run::Stop{waits_for_a_key, {}};
+                     if (!stop && machine.waits_for_key()) stop = machines::Stop{waits_for_a_key, {}};
                    }
                    return *stop;
                  },
@@ -251,14 +251,14 @@ Json Workbench::make(const Json& request) {
   }
   arguments.value("--monitor").flag = true;
   std::string missing;
-  auto prepared = guests::run::prepare(*description, arguments, [&](const std::string& path) {
+  auto prepared = machines::prepare(*description, arguments, [&](const std::string& path) {
     const Bytes* const bytes = file(path);
     if (bytes == nullptr) missing = path;
     return Input{path, bytes != nullptr ? *bytes : Bytes()};
-  }, [&](Machine& machine, const Input& input) -> guests::run::Result<guests::run::Done> {
+  }, [&](Machine& machine, const Input& input) -> machines::Result<machines::Done> {
     const auto done = restore_snapshot(description->name, machine, input.bytes, input.name);
-    if (!done) return guests::run::bad_input(done.error().message());
-    return guests::run::Done{};
+    if (!done) return machines::bad_input(done.error().message());
+    return machines::Done{};
   });
   if (!missing.empty()) return refusal(fmt::format("{}: no such file on the page; drop it first", missing));
   if (!prepared) return refusal(prepared.error().message);
@@ -391,7 +391,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
     Breakpoint breakpoint;
     breakpoint.kind = Breakpoint::Kind::memory;
     breakpoint.first = breakpoint.last = *at;
-    breakpoint.access = guests::run::Probe::is_written;
+    breakpoint.access = machines::Probe::is_written;
     breakpoint.text = "write of " + debugger.address(*at);
     return Json{{"number", debugger.breakpoints().add(std::move(breakpoint))}};
   }
@@ -493,7 +493,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
     const std::string name = text_of(request, "file");
     const Bytes* const bytes = file(name);
     if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", name));
-    const auto program = guests::run::read_program(desk.description(), {name, {}}, {name, *bytes}, {}, nullptr);
+    const auto program = machines::read_program(desk.description(), {name, {}}, {name, *bytes}, {}, nullptr);
     if (!program) return refusal(program.error().message);
     for (const auto& [where, word] : program->words) {
       if (where >= machine.words()) return refusal(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));

@@ -12,22 +12,22 @@
 #include <vector>
 
 #include "host/base/json.hpp"
-#include "host/guests/run/engine.hpp"
+#include "host/machines/engine.hpp"
 #include "host/live/debugger.hpp"
 
 namespace sightline::live::web {
 
 using base::Json;
-using guests::run::Bytes;
+using machines::Bytes;
 
 // A machine on the page.
 class Desk {
  public:
-  Desk(const guests::run::MachineDescription& description, guests::run::Prepared prepared, Symbols symbols);
+  Desk(const machines::MachineDescription& description, machines::Prepared prepared, Symbols symbols);
 
-  [[nodiscard]] guests::run::Machine& machine() { return *prepared_.machine; }
+  [[nodiscard]] machines::Machine& machine() { return *prepared_.machine; }
   [[nodiscard]] Debugger& debugger() { return debugger_; }
-  [[nodiscard]] const guests::run::MachineDescription& description() const { return description_; }
+  [[nodiscard]] const machines::MachineDescription& description() const { return description_; }
   // A request begins: what it runs counts from here, and ends when it has run too long.
   void begin();
   // What has been printed since the last call.
@@ -42,8 +42,8 @@ class Desk {
   [[nodiscard]] std::span<const core::Stroke> take_flashes();
 
  private:
-  const guests::run::MachineDescription& description_;
-  guests::run::Prepared prepared_;
+  const machines::MachineDescription& description_;
+  machines::Prepared prepared_;
   [[nodiscard]] bool spent() const;
 
   std::string printed_;

@@ -95,7 +95,7 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
     }
     if (picture.ink)
       for (const compare::SkalaInk& ink : *picture.ink)
-        if (ink.device == guests::skala::Device::ef9365 || (ink.device == guests::skala::Device::calcomp && compare::shows_lines(ink)))
+        if (ink.device == programs::skala::Device::ef9365 || (ink.device == programs::skala::Device::calcomp && compare::shows_lines(ink)))
           add(name, ", " + compare::name_of(ink), compare::faces_image(ink.dots, compare::case_image_side));
     if (picture.faces) add(name, picture.lines ? " (faces)" : "", compare::faces_image(*picture.faces, compare::case_image_side));
   }

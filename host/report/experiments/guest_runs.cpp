@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "emulators/devices/ef9365_timing.hpp"
-#include "host/guests/skala/stream.hpp"
+#include "host/programs/skala/stream.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/png_picture.hpp"
@@ -16,8 +16,8 @@ namespace sightline::report {
 
 namespace {
 
-namespace jones = guests::jones;
-namespace skala = guests::skala;
+namespace jones = programs::jones;
+namespace skala = programs::skala;
 
 std::string name_of(const JonesOrder& order) {
   return fmt::format("{}, {} EAE", order.scene, order.eae ? "with" : "without");

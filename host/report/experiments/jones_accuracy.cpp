@@ -12,7 +12,7 @@
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/base/text.hpp"
-#include "host/guests/jones/precision/study.hpp"
+#include "host/programs/jones/precision/study.hpp"
 #include "host/report/experiments/clock.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
@@ -21,7 +21,7 @@ namespace sightline::report {
 
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 
 constexpr int most_machine_fraction = 3;  // fraction bits
 constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};

@@ -8,7 +8,7 @@
 
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/guests/jones/precision/guest_pieces.hpp"
+#include "host/programs/jones/precision/guest_pieces.hpp"
 #include "host/report/experiment.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
@@ -16,7 +16,7 @@ namespace sightline::report {
 
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 namespace oracle = algorithms::oracle;
 
 // Tried in each view: 24,000 a scene, of which more than 10,000 are farther than a pixel from where

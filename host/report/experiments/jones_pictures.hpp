@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "host/compare/lines.hpp"
-#include "host/guests/jones/precision/precision.hpp"
-#include "host/guests/jones/precision/study.hpp"
+#include "host/programs/jones/precision/precision.hpp"
+#include "host/programs/jones/precision/study.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
@@ -35,24 +35,24 @@ struct PictureError {
 class SceneViews {
  public:
   // Throws Failure (bad_input): the scene is beyond the limits of the oracle or of the machine's core.
-  explicit SceneViews(const guests::jones::SixViews& views);
+  explicit SceneViews(const programs::jones::SixViews& views);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const scene::CellScene& scene() const { return scene_; }
   [[nodiscard]] std::size_t size() const { return views_.size(); }
   [[nodiscard]] const geometry::Point& eye(std::size_t view) const { return views_[view].eye; }
-  [[nodiscard]] const guests::jones::SceneInCore& in_core(std::size_t view) const { return views_[view].in_core; }
+  [[nodiscard]] const programs::jones::SceneInCore& in_core(std::size_t view) const { return views_[view].in_core; }
 
   // `line` in points of the screen.
-  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const guests::jones::SceneLine& line,
+  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const programs::jones::SceneLine& line,
                                           const algorithms::oracle::ScreenSegment& image) const;
-  void add(PictureError& error, std::size_t view, guests::jones::Status status,
+  void add(PictureError& error, std::size_t view, programs::jones::Status status,
            const std::vector<picture::DrawnPiece>& drawn) const;
 
  private:
   struct View {
     geometry::Point eye{};
-    guests::jones::SceneInCore in_core;
+    programs::jones::SceneInCore in_core;
     compare::ImageLines reference;
   };
 
@@ -64,7 +64,7 @@ class SceneViews {
 
 // A build of the program on the machine. Times are means of a view.
 struct MachineBuild {
-  guests::jones::Precision precision;
+  programs::jones::Precision precision;
   PictureError clipped;    // pieces as they left the clip, with their fraction of a point
   PictureError displayed;  // the same between the whole points of the display
   double eae_s = 0;
@@ -72,11 +72,11 @@ struct MachineBuild {
 };
 
 // Throws Failure: differs, if the build without the EAE draws other pieces than that with it; guest_failed.
-[[nodiscard]] MachineBuild measure_build(const SceneViews& views, const guests::jones::Precision& precision);
+[[nodiscard]] MachineBuild measure_build(const SceneViews& views, const programs::jones::Precision& precision);
 
 // In C++.
-[[nodiscard]] guests::jones::PreciseView run_twin(const SceneViews& views, std::size_t view,
-                                                  const guests::jones::Precision& precision);
-[[nodiscard]] PictureError measure_twin(const SceneViews& views, const guests::jones::Precision& precision);
+[[nodiscard]] programs::jones::PreciseView run_twin(const SceneViews& views, std::size_t view,
+                                                  const programs::jones::Precision& precision);
+[[nodiscard]] PictureError measure_twin(const SceneViews& views, const programs::jones::Precision& precision);
 
 }  // namespace sightline::report

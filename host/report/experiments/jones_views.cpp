@@ -13,7 +13,7 @@ namespace sightline::report {
 
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 
 JonesView view_of(const JonesOrder& order, const JonesRun& run) {
   const jones::GuestView& view = run.view();

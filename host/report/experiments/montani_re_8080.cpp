@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "host/algorithms/registry/faces.hpp"
-#include "host/guests/stripes/session.hpp"
+#include "host/programs/stripes/session.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/guest_runs.hpp"
@@ -22,7 +22,7 @@ namespace sightline::report {
 
 namespace {
 
-namespace stripes = guests::stripes;
+namespace stripes = programs::stripes;
 
 constexpr std::array<std::string_view, 6> stripe_scenes{"roberts", "house", "street4", "boxes-8", "boxes-20", "bricks-20"};
 

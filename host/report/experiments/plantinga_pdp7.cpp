@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/guests/turn/session.hpp"
+#include "host/programs/turn/session.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/page.hpp"
@@ -21,7 +21,7 @@ std::span<const std::pair<std::string_view, std::string_view>> turn_model_files(
 
 namespace {
 
-namespace turn = guests::turn;
+namespace turn = programs::turn;
 
 turn::Tape tape_of(scene::SceneFile file) {
   const std::string name = file.name;

@@ -12,9 +12,9 @@
 
 #include "emulators/core/tstates.hpp"
 #include "host/algorithms/skala/draw.hpp"
-#include "host/guests/skala/projection.hpp"
-#include "host/guests/skala/session.hpp"
-#include "host/guests/skala/stream.hpp"
+#include "host/programs/skala/projection.hpp"
+#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/stream.hpp"
 #include "host/report/experiments/clock.hpp"
 #include "host/scene/heights/function.hpp"
 
@@ -23,7 +23,7 @@ namespace sightline::report {
 namespace {
 
 namespace native = algorithms::skala;
-namespace skala = guests::skala;
+namespace skala = programs::skala;
 
 constexpr std::array functions{"sinc", "peaks", "cosr"};
 constexpr std::array<int, 5> raster_sizes{64, 128, 256, 512, 1024};

@@ -7,7 +7,7 @@
 
 #include "emulators/core/raster.hpp"
 #include "emulators/core/tstates.hpp"
-#include "host/guests/skala/commands.hpp"
+#include "host/programs/skala/commands.hpp"
 #include "host/report/experiments/guest_runs.hpp"
 #include "host/scene/heights/function.hpp"
 
@@ -15,7 +15,7 @@ namespace sightline::report {
 
 namespace {
 
-namespace skala = guests::skala;
+namespace skala = programs::skala;
 
 std::size_t colours_of(const core::Raster& raster) {
   return std::set(raster.points().begin(), raster.points().end()).size();

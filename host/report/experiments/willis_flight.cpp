@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "host/guests/flight/path.hpp"
-#include "host/guests/flight/session.hpp"
+#include "host/programs/flight/path.hpp"
+#include "host/programs/flight/session.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/page.hpp"
 #include "host/scene/generate/scene.hpp"
@@ -100,7 +100,7 @@ void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
 }  // namespace
 
 std::vector<WillisFlight> willis_flight(const Context& context) {
-  namespace guest = guests::flight;
+  namespace guest = programs::flight;
   constexpr std::size_t all = 200;
   std::vector<WillisFlight> flights;
   const guest::Session session;

@@ -21,7 +21,7 @@
 namespace sightline::compare {
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 namespace oracle = algorithms::oracle;
 
 std::vector<AtlasView> views_of(const scene::CellScene& scene, const std::vector<geometry::Point>& eyes,

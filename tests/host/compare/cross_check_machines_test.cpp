@@ -130,7 +130,7 @@ TEST(MachinePictures, ADotMoreAndALineOfAPlotterAsideAreFound) {
   dot_more[0].dots.set(3, 250, 1);
   EXPECT_FALSE(compare_with_oracle(scene, {skala_8080_name, &dot_more}).agrees);
   for (const SkalaInk& picture : pictures) {
-    if (picture.device != guests::skala::Device::calcomp) continue;
+    if (picture.device != programs::skala::Device::calcomp) continue;
     std::vector<SkalaInk> aside{picture};
     // What is farthest to the left is the corner of the domain, with nothing beside it.
     auto& ink = aside[0].ink;

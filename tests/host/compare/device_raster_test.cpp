@@ -15,11 +15,11 @@
 #include "host/compare/height_truth.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
-#include "host/guests/jones/session.hpp"
-#include "host/guests/jones/twin/number.hpp"
-#include "host/guests/skala/session.hpp"
-#include "host/guests/skala/stream.hpp"
-#include "host/guests/stripes/session.hpp"
+#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/twin/number.hpp"
+#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/stream.hpp"
+#include "host/programs/stripes/session.hpp"
 #include "host/picture/raster_difference.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/heights/function.hpp"
@@ -92,9 +92,9 @@ TEST(Type340Points, LongLinesAreDividedAsTheirProgramsDo) {
 }
 
 // The program's pieces before they are rounded, in points of the screen.
-std::vector<PixelSegment> pieces_of(const guests::jones::View& view) {
+std::vector<PixelSegment> pieces_of(const programs::jones::View& view) {
   std::vector<PixelSegment> pieces;
-  const guests::jones::ShortWords number;
+  const programs::jones::ShortWords number;
   const auto point = [&](std::int32_t at) { return number.points(at) + 512; };
   for (const auto& piece : view.pieces)
     pieces.push_back({{point(piece.line.a.x), point(piece.line.a.y)}, {point(piece.line.b.x), point(piece.line.b.y)}});
@@ -103,9 +103,9 @@ std::vector<PixelSegment> pieces_of(const guests::jones::View& view) {
 
 TEST(Type340Points, OfJonesPiecesAreTheFlashesOfHisProgram) {
   for (const char* name : {"house", "roberts", "corridor8"}) {
-    const auto session = guests::jones::Session::of(scene::builtin_scene(name), {});
+    const auto session = programs::jones::Session::of(scene::builtin_scene(name), {});
     ASSERT_TRUE(session) << name;
-    guests::jones::GuestOptions options;
+    programs::jones::GuestOptions options;
     options.views = 1;
     const auto run = session->run(options);
     const PixelGrid shown = points_of(run.guest.pass);
@@ -118,13 +118,13 @@ TEST(CompareFlashes, OfHisProgramAndExactLines) {
   for (const char* name : {"house", "roberts"}) {
     SCOPED_TRACE(name);
     const scene::CellScene cells = scene::builtin_scene(name);
-    const auto session = guests::jones::Session::of(cells, {});
+    const auto session = programs::jones::Session::of(cells, {});
     ASSERT_TRUE(session);
-    guests::jones::GuestOptions options;
+    programs::jones::GuestOptions options;
     options.views = 1;
     auto run = session->run(options);
     algorithms::oracle::Window window;
-    window.near = guests::jones::near_z;
+    window.near = programs::jones::near_z;
     std::vector<PixelSegment> exact;
     const auto seen = algorithms::oracle::visible_lines(cells, cells.default_view, window);
     ASSERT_TRUE(seen);
@@ -194,19 +194,19 @@ TEST(SkalaPoints, OfOneLineByHand) {
 }
 
 TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
-  const guests::skala::Session session;
+  const programs::skala::Session session;
   for (const double rotation : {0.0, 33.0}) {
-    guests::skala::View view;
+    programs::skala::View view;
     view.rotation = rotation;
     view.visibility = false;
     const scene::HeightGrid grid = scene::sample(*scene::height_function("sinc"), {17, 12});
     const auto lines = wholly_seen(HeightLines(grid, view).lines());
-    EXPECT_EQ(skala_points(lines), points_of(session.run(guests::skala::stream_of(grid, view)).guest.raster)) << rotation;
-    view.device = guests::skala::Device::calcomp;
-    guests::skala::GuestOptions on_plotter;
+    EXPECT_EQ(skala_points(lines), points_of(session.run(programs::skala::stream_of(grid, view)).guest.raster)) << rotation;
+    view.device = programs::skala::Device::calcomp;
+    programs::skala::GuestOptions on_plotter;
     on_plotter.device = view.device;
-    const auto plotted = session.run(guests::skala::stream_of(grid, view), on_plotter);
-    EXPECT_EQ(skala_points(lines, SkalaDevice::plotter), points_of(guests::skala::pen_paths(plotted.guest.moves))) << rotation;
+    const auto plotted = session.run(programs::skala::stream_of(grid, view), on_plotter);
+    EXPECT_EQ(skala_points(lines, SkalaDevice::plotter), points_of(programs::skala::pen_paths(plotted.guest.moves))) << rotation;
   }
 }
 
@@ -224,14 +224,14 @@ TEST(LinesAsDrawn, TakesPiecesForWhatIsSeen) {
 }
 
 TEST(StripesPenPoints, AreThoseOfTheProgram) {
-  const guests::stripes::Session session;
+  const programs::stripes::Session session;
   const scene::PolyScene scene = scene::poly_scene_of(scene::builtin_scene("roberts"));
-  guests::stripes::View view;
+  programs::stripes::View view;
   view.camera = scene.camera;
-  constexpr auto host = guests::stripes::Computer::host;
-  const auto drawn = session.draw(scene, view, {guests::stripes::Output::vector, host, host});
+  constexpr auto host = programs::stripes::Computer::host;
+  const auto drawn = session.draw(scene, view, {programs::stripes::Output::vector, host, host});
   ASSERT_TRUE(drawn) << drawn.error().message();
-  const PixelGrid shown = points_of(guests::stripes::pen_paths(drawn->picture.guest.commands));
+  const PixelGrid shown = points_of(programs::stripes::pen_paths(drawn->picture.guest.commands));
   EXPECT_GT(lit(shown).size(), 300U);
   const PixelGrid expected = stripes_pen_points(drawn->faces());
   // The pen cuts corners: it may leave out the corner of two links, but goes nowhere else.

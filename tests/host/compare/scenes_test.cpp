@@ -94,13 +94,13 @@ TEST(ExactPictures, AreNothingApartFromThemselves) {
 // What is seen on a screen of 1024 points, of any scene of cells from any eye.
 oracle::Window screen() {
   oracle::Window window;
-  window.near = guests::jones::near_z;
+  window.near = programs::jones::near_z;
   return window;
 }
 
 ScreenFrame screen_frame() {
   ScreenFrame frame;
-  frame.near = guests::jones::near_z;
+  frame.near = programs::jones::near_z;
   return frame;
 }
 
@@ -203,7 +203,7 @@ TEST(LinesOfVectors, AreTheScenesLines) {
       EXPECT_TRUE(wire);
       return image.line_of(*wire);
     };
-    const auto encoded = *guests::jones::encode(scene, {}, 04000);
+    const auto encoded = *programs::jones::encode(scene, {}, 04000);
     std::multiset<picture::LineId> found;
     for (const auto& [address, line] : lines_of_vectors(encoded, matter, image)) {
       if (encoded.words.at(address - encoded.base).value & 0400000) found.insert(line);
@@ -342,7 +342,7 @@ TEST(CompareTurn, AnglesOfTheMachineAreThoseOfCameras) {
   EXPECT_FALSE(turn_angle_of(scene::PolyCamera{}));  // in perspective
 }
 
-// A flash is no farther than the machine's words and the wandering of its beam explain (host/guests/turn/precision.hpp).
+// A flash is no farther than the machine's words and the wandering of its beam explain (host/programs/turn/precision.hpp).
 TEST(CompareTurn, IsItsTwinAndNearTheExactLines) {
   for (const std::uint32_t angle : {0U, 26843U, 40000U, 123456U, 262143U}) {
     const auto check = check_turn(scene::generate_boxes(5, 3), angle);
@@ -406,7 +406,7 @@ TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
 
 TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
   const auto grid = scene::sample(*scene::height_function("sinc"), {33, 60});
-  guests::skala::View view;
+  programs::skala::View view;
   view.rotation = 30;
   const HeightComparison comparison = compare_heights(grid, view);
   EXPECT_TRUE(comparison.agrees()) << comparison.guest_difference;
@@ -422,18 +422,18 @@ TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
 
 TEST(CompareHeights, SaysWhatItCannotCompare) {
   auto grid = scene::sample(*scene::height_function("sinc"), {9, 9});
-  guests::skala::View view;
+  programs::skala::View view;
   EXPECT_FALSE(why_not_comparable(grid, view));
   view.zoom = 2;
   EXPECT_TRUE(why_not_comparable(grid, view));
   view.zoom = 1;
-  view.family = guests::skala::Family::along_z;
+  view.family = programs::skala::Family::along_z;
   EXPECT_TRUE(why_not_comparable(grid, view)) << "seen end-on";
   view.rotation = 80;
   EXPECT_FALSE(why_not_comparable(grid, view));
-  view.family = guests::skala::Family::along_x;
+  view.family = programs::skala::Family::along_x;
   EXPECT_TRUE(why_not_comparable(grid, view));
-  view.picture = guests::skala::PictureKind::contours;
+  view.picture = programs::skala::PictureKind::contours;
   EXPECT_FALSE(why_not_comparable(grid, view)) << "contours go by cells";
   grid.heights[5] = std::nan("");
   EXPECT_TRUE(why_not_comparable(grid, view));

@@ -78,7 +78,7 @@ TEST(WrongStretches, TheShortestAreLeftOut) {
 // Sampled in steps of a 200th of a point: the oracle's measure of the picture enlarged 50 times.
 TEST(WrongStretches, AreThoseThatSamplingFinds) {
   constexpr double enlarged = 50;
-  guests::jones::Dice dice(7);
+  programs::jones::Dice dice(7);
   const auto place = [&dice] { return dice(0, 400) / 4.0; };
   for (int round = 0; round < 50; ++round) {
     // Rows, and lines along z, whose images run from the middle of the screen; no two of one image.

@@ -11,7 +11,7 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/explain/explain.hpp"
 #include "host/explain/stage.hpp"
-#include "host/guests/jones/session.hpp"
+#include "host/programs/jones/session.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/builtin.hpp"
@@ -133,14 +133,14 @@ TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
     ASSERT_TRUE(cells) << name;
     const auto lesson = find_explainer("jones")->scene(source.scene, source.scene.camera, &*cells);
     ASSERT_TRUE(lesson) << name;
-    guests::jones::ProgramOptions options;
+    programs::jones::ProgramOptions options;
     options.tape.view = source.scene.camera.eye;
-    guests::jones::GuestOptions one_view;
+    programs::jones::GuestOptions one_view;
     one_view.views = 1;
     one_view.scale = 256;
-    const auto session = guests::jones::Session::of(*source.cells, options);
+    const auto session = programs::jones::Session::of(*source.cells, options);
     ASSERT_TRUE(session) << name;
-    const guests::jones::GuestRun guest = session->run(one_view).guest;
+    const programs::jones::GuestRun guest = session->run(one_view).guest;
     ASSERT_EQ(guest.views.size(), 1U) << name;
     const Step& last = lesson->steps.back();
     EXPECT_EQ(count_of(last, "cells of the scene"), source.cells->cells.size()) << name;

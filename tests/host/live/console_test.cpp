@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/host/guests/run/machine_run.hpp"
+#include "tests/host/machines/machine_run.hpp"
 #include "tests/support/effort.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/asm/pdp7.hpp"
@@ -80,9 +80,9 @@ class Typist final : public live::Operator {
 };
 
 struct Ended {
-  run::Stop stop;
+  machines::Stop stop;
   std::string printed;
-  std::unique_ptr<run::Machine> machine;
+  std::unique_ptr<machines::Machine> machine;
 };
 
 Ended session(const MachineRun& of, Typist typist, const live::ConsoleOptions& options) {
@@ -100,7 +100,7 @@ MachineRun pdp7_run(const std::string& source) {
   const std::vector<assembler::SourceFile> sources{{"test.s", "100/\n" + source}};
   const auto assembly = assembler::assemble_pdp7(sources, {});
   for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
-  return MachineRun(run::pdp7())
+  return MachineRun(machines::pdp7())
       .set_file("--load", "test.oct", image::write_octal(assembly.image))
       .set("--start", "100")
       .set("--max-time", "300");
@@ -130,7 +130,7 @@ MachineRun i8080_run(const std::string& text) {
   const std::vector<assembler::SourceFile> sources{{"test.asm", "  ORG 100H\n" + text}};
   const auto assembly = assembler::assemble_i8080(sources);
   for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
-  return MachineRun(run::i8080())
+  return MachineRun(machines::i8080())
       .set_file("--load", "test.hex", image::write_intel_hex(assembly.image))
       .set("--start", "100")
       .set("--cpm")

@@ -17,7 +17,7 @@
 
 #include "host/live/symbols.hpp"
 #include "tests/host/app/command_line.hpp"
-#include "tests/host/guests/run/machine_run.hpp"
+#include "tests/host/machines/machine_run.hpp"
 #include "tests/host/live/disk_system.hpp"
 #include "tests/support/effort.hpp"
 #include "tools/asm/i8080.hpp"
@@ -131,7 +131,7 @@ class DapSteps : public Dap {
  protected:
   // `launch` is called again by restart.
   void hold_with(std::function<base::Result<live::Launched>(const json&)> launch,
-                 std::function<base::Result<base::Done>(const run::Machine&)> finish = {}) {
+                 std::function<base::Result<base::Done>(const machines::Machine&)> finish = {}) {
     live::DapHost host;
     host.finish = std::move(finish);
     std::string wire;
@@ -175,7 +175,7 @@ class DapSteps : public Dap {
 };
 
 template <class Assembly>
-live::Launched launched(const run::MachineDescription& description, MachineRun& of, const Assembly& assembly,
+live::Launched launched(const machines::MachineDescription& description, MachineRun& of, const Assembly& assembly,
                         const std::string& table, const char* start = "100") {
   for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
   of.set("--start", start).monitored();
@@ -183,7 +183,7 @@ live::Launched launched(const run::MachineDescription& description, MachineRun& 
   EXPECT_TRUE(prepared.has_value()) << of.refusal();
   live::Symbols symbols(description.radix);
   EXPECT_TRUE(symbols.add_table(table));
-  for (const auto& line : run::source_lines(assembly.listing, description.radix)) symbols.add_line(line.address, {line.file, line.line});
+  for (const auto& line : machines::source_lines(assembly.listing, description.radix)) symbols.add_line(line.address, {line.file, line.line});
   return {&description, std::move(*prepared), std::move(symbols), {}};
 }
 
@@ -191,17 +191,17 @@ live::Launched pdp7_launched(const std::string& source, const char* start = "100
   const std::vector<assembler::SourceFile> sources{{"p.s", source}};
   const auto assembly = assembler::assemble_pdp7(sources, {});
   const auto tape = image::write_rim(assembly.image, "p.rim");
-  MachineRun of(run::pdp7());
+  MachineRun of(machines::pdp7());
   of.set_file("--load", "p.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()});
-  return launched(run::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), start);
+  return launched(machines::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), start);
 }
 
 live::Launched i8080_launched(const std::string& source) {
   const std::vector<assembler::SourceFile> sources{{"p.asm", source}};
   const auto assembly = assembler::assemble_i8080(sources);
-  MachineRun of(run::i8080());
+  MachineRun of(machines::i8080());
   of.set_file("--load", "p.hex", image::write_intel_hex(assembly.image)).set("--cpm").set("--console", "ascii");
-  return launched(run::i8080(), of, assembly, assembler::write_i8080_symbols(assembly.symbols));
+  return launched(machines::i8080(), of, assembly, assembler::write_i8080_symbols(assembly.symbols));
 }
 
 TEST_F(DapSteps, ThePdp7GoesForwardAndBack) {
@@ -501,12 +501,12 @@ TEST_F(DapSteps, ASystemBootsFromADisk) {
   hold_with([](const json&) {
     const auto assembly = assembled_file(disk_system_file("boot.s"));
     const auto tape = image::write_rim(assembly.image, "boot.rim");
-    MachineRun of(run::pdp7());
+    MachineRun of(machines::pdp7());
     of.set_file("--load", "boot.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()});
     of.set_file("--disk", "disk", disk_system_image());
-    return launched(run::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), "7700");
+    return launched(machines::pdp7(), of, assembly, assembler::write_symbols(assembly.symbols), "7700");
   },
-            [&changed](const run::Machine& machine) -> base::Result<base::Done> {
+            [&changed](const machines::Machine& machine) -> base::Result<base::Done> {
               changed = machine.changed_media().size();
               return base::Done{};
             });

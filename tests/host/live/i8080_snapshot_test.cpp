@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "host/guests/run/i8080.hpp"
-#include "host/guests/skala/commands.hpp"
-#include "host/guests/skala/program.hpp"
+#include "host/machines/i8080.hpp"
+#include "host/programs/skala/commands.hpp"
+#include "host/programs/skala/program.hpp"
 #include "tests/firmware/skala_streams.hpp"
-#include "tests/host/guests/run/i8080_setup.hpp"
+#include "tests/host/machines/i8080_setup.hpp"
 #include "tests/host/live/snapshot_law.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
@@ -20,10 +20,10 @@
 namespace sightline::test {
 namespace {
 
-namespace skala = guests::skala;
-using guests::jones::Dice;
+namespace skala = programs::skala;
+using programs::jones::Dice;
 
-LawProgram program_of(std::function<std::unique_ptr<run::Machine>()> make) {
+LawProgram program_of(std::function<std::unique_ptr<machines::Machine>()> make) {
   return {"i8080",   std::move(make), {"--trace", "--bus", "--strokes"}, {"--parallel-out", "--serial-out"},
           {"--png"}, {"--svg"}};
 }
@@ -42,14 +42,14 @@ TEST_P(SkalaSnapshots, ContinueBitForBit) {
   skala_test::StreamKind kind;
   kind.device = static_cast<int>(chosen.device);
   kind.surfaces = true;
-  const run::Bytes stream = skala_test::StreamMaker(kind, 1986).make(60);
+  const machines::Bytes stream = skala_test::StreamMaker(kind, 1986).make(60);
   const LawProgram program = program_of([&] {
-    run::I8080Setup setup;
+    machines::I8080Setup setup;
     attach(setup, std::array{"ef9365", "alt256", "calcomp565", "minigraf0507"}[static_cast<std::size_t>(chosen.device)]);
     attach_link(setup, chosen.serial ? "serial" : "parallel", stream);
     setup.observed = true;
     setup.drawing = true;
-    auto machine = run::make_i8080(std::move(setup));
+    auto machine = machines::make_i8080(std::move(setup));
     for (std::uint32_t a = 0; a < skala.memory.size(); ++a) machine->put(a, skala.memory[a]);
     machine->put(skala.labels.link_switch, chosen.serial ? 1 : 0);
     machine->start(skala.labels.start);
@@ -72,10 +72,10 @@ INSTANTIATE_TEST_SUITE_P(Devices, SkalaSnapshots,
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
 // Everything at once, each request on a restart of its own.
-run::I8080Setup everything() {
-  run::I8080Setup setup;
+machines::I8080Setup everything() {
+  machines::I8080Setup setup;
   for (const char* device : {"ef9365", "alt256", "calcomp565", "minigraf0507", "sio", "2sio"}) attach(setup, device);
-  run::Bytes bytes;
+  machines::Bytes bytes;
   for (int n = 0; n < 500; ++n) bytes.push_back(static_cast<std::uint8_t>(n * 41));
   attach_link(setup, "parallel", bytes);
   attach_link(setup, "serial", bytes);
@@ -93,7 +93,7 @@ run::I8080Setup everything() {
 // A program without loops for 64K of memory: 8251 and 8255 are set, then random arithmetic and accesses to
 // all devices, EI now and then, and HLT, which the next request ends. A request jumps to its restart, which
 // returns.
-void put_random_program(run::Machine& machine, std::uint32_t seed) {
+void put_random_program(machines::Machine& machine, std::uint32_t seed) {
   Dice dice(seed);
   std::uint32_t at = 0x40;
   const auto put = [&](std::initializer_list<int> bytes) {
@@ -138,16 +138,16 @@ void put_random_program(run::Machine& machine, std::uint32_t seed) {
 
 LawProgram random_program(std::uint32_t seed) {
   return program_of([seed] {
-    auto machine = run::make_i8080(everything());
+    auto machine = machines::make_i8080(everything());
     put_random_program(*machine, seed);
     machine->start(0x40);
     return machine;
   });
 }
 
-std::uint64_t field(const run::Bytes& snapshot, std::string_view section, std::size_t at, unsigned bytes) {
+std::uint64_t field(const machines::Bytes& snapshot, std::string_view section, std::size_t at, unsigned bytes) {
   const auto decoded = live::decode_snapshot(snapshot, "test.snap");
-  for (const run::StateSection& each : decoded->state) {
+  for (const machines::StateSection& each : decoded->state) {
     if (each.name != section) continue;
     std::uint64_t number = 0;
     for (unsigned i = 0; i < bytes; ++i) number |= std::uint64_t{each.bytes.at(at + i)} << (8 * i);
@@ -169,7 +169,7 @@ TEST(I8080Snapshots, RandomProgramsContinueBitForBit) {
     LawRun alone(program);
     alone.go(first);
 
-    const run::Bytes now = alone.save();
+    const machines::Bytes now = alone.save();
     constexpr std::size_t raster = 65536;
     drawing += static_cast<int>(field(now, "ef9365", 24 + raster + 4, 1));
     plotting += static_cast<int>(field(now, "calcomp565", 9, 1));
@@ -190,8 +190,8 @@ TEST(I8080Snapshots, RandomProgramsContinueBitForBit) {
 // The run ends in HLT by its time limit, and the request that ends the HLT comes after the snapshot.
 TEST(I8080Snapshots, ContinueFromAHalt) {
   const LawProgram program = program_of([] {
-    run::I8080Setup setup = everything();
-    auto machine = run::make_i8080(std::move(setup));
+    machines::I8080Setup setup = everything();
+    auto machine = machines::make_i8080(std::move(setup));
     std::uint32_t at = 0;
     // 0000 JMP 40; RST 2 (CalComp): POP PSW (its return), JMP 50. 40: LXI SP, MVI A 2, OUT 60, EI, HLT; 50:
     // LXI H, HLT
@@ -229,9 +229,9 @@ TEST(I8080Snapshots, ContinueFromAHold) {
   int standing = 0;
   for (std::uint32_t seed = 1; seed <= tests::effort(4U, 1U); ++seed) {
     const LawProgram program = program_of([seed] {
-      run::I8080Setup setup = everything();
+      machines::I8080Setup setup = everything();
       attach(setup, "bus-master", {{"first", 50 + seed}, {"length", 40}, {"period", 97}});
-      auto machine = run::make_i8080(std::move(setup));
+      auto machine = machines::make_i8080(std::move(setup));
       put_random_program(*machine, seed);
       machine->start(0x40);
       return machine;
@@ -243,7 +243,7 @@ TEST(I8080Snapshots, ContinueFromAHold) {
       LawRun first(program);
       static_cast<void>(first.machine().run({instructions, until}, false));
       first.machine().finish();
-      const run::Bytes snapshot = first.save();
+      const machines::Bytes snapshot = first.save();
       LawRun second(program);
       second.restore(snapshot);
       second.go(instructions - second.machine().instructions());
@@ -259,9 +259,9 @@ TEST(I8080Snapshots, ContinueFromAHold) {
 TEST(I8080Snapshots, KeepWhatACpmProgramHasPrinted) {
   const LawProgram program{"i8080",
                            [] {
-                             run::I8080Setup setup;
+                             machines::I8080Setup setup;
                              setup.cpm.emplace();
-                             auto machine = run::make_i8080(std::move(setup));
+                             auto machine = machines::make_i8080(std::move(setup));
                              std::uint32_t at = 0x100;
                              // MVI C 2; INR E; CALL 5; JMP 102
                              for (const int byte : {0x0E, 0x02, 0x1C, 0xCD, 0x05, 0x00, 0xC3, 0x02, 0x01})
@@ -281,7 +281,7 @@ TEST(I8080Snapshots, KeepWhatACpmProgramHasPrinted) {
 }
 
 TEST(I8080Snapshots, AreSmall) {
-  EXPECT_LT(live::save_snapshot("i8080", *run::make_i8080({})).size(), 131072U);
+  EXPECT_LT(live::save_snapshot("i8080", *machines::make_i8080({})).size(), 131072U);
   const LawProgram program = random_program(1);
   EXPECT_LT(LawRun(program).save().size(), 131072U + 2 * 65536U);
 }

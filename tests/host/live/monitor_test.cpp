@@ -15,7 +15,7 @@
 #include "host/live/console.hpp"
 #include "host/live/expression.hpp"
 #include "host/live/snapshot.hpp"
-#include "tests/host/guests/run/machine_run.hpp"
+#include "tests/host/machines/machine_run.hpp"
 #include "tests/support/effort.hpp"
 #include "tools/asm/i8080.hpp"
 #include "tools/asm/pdp7.hpp"
@@ -102,7 +102,7 @@ TEST(Expression, SaysWhatIsWrong) {
 class Session {
  public:
   // With a patience nobody types.
-  Session(const run::MachineDescription& description, MachineRun of, live::Symbols symbols, std::optional<std::int64_t> patience = {})
+  Session(const machines::MachineDescription& description, MachineRun of, live::Symbols symbols, std::optional<std::int64_t> patience = {})
       : patience_(patience),
         prepared_([&of] {
           of.monitored();
@@ -118,7 +118,7 @@ class Session {
     EXPECT_EQ(answer.kind, kind) << line << "\n" << answer.text;
     return answer.text;
   }
-  run::Machine& machine() { return *prepared_.machine; }
+  machines::Machine& machine() { return *prepared_.machine; }
   live::Monitor& monitor() { return monitor_; }
 
   std::map<std::string, std::string> files;
@@ -133,18 +133,18 @@ class Session {
     return host;
   }
   live::MonitorHost patient_host() {
-    return {{[this](run::Machine& machine, const run::Limits& limits,
+    return {{[this](machines::Machine& machine, const machines::Limits& limits,
                    const std::function<void(std::string_view)>& heard) {
-              std::optional<run::Stop> stop;
-              run::Limits some = limits;
+              std::optional<machines::Stop> stop;
+              machines::Limits some = limits;
               if (most_slices == 0) some.instructions = std::min(limits.instructions, machine.instructions() + 5000);
               for (int slices = 0; !stop; ++slices) {
                 stop = machine.run(some, true);
-                if (!stop && slices == most_slices) stop = run::Stop{run::interrupted, {}};
+                if (!stop && slices == most_slices) stop = machines::Stop{machines::interrupted, {}};
                 const std::string text = live::shown_text(machine.take_printed());
                 printed += text;
                 heard(text);
-                if (!stop && machine.waits_for_key()) stop = run::Stop{live::end_of_input, {}};
+                if (!stop && machine.waits_for_key()) stop = machines::Stop{live::end_of_input, {}};
               }
               return *stop;
             },
@@ -152,20 +152,20 @@ class Session {
              [this](std::string_view text) { printed += text; },
              false,
              60},
-            [this](const std::string& path) -> run::Result<run::Input> {
+            [this](const std::string& path) -> machines::Result<machines::Input> {
               const auto found = files.find(path);
-              if (found == files.end()) return run::bad_input(path + ": no such file");
-              return run::Input{path, {found->second.begin(), found->second.end()}};
+              if (found == files.end()) return machines::bad_input(path + ": no such file");
+              return machines::Input{path, {found->second.begin(), found->second.end()}};
             },
-            [this](const std::string& path, std::span<const std::uint8_t> bytes) -> run::Result<base::Done> {
+            [this](const std::string& path, std::span<const std::uint8_t> bytes) -> machines::Result<base::Done> {
               files[path] = {bytes.begin(), bytes.end()};
               return base::Done{};
             },
-            [](const std::string&) -> run::Result<base::Done> { return run::usage("there is no console"); }};
+            [](const std::string&) -> machines::Result<base::Done> { return machines::usage("there is no console"); }};
   }
 
   std::optional<std::int64_t> patience_;
-  run::Prepared prepared_;
+  machines::Prepared prepared_;
   live::Monitor monitor_;
 };
 
@@ -177,10 +177,10 @@ std::unique_ptr<Session> pdp7_session(const std::string& source, const char* opt
   EXPECT_TRUE(symbols.add_table(assembler::write_symbols(assembly.symbols)));
   symbols.add_listing(assembler::write_listing(assembly.listing));
   const auto tape = image::write_rim(assembly.image, "test.rim");
-  MachineRun of(run::pdp7());
+  MachineRun of(machines::pdp7());
   of.set_file("--load", "test.rim", {reinterpret_cast<const char*>(tape->data()), tape->size()}).set("--start", "100");
   if (option != nullptr) of.set(option);
-  return std::make_unique<Session>(run::pdp7(), of, std::move(symbols), patience);
+  return std::make_unique<Session>(machines::pdp7(), of, std::move(symbols), patience);
 }
 
 std::unique_ptr<Session> pdp7_program() {
@@ -529,11 +529,11 @@ std::unique_ptr<Session> i8080_session(const std::string& text);
 
 // Random walks of steps forward and back: the machine is the same each time it has obeyed so many instructions.
 void walk_back_and_forth(Session& s, std::string_view name) {
-  std::map<std::uint64_t, run::Bytes> seen;
+  std::map<std::uint64_t, machines::Bytes> seen;
   std::mt19937 engine(7);
   for (int round = 0; round < tests::effort(60, 20); ++round) {
     const std::uint64_t here = s.machine().instructions();
-    run::Bytes state = live::save_snapshot(name, s.machine());
+    machines::Bytes state = live::save_snapshot(name, s.machine());
     const auto known = seen.emplace(here, state);
     ASSERT_EQ(known.first->second, state) << "after " << here << " instructions";
     if (engine() % 3 == 0 && here > 0) {
@@ -572,12 +572,12 @@ std::unique_ptr<Session> i8080_session(const std::string& text) {
   for (const auto& diagnostic : assembly.diagnostics) ADD_FAILURE() << assembler::to_string(diagnostic);
   live::Symbols symbols(16);
   EXPECT_TRUE(symbols.add_table(assembler::write_i8080_symbols(assembly.symbols)));
-  MachineRun of(run::i8080());
+  MachineRun of(machines::i8080());
   of.set_file("--load", "test.hex", image::write_intel_hex(assembly.image))
       .set("--start", "100")
       .set("--cpm")
       .set("--console", "ascii");
-  return std::make_unique<Session>(run::i8080(), of, std::move(symbols));
+  return std::make_unique<Session>(machines::i8080(), of, std::move(symbols));
 }
 
 std::unique_ptr<Session> i8080_program() {
@@ -803,7 +803,7 @@ TEST(MonitorStack, OutOfARecursionIsOneLevel) {
 // stops it where it becomes true, a place where it has been come to so many times, writes where there were so many.
 class Stepped {
  public:
-  Stepped(const run::MachineDescription& description, std::unique_ptr<Session> session)
+  Stepped(const machines::MachineDescription& description, std::unique_ptr<Session> session)
       : description_(description), session_(std::move(session)), names_{
             description.radix, [this](std::string_view name) { return symbol(name); },
             [this](std::int64_t at) -> std::optional<std::int64_t> {
@@ -815,7 +815,7 @@ class Stepped {
   Stepped& operator=(const Stepped&) = delete;
   ~Stepped() = default;
 
-  [[nodiscard]] run::Machine& machine() const { return session_->machine(); }
+  [[nodiscard]] machines::Machine& machine() const { return session_->machine(); }
   [[nodiscard]] Session& session() const { return *session_; }
   void wait_for(const std::string& condition) {
     auto expression = live::Expression::read(condition, names_);
@@ -829,8 +829,8 @@ class Stepped {
   }
   // Of the 8080.
   void count_writes(std::uint32_t first, std::uint32_t last, std::uint64_t every) {
-    machine().probe()->on_instruction = [](const run::Probe::Entry&) {};
-    machine().probe()->on_cycle = [this, first, last, every](const run::Probe::Cycle& cycle) {
+    machine().probe()->on_instruction = [](const machines::Probe::Entry&) {};
+    machine().probe()->on_cycle = [this, first, last, every](const machines::Probe::Cycle& cycle) {
       const bool writes = (cycle.name == "write" || cycle.name == "stack write") && cycle.address >= first && cycle.address <= last;
       if (writes && ++written_ % every == 0) stop_ = true;
     };
@@ -838,9 +838,9 @@ class Stepped {
   void run(std::uint64_t instructions) {
     stop_ = false;
     for (std::uint64_t n = 0; n < instructions && !stop_; ++n) {
-      run::Limits one;
+      machines::Limits one;
       one.instructions = machine().instructions() + 1;
-      std::optional<run::Stop> stop;
+      std::optional<machines::Stop> stop;
       while (!stop) stop = machine().run(one, false);
       ASSERT_EQ(stop->name, "instruction_limit");
       if (every_ != 0 && register_named("pc")() == place_ && ++passed_ % every_ == 0) stop_ = true;
@@ -881,7 +881,7 @@ class Stepped {
     return live::number("0" + text.substr(0, text.find(' ')), description_.radix);
   }
 
-  const run::MachineDescription& description_;
+  const machines::MachineDescription& description_;
   std::unique_ptr<Session> session_;
   live::Names names_;
   std::vector<std::pair<live::Expression, bool>> conditions_;
@@ -890,12 +890,12 @@ class Stepped {
   bool stop_ = false;
 };
 
-void expect_same_place(const run::Machine& found, const Stepped& expected, const std::string& what) {
+void expect_same_place(const machines::Machine& found, const Stepped& expected, const std::string& what) {
   EXPECT_EQ(found.instructions(), expected.machine().instructions()) << what;
   EXPECT_EQ(found.ticks(), expected.machine().ticks()) << what;
 }
 
-void compare_conditions(const run::MachineDescription& description, const std::function<std::unique_ptr<Session>()>& begin,
+void compare_conditions(const machines::MachineDescription& description, const std::function<std::unique_ptr<Session>()>& begin,
                         const std::vector<std::string>& conditions, std::uint64_t instructions = 300) {
   constexpr std::uint32_t first_instruction = 0100;
   const std::uint32_t place = description.radix == 8 ? first_instruction : 0x100;
@@ -922,7 +922,7 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereEachInstructionIsAsked) {
     conditions.push_back("[place]==" + wanted + " || [200+1]==" + std::to_string(random() % 8));
   }
   compare_conditions(
-      run::pdp7(),
+      machines::pdp7(),
       [] {
         return pdp7_session(
             "begin,  isz place\n jms sub\n isz 201\n isz 201\n jmp begin\nsub, 0\n lac place\n and (3\n dac place\n jmp i sub\n"
@@ -933,7 +933,7 @@ TEST(MonitorPdp7, ConditionsOnMemoryStopWhereEachInstructionIsAsked) {
 
 TEST(MonitorPdp7, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
   compare_conditions(
-      run::pdp7(),
+      machines::pdp7(),
       [] {
         return pdp7_session(
             "begin, isz place\n jms sub\n rcl\n 700406\n lmq\n 700401\n cma\n jmp begin\nsub, 0\n lac place\n and (17\n tad (3\n"
@@ -947,7 +947,7 @@ TEST(MonitorPdp7, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
 // The display draws a vector beyond the edge, again and again: its flag is cleared by IDCF, and by a file that ends in a stop the other.
 TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereEachInstructionIsAsked) {
   compare_conditions(
-      run::pdp7(),
+      machines::pdp7(),
       [] {
         return pdp7_session(
             "begin, lac (300\n 700606\nloop, isz 301\n isz count\n 701001\n jmp more\n 700704\n lac (310\n 700606\nmore, 700601\n jmp loop\n"
@@ -961,7 +961,7 @@ TEST(MonitorPdp7, ConditionsOnFlagsOfTheDisplayStopWhereEachInstructionIsAsked) 
 // The display fetches words, and the clock counts in 7, at boundaries that follow each other.
 TEST(MonitorPdp7, WordsThatTheClockWritesBesideADisplayAreAskedAboutAtOnce) {
   compare_conditions(
-      run::pdp7(),
+      machines::pdp7(),
       [] {
         return pdp7_session("begin, cla\n dac 7\n 700044\n lac (300\n 700606\nloop, jmp loop\n300/ 020117\n221000\n101700\n437700\n010000\n start begin\n",
                             "--display");
@@ -970,7 +970,7 @@ TEST(MonitorPdp7, WordsThatTheClockWritesBesideADisplayAreAskedAboutAtOnce) {
 }
 
 bool step_back(Stepped& stepped, std::unique_ptr<Session> again, std::uint64_t instructions) {
-  run::Limits limits;
+  machines::Limits limits;
   limits.instructions = stepped.machine().instructions() - instructions;
   const auto stop = again->machine().run(limits, false);
   return stop && stop->name == "instruction_limit" && stepped.machine().restore(again->machine().save()).has_value();
@@ -992,7 +992,7 @@ TEST(MonitorPdp7, AFlagThatDiffersWhereARunBeginsIsAskedAbout) {
   for (const Walk& walk : walks) {
     const auto begin = [] { return pdp7_session("begin, lac (301\n 700406\nloop, isz count\n jmp loop\n jmp loop\ncount, 0\n start begin\n"); };
     auto m = begin();
-    Stepped stepped(run::pdp7(), begin());
+    Stepped stepped(machines::pdp7(), begin());
     (*m)("break when " + walk.condition);
     (*m)(fmt::format("break when instructions=={}.", for_ever));
     stepped.wait_for(walk.condition);
@@ -1014,7 +1014,7 @@ TEST(MonitorPdp7, AFlagThatDiffersWhereARunBeginsIsAskedAbout) {
 
 TEST(MonitorI8080, ConditionsOnRegistersStopWhereEachInstructionIsAsked) {
   compare_conditions(
-      run::i8080(),
+      machines::i8080(),
       [] {
         return i8080_session(
             "BEGIN: INR B\n INX H\n DCX D\n MOV A,B\n ADD L\n PUSH PSW\n POP B\n INR C\n JNZ BEGIN\n MVI C,9\n CALL SUB\n JMP BEGIN\nSUB: RET\n");
@@ -1060,7 +1060,7 @@ TEST(MonitorI8080, RandomConditionsStopWhereEachInstructionIsAsked) {
     const std::string first = random_condition(random), second = random_condition(random);
     const bool both = random() % 3 == 0;
     auto m = i8080_session(program);
-    Stepped stepped(run::i8080(), i8080_session(program));
+    Stepped stepped(machines::i8080(), i8080_session(program));
     for (const std::string& condition : both ? std::vector{first, second} : std::vector{first}) {
       (*m)("break when " + condition);
       stepped.wait_for(condition);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/guests/run/pdp7.hpp"
+#include "host/machines/pdp7.hpp"
 #include "tests/firmware/jones_core.hpp"
 #include "tests/host/live/snapshot_law.hpp"
 #include "tests/support/dice.hpp"
@@ -15,12 +15,12 @@
 namespace sightline::test {
 namespace {
 
-namespace jones = guests::jones;
+namespace jones = programs::jones;
 using jones::Dice;
 
 // All that a PDP-7 can have, with times so short that flags rise within a short run.
-run::Pdp7Setup busy_setup(std::uint32_t core_words = 8192) {
-  run::Pdp7Setup setup;
+machines::Pdp7Setup busy_setup(std::uint32_t core_words = 8192) {
+  machines::Pdp7Setup setup;
   setup.machine.core_words = core_words;
   setup.machine.timing.clock_hertz = 400;
   setup.machine.timing.reader_line = core::Duration(33'333);
@@ -42,11 +42,11 @@ run::Pdp7Setup busy_setup(std::uint32_t core_words = 8192) {
     }
   }
   setup.trace = true;
-  setup.screen = run::Screen::Wishes{true, true};
+  setup.screen = machines::Screen::Wishes{true, true};
   return setup;
 }
 
-LawProgram program_of(std::function<std::unique_ptr<run::Machine>()> make) {
+LawProgram program_of(std::function<std::unique_ptr<machines::Machine>()> make) {
   return {"pdp7", std::move(make), {"--trace", "--strokes"}, {"--punch", "--teletype"}, {}, {"--svg"}};
 }
 
@@ -55,11 +55,11 @@ class JonesSnapshots : public testing::TestWithParam<const char*> {};
 TEST_P(JonesSnapshots, ContinueBitForBit) {
   const jones::Program jones = jones::assembled(GetParam(), true);
   const LawProgram program = program_of([&jones] {
-    run::Pdp7Setup setup;
+    machines::Pdp7Setup setup;
     setup.display = type340::Options{};
     setup.trace = true;
-    setup.screen = run::Screen::Wishes{true, false};
-    auto machine = run::make_pdp7(std::move(setup)).value();
+    setup.screen = machines::Screen::Wishes{true, false};
+    auto machine = machines::make_pdp7(std::move(setup)).value();
     for (std::uint32_t a = 0; a < jones.core.size(); ++a) machine->put(a, jones.core[a].value());
     machine->start(jones.labels.start);
     return machine;
@@ -79,7 +79,7 @@ TEST(Pdp7Snapshots, RandomWordsContinueBitForBit) {
     Dice dice(seed);
     const std::uint32_t core_words = 4096U << (seed % 4);
     const LawProgram program = program_of([seed, core_words] {
-      auto machine = run::make_pdp7(busy_setup(core_words)).value();
+      auto machine = machines::make_pdp7(busy_setup(core_words)).value();
       Dice words(seed);
       for (std::uint32_t a = 0; a < core_words; ++a) {
         auto word = static_cast<std::uint32_t>(words(0, 0777777));
@@ -135,7 +135,7 @@ constexpr std::pair<std::uint32_t, std::uint32_t> busy_words[] = {
 
 LawProgram busy_program() {
   return program_of([] {
-    auto machine = run::make_pdp7(busy_setup()).value();
+    auto machine = machines::make_pdp7(busy_setup()).value();
     for (const auto& [address, word] : busy_words) machine->put(address, word);
     machine->start(0100);
     return machine;
@@ -143,9 +143,9 @@ LawProgram busy_program() {
 }
 
 // A field of a section, little-endian.
-std::uint64_t field(const run::Bytes& snapshot, std::string_view section, std::size_t at, unsigned bytes) {
+std::uint64_t field(const machines::Bytes& snapshot, std::string_view section, std::size_t at, unsigned bytes) {
   const auto decoded = live::decode_snapshot(snapshot, "test.snap");
-  for (const run::StateSection& each : decoded->state) {
+  for (const machines::StateSection& each : decoded->state) {
     if (each.name != section) continue;
     std::uint64_t number = 0;
     for (unsigned i = 0; i < bytes; ++i) number |= std::uint64_t{each.bytes.at(at + i)} << (8 * i);
@@ -167,7 +167,7 @@ TEST(Pdp7Snapshots, ContinueFromEveryStateOfTheDevices) {
     SCOPED_TRACE(first);
     ASSERT_TRUE(expect_law(program, first, 400)) << "the program stopped";
     alone.go(first - alone.machine().instructions());
-    const run::Bytes now = alone.save();
+    const machines::Bytes now = alone.save();
     reading += field(now, "reader", 36, 8) != never ? 1 : 0;
     punching += field(now, "punch", 0, 8) != never ? 1 : 0;
     typing += field(now, "printer", 0, 8) != never ? 1 : 0;
@@ -189,17 +189,17 @@ TEST(Pdp7Snapshots, ContinueFromEveryStateOfTheDevices) {
 }
 
 TEST(Pdp7Snapshots, ASnapshotIsTheSameWithAndWithoutAnObserver) {
-  run::Pdp7Setup setup = busy_setup();
+  machines::Pdp7Setup setup = busy_setup();
   setup.trace = false;
   setup.screen.reset();
-  auto unseen = run::make_pdp7(std::move(setup)).value();
+  auto unseen = machines::make_pdp7(std::move(setup)).value();
   for (const auto& [address, word] : busy_words) unseen->put(address, word);
   unseen->start(0100);
   const LawProgram program = busy_program();
   LawRun seen(program);
   for (int n = 0; n < 50; ++n) {
     seen.go(97);
-    const run::Limits limits{unseen->instructions() + 97};
+    const machines::Limits limits{unseen->instructions() + 97};
     while (!unseen->run(limits, false)) {
     }
     ASSERT_EQ(difference(seen.save(), live::save_snapshot("pdp7", *unseen)), "") << n;

@@ -8,23 +8,23 @@
 #include <optional>
 #include <utility>
 
-#include "host/guests/run/pdp7.hpp"
+#include "host/machines/pdp7.hpp"
 
 namespace sightline::test {
 
-inline std::unique_ptr<guests::run::Machine> small_pdp7(bool monitored = false) {
-  guests::run::Pdp7Setup setup;
+inline std::unique_ptr<machines::Machine> small_pdp7(bool monitored = false) {
+  machines::Pdp7Setup setup;
   setup.monitored = monitored;
   setup.machine.core_words = 4096;
   setup.display = type340::Options{true, true, true};
   setup.configuration = {"--memory 4k", "--eae"};
-  setup.reader_tape = guests::run::Bytes(40, 0277);
+  setup.reader_tape = machines::Bytes(40, 0277);
   setup.keys = {{core::at_nanoseconds(0), 'A'}, {core::at_nanoseconds(0), 'B'}};
   setup.switch_script = {{core::at_nanoseconds(1'000'000'000), core::Word18(1)}};
   setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{0, 0, 1023, 1023}},
                       {core::at_nanoseconds(2'000'000'000), std::nullopt}};
-  setup.screen = guests::run::Screen::Wishes{true, true};
-  auto machine = guests::run::make_pdp7(std::move(setup)).value();
+  setup.screen = machines::Screen::Wishes{true, true};
+  auto machine = machines::make_pdp7(std::move(setup)).value();
   std::uint32_t at = 0100;
   const auto put = [&](std::initializer_list<std::uint32_t> words) {
     for (const std::uint32_t word : words) machine->put(at++, word);

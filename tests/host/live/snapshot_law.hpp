@@ -12,17 +12,16 @@
 #include <string_view>
 #include <vector>
 
-#include "host/guests/run/machine.hpp"
+#include "host/machines/machine.hpp"
 #include "host/live/snapshot.hpp"
 
 namespace sightline::test {
 
-namespace run = guests::run;
 
 // A machine with a program in it that has been started, and what it writes.
 struct LawProgram {
   std::string_view machine;  // "pdp7"
-  std::function<std::unique_ptr<run::Machine>()> make;
+  std::function<std::unique_ptr<machines::Machine>()> make;
   std::vector<std::string> streams;   // "--trace"
   std::vector<std::string> appended;  // outputs that grow: "--punch"
   std::vector<std::string> whole;     // outputs of the state: "--png" of a raster
@@ -41,29 +40,29 @@ class LawRun {
 
   // The name of the stop; `instructions` more at most.
   std::string_view go(std::uint64_t instructions) {
-    const run::Limits limits{machine_->instructions() + instructions};
-    std::optional<run::Stop> stop;
+    const machines::Limits limits{machine_->instructions() + instructions};
+    std::optional<machines::Stop> stop;
     while (!stop) stop = machine_->run(limits, false);
     machine_->finish();
     return stop->name;
   }
-  [[nodiscard]] run::Bytes save() { return live::save_snapshot(program_->machine, *machine_); }
-  void restore(const run::Bytes& snapshot) {
+  [[nodiscard]] machines::Bytes save() { return live::save_snapshot(program_->machine, *machine_); }
+  void restore(const machines::Bytes& snapshot) {
     const auto done = live::restore_snapshot(program_->machine, *machine_, snapshot, "test.snap");
     EXPECT_TRUE(done.has_value()) << (done ? "" : done.error().message());
   }
-  [[nodiscard]] run::Machine& machine() { return *machine_; }
+  [[nodiscard]] machines::Machine& machine() { return *machine_; }
   [[nodiscard]] std::map<std::string, std::string>& streams() { return streams_; }
-  [[nodiscard]] run::Bytes output(const std::string& option) { return machine_->output(option); }
+  [[nodiscard]] machines::Bytes output(const std::string& option) { return machine_->output(option); }
 
  private:
   const LawProgram* program_;
   std::map<std::string, std::string> streams_;
-  std::unique_ptr<run::Machine> machine_;
+  std::unique_ptr<machines::Machine> machine_;
 };
 
 // Where two snapshots differ: the first section and byte. `except`: a section that may differ.
-inline std::string difference(const run::Bytes& a, const run::Bytes& b, std::string_view except = {}) {
+inline std::string difference(const machines::Bytes& a, const machines::Bytes& b, std::string_view except = {}) {
   const auto first = live::decode_snapshot(a, "a");
   const auto second = live::decode_snapshot(b, "b");
   if (!first || !second) return "not a snapshot";
@@ -85,9 +84,9 @@ inline bool expect_law(const LawProgram& program, std::uint64_t first, std::uint
   LawRun whole(program);
   LawRun parts(program);
   const std::string_view stopped = parts.go(first);
-  const run::Bytes snapshot = parts.save();
+  const machines::Bytes snapshot = parts.save();
   const std::map<std::string, std::string> written = parts.streams();
-  std::map<std::string, run::Bytes> produced;
+  std::map<std::string, machines::Bytes> produced;
   for (const std::string& option : program.appended) produced[option] = parts.output(option);
 
   whole.go(first + then);
@@ -103,7 +102,7 @@ inline bool expect_law(const LawProgram& program, std::uint64_t first, std::uint
   for (const auto& [option, text] : written)
     EXPECT_TRUE(whole.streams()[option] == text + fresh.streams()[option]) << option;
   for (auto& [option, bytes] : produced) {
-    const run::Bytes more = fresh.output(option);
+    const machines::Bytes more = fresh.output(option);
     bytes.insert(bytes.end(), more.begin(), more.end());
     EXPECT_TRUE(whole.output(option) == bytes) << option;
   }

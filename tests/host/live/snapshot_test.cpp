@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/base/crc32.hpp"
-#include "host/guests/run/pdp7.hpp"
+#include "host/machines/pdp7.hpp"
 #include "tests/host/live/small_pdp7.hpp"
 #include "tests/support/approve.hpp"
 #include "tests/support/effort.hpp"
@@ -17,27 +17,26 @@
 namespace sightline::test {
 namespace {
 
-namespace run = guests::run;
 
-std::unique_ptr<run::Machine> small_machine(std::uint64_t steps) {
+std::unique_ptr<machines::Machine> small_machine(std::uint64_t steps) {
   auto machine = small_pdp7();
-  const run::Limits limits{steps};
+  const machines::Limits limits{steps};
   while (!machine->run(limits, true)) {
   }
   return machine;
 }
 
-run::Bytes saved(run::Machine& machine) {
+machines::Bytes saved(machines::Machine& machine) {
   return live::save_snapshot("pdp7", machine);
 }
 
-std::string refusal(const run::Bytes& bytes, run::Machine& machine, std::string_view name = "pdp7") {
+std::string refusal(const machines::Bytes& bytes, machines::Machine& machine, std::string_view name = "pdp7") {
   const auto done = live::restore_snapshot(name, machine, bytes, "a.snap");
   return done ? "nothing was refused" : done.error().message();
 }
 
 // With the checksum that the bytes should have.
-run::Bytes corrected(run::Bytes bytes) {
+machines::Bytes corrected(machines::Bytes bytes) {
   const std::size_t content = bytes.size() - 4;
   const std::uint32_t crc = base::crc32(std::span(bytes).first(content));
   for (std::size_t i = 0; i < 4; ++i) bytes[content + i] = static_cast<std::uint8_t>(crc >> (8 * i));
@@ -46,13 +45,13 @@ run::Bytes corrected(run::Bytes bytes) {
 
 TEST(Crc32, IsThatOfThePublishedCheck) {
   const std::string text = "123456789";
-  const run::Bytes bytes(text.begin(), text.end());
+  const machines::Bytes bytes(text.begin(), text.end());
   EXPECT_EQ(base::crc32(bytes), 0xCBF43926U);
   EXPECT_EQ(base::crc32({}), 0U);
   // The eight-byte steps and the single ones agree.
   for (std::size_t length = 0; length < 40; ++length) {
     std::uint32_t crc = 0xFFFFFFFFU;
-    run::Bytes more;
+    machines::Bytes more;
     for (std::size_t i = 0; i < length; ++i) {
       more.push_back(static_cast<std::uint8_t>(i * 29 + 7));
       crc ^= more.back();
@@ -64,7 +63,7 @@ TEST(Crc32, IsThatOfThePublishedCheck) {
 
 TEST(Snapshot, ReadsWhatItWrites) {
   const auto machine = small_machine(40);
-  const run::Bytes bytes = saved(*machine);
+  const machines::Bytes bytes = saved(*machine);
   const auto snapshot = live::decode_snapshot(bytes, "a.snap");
   ASSERT_TRUE(snapshot.has_value());
   EXPECT_EQ(snapshot->machine, "pdp7");
@@ -78,7 +77,7 @@ TEST(Snapshot, ReadsWhatItWrites) {
 TEST(Snapshot, ReadsAFileOfThisVersion) {
   const std::string name = "snapshot/pdp7-4k.snap";
   const auto machine = small_machine(40);
-  const run::Bytes now = saved(*machine);
+  const machines::Bytes now = saved(*machine);
   EXPECT_TRUE(tests::matches_approved({reinterpret_cast<const char*>(now.data()), now.size()}, name));
   const auto file = base::read_file(tests::approved_path(name).string());
   ASSERT_TRUE(file.has_value());
@@ -92,9 +91,9 @@ TEST(Snapshot, ReadsAFileOfThisVersion) {
 
 TEST(Snapshot, EveryDamagedByteIsFound) {
   const auto machine = small_machine(40);
-  const run::Bytes bytes = saved(*machine);
+  const machines::Bytes bytes = saved(*machine);
   for (std::size_t at = 0; at < bytes.size(); at += tests::effort(1U, 7U)) {
-    run::Bytes damaged = bytes;
+    machines::Bytes damaged = bytes;
     damaged[at] = static_cast<std::uint8_t>(damaged[at] ^ (1U << (at % 8)));
     const auto snapshot = live::decode_snapshot(damaged, "a.snap");
     ASSERT_FALSE(snapshot.has_value()) << at;
@@ -105,7 +104,7 @@ TEST(Snapshot, EveryDamagedByteIsFound) {
 
 TEST(Snapshot, EveryTruncationIsFound) {
   const auto machine = small_machine(40);
-  run::Bytes bytes = saved(*machine);
+  machines::Bytes bytes = saved(*machine);
   bytes.push_back(0);
   EXPECT_FALSE(live::decode_snapshot(bytes, "a.snap").has_value());
   bytes.pop_back();
@@ -118,14 +117,14 @@ TEST(Snapshot, EveryTruncationIsFound) {
 TEST(Snapshot, ChangedFieldsWithAGoodChecksumAreRefusedOrRun) {
   const auto machine = small_machine(40);
   const auto other = small_machine(17);
-  const run::Bytes bytes = saved(*machine);
-  run::Bytes before = saved(*other);
+  const machines::Bytes bytes = saved(*machine);
+  machines::Bytes before = saved(*other);
   int refused = 0;
   int accepted = 0;
   // Core is in the middle: any words will do there.
   for (std::size_t at = 0; at < bytes.size(); at += (at > 1000 && at + 1000 < bytes.size() ? 331U : tests::effort(1U, 3U))) {
     for (const unsigned change : {0x01U, 0x80U, 0xFFU}) {
-      run::Bytes damaged = bytes;
+      machines::Bytes damaged = bytes;
       damaged[at] = static_cast<std::uint8_t>(damaged[at] ^ change);
       if (refusal(corrected(damaged), *other) == "nothing was refused") {
         ++accepted;
@@ -143,10 +142,10 @@ TEST(Snapshot, ChangedFieldsWithAGoodChecksumAreRefusedOrRun) {
 
 TEST(Snapshot, RefusalsSayWhatToDo) {
   const auto machine = small_machine(40);
-  const run::Bytes bytes = saved(*machine);
+  const machines::Bytes bytes = saved(*machine);
   EXPECT_EQ(refusal({1, 2, 3}, *machine),
             "a.snap: byte 0: found no signature of a snapshot, expected a file that --save has written");
-  run::Bytes changed = bytes;
+  machines::Bytes changed = bytes;
   changed[8] = 3;
   EXPECT_EQ(refusal(changed, *machine),
             "a.snap: byte 8: found version 3, expected version 5; make the snapshot again with the --save of "
@@ -175,11 +174,11 @@ TEST(Snapshot, RefusalsSayWhatToDo) {
 
 TEST(Snapshot, AnotherTapeIsRefused) {
   const auto machine = small_machine(40);
-  run::Pdp7Setup setup;
+  machines::Pdp7Setup setup;
   setup.machine.core_words = 4096;
   setup.display = type340::Options{true, true, true};
   setup.configuration = {"--memory 4k", "--eae"};
-  const auto other = run::make_pdp7(std::move(setup)).value();
+  const auto other = machines::make_pdp7(std::move(setup)).value();
   EXPECT_EQ(refusal(saved(*machine), *other),
             "a.snap: section \"reader\", byte 12, tape: found another input: none, expected 40 bytes with "
             "the CRC-32 "

@@ -12,12 +12,12 @@
 #include "emulators/machines/i8080_parts.hpp"
 #include "emulators/machines/pdp7_devices.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "host/guests/run/pdp7_scripts.hpp"
+#include "host/machines/pdp7_scripts.hpp"
 
 namespace sightline::test {
 namespace {
 
-using guests::run::PenMove;
+using machines::PenMove;
 
 template <class State>
 void expect_size(std::size_t expected, const char* name) {

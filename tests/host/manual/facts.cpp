@@ -8,7 +8,7 @@
 #include <map>
 
 #include "assembler_facts.hpp"
-#include "host/guests/run/machine.hpp"
+#include "host/machines/machine.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/read/builtin.hpp"
@@ -48,7 +48,7 @@ Text source(const std::string& root, const std::string& what) {
 // The forms of programs that `run` loads and `asm` writes.
 std::string program_formats() {
   Table table{"machine", "format", "told by"};
-  for (const auto* machine : guests::run::machines()) {
+  for (const auto* machine : machines::machines()) {
     for (const auto& format : machine->formats) {
       table.row({std::string(machine->name), code(format.name),
                  format.ending.empty() ? "its content" : "the ending " + code(format.ending)});
@@ -60,7 +60,7 @@ std::string program_formats() {
 // What a register is, and in which order a dump has them.
 std::string registers() {
   Table table{"machine", "register", "bits", "in a dump"};
-  for (const auto* machine : guests::run::machines()) {
+  for (const auto* machine : machines::machines()) {
     for (const auto& row : machine->registers) {
       table.row({std::string(machine->name), code(row.name), fmt::format("{}", row.bits), row.in_dump ? "yes" : ""});
     }

@@ -11,7 +11,7 @@
 #include "emulators/type340/characters.hpp"
 #include "emulators/type340/delays.hpp"
 #include "emulators/type340/words.hpp"
-#include "host/guests/run/machine.hpp"
+#include "host/machines/machine.hpp"
 #include "table.hpp"
 
 namespace sightline::manual {
@@ -154,7 +154,7 @@ std::string pdp7_status() {
 
 // The table that `sightline run pdp7 --help` prints.
 std::string pdp7_timing() {
-  const std::string& help = guests::run::pdp7().more_help;
+  const std::string& help = machines::pdp7().more_help;
   const std::size_t table = help.find("  eae_setup");
   if (table == std::string::npos) return {};
   return "```\n" + help.substr(table, help.find("\n\n", table) - table) + (help.ends_with('\n') ? "" : "\n") + "```\n";

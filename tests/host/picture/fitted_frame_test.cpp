@@ -27,7 +27,7 @@
 namespace sightline::picture {
 namespace {
 
-using guests::jones::Dice;
+using programs::jones::Dice;
 using tests::DrawnSegment;
 
 struct View {

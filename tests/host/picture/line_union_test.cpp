@@ -21,7 +21,7 @@
 namespace sightline::picture {
 namespace {
 
-using guests::jones::Dice;
+using programs::jones::Dice;
 
 // Boxes on a coarse grid, so that many edges coincide in space and in the image.
 scene::PolyScene bricks(Dice& dice) {

@@ -28,7 +28,7 @@
 namespace sightline::algorithms {
 namespace {
 
-using Dice = guests::jones::Dice;
+using Dice = programs::jones::Dice;
 using scene::PolyPoint;
 using scene::VertexIndex;
 

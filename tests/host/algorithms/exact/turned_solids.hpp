@@ -16,7 +16,7 @@ namespace sightline::algorithms::turned_solids {
 
 using Point = std::array<double, 3>;
 using Matrix = std::array<Point, 3>;
-using Dice = guests::jones::Dice;
+using Dice = programs::jones::Dice;
 
 inline double dot(const Point& a, const Point& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -1,0 +1,637 @@
+// See cpm_files.hpp.
+#include "host/machines/cpm_files.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace sightline::machines {
+
+namespace {
+
+constexpr unsigned most_drives = 16;
+constexpr std::uint32_t records_an_extent = 128;
+constexpr std::uint8_t not_found = 0xFF;
+constexpr std::uint8_t end_of_text = 0x1A;
+constexpr std::uint8_t empty_entry = 0xE5;
+// Codes of reading and writing (Interface Guide, functions 20, 21, 33 and 34).
+constexpr std::uint8_t done = 0, behind_end = 1, disk_full = 2, no_extent = 4, behind_disk = 6;
+
+// Function numbers of the Interface Guide.
+enum Function : std::uint8_t {
+  version = 12, reset_disks, select_disk, open_file, close_file, search_first, search_next, delete_file, read_sequential,
+  write_sequential, make_file, rename_file, login_vector, current_disk, set_transfer, write_protect = 28, read_only_vector,
+  file_attributes, user_code = 32, read_direct, write_direct, file_size, random_record, reset_drives, write_zero_filled = 40
+};
+
+// What a name may consist of here; CP/M itself forbids less. None of these leads out of a folder.
+bool belongs_in_name(std::uint8_t c) {
+  constexpr std::string_view others = "!#$%&'()+-@^_`{}~";
+  return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || others.find(static_cast<char>(c)) != std::string_view::npos;
+}
+
+std::uint8_t upper(std::uint8_t c) {
+  return c >= 'a' && c <= 'z' ? static_cast<std::uint8_t>(c - 'a' + 'A') : c;
+}
+
+using Name = std::array<std::uint8_t, 11>;
+
+// "HELLO.TXT"; nothing for a name that no file can have.
+std::optional<std::string> host_name(const Name& name) {
+  std::string text;
+  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 8}, {8, 11}}) {
+    std::size_t end = last;
+    while (end > first && name[end - 1] == ' ') --end;
+    if (first == 0 && end == 0) return std::nullopt;
+    if (first == 8 && end > first) text += '.';
+    for (std::size_t n = first; n < end; ++n) {
+      if (!belongs_in_name(name[n])) return std::nullopt;
+      text += static_cast<char>(name[n]);
+    }
+  }
+  return text;
+}
+
+// The name CP/M knows a host's file by; none if it has none.
+std::optional<Name> cpm_name(std::string_view host) {
+  Name name;
+  name.fill(' ');
+  std::size_t at = 0;
+  bool type = false;
+  for (const char each : host) {
+    const auto c = upper(static_cast<std::uint8_t>(each));
+    if (c == '.' && !type && at != 0) {
+      type = true;
+      at = 8;
+      continue;
+    }
+    if (at >= (type ? 11U : 8U) || !belongs_in_name(c)) return std::nullopt;
+    name[at++] = c;
+  }
+  if (at == 0 || (type && at == 8)) return std::nullopt;
+  return name;
+}
+
+std::uint32_t records_of(std::uint64_t bytes) {
+  const std::uint64_t records = (bytes + CpmFiles::record - 1) / CpmFiles::record;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(records, CpmFiles::most_records));
+}
+
+// Those of one extent, as RC counts them.
+std::uint8_t records_in(std::uint32_t records, std::uint32_t extent) {
+  const std::uint32_t before = extent * records_an_extent;
+  return static_cast<std::uint8_t>(std::min(records - std::min(records, before), records_an_extent));
+}
+
+// An empty file has one extent.
+bool has_extent(std::uint32_t records, std::uint32_t extent) {
+  return extent == 0 || records > extent * records_an_extent;
+}
+
+}  // namespace
+
+// --- File control blocks ---
+
+class CpmFiles::Block {
+ public:
+  Block(std::span<std::uint8_t> memory, std::uint16_t at) : memory_(memory), at_(at) {}
+  [[nodiscard]] std::uint8_t& operator[](std::size_t n) const {
+    return memory_[static_cast<std::uint16_t>(at_ + n)];
+  }
+  static constexpr std::size_t extent_at = 12, module_at = 14, count_at = 15, map_at = 16, current_at = 32, random_at = 33;
+
+  // Attributes are the high bits.
+  [[nodiscard]] Name name(std::size_t from = 1) const {
+    Name name;
+    for (std::size_t n = 0; n < name.size(); ++n) name[n] = upper((*this)[from + n] & 0x7FU);
+    return name;
+  }
+  [[nodiscard]] bool ambiguous() const {
+    const Name pattern = name();
+    return std::find(pattern.begin(), pattern.end(), '?') != pattern.end();
+  }
+  [[nodiscard]] std::uint32_t extent() const {
+    return ((*this)[module_at] & 0x0FU) * 32U + ((*this)[extent_at] & 0x1FU);
+  }
+  void set_extent(std::uint32_t extent) const {
+    (*this)[extent_at] = extent & 0x1FU;
+    (*this)[module_at] = static_cast<std::uint8_t>(extent >> 5U);
+  }
+  [[nodiscard]] std::uint32_t next_record() const { return extent() * records_an_extent + (*this)[current_at]; }
+  [[nodiscard]] std::uint32_t random_record() const {
+    return static_cast<std::uint32_t>((*this)[random_at] | (*this)[random_at + 1] << 8U | (*this)[random_at + 2] << 16U);
+  }
+  void set_random_record(std::uint32_t record) const {
+    for (std::size_t n = 0; n < 3; ++n) (*this)[random_at + n] = static_cast<std::uint8_t>(record >> (8 * n));
+  }
+  // As a directory entry has them: how many records, and a block number for each KB.
+  void fill(std::uint32_t extent, std::uint32_t records) const {
+    const std::uint8_t count = records_in(records, extent);
+    (*this)[count_at] = count;
+    for (std::size_t n = 0; n < 16; ++n) (*this)[map_at + n] = n * 8 < count ? static_cast<std::uint8_t>(n + 1) : 0;
+  }
+
+ private:
+  std::span<std::uint8_t> memory_;
+  std::uint16_t at_;
+};
+
+// --- The host's side ---
+
+// An open file or folder.
+class CpmFiles::Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) static_cast<void>(::close(number_));
+  }
+  explicit operator bool() const { return number_ >= 0; }
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+struct CpmFiles::OpenFile {
+  unsigned drive;
+  Name name;
+  Descriptor file;
+  bool writes = false;
+  // Empty: it is no file any more.
+  [[nodiscard]] std::optional<std::uint64_t> length() const {
+    struct stat found {};
+    if (::fstat(file.number(), &found) != 0 || found.st_nlink == 0) return std::nullopt;
+    return static_cast<std::uint64_t>(found.st_size);
+  }
+};
+
+struct CpmFiles::Host {
+  struct Drive {
+    Descriptor folder;
+    bool read_only = false;
+  };
+  std::array<Drive, most_drives> drives;
+  // Files used last, the latest at the end: opening again for each record would cost more than the record.
+  static constexpr std::size_t most_open = 8;
+  std::vector<OpenFile> open;
+
+  [[nodiscard]] bool exists(unsigned drive, const std::string& name) const {
+    struct stat found {};
+    return ::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(found.st_mode);
+  }
+
+  // All files of a drive, in the order of their names there; of names that differ only in case the first.
+  [[nodiscard]] std::vector<std::pair<Name, std::string>> list(unsigned drive) const {
+    std::vector<std::pair<Name, std::string>> files;
+    const int folder = ::openat(drives[drive].folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return files;
+    DIR* const entries = ::fdopendir(folder);
+    if (entries == nullptr) {
+      static_cast<void>(::close(folder));
+      return files;
+    }
+    while (const dirent* const entry = ::readdir(entries)) {
+      if (const auto name = cpm_name(entry->d_name); name && exists(drive, entry->d_name)) files.emplace_back(*name, entry->d_name);
+    }
+    static_cast<void>(::closedir(entries));
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+                files.end());
+    return files;
+  }
+
+  // The host's name of a file.
+  [[nodiscard]] std::optional<std::string> find(unsigned drive, const Name& name) const {
+    const auto upper_case = host_name(name);
+    if (!upper_case) return std::nullopt;
+    if (exists(drive, *upper_case)) return upper_case;  // the first of all spellings
+    for (const auto& [each, host] : list(drive)) {
+      if (each == name) return host;
+    }
+    return std::nullopt;
+  }
+
+  // Null if there is no such file or the host refuses it.
+  [[nodiscard]] OpenFile* use(unsigned drive, const Name& name, bool writes) {
+    const auto known = std::find_if(open.begin(), open.end(),
+                                    [&](const OpenFile& each) { return each.drive == drive && each.name == name; });
+    if (known != open.end()) {
+      if (known->length() && (known->writes || !writes)) {
+        std::rotate(known, known + 1, open.end());
+        return &open.back();
+      }
+      open.erase(known);
+    }
+    const auto host = find(drive, name);
+    if (!host) return nullptr;
+    // Not through a link, and not waiting for a pipe that has taken the name since.
+    const int flags = (writes ? O_RDWR : O_RDONLY) | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+    OpenFile file{drive, name, Descriptor(::openat(drives[drive].folder.number(), host->c_str(), flags)), writes};
+    struct stat found {};
+    if (!file.file || ::fstat(file.file.number(), &found) != 0 || !S_ISREG(found.st_mode)) return nullptr;
+    if (open.size() == most_open) open.erase(open.begin());
+    open.push_back(std::move(file));
+    return &open.back();
+  }
+  void forget(unsigned drive, const Name& name) {
+    std::erase_if(open, [&](const OpenFile& each) { return each.drive == drive && each.name == name; });
+  }
+  // The attribute R/O is the host's.
+  [[nodiscard]] bool is_read_only(unsigned drive, const std::string& name) const {
+    struct stat found {};
+    return ::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) == 0 &&
+           (found.st_mode & S_IWUSR) == 0;
+  }
+  [[nodiscard]] std::uint32_t records(unsigned drive, const std::string& name) const {
+    struct stat found {};
+    if (::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) != 0) return 0;
+    return records_of(static_cast<std::uint64_t>(found.st_size));
+  }
+};
+
+// --- Drives and arguments ---
+
+base::Result<CpmDrive> parse_cpm_drive(std::string_view text) {
+  const auto refuse = [text](std::string expected) {
+    return base::Error{.file = "--cpm-drive", .found = fmt::format("found \"{}\"", text), .expected = std::move(expected)};
+  };
+  CpmDrive drive;
+  const std::uint8_t letter = text.empty() ? 0 : upper(static_cast<std::uint8_t>(text.front()));
+  if (text.size() < 3 || text[1] != '=' || letter < 'A' || letter > 'P')
+    return refuse("X=FOLDER or X=FOLDER,ro with X of A to P");
+  drive.number = letter - 'A';
+  std::string_view folder = text.substr(2);
+  constexpr std::string_view lock = ",ro";
+  if (folder.size() > lock.size() && folder.substr(folder.size() - lock.size()) == lock) {
+    drive.read_only = true;
+    folder.remove_suffix(lock.size());
+  }
+  drive.folder = folder;
+  std::error_code failure;
+  if (!std::filesystem::is_directory(drive.folder, failure)) return refuse("a folder behind the =");
+  return drive;
+}
+
+CpmFiles::CpmFiles(const std::vector<CpmDrive>& drives) : host_(std::make_unique<Host>()) {
+  for (const CpmDrive& drive : drives) {
+    const int folder = ::open(drive.folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    host_->drives[drive.number] = {Descriptor(folder), drive.read_only};
+  }
+  state_.disk = first_disk();
+}
+
+CpmFiles::~CpmFiles() = default;
+
+bool CpmFiles::has_drives() const {
+  return std::any_of(host_->drives.begin(), host_->drives.end(), [](const Host::Drive& each) { return bool(each.folder); });
+}
+
+// A, or the first that there is.
+std::uint8_t CpmFiles::first_disk() const {
+  const auto& drives = host_->drives;
+  const auto first = std::find_if(drives.begin(), drives.end(), [](const Host::Drive& each) { return bool(each.folder); });
+  return first == drives.end() ? std::uint8_t{0} : static_cast<std::uint8_t>(first - drives.begin());
+}
+
+bool CpmFiles::answers(std::uint8_t function) {
+  return (function >= version && function <= set_transfer) || (function >= write_protect && function <= file_attributes) ||
+         (function >= user_code && function <= reset_drives) || function == write_zero_filled;
+}
+
+bool CpmFiles::needs_host(std::uint8_t function) {
+  return (function >= open_file && function <= rename_file) || function == file_attributes ||
+         (function >= read_direct && function <= file_size) || function == write_zero_filled;
+}
+
+unsigned CpmFiles::drive_of(const Block& fcb) const {
+  const unsigned code = fcb[0] & 0x1FU;
+  return code == 0 ? state_.disk : (code - 1) % most_drives;
+}
+
+std::optional<CpmFiles::Fault> CpmFiles::select(unsigned drive) {
+  if (!host_->drives[drive].folder) return Fault{static_cast<char>('A' + drive), "Select"};
+  state_.logged_in = static_cast<std::uint16_t>(state_.logged_in | 1U << drive);
+  return std::nullopt;
+}
+
+std::optional<CpmFiles::Fault> CpmFiles::locked(unsigned drive) const {
+  if (!host_->drives[drive].read_only && (state_.read_only >> drive & 1U) == 0) return std::nullopt;
+  return Fault{static_cast<char>('A' + drive), "R/O"};
+}
+
+// --- Functions ---
+
+CpmFiles::Answer CpmFiles::call(std::uint8_t function, std::uint16_t de, std::span<std::uint8_t> memory) {
+  const Block fcb(memory, de);
+  const auto low = static_cast<std::uint8_t>(de);
+  switch (function) {
+    case version: return {0x0022};
+    case reset_disks:
+      state_.disk = first_disk();
+      state_.transfer = 0x0080;
+      state_.logged_in = state_.read_only = 0;
+      static_cast<void>(select(state_.disk));
+      return {};
+    case select_disk: {
+      const unsigned drive = low % most_drives;
+      if (const auto fault = select(drive)) return {0, fault};
+      state_.disk = static_cast<std::uint8_t>(drive);
+      return {};
+    }
+    case search_first:
+      for (std::size_t n = 0; n < state_.pattern.size(); ++n) state_.pattern[n] = fcb[n];
+      state_.searching = true;
+      state_.found_extent = 0;
+      return search(memory);
+    case search_next: return state_.searching ? search(memory) : Answer{not_found};
+    case login_vector: return {state_.logged_in};
+    case current_disk: return {state_.disk};
+    case set_transfer: state_.transfer = de; return {};
+    case write_protect: state_.read_only = static_cast<std::uint16_t>(state_.read_only | 1U << state_.disk); return {};
+    case read_only_vector: {
+      unsigned vector = state_.read_only;
+      for (unsigned n = 0; n < most_drives; ++n) vector |= (host_->drives[n].read_only ? 1U : 0U) << n;
+      return {static_cast<std::uint16_t>(vector)};
+    }
+    case user_code:
+      if (low == 0xFF) return {state_.user};
+      state_.user = low & 0x0FU;
+      return {};
+    case random_record: fcb.set_random_record(fcb.next_record()); return {};
+    case reset_drives:
+      state_.logged_in &= static_cast<std::uint16_t>(~de);
+      state_.read_only &= static_cast<std::uint16_t>(~de);
+      return {};
+    default: break;
+  }
+  if (const auto fault = select(drive_of(fcb))) return {0, fault};
+  switch (function) {
+    case open_file: return open(fcb);
+    case close_file: return {host_->find(drive_of(fcb), fcb.name()) ? done : not_found};
+    case delete_file: return remove(fcb);
+    case read_sequential: return read_next(fcb, memory);
+    case write_sequential: return write_next(fcb, memory);
+    case make_file: return make(fcb);
+    case rename_file: return rename(fcb);
+    case file_attributes: return set_attributes(fcb);
+    case read_direct: return read_random(fcb, memory);
+    case write_direct:
+    case write_zero_filled: return write_random(fcb, memory);
+    case file_size: return size(fcb);
+    default: return {not_found};
+  }
+}
+
+// The next directory entry goes to the transfer address, in the first quarter of a record of them.
+CpmFiles::Answer CpmFiles::search(std::span<std::uint8_t> memory) {
+  const bool all = state_.pattern[0] == '?';
+  const Block pattern(state_.pattern, 0);
+  const unsigned drive = all ? state_.disk : drive_of(pattern);
+  if (const auto fault = select(drive)) return {0, fault};
+  const auto fits = [&](const Name& name) {
+    for (std::size_t n = 0; n < name.size() && !all; ++n) {
+      const std::uint8_t wanted = upper(state_.pattern[n + 1] & 0x7FU);
+      if (wanted != '?' && wanted != name[n]) return false;
+    }
+    return true;
+  };
+  const bool every_extent = all || state_.pattern[12] == '?';
+  const std::uint32_t wanted_extent = state_.pattern[12] & 0x1FU;
+  for (const auto& [name, host] : host_->list(drive)) {
+    if (!fits(name)) continue;
+    const std::uint32_t records = host_->records(drive, host);
+    // Found last: this name or one before it.
+    const bool behind = state_.found_extent == 0 || name > state_.found;
+    if (!behind && name != state_.found) continue;
+    std::uint32_t extent = every_extent ? 0 : wanted_extent;
+    if (!behind) {
+      if (!every_extent) continue;
+      extent = state_.found_extent;
+    }
+    if (!has_extent(records, extent)) continue;
+    state_.found = name;
+    state_.found_extent = extent + 1;
+    for (std::size_t n = 0; n < record; ++n) memory[static_cast<std::uint16_t>(state_.transfer + n)] = n < 32 ? 0 : empty_entry;
+    const Block entry(memory, state_.transfer);
+    for (std::size_t n = 0; n < name.size(); ++n) entry[n + 1] = name[n];
+    if (host_->is_read_only(drive, host)) entry[9] |= 0x80U;
+    entry.set_extent(extent);
+    entry.fill(extent, records);
+    return {done};
+  }
+  state_.searching = false;
+  return {not_found};
+}
+
+CpmFiles::Answer CpmFiles::open(Block fcb) {
+  const unsigned drive = drive_of(fcb);
+  Name name = fcb.name();
+  if (fcb.ambiguous()) {
+    const auto files = host_->list(drive);
+    const auto first = std::find_if(files.begin(), files.end(), [&name](const auto& file) {
+      return std::equal(name.begin(), name.end(), file.first.begin(), [](auto a, auto b) { return a == '?' || a == b; });
+    });
+    if (first == files.end()) return {not_found};
+    name = first->first;
+  }
+  const auto host = host_->find(drive, name);
+  if (!host || host_->use(drive, name, false) == nullptr) return {not_found};
+  const std::uint32_t records = host_->records(drive, *host);
+  fcb[Block::module_at] = 0;
+  const std::uint32_t extent = fcb.extent();
+  if (!has_extent(records, extent)) return {not_found};
+  for (std::size_t n = 0; n < name.size(); ++n) fcb[n + 1] = name[n];
+  if (host_->is_read_only(drive, *host)) fcb[9] |= 0x80U;
+  fcb.fill(extent, records);
+  return {done};
+}
+
+CpmFiles::Answer CpmFiles::make(Block fcb) {
+  const unsigned drive = drive_of(fcb);
+  if (const auto fault = locked(drive)) return {0, fault};
+  const auto name = host_name(fcb.name());
+  if (!name || fcb.ambiguous()) return {not_found};
+  // As function 15, CP/M clears the module: MAC leaves other bytes there.
+  fcb[Block::module_at] = 0;
+  const bool first = fcb.extent() == 0;
+  if (host_->find(drive, fcb.name())) {
+    // CP/M would make a second entry of the name, which a folder cannot have. A further extent is there when it is written.
+    if (first) return {not_found};
+  } else {
+    const Descriptor made(::openat(host_->drives[drive].folder.number(), name->c_str(),
+                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!made) return {not_found};
+  }
+  fcb.fill(fcb.extent(), 0);
+  return {done};
+}
+
+CpmFiles::Answer CpmFiles::remove(Block fcb) {
+  const unsigned drive = drive_of(fcb);
+  if (const auto fault = locked(drive)) return {0, fault};
+  const Name pattern = fcb.name();
+  bool any = false;
+  for (const auto& [name, host] : host_->list(drive)) {
+    if (!std::equal(pattern.begin(), pattern.end(), name.begin(), [](auto a, auto b) { return a == '?' || a == b; })) continue;
+    if (host_->is_read_only(drive, host)) return {0, Fault{static_cast<char>('A' + drive), "File R/O"}};
+    host_->forget(drive, name);
+    if (::unlinkat(host_->drives[drive].folder.number(), host.c_str(), 0) != 0) continue;
+    any = true;
+  }
+  return {any ? done : not_found};
+}
+
+// The new name is in the second half of the block.
+CpmFiles::Answer CpmFiles::rename(Block fcb) {
+  const unsigned drive = drive_of(fcb);
+  if (const auto fault = locked(drive)) return {0, fault};
+  const Name to = fcb.name(17);
+  const auto host_to = host_name(to);
+  const auto from = host_->find(drive, fcb.name());
+  // A second file of the name: CP/M would have two.
+  if (!from || !host_to || host_->find(drive, to)) return {not_found};
+  if (host_->is_read_only(drive, *from)) return {0, Fault{static_cast<char>('A' + drive), "File R/O"}};
+  host_->forget(drive, fcb.name());
+  const int folder = host_->drives[drive].folder.number();
+  if (::renameat(folder, from->c_str(), folder, host_to->c_str()) != 0) return {not_found};
+  return {done};
+}
+
+// Of the attributes the host has R/O.
+CpmFiles::Answer CpmFiles::set_attributes(Block fcb) {
+  const unsigned drive = drive_of(fcb);
+  if (const auto fault = locked(drive)) return {0, fault};
+  OpenFile* const file = host_->use(drive, fcb.name(), false);
+  struct stat found {};
+  if (file == nullptr || ::fstat(file->file.number(), &found) != 0) return {not_found};
+  const bool lock = (fcb[9] & 0x80U) != 0;
+  const mode_t writes = S_IWUSR | S_IWGRP | S_IWOTH;
+  const mode_t mode = found.st_mode & 07777U;
+  if (::fchmod(file->file.number(), lock ? mode & ~writes : mode | S_IWUSR) != 0) return {not_found};
+  host_->forget(drive, fcb.name());
+  return {done};
+}
+
+CpmFiles::Answer CpmFiles::read_record(Block& fcb, std::uint32_t number, std::span<std::uint8_t> memory,
+                                       std::uint8_t behind_the_end) {
+  OpenFile* const file = host_->use(drive_of(fcb), fcb.name(), false);
+  const auto length = file != nullptr ? file->length() : std::nullopt;
+  if (!length || number >= records_of(*length)) return {behind_the_end};
+  // What a text leaves of its last record.
+  std::array<std::uint8_t, record> bytes;
+  bytes.fill(end_of_text);
+  std::size_t read = 0;
+  while (read < record) {
+    const auto got = ::pread(file->file.number(), bytes.data() + read, record - read,
+                             static_cast<off_t>(std::uint64_t{number} * record + read));
+    if (got < 0) return {0, Fault{static_cast<char>('A' + drive_of(fcb)), "Bad Sector"}};
+    if (got == 0) break;
+    read += static_cast<std::size_t>(got);
+  }
+  for (std::size_t n = 0; n < record; ++n) memory[static_cast<std::uint16_t>(state_.transfer + n)] = bytes[n];
+  fcb[Block::count_at] = records_in(records_of(*length), number / records_an_extent);
+  return {done};
+}
+
+CpmFiles::Answer CpmFiles::write_record(Block& fcb, std::uint32_t number, std::span<const std::uint8_t> memory) {
+  const unsigned drive = drive_of(fcb);
+  if (const auto fault = locked(drive)) return {0, fault};
+  const auto host = host_->find(drive, fcb.name());
+  if (!host) return {not_found};
+  if (host_->is_read_only(drive, *host)) return {0, Fault{static_cast<char>('A' + drive), "File R/O"}};
+  OpenFile* const file = host_->use(drive, fcb.name(), true);
+  const auto length = file != nullptr ? file->length() : std::nullopt;
+  if (!length) return {disk_full};
+  std::uint64_t end = *length;
+  const auto put = [&](std::span<const std::uint8_t> bytes, std::uint64_t at) {
+    for (std::size_t written = 0; written < bytes.size();) {
+      const auto count = ::pwrite(file->file.number(), bytes.data() + written, bytes.size() - written,
+                                  static_cast<off_t>(at + written));
+      if (count <= 0) return false;
+      written += static_cast<std::size_t>(count);
+      end = std::max(end, at + written);
+    }
+    return true;
+  };
+  std::array<std::uint8_t, record> bytes;
+  // A text that ends within an earlier record ends there in CP/M's way, too.
+  const std::uint64_t place = std::uint64_t{number} * record;
+  const std::size_t rest = *length < place ? (record - *length % record) % record : 0;
+  bytes.fill(end_of_text);
+  bool whole = put(std::span(bytes).first(rest), *length);
+  for (std::size_t n = 0; n < record; ++n) bytes[n] = memory[static_cast<std::uint16_t>(state_.transfer + n)];
+  whole = whole && put(bytes, place);
+  if (!whole) {
+    // No record is half there.
+    if (end > *length) static_cast<void>(::ftruncate(file->file.number(), static_cast<off_t>(*length)));
+    return {disk_full};
+  }
+  fcb.fill(number / records_an_extent, records_of(std::max(*length, place + record)));
+  return {done};
+}
+
+// The record behind the last one of an extent is the first of the next.
+CpmFiles::Answer CpmFiles::read_next(Block fcb, std::span<std::uint8_t> memory) {
+  const std::uint32_t number = fcb.next_record();
+  if (number >= most_records) return {behind_end};
+  const Answer answer = read_record(fcb, number, memory, behind_end);
+  if (answer.fault || answer.hl != done) return answer;
+  fcb.set_extent(number / records_an_extent);
+  fcb[Block::current_at] = static_cast<std::uint8_t>(number % records_an_extent + 1);
+  return answer;
+}
+
+CpmFiles::Answer CpmFiles::write_next(Block fcb, std::span<std::uint8_t> memory) {
+  const std::uint32_t number = fcb.next_record();
+  if (number >= most_records) return {disk_full};
+  const Answer answer = write_record(fcb, number, memory);
+  if (answer.fault || answer.hl != done) return answer;
+  fcb.set_extent(number / records_an_extent);
+  fcb[Block::current_at] = static_cast<std::uint8_t>(number % records_an_extent + 1);
+  return answer;
+}
+
+// The block then stands at the record itself, not behind it: a sequential access comes to it again.
+CpmFiles::Answer CpmFiles::read_random(Block fcb, std::span<std::uint8_t> memory) {
+  const std::uint32_t number = fcb.random_record();
+  if (number >= most_records) return {behind_disk};
+  fcb.set_extent(number / records_an_extent);
+  fcb[Block::current_at] = number % records_an_extent;
+  const auto host = host_->find(drive_of(fcb), fcb.name());
+  const bool extent_is_there = host && has_extent(host_->records(drive_of(fcb), *host), fcb.extent());
+  return read_record(fcb, number, memory, extent_is_there ? behind_end : no_extent);
+}
+
+CpmFiles::Answer CpmFiles::write_random(Block fcb, std::span<std::uint8_t> memory) {
+  const std::uint32_t number = fcb.random_record();
+  if (number >= most_records) return {behind_disk};
+  const Answer answer = write_record(fcb, number, memory);
+  if (answer.fault || answer.hl != done) return answer;
+  fcb.set_extent(number / records_an_extent);
+  fcb[Block::current_at] = number % records_an_extent;
+  return answer;
+}
+
+CpmFiles::Answer CpmFiles::size(Block fcb) {
+  const auto host = host_->find(drive_of(fcb), fcb.name());
+  if (!host) return {not_found};
+  fcb.set_random_record(host_->records(drive_of(fcb), *host));
+  return {done};
+}
+
+}  // namespace sightline::machines

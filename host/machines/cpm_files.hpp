@@ -1,0 +1,124 @@
+// The files of CP/M 2.2: a drive is a folder of the host, a file of it a file there, named as it is listed.
+//
+// As in CP/M everything about an open file is in the program's file control block (FCB); here the host's file is found
+// by the name in it, so that a machine continued from a snapshot continues with its files, as the folder has them then. Records
+// are written to the host at once. Every user sees the same files. Decisions beyond the Interface Guide are in
+// host/manual/i8080.md.
+// Left out: the allocation vector and the disk parameters (functions 27 and 31), which have no meaning here.
+// Source: Digital Research, "CP/M 2.2 Interface Guide" (1979), functions 12 to 40.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "emulators/core/state_visitor.hpp"
+#include "host/base/result.hpp"
+
+namespace sightline::machines {
+
+// --cpm-drive X=FOLDER[,ro]
+struct CpmDrive {
+  unsigned number = 0;  // 0 is A
+  std::string folder;
+  bool read_only = false;
+};
+// An error says what the text should be, or that the folder is none.
+[[nodiscard]] base::Result<CpmDrive> parse_cpm_drive(std::string_view text);
+
+class CpmFiles {
+ public:
+  static constexpr std::size_t record = 128;   // bytes
+  static constexpr std::uint32_t most_records = 65536;  // of a file: 8 MB
+
+  // Errors after which CP/M prints "Bdos Err On X: ..." and ends the program.
+  struct Fault {
+    char drive;            // 'A'
+    std::string_view why;  // "Select", "R/O", "File R/O" or "Bad Sector"
+  };
+  struct Answer {
+    std::uint16_t hl = 0;  // A is its low half
+    std::optional<Fault> fault = {};
+  };
+
+  explicit CpmFiles(const std::vector<CpmDrive>& drives);
+  ~CpmFiles();
+  CpmFiles(const CpmFiles&) = delete;
+  CpmFiles& operator=(const CpmFiles&) = delete;
+
+  [[nodiscard]] bool has_drives() const;
+  // Whether the function is one of those here.
+  [[nodiscard]] static bool answers(std::uint8_t function);
+  // `de` as the program gives it; memory is the machine's 64K.
+  [[nodiscard]] Answer call(std::uint8_t function, std::uint16_t de, std::span<std::uint8_t> memory);
+  // What byte 0004 says: user and current disk.
+  [[nodiscard]] std::uint8_t user_and_disk() const { return static_cast<std::uint8_t>(state_.user << 4U | state_.disk); }
+
+  // All that a program can ask for later, besides the files themselves.
+  struct State {
+    std::uint8_t disk = 0;
+    std::uint8_t user = 0;
+    std::uint16_t transfer = 0x0080;  // "DMA address"
+    std::uint16_t logged_in = 0;      // bit 0: A
+    std::uint16_t read_only = 0;      // by function 28
+    // Functions 17 and 18: what is looked for, and what was found last: the next one is behind it.
+    bool searching = false;
+    std::array<std::uint8_t, 13> pattern{};  // drive, name, extent
+    std::array<std::uint8_t, 11> found{};    // a name without attributes
+    std::uint32_t found_extent = 0;          // plus one; 0: nothing yet
+
+    void visit_state(core::StateVisitor& visit) {
+      visit("disk", disk, 15);
+      visit("user", user, 15);
+      visit("transfer", transfer);
+      visit("logged_in", logged_in);
+      visit("read_only", read_only);
+      visit("searching", searching);
+      visit.bytes("pattern", std::span<std::uint8_t>(pattern), 0xFF);
+      visit.bytes("found", std::span<std::uint8_t>(found), 0x7F);
+      visit("found_extent", found_extent);
+    }
+  };
+  [[nodiscard]] State& state() { return state_; }
+  // Whether what the function does depends on the host, or changes something there.
+  [[nodiscard]] static bool needs_host(std::uint8_t function);
+
+ private:
+  class Descriptor;
+  struct Host;
+  struct OpenFile;
+  using Name = std::array<std::uint8_t, 11>;  // without attributes
+
+  // A file control block in memory; addresses wrap.
+  class Block;
+
+  Answer search(std::span<std::uint8_t> memory);
+  Answer open(Block fcb);
+  Answer make(Block fcb);
+  Answer remove(Block fcb);
+  Answer rename(Block fcb);
+  Answer set_attributes(Block fcb);
+  Answer read_next(Block fcb, std::span<std::uint8_t> memory);
+  Answer write_next(Block fcb, std::span<std::uint8_t> memory);
+  Answer read_random(Block fcb, std::span<std::uint8_t> memory);
+  Answer write_random(Block fcb, std::span<std::uint8_t> memory);
+  Answer size(Block fcb);
+
+  [[nodiscard]] std::uint8_t first_disk() const;
+  [[nodiscard]] std::optional<Fault> select(unsigned drive);
+  [[nodiscard]] std::optional<Fault> locked(unsigned drive) const;
+  [[nodiscard]] unsigned drive_of(const Block& fcb) const;
+  Answer read_record(Block& fcb, std::uint32_t number, std::span<std::uint8_t> memory, std::uint8_t behind_the_end);
+  Answer write_record(Block& fcb, std::uint32_t number, std::span<const std::uint8_t> memory);
+
+  std::unique_ptr<Host> host_;
+  State state_;
+};
+
+}  // namespace sightline::machines

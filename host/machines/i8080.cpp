@@ -1,0 +1,554 @@
+// See i8080.hpp.
+#include "host/machines/i8080.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bitset>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/port_device.hpp"
+#include "emulators/core/state_visitor.hpp"
+#include "emulators/i8080/bus.hpp"
+#include "emulators/i8080/isa.hpp"
+#include "emulators/machines/i8080.hpp"
+#include "emulators/machines/i8080_front.hpp"
+#include "host/base/text.hpp"
+#include "host/machines/cpm.hpp"
+#include "host/machines/device_option.hpp"
+#include "host/machines/i8080_observers.hpp"
+#include "host/machines/plotter_taker.hpp"
+#include "host/picture/pen_drawing.hpp"
+#include "host/picture/png.hpp"
+#include "host/picture/raster_image.hpp"
+#include "tools/disasm/i8080.hpp"
+#include "tools/image/binary.hpp"
+
+namespace sightline::machines {
+
+namespace {
+
+// Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
+constexpr core::TStates time_between_questions{1 << 25};
+// A run is asked sooner at its beginning, where it may meet a device that is not there, and where every instruction is written
+// down, which takes longer.
+constexpr core::TStates time_to_first_question{1 << 19};
+constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
+
+// --- Texts ---
+
+// Nine digits behind the point, rounded down. From T-states: nanoseconds end after 292 years.
+std::string seconds_text(core::TStateInstant t, core::ClockRate clock) {
+  constexpr std::int64_t second = 1'000'000'000;
+  const std::int64_t t_states = core::t_states_of(t);
+  return fmt::format("{}.{:09}", t_states / clock.hertz, t_states % clock.hertz * second / clock.hertz);
+}
+
+// Bytes as the characters of Latin-1, in UTF-8: JSON has no bytes.
+std::string as_utf8(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      text.push_back(c);
+    } else {
+      text.push_back(static_cast<char>(0xC0U | byte >> 6));
+      text.push_back(static_cast<char>(0x80U | (byte & 0x3FU)));
+    }
+  }
+  return text;
+}
+
+// Registers B to L, numbers 2 to 7: halves of pairs.
+template <class State>
+auto& pair_of(State& state, std::size_t number) {
+  return number < 4 ? state.bc : number < 6 ? state.de : state.hl;
+}
+
+// --- CP/M's entries ---
+
+// A device sees no registers, so an OUT to a port of an entry only ends the run at the next instruction boundary; the caller then
+// reads the registers there and continues the run. An OUT that turns out to be none of an entry's is handed on to the device
+// behind.
+class CpmFront final : public i8080::Front {
+ public:
+  struct Call {
+    std::uint8_t port;
+    std::uint8_t value;
+    core::TStateInstant at;
+  };
+
+  explicit CpmFront(i8080::Machine& machine) : Front(machine, ports) {}
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
+    call_ = {port, value, at};
+    machine().request_stop();
+  }
+
+  // The OUT that ended the run, once.
+  [[nodiscard]] std::optional<Call> take_call() { return std::exchange(call_, std::nullopt); }
+  void hand_on(const Call& call) { Front::out(call.port, call.value, call.at); }
+
+ private:
+  static constexpr core::PortRange ports[]{{0, Cpm::last_port}};
+
+  std::optional<Call> call_;
+};
+
+// --- The machine ---
+
+class I8080Run final : public Machine {
+ public:
+  explicit I8080Run(I8080Setup setup) : setup_(std::move(setup)), plotter_(setup_.drawing), machine_(std::move(setup_.machine)) {
+    machine_->strokes().hand_to(&plotter_);
+    if (setup_.monitored) probe_.emplace(std::size_t{0x10000}, std::size_t{0x100});
+    if (setup_.observed) recorder_.emplace();
+    if (setup_.cpm) {
+      setup_.cpm->journal = setup_.monitored;
+      cpm_.emplace(*setup_.cpm, [this](std::string_view text) { print(text); }, [this](char c) { list(c); });
+      cpm_front_.emplace(*machine_);
+    }
+    if (setup_.vcd) recorder_->vcd.emplace(std::move(*setup_.vcd), clock(), [this] { return machine_->interrupt(); });
+  }
+
+  [[nodiscard]] std::uint32_t words() const override { return image::byte_memory_size; }
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const override {
+    return machine_->memory()[address];
+  }
+  void put(std::uint32_t address, std::uint32_t word) override {
+    machine_->memory()[address] = static_cast<i8080::Byte>(word);
+    loaded_.set(address);
+  }
+
+  [[nodiscard]] std::uint32_t get(std::size_t number) const override {
+    const i8080::State& s = machine_->registers();
+    switch (number) {
+      case 0: return s.a;
+      case 1: return s.f;
+      case 8: return s.sp;
+      case 9: return s.pc;
+      case 10: return s.interrupts_on ? 1 : 0;
+      default: return number % 2 == 0 ? i8080::high(pair_of(s, number)) : i8080::low(pair_of(s, number));
+    }
+  }
+  // Bits of F that the machine does not have are passed over.
+  void set(std::size_t number, std::uint32_t value) override {
+    i8080::State& s = machine_->registers();
+    const auto byte = static_cast<i8080::Byte>(value);
+    switch (number) {
+      case 0: s.a = byte; break;
+      case 1: s.f = i8080::as_flags(byte); break;
+      case 8: s.sp = static_cast<i8080::Address>(value); break;
+      case 9: s.pc = static_cast<i8080::Address>(value); break;
+      case 10: s.interrupts_on = value != 0; break;
+      default: {
+        i8080::Address& pair = pair_of(s, number);
+        pair =
+            number % 2 == 0 ? i8080::joined(byte, i8080::low(pair)) : i8080::joined(i8080::high(pair), byte);
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint32_t start_address(std::optional<std::uint32_t> loaded) const override {
+    return cpm_ ? image::com_origin : loaded.value_or(0);
+  }
+  void start(std::uint32_t address) override {
+    machine_->registers().pc = static_cast<i8080::Address>(address);
+  }
+  [[nodiscard]] bool halted() const override { return machine_->registers().halted; }
+  [[nodiscard]] std::string_view system_missing(std::uint32_t lowest) const override {
+    return !cpm_ && lowest == image::com_origin ? "--cpm gives a CP/M program its system" : "";
+  }
+  [[nodiscard]] Result<Done> ready() override {
+    if (!cpm_) return Done{};
+    for (const auto& [address, byte] : cpm_->entries()) {
+      if (loaded_[address] && machine_->memory()[address] != byte) {
+        return bad_input(fmt::format(
+            "--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there", address));
+      }
+    }
+    cpm_->start(machine_->registers(), machine_->memory());
+    return Done{};
+  }
+
+  void take(std::string_view option, TextTaker taker) override {
+    if (option == "--console-out") {
+      console_ = std::move(taker);
+    } else if (option == "--list") {
+      list_ = std::move(taker);
+    } else if (option == "--strokes") {
+      plotter_.take(std::move(taker));
+    } else {
+      if (recorder_) recorder_->take(option, std::move(taker));
+    }
+  }
+
+  // Each call of BDOS ends a slice: a program that prints all the time never comes to the end of a long one.
+  [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
+    if (cpm_) {
+      const bool waited = cpm_->waits_for_key();
+      if (!watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
+      if (waited && condition_changed()) return Stop{stopped_by_probe, {}};
+      // CP/M has written to a watched place, now or where the last slice ended.
+      if (probe_ && !probe_->events().empty()) return Stop{stopped_by_probe, {}};
+    }
+    const core::TStateInstant limit = core::at_t_state(limits.until);
+    const core::TStateInstant until =
+        asked ? std::min(limit, machine_->now() + slice()) : limit;
+    const std::uint64_t left = limits.instructions - std::min(machine_->instructions(), limits.instructions);
+    const auto reason = run_observed({left, until});
+    each_terminal([this](core::Terminal& terminal) {
+      const auto bytes = terminal.take_printed();
+      if (!bytes.empty()) print({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+    // A call of CP/M that ended the run is answered first.
+    if (probe_ && !probe_->events().empty() && reason != i8080::StopReason::device) return Stop{stopped_by_probe, {}};
+    switch (reason) {
+      case i8080::StopReason::halt: return Stop{"halt", {}};
+      case i8080::StopReason::instruction_limit: return Stop{"instruction_limit", {}};
+      case i8080::StopReason::time_limit:
+        if (machine_->now() < limit) return std::nullopt;
+        return Stop{"state_limit", {}, true};
+      case i8080::StopReason::unanswered: return unanswered();
+      case i8080::StopReason::device: {
+        const auto call = cpm_front_ ? cpm_front_->take_call() : std::nullopt;
+        const auto stop = call ? answer(*call) : std::nullopt;
+        if (stop || !condition_changed()) return stop;
+        return Stop{stopped_by_probe, {}};
+      }
+      case i8080::StopReason::observer: break;
+    }
+    return Stop{"interrupted", {}};
+  }
+  void finish() override {
+    if (recorder_) recorder_->finish(machine_->now());
+    plotter_.finish();
+  }
+
+  [[nodiscard]] Probe* probe() override { return probe_ ? &*probe_ : nullptr; }
+  [[nodiscard]] Instruction instruction_at(std::uint32_t address) const override {
+    const auto at = [&](std::uint32_t n) { return machine_->memory()[static_cast<i8080::Address>(address + n)]; };
+    const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction({at(0), at(1), at(2)});
+    return {(line.duplicate ? "*" : "") + line.text, static_cast<unsigned>(line.bytes)};
+  }
+  [[nodiscard]] Flow flow_of(std::uint32_t word) const override {
+    using i8080::Operation;
+    switch (i8080::lookup(static_cast<i8080::Byte>(word)).operation) {
+      case Operation::call:
+      case Operation::conditional_call:
+      case Operation::rst: return Flow::call;
+      case Operation::ret:
+      case Operation::conditional_return: return Flow::leave;
+      default: return Flow::plain;
+    }
+  }
+  [[nodiscard]] std::string history_line(const Probe::Entry& entry) const override {
+    const auto byte = [&entry](unsigned n) { return static_cast<std::uint8_t>(entry.word >> (8 * n)); };
+    const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction({byte(0), byte(1), byte(2)});
+    std::string bytes;
+    for (unsigned n = 0; n < static_cast<unsigned>(line.bytes); ++n) bytes += fmt::format("{:02X}", byte(n));
+    const std::string used =
+        entry.has_address ? fmt::format("{:04X}={:02X}", entry.address, entry.value) : std::string();
+    return fmt::format("{:>12} {:04X} {:<6} {:<20} {:<7} {:02X} {:02X}", entry.time, entry.pc, bytes,
+                       (entry.supplied ? "INT " : "") + line.text, used, entry.accumulator, entry.link);
+  }
+  [[nodiscard]] std::vector<ReportLine> device_lines() const override {
+    std::vector<ReportLine> rows = lines();
+    for (ReportLine& row : rows) {
+      const auto sent = setup_.sent_from.find(row.label);
+      if (sent != setup_.sent_from.end()) row.text = sent->second + ": " + row.text;
+    }
+    if (!setup_.cpm) return rows;
+    for (const CpmDrive& drive : setup_.cpm->drives)
+      rows.push_back({fmt::format("drive {}", static_cast<char>('A' + drive.number)), drive.folder + (drive.read_only ? ", read only" : "")});
+    return rows;
+  }
+
+  void type(std::uint8_t code) override {
+    if (cpm_) cpm_->type(code);
+    each_terminal([code](core::Terminal& terminal) { terminal.type(code); });
+    if (probe_) probe_->keys.push_back({ticks(), code});
+  }
+  [[nodiscard]] bool wants_key() const override {
+    bool wants = cpm_ && cpm_->wants_key();
+    each_terminal([&wants](const core::Terminal& terminal) { wants = wants || terminal.wants_key(); });
+    return wants;
+  }
+  [[nodiscard]] bool waits_for_key() const override { return cpm_ && cpm_->waits_for_key(); }
+  [[nodiscard]] std::string take_printed() override { return std::exchange(printed_, {}); }
+
+  [[nodiscard]] std::int64_t trim_journal(std::size_t most) override { return cpm_ ? cpm_->trim_journal(most) : 0; }
+
+  [[nodiscard]] std::uint64_t instructions() const override { return machine_->instructions(); }
+  [[nodiscard]] core::Instant now() const override {
+    return clock().to_nanoseconds(machine_->now());
+  }
+  [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(machine_->now()); }
+  [[nodiscard]] std::int64_t ticks_a_second() const override { return clock().hertz; }
+
+  [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
+  [[nodiscard]] MachineState save() override {
+    StateWriter writer;
+    visit_state(writer);
+    return writer.take();
+  }
+  [[nodiscard]] base::Result<Done> restore(const MachineState& state) override {
+    const auto done = restore_state(state, [this](core::StateVisitor& visit) { visit_state(visit); });
+    if (done) printed_.clear();
+    return done;
+  }
+
+  [[nodiscard]] std::vector<ReportLine> lines() const override {
+    std::vector<ReportLine> lines{
+        {"T-states", fmt::format("{}", core::t_states_of(machine_->now()))},
+        {"emulated time", fmt::format("{} s at {} Hz", seconds_text(machine_->now(), clock()), clock().hertz)},
+        {"instructions", fmt::format("{}", machine_->instructions())}};
+    if (has_hold()) lines.push_back({"held", fmt::format("{} T-states", machine_->held())});
+    each_reported([&lines](const i8080::AttachedDevice& each) {
+      lines.push_back({std::string(each.info->name), counts_text(each.device->counts())});
+    });
+    return lines;
+  }
+  void add_times(base::Json& report) const override {
+    const std::int64_t t_states = core::t_states_of(machine_->now());
+    report["t_states"] = t_states;
+    if (has_hold()) report["held_t_states"] = machine_->held();
+    report["clock_hz"] = clock().hertz;
+    // null where no 64 bits hold it
+    report["emulated_ns"] = now() == core::never ? base::Json() : base::Json(core::nanoseconds_of(now()));
+    report["emulated_seconds"] = static_cast<double>(t_states) / static_cast<double>(clock().hertz);
+  }
+  void add_details(base::Json& report) const override {
+    report["cpm"] = cpm_.has_value();
+    if (cpm_) cpm_->add_details(report);
+    if (setup_.keep_console) report["console"] = as_utf8(kept_console_);
+    base::Json& devices = report["devices"] = base::Json::object();
+    each_reported([&devices](const i8080::AttachedDevice& each) {
+      devices[each.info->name] = counts_json(each.device->counts());
+    });
+    base::Json& unanswered = report["unanswered"] = base::Json::array();
+    each_unanswered([&unanswered](std::size_t port, const i8080::UnansweredPort& counts) {
+      unanswered.push_back(base::Json{
+          {"port", fmt::format("{:02X}", port)}, {"reads", counts.reads}, {"writes", counts.writes}});
+    });
+  }
+
+  [[nodiscard]] std::vector<std::string> warnings() const override {
+    std::vector<std::string> warnings;
+    for (const auto& [info, device] : machine_->devices()) {
+      const core::LinkHost* const host = device->link_host();
+      if (host != nullptr && host->left_out() != 0)
+        warnings.push_back(fmt::format("{}: the last {} bytes from the program were not kept", info->name, host->left_out()));
+    }
+    for (std::string& warning : early_warnings_left()) warnings.push_back(std::move(warning));
+    if (console_left_out_ != 0) {
+      warnings.push_back(
+          fmt::format("the report's \"console\" lacks the last {} bytes printed; --console-out FILE takes all",
+                      console_left_out_));
+    }
+    if (list_dropped_ != 0)
+      warnings.push_back(fmt::format("the list device: {} characters went nowhere; --list FILE takes them", list_dropped_));
+    if (plotter_.left_out() != 0)
+      warnings.push_back(fmt::format("the drawing lacks the last {} marks of the pen", plotter_.left_out()));
+    return warnings;
+  }
+
+  void keep_strokes(bool keep) override { plotter_.keep_strokes(keep); }
+  std::span<const core::Stroke> take_strokes() override { return plotter_.take_strokes(); }
+  [[nodiscard]] const core::Raster* raster() const override {
+    const core::Raster* shown = nullptr;
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      if (const core::Raster* const raster = each.device->raster(); raster != nullptr) shown = raster;
+    }
+    return shown;
+  }
+
+  // --png of the raster board, --svg of the plotter, --parallel-out and its like of the links.
+  [[nodiscard]] Bytes output(std::string_view option) const override {
+    for (const auto& [info, device] : machine_->devices()) {
+      if (option == "--png" && device->raster() != nullptr) return png(*device->raster());
+      if (option == "--svg" && info->kind == core::PortDeviceKind::plotter) return svg(device->micrometres_a_step());
+      core::LinkHost* const host = device->link_host();
+      if (host != nullptr && option == fmt::format("--{}-out", info->name)) return host->received();
+    }
+    return {};
+  }
+
+ protected:
+  [[nodiscard]] std::vector<EarlyWarning> early_warnings() const override {
+    std::vector<EarlyWarning> warnings;
+    each_unanswered([&warnings](std::size_t port, const i8080::UnansweredPort& counts) {
+      const auto warn = [&](std::uint64_t count, std::string_view what) {
+        if (count == 0) return;
+        warnings.push_back({fmt::format("port {:02X}: no device at this port, {}", port, what),
+                            count == 1 ? "once" : fmt::format("{} times", count)});
+      };
+      warn(counts.reads, "read as FF");
+      warn(counts.writes, "written without effect");
+    });
+    return warnings;
+  }
+
+ private:
+  [[nodiscard]] core::TStates slice() const {
+    if (setup_.observed) return time_to_first_question;
+    return std::clamp(machine_->now().time_since_epoch(), time_to_first_question, time_between_questions);
+  }
+  i8080::StopReason run_observed(const i8080::Limits& limits) {
+    if (recorder_) return machine_->run(limits, *recorder_);
+    if (probe_ && probe_->watches_instructions()) {
+      I8080Listener listener(*probe_, machine_->now());
+      return machine_->run(limits, listener);
+    }
+    if (probe_ && probe_->watches_boundaries()) {
+      I8080Watcher watcher(*probe_, machine_->now());
+      return machine_->run(limits, watcher);
+    }
+    return machine_->run(limits);
+  }
+
+  // Between two runs no call of CP/M waits.
+  void visit_state(core::StateVisitor& visit) {
+    machine_->visit_state(visit);
+    if (cpm_front_ && visit.restores()) static_cast<void>(cpm_front_->take_call());
+    visit.section("drawing", plotter_);
+    visit.section("console", [this](core::StateVisitor& fields) {
+      fields.output("printed", kept_console_, console_before_);
+      fields("left_out", console_left_out_);
+      fields("list_dropped", list_dropped_);
+    });
+    if (cpm_) visit.section("cpm", *cpm_);
+  }
+
+  // What CP/M changes in a watched place is an access like the program's own; writing the same byte again is none.
+  template <class Work>
+  std::invoke_result_t<Work> watching_host(Work work) {
+    if (!probe_ || probe_->written_places().empty()) return work();
+    std::vector<i8080::Byte> before;
+    for (const std::uint32_t at : probe_->written_places()) before.push_back(machine_->memory()[at]);
+    const std::invoke_result_t<Work> done = work();
+    for (std::size_t n = 0; n < before.size(); ++n) {
+      const std::uint32_t at = probe_->written_places()[n];
+      const i8080::Byte now = machine_->memory()[at];
+      if (now != before[n]) probe_->add({Probe::Kind::write, ticks(), at, now});
+    }
+    return done;
+  }
+
+  // CP/M has been at work: whether what it has changed is waited for.
+  bool condition_changed() {
+    if (!probe_ || !probe_->has_conditions() || !probe_->condition_changed()) return false;
+    probe_->add({Probe::Kind::condition, ticks(), machine_->registers().pc, 0});
+    return true;
+  }
+
+  // Nothing: the run goes on.
+  std::optional<Stop> answer(const CpmFront::Call& call) {
+    switch (watching_host([this, &call] { return cpm_->out(call.port, processor()); })) {
+      case Cpm::Called::answered: return std::nullopt;
+      case Cpm::Called::stopped: return cpm_->stop();
+      case Cpm::Called::no: break;
+    }
+    cpm_front_->hand_on(call);  // with --strict the next slice ends where it begins, if no device is there
+    return std::nullopt;
+  }
+  template <class Visit>
+  void each_terminal(Visit visit) const {
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      if (core::Terminal* const terminal = each.device->terminal(); terminal != nullptr) visit(*terminal);
+    }
+  }
+  // The devices that were chosen by name.
+  template <class Visit>
+  void each_reported(Visit visit) const {
+    for (const i8080::AttachedDevice& each : machine_->devices()) {
+      if (each.info->kind != core::PortDeviceKind::special) visit(each);
+    }
+  }
+  [[nodiscard]] bool has_hold() const {
+    const auto devices = machine_->devices();
+    return std::any_of(devices.begin(), devices.end(), [](const auto& each) { return each.device->drives_hold(); });
+  }
+  [[nodiscard]] core::ClockRate clock() const { return machine_->options().clock; }
+  [[nodiscard]] Cpm::Processor processor() { return {machine_->registers(), machine_->memory(), ticks()}; }
+  // The IN or OUT is before PC.
+  std::optional<Stop> unanswered() const {
+    return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
+                                      static_cast<i8080::Address>(machine_->registers().pc - 2))};
+  }
+
+  void print(std::string_view text) {
+    if (console_) console_(text);
+    if (setup_.console) printed_ += text;
+    if (!setup_.keep_console) {
+      console_before_ += text.size();
+      return;
+    }
+    const std::string_view kept = text.substr(0, most_kept_of_console - kept_console_.size());
+    kept_console_ += kept;
+    console_left_out_ += text.size() - kept.size();
+  }
+
+  void list(char c) {
+    if (list_) list_(std::string_view(&c, 1));
+    else ++list_dropped_;
+  }
+
+  template <class Visit>
+  void each_unanswered(Visit visit) const {
+    for (std::size_t port = 0; port < 256; ++port) {
+      const i8080::UnansweredPort& counts = machine_->unanswered()[port];
+      if (counts.reads + counts.writes != 0) visit(port, counts);
+    }
+  }
+
+  [[nodiscard]] Bytes png(const core::Raster& raster) const {
+    const auto palette = setup_.grey ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+    return *picture::encode_png(
+        picture::raster_image(raster, palette, 1),
+        {{"Software", "sightline " SIGHTLINE_VERSION},
+         {"End of run", fmt::format("T-state {}", core::t_states_of(machine_->now()))}});
+  }
+  // The paper is as large as the drawing needs, from step (0, 0) on.
+  [[nodiscard]] Bytes svg(std::int64_t micrometres_a_step) const {
+    picture::PlotterPaper paper{.micrometres_a_step = micrometres_a_step};
+    for (const picture::PenPath& path : plotter_.paths()) {
+      for (const picture::PenPoint corner : path.corners)
+        paper.steps = std::max({paper.steps, corner.x + 1, corner.y + 1});
+    }
+    const std::string drawing =
+        picture::pen_svg(plotter_.paths(), paper,
+                         fmt::format("8080: plotter at T-state {}", core::t_states_of(machine_->now())));
+    return {drawing.begin(), drawing.end()};
+  }
+
+  I8080Setup setup_;
+  PlotterTaker plotter_;
+  std::unique_ptr<i8080::Machine> machine_;
+  std::optional<CpmFront> cpm_front_;  // with CP/M
+  std::optional<I8080Recorder> recorder_;
+  std::optional<Probe> probe_;
+  std::bitset<0x10000> loaded_;
+  TextTaker console_;
+  std::string kept_console_;
+  std::uint64_t console_before_ = 0;  // bytes printed before the first of kept_console_
+  std::uint64_t console_left_out_ = 0;  // bytes
+  std::string printed_;  // on the console, and not yet handed out
+  TextTaker list_;
+  std::uint64_t list_dropped_ = 0;  // characters, without a taker
+  std::optional<Cpm> cpm_;
+};
+
+}  // namespace
+
+std::unique_ptr<Machine> make_i8080(I8080Setup setup) {
+  return std::make_unique<I8080Run>(std::move(setup));
+}
+
+}  // namespace sightline::machines

@@ -1,0 +1,47 @@
+// An 8080 configured for one run, with the devices that the run needs on its ports.
+//
+// For CP/M programs two entries of the operating system are in memory as the programs that check and time
+// 8080s have them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005,
+// where BDOS functions are called. The host does their work between the OUT and the RET, in no time; so a
+// call costs 20 T-states and the end 10, and the published T-states of such programs are met. A program may
+// begin with SP = 0000: a RET at the top level then takes the two bytes of the OUT 0 for its address, 00D3,
+// where a second OUT 0 ends the run for the same time. Functions 0 (ends like a jump to 0000), 2 and 9 are
+// there; registers come back as they were. With a console there are 1, 6, 10 and 11 too, which return in A and
+// L with B and H 0 (CP/M 2.2 Interface Guide); one that waits for a key does so in no time.
+//
+// Left out: the rest of CP/M.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "emulators/machines/i8080.hpp"
+#include "host/machines/cpm.hpp"
+#include "host/machines/machine.hpp"
+#include "host/machines/vcd.hpp"
+
+namespace sightline::machines {
+
+struct I8080Setup {
+  std::unique_ptr<i8080::Machine> machine = std::make_unique<i8080::Machine>();
+  std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links, which have views of them
+  std::map<std::string_view, std::string> sent_from;  // the names of these files
+  std::optional<CpmSetup> cpm;             // CP/M around the program
+  std::vector<std::string> configuration;  // see Machine
+  bool observed = false;                   // take("--trace"), take("--bus") or take("--vcd") is to come
+  std::optional<VcdWriter> vcd;            // of i8080_signals()
+  bool monitored = false;                  // it has a probe; instead of a trace and a bus log
+  bool keep_console = false;               // what is printed goes into the report
+  bool console = false;                    // keys can be typed, take_printed() has what is printed
+  bool drawing = false;                    // keep the lines the plotter draws
+  bool grey = false;                       // --png
+};
+
+// The registers of the description are A F B C D E H L SP PC INTE.
+[[nodiscard]] std::unique_ptr<Machine> make_i8080(I8080Setup setup);
+
+}  // namespace sightline::machines

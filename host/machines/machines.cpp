@@ -1,0 +1,13 @@
+// The machines of the command, a row each.
+#include <array>
+
+#include "host/machines/machine.hpp"
+
+namespace sightline::machines {
+
+std::span<const MachineDescription* const> machines() {
+  static const std::array table{&pdp7(), &i8080()};
+  return table;
+}
+
+}  // namespace sightline::machines

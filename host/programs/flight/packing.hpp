@@ -1,0 +1,65 @@
+// What the host does once for a flight: the model of Willis, as far as the machine holds it, and its points and eyes as the bytes of a stream
+// (firmware/i8080/flight/SPECIFICATION.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/algorithms/willis/model.hpp"
+#include "host/base/result.hpp"
+#include "host/programs/flight/twin/twin.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::programs::flight {
+
+inline constexpr std::size_t most_pieces = 255;  // a piece's number is a byte, and 0 is none
+
+// The model with its pieces in the order of their distance from the eye: piece i has the number i + 1. With `pieces` given, of all no more than the
+// so many nearest. Errors: as willis::make_model; more pieces, and planes between solids that touch or are not convex, than the machine holds, by how many,
+// and whose they are.
+[[nodiscard]] base::Result<algorithms::willis::Model> flight_model(const scene::PolyScene& scene, const algorithms::willis::ModelOptions& options,
+                                                                   const scene::PolyPoint& eye, std::optional<std::size_t> pieces = {});
+
+// The same of the pieces that are turned to one camera: the others need no priority.
+[[nodiscard]] base::Result<algorithms::willis::Model> view_model(const scene::PolyScene& scene, const algorithms::willis::ModelOptions& options,
+                                                                 const scene::PolyCamera& camera);
+
+struct Packed {
+  Precision precision = Precision::bits_8;
+  std::size_t axes = 3;
+  std::int64_t step = 1;      // of a coordinate, in units of willis's lattice
+  double step_in_units = 1;   // of the scene
+  std::size_t planes = 0;
+  // Pieces of a cell whose distances from the eye differ by more than this, in units of the scene, are in the right order: a point and the eye are
+  // each rounded by half a step along every axis.
+  double error_in_units = 0;
+  std::vector<std::uint8_t> stream;
+};
+
+// The stream of a flight past so many eyes, at least one. A piece's point is its first corner, as it is for willis::Frames. In parallel projection, which has
+// one direction for all cameras (precondition), coordinates are the depth along it and 0, and the eye is where the depth begins.
+[[nodiscard]] Packed pack(const algorithms::willis::Model& model, std::span<const scene::PolyCamera> cameras, Precision precision);
+
+// The bytes of a stream, for tests and tools: coordinates within the precision, N + 2 D points, places and cells if there are planes, eyes.
+class StreamWriter {
+ public:
+  StreamWriter(Precision precision, std::size_t axes, std::size_t pieces, std::size_t planes = 0);
+  void point(std::span<const std::uint32_t> coordinates);
+  void place(std::uint8_t place);  // of a plane, or the cell of a piece
+  void check();
+  void eye(std::span<const std::uint32_t> coordinates);
+  [[nodiscard]] std::vector<std::uint8_t> end();
+
+ private:
+  void byte(std::uint32_t value);
+
+  Precision precision_;
+  std::vector<std::uint8_t> bytes_;
+  std::uint8_t sum_ = 0;
+  std::uint8_t sum_of_sums_ = 0;
+};
+
+}  // namespace sightline::programs::flight

@@ -1,0 +1,85 @@
+#include "host/programs/jones/program.hpp"
+
+#include <fmt/core.h>
+
+#include "host/base/result.hpp"
+#include "tools/asm/pdp7.hpp"
+
+namespace sightline::programs::jones {
+
+namespace {
+
+// Core beyond the tables that the program lays out by assignment is not in the image.
+std::uint32_t words_of(const assembler::Assembly& assembly, std::string_view name) {
+  const auto value = assembly.value_of(name);
+  if (!value) base::give_up(fmt::format("the program has no label {}", name));
+  return value->value();
+}
+
+Labels labels_of(const assembler::Assembly& assembly) {
+  const auto at = [&](std::string_view name) { return words_of(assembly, name); };
+  Labels labels;
+  labels.start = at("start");
+  labels.clock = at("clkop");
+  labels.scale = at("scale0");
+  labels.search = at("search");
+  labels.visit = at("visit");
+  labels.opening = at("opens");
+  labels.line = at("clip2") + 1;
+  labels.piece = at("drawn");
+  labels.file = at("file");
+  labels.views = at("views");
+  labels.file_begun = at("dfs");
+  labels.status = at("status");
+  labels.scene = at("scene");
+  labels.file_words = at("filsiz");
+  return labels;
+}
+
+std::vector<assembler::SourceFile> sources_with(const std::string& tape) {
+  std::vector<assembler::SourceFile> sources;
+  for (const auto& [name, text] : firmware_tapes()) sources.push_back({std::string(name), std::string(text)});
+  sources.push_back({"scene tape", tape});
+  return sources;
+}
+
+std::string all_diagnostics(const assembler::Assembly& assembly) {
+  std::string text;
+  for (const auto& diagnostic : assembly.diagnostics) text += to_string(diagnostic) + "\n";
+  return text;
+}
+
+}  // namespace
+
+base::Result<Program> assemble_program(const scene::CellScene& scene, const ProgramOptions& options) {
+  auto tape = write_tape(scene, options.tape);
+  if (!tape) return tape.error();
+  assembler::Options assembler_options;
+  assembler_options.defines.push_back({"EAE", core::Word18(options.eae ? 1 : 0)});
+  assembler_options.defines.push_back({"FRACTION", core::Word18(options.fraction_bits)});
+  assembler_options.defines.push_back({"TRUNCATE", core::Word18(options.truncate ? 1 : 0)});
+  const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
+  if (!assembly.ok()) base::give_up("the program does not assemble:\n" + all_diagnostics(assembly));
+
+  const std::uint32_t tables = words_of(assembly, "recs");
+  const std::uint32_t end = assembly.image.words.rbegin()->first + 1;
+  if (end > tables) {
+    return base::Error{
+        "", "",
+        fmt::format("found {} words too many for the machine's core beside the program", end - tables)};
+  }
+  Program program;
+  program.labels = labels_of(assembly);
+  program.core.resize(core_words);
+  for (const auto& [address, word] : assembly.image.words) program.core[address] = word;
+  for (const auto& symbol : assembly.symbols) program.symbols.emplace(symbol.name, symbol.value.value());
+  auto encoded = encode(scene, options.tape, program.labels.scene);
+  if (!encoded) return encoded.error();
+  program.scene = std::move(*encoded);
+  const auto image_words = static_cast<std::uint32_t>(assembly.image.words.size());
+  program.program_words = image_words - static_cast<std::uint32_t>(program.scene.words.size());
+  program.words_used = image_words + (core_words - tables);
+  return program;
+}
+
+}  // namespace sightline::programs::jones

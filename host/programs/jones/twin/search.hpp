@@ -1,0 +1,114 @@
+// The search along the avenues of sight, with its explicit stack: the inside of twin.hpp.
+// Source: firmware/pdp7/jones/SPECIFICATION.md section 4; Jones (1971), "The algorithm".
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/programs/jones/twin/elements.hpp"
+#include "host/programs/jones/twin/mask.hpp"
+#include "host/programs/jones/twin/twin.hpp"
+
+namespace sightline::programs::jones {
+
+// Words that the stack takes to come back to a cell seen through this mask: place in the list, entry, cell,
+// the link to the frame before; count and box of the mask, its sloped edges.
+template <class Coordinate>
+[[nodiscard]] int frame_words(const BasicMask<Coordinate>& mask) {
+  return 9 + 4 * sloped_edges(mask);
+}
+
+// One view in one arithmetic: made, run once, and used up.
+template <class Number>
+class Search {
+ public:
+  using Coordinate = typename Number::Coordinate;
+  using View = BasicView<Coordinate>;
+
+  Search(std::span<const core::Word18> core, std::uint32_t header, const Parameters& parameters,
+         const Number& number)
+      : core_(core),
+        header_(header),
+        parameters_(parameters),
+        number_(number),
+        file_(display_file_words, !parameters.immediate, number.truncate()) {}
+
+  [[nodiscard]] View run() &&;
+
+ private:
+  using Point = BasicScreenPoint<Coordinate>;
+  using Mask = BasicMask<Coordinate>;
+  using PolygonBuilder = BasicPolygonBuilder<Coordinate>;
+  // What is known of an opening before its ring is walked.
+  struct RingScan {
+    bool crossing = false;  // the eye is strictly on the near side
+    bool counter_clockwise = false;
+    bool actual_lines = false;
+    Axis plane = Axis::z;       // normal to the opening
+    std::int32_t distance = 0;  // of the plane from the eye, signed
+  };
+  // What becomes of a ring's outline on the screen.
+  struct Outline {
+    RingBound bound;
+    PolygonBuilder polygon;
+  };
+  struct Level {
+    Mask mask;
+    std::uint32_t entry;       // element of the opening come through
+    std::uint32_t next_entry;  // list of openings: where to go on
+    bool exhausted = false;
+  };
+
+  // The functions that give bool give false as soon as the view has ended with a status.
+  bool pass(Pass which, SpacePoint eye);
+  bool visit(std::uint32_t cell, const Mask& mask, std::uint32_t entry);
+  // Draws the lines of a chain or ring, and collects the outline of a ring if one is asked for.
+  bool walk(const Chain& chain, Outline* outline);
+  bool move(SpacePoint& point, Vector vector, SpaceSegment& moved);
+  bool draw(const SpaceSegment& moved, Axis axis, std::uint32_t vector_address);
+  bool append_corner(Outline& outline, const SpacePoint& corner);
+  bool append_side(Outline& outline, const SpaceSegment& moved, Axis axis, bool last);
+  bool opening(std::uint32_t far_word_address);
+  bool scan(const Chain& ring, bool towards_higher, RingScan& facts);
+  bool go_through(std::uint32_t far_cell, std::uint32_t element, PolygonBuilder& polygon,
+                  bool counter_clockwise);
+  bool project_point(const SpacePoint& point, Point& projected);
+  bool add_to_file(BasicPiece<Coordinate>& piece);
+
+  bool fail(Status status) {
+    view_.status = status;
+    return false;
+  }
+  bool spend() { return spent_++ < parameters_.limit || fail(Status::unfinished); }
+  [[nodiscard]] SpacePoint stereo_eye(std::int32_t shift) const;
+  // No number has left its word so far.
+  bool sound() { return !number_.overflowed() || fail(Status::arithmetic_overflow); }
+  bool chain_at(std::uint32_t element, Chain& chain);
+  void count_fresh(const SpacePoint& point);
+
+  CoreImage core_;
+  std::uint32_t header_;
+  Parameters parameters_;
+  Number number_;
+  DisplayFile file_;
+  View view_;
+  std::bitset<core_words> cells_;
+  std::vector<Level> levels_;
+  int stack_words_ = 0;  // frames of all levels but the last
+  Pass pass_ = Pass::mono;
+  SpacePoint eye_;
+  Window window_;
+  std::optional<SpacePoint> projected_last_;  // within one chain
+  std::uint64_t spent_ = 0;
+};
+
+extern template class Search<ShortWords>;
+extern template class Search<LongWords>;
+extern template class Search<MixedWords>;
+extern template class Search<SingleFloat>;
+extern template class Search<DoubleFloat>;
+
+}  // namespace sightline::programs::jones

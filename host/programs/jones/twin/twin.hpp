@@ -1,0 +1,93 @@
+// Native twin of Jones's program on the PDP-7: the same display words and the same status for every scene,
+// view, mode and build, written from firmware/pdp7/jones/SPECIFICATION.md (sections 1, 4, 5 and 7) and from
+// nothing else. It reads the data elements out of an image of core, as the machine does, and calls nothing of
+// the emulator.
+//
+// Left out: time, and what happens between views (section 6: switches, clock, the two display files).
+// The search is Jones (1971), "The algorithm"; it keeps an explicit stack, as his program does.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "emulators/core/word.hpp"
+#include "host/programs/jones/twin/arithmetic.hpp"
+
+namespace sightline::programs::jones {
+
+inline constexpr std::uint32_t core_words = 8192;  // of the machine Jones used
+inline constexpr int mask_stack_words = 450;
+inline constexpr std::size_t display_file_words = 1384;
+
+enum class Status : std::uint8_t {
+  complete,
+  stack_overflow,
+  display_file_overflow,
+  arithmetic_overflow,
+  too_many_mask_vertices,
+  deeper_than_cells,
+  bad_data_element,
+  unfinished,  // no status of the machine: the twin's own limit was reached, where the machine would run on
+};
+[[nodiscard]] std::string_view name(Status status);
+
+struct Parameters {
+  SpacePoint eye;                             // object units
+  std::int32_t scale = 512;                   // S, 64..4096
+  bool stereo = false;                        // AC switch 17
+  bool immediate = false;                     // AC switch 16: lines are added at once
+  std::uint64_t limit = 100'000'000;          // vectors and list entries looked at before the twin gives up
+  int fraction_bits = machine_fraction_bits;  // 0..3: -D FRACTION of the program
+  bool truncate = false;                      // -D TRUNCATE
+};
+// Eye of the scene header; scale 512, mono.
+[[nodiscard]] Parameters default_parameters(std::span<const core::Word18> core, std::uint32_t scene_header);
+
+struct Counts {
+  std::uint64_t visits = 0;
+  std::uint64_t distinct_cells = 0;
+  std::uint64_t openings_tested = 0;
+  std::uint64_t openings_crossing = 0;  // the eye strictly on the near side
+  std::uint64_t masks_made = 0;         // openings that were entered
+  std::uint64_t vectors = 0;            // vector words of which a chain or ring was made
+  std::uint64_t lines_clipped = 0;
+  std::uint64_t pieces = 0;
+  std::uint64_t fresh_coordinates = 0;  // projected coordinates not known from the point before in the chain
+  int depth = 0;
+  int stack_words = 0;
+  int mask_vertices = 0;
+  double largest_coordinate = 0;  // magnitude, points, before clipping
+  Operations operations;
+};
+
+// A line piece as it left the clip: which vector word drew it and where.
+template <class Coordinate>
+struct BasicPiece {
+  std::uint16_t vector_address = 0;
+  Pass pass = Pass::mono;
+  BasicScreenSegment<Coordinate> line;  // units relative to the centre of its window, 2^fraction_bits to a point
+  bool drawn = true;                    // false: both ends are the same point of the screen
+
+  friend bool operator==(const BasicPiece&, const BasicPiece&) = default;
+};
+using Piece = BasicPiece<std::int32_t>;
+
+template <class Coordinate>
+struct BasicView {
+  Status status = Status::complete;
+  std::vector<core::Word18> display_file;       // the stop word included
+  std::vector<BasicPiece<Coordinate>> pieces;   // drawn, in the order drawn
+  std::vector<BasicPiece<Coordinate>> clipped;  // all that left the clip, drawn or too short for it
+  Counts counts;
+};
+using View = BasicView<std::int32_t>;
+
+// core: 8192 words, shorter images read as zero beyond their end. scene_header: address of the header of
+// section 7; addresses wrap at 13 bits. The eye must lie in the initial cell: nothing here checks it, as
+// nothing on the machine does.
+[[nodiscard]] View run(std::span<const core::Word18> core, std::uint32_t scene_header,
+                       const Parameters& parameters);
+
+}  // namespace sightline::programs::jones

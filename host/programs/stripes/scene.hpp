@@ -1,0 +1,46 @@
+// A view of a scene as the program of stripes takes it: the faces turned to the eye, projected and clipped to the picture on this
+// computer, corners in 1/256 dot with a depth, the plane of each as four whole numbers. If the host finds the priority, the native
+// algorithm orders the faces and cuts cycles; nothing else of visibility is decided here.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/base/result.hpp"
+#include "host/programs/stripes/twin/twin.hpp"
+#include "host/scene/model/poly_scene.hpp"
+
+namespace sightline::programs::stripes {
+
+// Dots from the left and from the bottom are `left + scale x` and `bottom + scale y` of an image point (PolyCamera).
+struct View {
+  scene::PolyCamera camera;
+  double scale = 127;
+  double left = 127.5;
+  double bottom = 127.5;
+};
+
+struct SceneFace {
+  std::uint32_t number = 0;  // over all bodies, from 1
+  std::uint32_t body = 0;
+  std::uint32_t index = 0;  // in it
+  std::uint8_t level = 1;   // 1 to 7, by how the face is turned to a lamp behind the eye's left shoulder
+  CornerRings rings;
+  std::int32_t a = 0;  // a X + b Y + c Z - d is positive behind the plane; c > 0
+  std::int32_t b = 0;
+  std::int32_t c = 1;
+  std::int32_t d = 0;
+};
+
+struct ProjectedScene {
+  std::vector<SceneFace> faces;  // nearest first if the host found the priority
+  std::uint64_t cuts = 0;        // of cycles, and parts cut off faces that hide each other in different places; by the host
+  std::uint64_t mutual_parts = 0;  // of these, the parts
+  bool clipped = false;          // parts of faces are outside the picture
+};
+
+// The scene is a checked one, and the eye of a camera in perspective is in free space (preconditions). Error: the priority is asked for
+// and faces pass through each other.
+[[nodiscard]] base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool with_priority);
+
+}  // namespace sightline::programs::stripes

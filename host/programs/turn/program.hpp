@@ -1,0 +1,49 @@
+// The program of firmware/pdp7/turn, assembled from its embedded tapes for a machine with or without the EAE and with 8K
+// or 32K of core.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "emulators/core/word.hpp"
+#include "emulators/pdp7/state.hpp"
+#include "host/programs/turn/tape.hpp"
+
+namespace sightline::programs::turn {
+
+// (file name, text) of the program's tapes in the order in which they are assembled.
+[[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> firmware_tapes();
+
+struct Labels {
+  pdp7::Address start = 0;    // reads the model's tape
+  pdp7::Address begin = 0;    // with the model in core
+  pdp7::Address count = 0;    // words of the model, its sum: what the reader leaves for `begin`
+  pdp7::Address checksum = 0;
+  pdp7::Address picture = 0;  // pictur: a picture is begun
+  pdp7::Address file = 0;     // the current display file; the store here ends a picture
+  pdp7::Address shown = 0;
+  pdp7::Address file_begun = 0;  // dfs
+  pdp7::Address angle = 0;
+  pdp7::Address status = 0;
+  pdp7::Address switches = 0;  // sw: those of the picture being made
+  pdp7::Address wait = 0;     // wait1: waits for the display's stop
+  pdp7::Address waited = 0;
+};
+
+struct Program {
+  bool eae = true;
+  Memory memory = Memory::words_8k;
+  std::vector<core::Word18> core;  // of the lower 8K
+  std::map<std::string, std::uint32_t, std::less<>> symbols;
+  Labels labels;
+  std::uint32_t words = 0;  // instructions, variables, constants and the sine table
+};
+
+[[nodiscard]] Program assemble_program(bool eae, Memory memory);
+
+}  // namespace sightline::programs::turn

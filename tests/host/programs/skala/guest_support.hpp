@@ -1,0 +1,56 @@
+// Runs of Skala's program beside its native twin, for tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "host/programs/skala/guest.hpp"
+#include "host/programs/skala/stream.hpp"
+#include "host/scene/heights/function.hpp"
+
+namespace sightline::programs::skala {
+
+// Assembled once.
+inline const Program& skala_program() {
+  static const Program program = assemble_program();
+  return program;
+}
+
+inline TwinPicture twin_with_only(std::span<const std::uint8_t> stream, Device device) {
+  Equipment equipment;
+  equipment.present = {};
+  equipment.present[static_cast<std::size_t>(device)] = true;
+  return run_twin(stream, equipment);
+}
+
+// The same status, dots, movements and masks, and nothing a device would complain of.
+inline testing::AssertionResult same_as_twin(const GuestPicture& guest, const TwinPicture& twin,
+                                             Device device) {
+  if (!guest.ended) return testing::AssertionFailure() << "the program did not end";
+  for (const DeviceFault& fault : guest.faults)
+    return testing::AssertionFailure() << fault.what << ": " << fault.count;
+  const std::string difference = difference_from_twin(guest, twin, device);
+  if (!difference.empty()) return testing::AssertionFailure() << difference;
+  return testing::AssertionSuccess();
+}
+
+inline testing::AssertionResult agrees(std::span<const std::uint8_t> stream,
+                                       const GuestOptions& options = {}) {
+  return same_as_twin(run_guest(skala_program(), stream, options), twin_with_only(stream, options.device),
+                      options.device);
+}
+
+inline std::vector<std::uint8_t> stream_of(std::string_view function, scene::GridSize size,
+                                           const View& view) {
+  return stream_of(scene::sample(*scene::height_function(function), size), view);
+}
+
+inline constexpr std::array<PictureKind, 3> skala_pictures{PictureKind::lines, PictureKind::surface,
+                                                           PictureKind::contours};
+inline constexpr std::array<std::string_view, 3> skala_picture_names{"lines", "surface", "contours"};
+
+}  // namespace sightline::programs::skala

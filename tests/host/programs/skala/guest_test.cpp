@@ -1,0 +1,202 @@
+// Skala's program on its machine: receipt over both links, several blocks, every status, what is measured,
+// and the plotters' movements against the twin's.
+#include "host/programs/skala/guest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "host/programs/skala/session.hpp"
+#include "tests/host/programs/skala/guest_support.hpp"
+#include "tests/host/programs/skala/twin/support.hpp"
+
+namespace sightline::programs::skala {
+namespace {
+
+SkalaBytes picture(Device device = Device::ef9365) {
+  return SkalaBytes().device(device).reset();
+}
+
+GuestPicture run(const SkalaBytes& bytes, const GuestOptions& options = {}) {
+  return run_guest(skala_program(), bytes.bytes(), options);
+}
+
+GuestOptions on(Device device) {
+  GuestOptions options;
+  options.device = device;
+  return options;
+}
+
+View view_of(PictureKind picture, Device device) {
+  View view;
+  view.picture = picture;
+  view.device = device;
+  view.rotation = 30;
+  return view;
+}
+
+TEST(SkalaGuest, DrawsALine) {
+  const auto guest = run(picture().move(10, 20).draw(14, 22).commit().end());
+  EXPECT_TRUE(guest.ended);
+  EXPECT_EQ(guest.status, Status::complete);
+  EXPECT_EQ(guest.blocks, 1);
+  EXPECT_EQ(points_lit(guest), 5U);
+  EXPECT_EQ(guest.raster.at(10, 20), 7);
+  EXPECT_EQ(guest.raster.at(14, 22), 7);
+  EXPECT_EQ(guest.columns.mask_top[14], 22);
+  EXPECT_TRUE(guest.moves.empty());
+}
+
+TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
+  const auto bytes = stream_of("franke", {17, 9}, view_of(PictureKind::lines, Device::ef9365));
+  GuestOptions serial;
+  serial.link = Link::serial;
+  const auto fast = run_guest(skala_program(), bytes);
+  const auto slow = run_guest(skala_program(), bytes, serial);
+  EXPECT_EQ(fast.raster, slow.raster);
+  // 10 bits a byte at 9600 baud.
+  EXPECT_GE(slow.total.count() - slow.drawing.count(), static_cast<std::int64_t>(bytes.size()) * 3125 - 3125);
+  EXPECT_LT(fast.total.count() - fast.drawing.count(),
+            static_cast<std::int64_t>(bytes.size()) * 400 + 20'000);
+  EXPECT_GT(fast.drawing.count(), 100'000);
+  EXPECT_LT(std::abs(fast.drawing.count() - slow.drawing.count()), 60'000)
+      << "but for the wait for the clear";
+}
+
+TEST(SkalaGuest, RunsAreRepeatable) {
+  const auto bytes = stream_of("peaks", {17, 9}, view_of(PictureKind::surface, Device::ef9365));
+  const auto first = run_guest(skala_program(), bytes);
+  const auto second = run_guest(skala_program(), bytes);
+  EXPECT_EQ(first.drawing, second.drawing);
+  EXPECT_EQ(first.instructions, second.instructions);
+}
+
+TEST(SkalaGuest, BothLinksOnEveryDevice) {
+  for (const Device device : {Device::ef9365, Device::alt256, Device::calcomp, Device::minigraf}) {
+    for (const Link link : {Link::parallel, Link::serial}) {
+      SCOPED_TRACE(testing::Message()
+                   << "device " << static_cast<int>(device) << " link " << static_cast<int>(link));
+      GuestOptions options = on(device);
+      options.link = link;
+      EXPECT_TRUE(agrees(stream_of("rogers", {9, 7}, view_of(PictureKind::lines, device)), options));
+    }
+  }
+}
+
+TEST(SkalaGuest, PicturesOfSeveralBlocks) {
+  for (const PictureKind what : skala_pictures) {
+    SCOPED_TRACE(skala_picture_names[static_cast<std::size_t>(what)]);
+    View view = view_of(what, Device::ef9365);
+    view.rotation = 20;
+    const bool contours = what == PictureKind::contours;
+    const auto bytes =
+        stream_of("terrain", contours ? scene::GridSize{50, 50} : scene::GridSize{256, 200}, view);
+    ASSERT_GT(bytes.size(), buffer_bytes);
+    const auto guest = run_guest(skala_program(), bytes);
+    EXPECT_TRUE(same_as_twin(guest, run_twin(bytes), Device::ef9365));
+    EXPECT_GE(guest.blocks, 2);
+    EXPECT_LT(guest.drawing, guest.total);
+  }
+}
+
+// A block ends with the first command that leaves less than 800 bytes: here exactly 800 are left, or 799.
+TEST(SkalaGuest, TheBufferIsFullWhereTheSpecificationSays) {
+  for (const int filler : {0, 1}) {
+    SkalaBytes bytes = picture().move(3, 4).draw(9, 4);
+    const int wanted = static_cast<int>(buffer_bytes - buffer_reserve) + filler;
+    while (static_cast<int>(bytes.bytes().size()) < wanted) bytes.send(Command::commit);
+    const auto guest = run(bytes.end());
+    EXPECT_EQ(guest.blocks, 1 + filler);
+    EXPECT_TRUE(same_as_twin(guest, run_twin(bytes.bytes()), Device::ef9365));
+  }
+}
+
+TEST(SkalaGuest, BadStreamsStopWithTheirStatus) {
+  const auto status_of = [](const SkalaBytes& bytes) {
+    const auto guest = run(bytes);
+    EXPECT_TRUE(guest.ended);
+    EXPECT_TRUE(same_as_twin(guest, run_twin(bytes.bytes()), Device::ef9365));
+    return guest.status;
+  };
+  EXPECT_EQ(status_of(picture().byte(15)), Status::unknown_command);
+  EXPECT_EQ(status_of(picture().draw(5, 5).byte(255)), Status::unknown_command);
+  EXPECT_EQ(status_of(SkalaBytes().send(Command::device, {4})), Status::argument_out_of_range);
+  EXPECT_EQ(status_of(SkalaBytes().send(Command::device, {0xFF})), Status::argument_out_of_range);
+  EXPECT_EQ(status_of(picture().send(Command::gap, {1, 0})), Status::argument_out_of_range);
+  EXPECT_EQ(status_of(picture().send(Command::curve, {200, 57})), Status::argument_out_of_range);
+}
+
+TEST(SkalaGuest, AStreamWithoutEndIsGivenUp) {
+  GuestOptions options;
+  options.t_state_limit = 1'000'000;
+  const auto guest = run(picture().draw(5, 5), options);
+  EXPECT_FALSE(guest.ended);
+  EXPECT_EQ(guest.status, Status::running);
+  EXPECT_EQ(points_lit(guest), 0U);
+}
+
+TEST(SkalaGuest, ARunawayProgramIsGivenUp) {
+  Program program = skala_program();
+  program.memory[program.labels.drawing] = 0xC3;  // JMP to itself
+  program.memory[program.labels.drawing + 1U] = static_cast<std::uint8_t>(program.labels.drawing & 0xFF);
+  program.memory[program.labels.drawing + 2U] = static_cast<std::uint8_t>(program.labels.drawing >> 8);
+  GuestOptions options;
+  options.t_state_limit = 500'000;
+  const auto guest = run_guest(program, picture().end().bytes(), options);
+  EXPECT_FALSE(guest.ended);
+  EXPECT_GE(guest.total.count(), 500'000);
+}
+
+TEST(SkalaGuest, ADeviceThatIsNotThere) {
+  for (const Device asked : {Device::ef9365, Device::alt256, Device::calcomp}) {
+    const Device there = asked == Device::ef9365 ? Device::alt256 : Device::ef9365;
+    const auto bytes = picture(asked).draw(9, 9).end();
+    const auto guest = run(bytes, on(there));
+    EXPECT_EQ(guest.status, Status::device_missing) << static_cast<int>(asked);
+    EXPECT_TRUE(same_as_twin(guest, twin_with_only(bytes.bytes(), there), there));
+    EXPECT_FALSE(guest.unanswered.empty());
+  }
+}
+
+TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
+  for (const Device device : {Device::calcomp, Device::minigraf}) {
+    for (const PictureKind what : skala_pictures) {
+      SCOPED_TRACE(testing::Message() << "device " << static_cast<int>(device) << ' '
+                                      << skala_picture_names[static_cast<std::size_t>(what)]);
+      const auto bytes = stream_of("sinc", {13, 11}, view_of(what, device));
+      GuestOptions options = on(device);
+      options.keep_strokes = true;
+      const auto guest = run_guest(skala_program(), bytes, options);
+      const auto twin = twin_with_only(bytes, device);
+      EXPECT_TRUE(same_as_twin(guest, twin, device));
+      const PlotterWork work = plotter_work(guest.moves);
+      EXPECT_EQ(work.pen_lifts, twin.counts.pen_lifts);
+      EXPECT_EQ(work.steps_pen_down, twin.counts.steps_pen_down);
+      EXPECT_EQ(work.steps_pen_up, twin.counts.steps_pen_up);
+      EXPECT_GT(work.pen_lifts, 0U);
+      // A mark where the pen comes down and one a step: no movement is lost between program and paper.
+      EXPECT_EQ(guest.strokes.size(), work.pen_lifts + work.steps_pen_down);
+      // The plotter is the slower one by far.
+      const double plotter = core::in_seconds(work.time);
+      const double drawing = static_cast<double>(guest.drawing.count()) / 3e6;
+      EXPECT_GT(drawing, 0.99 * plotter);
+      EXPECT_LT(drawing, 1.25 * plotter);
+    }
+  }
+}
+
+TEST(SkalaGuest, PathsOfThePenGoFromLoweringToLifting) {
+  const auto guest =
+      run(picture(Device::calcomp).move(2, 1).draw(5, 1).draw(5, 3).move(0, 0).draw(2, 2).end(),
+          on(Device::calcomp));
+  EXPECT_TRUE(guest.strokes.empty()) << "kept without being asked for";
+  const std::vector<picture::PenPath> expected{{{{2, 1}, {5, 1}, {5, 3}}}, {{{0, 0}, {1, 1}}}};
+  const auto paths = pen_paths(guest.moves);
+  ASSERT_EQ(paths.size(), 2U);
+  EXPECT_EQ(paths[0], expected[0]);
+  EXPECT_EQ(paths[1].corners.front(), (picture::PenPoint{0, 0}));
+}
+
+}  // namespace
+}  // namespace sightline::programs::skala
