@@ -98,7 +98,7 @@ scene::PolyScene sheets(const std::vector<Corners>& faces) {
 
 native::FaceSet faces_of(const scene::PolyScene& scene) {
   auto set = native::faces_of(scene, scene.camera);
-  if (!set) throw Failure(ErrorKind::bad_input, set.error().message());
+  if (!set) throw base::bad_input(set.error().message());
   return *std::move(set);
 }
 
