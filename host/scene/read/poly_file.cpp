@@ -280,6 +280,18 @@ std::optional<PolyFormat> format_by_content(const std::string_view whole) {
   return std::nullopt;
 }
 
+base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
+  switch (format) {
+    case PolyFormat::off: return read_off(text, source);
+    case PolyFormat::stl: return read_stl(text, source);
+    case PolyFormat::ply: return read_ply(text, source);
+    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
+    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
+    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
+    default: return read_obj(text, source);
+  }
+}
+
 }  // namespace
 
 std::optional<PolyFormat> poly_format_of(std::string_view file) {
@@ -306,22 +318,6 @@ PolyImport import_unchanged(PolyScene scene) {
   for (const PolyBody& body : result.scene.bodies) result.report.faces.sheets += body.sheet ? 1U : 0U;
   return result;
 }
-
-namespace {
-
-base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
-  switch (format) {
-    case PolyFormat::off: return read_off(text, source);
-    case PolyFormat::stl: return read_stl(text, source);
-    case PolyFormat::ply: return read_ply(text, source);
-    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
-    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
-    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
-    default: return read_obj(text, source);
-  }
-}
-
-}  // namespace
 
 base::Result<PolyImport> read_poly(std::string_view text, std::string_view source, PolyFormat format,
                                    const PolyImportOptions& options) {
