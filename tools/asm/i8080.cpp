@@ -14,8 +14,6 @@ namespace {
 
 using image::hexadecimal;
 
-// Enough for chains of EQUs that refer forward; a longer one is refused as not settling.
-constexpr int most_layout_passes = 16;
 constexpr std::size_t symbols_a_row = 4;  // of the listing's table
 constexpr std::size_t symbol_width = 20;
 
@@ -29,6 +27,8 @@ void enter_defines(I8080Program& program, const I8080Options& options) {
 }
 
 void lay_out(I8080Program& program, const I8080Options& options, std::size_t sources, int& number) {
+  // Enough for chains of EQUs that refer forward; a longer one is refused as not settling.
+  constexpr int most_layout_passes = 16;
   std::size_t unknown = 0;
   program.modules.resize(sources);
   const auto declares = [](const I8080Module& module) { return module.declares; };
@@ -86,15 +86,15 @@ base::Result<I8080Define> parse_i8080_define(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   if (name.empty() || end_of_name(name, 0) != name.size())
-    return base::fail("found " + quoted(name) + ", expected a name");
-  if (equals == std::string_view::npos) return base::fail("found no '=', expected NAME=VALUE");
+    return base::bad_input("found " + quoted(name) + ", expected a name");
+  if (equals == std::string_view::npos) return base::bad_input("found no '=', expected NAME=VALUE");
   const bool reserved = Vocabulary().find(folded(name)) != nullptr;
-  if (reserved) return base::fail("found " + quoted(name) + ", expected a name that is not reserved");
+  if (reserved) return base::bad_input("found " + quoted(name) + ", expected a name that is not reserved");
   const bool negative = text.substr(equals + 1).starts_with('-');
   I8080Lexer lexer(text, equals + (negative ? 2 : 1));
   const I8080Token number = lexer.next();
   if (number.kind != I8080TokenKind::number || number.wrapped || lexer.next().kind != I8080TokenKind::end) {
-    return base::fail(
+    return base::bad_input(
         "found " + quoted(text.substr(equals + 1)) + ", expected " +
         (number.kind == I8080TokenKind::bad ? number.value : "a number such as 10, 0AH or 0x0A, up to 65535"));
   }

@@ -15,10 +15,6 @@
 namespace sightline::assembler {
 namespace {
 
-// Enough for a chain of forward references in literals that move one another; what takes longer does not
-// settle.
-constexpr int most_layout_passes = 12;
-
 void enter(SymbolTable& symbols, std::string_view name, std::uint32_t value, Form form, SymbolKind kind) {
   Symbol& symbol = symbols[name];
   symbol.kind = kind;
@@ -115,14 +111,14 @@ base::Result<Define> parse_define(std::string_view text) {
   const std::string found = "found '" + std::string(text) + "', expected ";
   if (equals == std::string_view::npos || name.empty() || !letter(name[0]) ||
       !std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); })) {
-    return base::fail(found + "NAME=VALUE with a name of letters and digits");
+    return base::bad_input(found + "NAME=VALUE with a name of letters and digits");
   }
   std::string_view digits = text.substr(equals + 1);
   const bool negative = !digits.empty() && digits[0] == '-';
   if (negative) digits.remove_prefix(1);
   const bool octal = std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '7'; });
   if (digits.empty() || digits.size() > 6 || !octal)
-    return base::fail(found + "a value of one to six octal digits");
+    return base::bad_input(found + "a value of one to six octal digits");
   std::uint32_t value = 0;
   for (const char c : digits) value = value << 3 | static_cast<std::uint32_t>(c - '0');
   const core::Word18 word(value);
@@ -155,6 +151,8 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
     }
   };
   begin();
+  // Enough for a chain of forward references in literals that move one another; what takes longer does not settle.
+  constexpr int most_layout_passes = 12;
   int pass = 0;
   const auto read = [&](bool final = false) {
     if (bell) return BellPass(sources, program, pass, final).run();

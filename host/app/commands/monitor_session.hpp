@@ -6,7 +6,7 @@
 
 #include "host/app/command.hpp"
 #include "host/machines/engine.hpp"
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::app {
@@ -28,7 +28,7 @@ struct MonitoredMachine {
   machines::Prepared prepared;
   live::Symbols symbols;
 };
-// Failure usage, bad_input or io.
+// Error usage, bad_input or io.
 [[nodiscard]] MonitoredMachine make_monitored(const machines::MachineDescription& description,
                                               machines::Arguments arguments);
 
