@@ -30,7 +30,7 @@ enum class ErrorKind : std::uint8_t {
   io,              // something cannot be read, written or started
 };
 
-// Any field may be empty; a message leaves out what is empty.
+// Any text may be empty; a message leaves out what is empty. Commands and experiments throw it; all others return it in a Result.
 struct Error {
   std::string file = {};      // file, scene or option, as the user named it
   std::string place = {};     // "line 3", "byte 41", "openings[3].rect", "3:12" (line:column, from 1)
@@ -46,17 +46,15 @@ struct Error {
   friend bool operator==(const Error&, const Error&) = default;
 };
 
-// An Error that is one complaint about no file or place: "the eye is inside a solid".
-[[nodiscard]] inline Error fail(std::string_view complaint) {
-  return {.found = std::string(complaint)};
-}
-
+// An Error of one complaint: "the eye is inside a solid".
 [[nodiscard]] inline Error error_of(ErrorKind kind, std::string_view complaint) {
   return {.found = std::string(complaint), .kind = kind};
 }
 [[nodiscard]] inline Error bad_input(std::string_view complaint) { return error_of(ErrorKind::bad_input, complaint); }
+[[nodiscard]] inline Error usage_error(std::string_view complaint) { return error_of(ErrorKind::usage, complaint); }
 [[nodiscard]] inline Error program_failed(std::string_view complaint) { return error_of(ErrorKind::program_failed, complaint); }
 [[nodiscard]] inline Error difference(std::string_view complaint) { return error_of(ErrorKind::differs, complaint); }
+[[nodiscard]] inline Error io_error(std::string_view complaint) { return error_of(ErrorKind::io, complaint); }
 
 // A fault of this program itself, found where it cannot be handed on as an error. Throws std::logic_error; ends the program
 // where there are no exceptions.

@@ -152,9 +152,9 @@ base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, 
     if (!twin) return twin.error();
     const jones::View& shown = outcome->view();
     if (const std::string difference = jones::difference_of(shown, *twin); !difference.empty())
-      return base::fail(fmt::format("{} fraction bits: the program is not its twin: {}", bits, difference));
+      return base::bad_input(fmt::format("{} fraction bits: the program is not its twin: {}", bits, difference));
     if (shown.status != jones::Status::complete)
-      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+      return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
     made.display_file = shown.display_file;
     made.lines = on_points(*twin, bits);
@@ -174,7 +174,7 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
     parameters.fraction_bits = bits;
     const jones::TwinView shown = jones::run_twin(in_core->core, 0, parameters);
     if (shown.status != jones::Status::complete)
-      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+      return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     builds.push_back({{jones::machine_word_bits, bits}, shown.display_file, {}, 0, {}, 0});
   }
   for (const int bits : bits_of_longer_words) {
@@ -186,7 +186,7 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
     precision.fraction_bits = bits;
     const jones_precision::PreciseView shown = jones_precision::run_precisely(in_core->core, 0, parameters, precision);
     if (shown.status != jones::Status::complete)
-      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+      return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     for (const jones_precision::PrecisePiece& piece : shown.pieces)
       made.lines.push_back({{piece.line.x0, piece.line.y0}, {piece.line.x1, piece.line.y1}});
   }
