@@ -23,7 +23,7 @@ set(RULES
   "host/programs/jones=host/base,host/machines,host/geometry,host/scene,emulators,tools/asm"
   "host/programs/jones/twin=host/programs/jones/specification.hpp,emulators/core/word.hpp,emulators/type340/words.hpp,host/geometry/integer.hpp"
   "host/programs/turn=host/base,host/machines,host/scene,host/algorithms/plantinga,emulators,tools/asm"
-  "host/programs/turn/twin=emulators/core/word.hpp"
+  "host/programs/turn/twin=host/programs/turn/specification.hpp,emulators/core/word.hpp"
   "host/programs/flight=host/base,host/machines/i8080_program.hpp,host/scene,host/algorithms/willis,emulators,tools/asm"
   "host/programs/flight/twin="
   "host/programs/skala=host/base,host/machines/i8080_program.hpp,host/machines/i8080_run_to.hpp,host/scene,host/picture/pen_path.hpp,emulators,tools/asm"
