@@ -336,6 +336,13 @@ bool take_views(pdp7::Machine& machine, PassWatch& passes, const Program& progra
   return !order.display || take_display(machine, watch, passes, order, outcome);
 }
 
+// Words 2 to 4 of the scene's header.
+geometry::Point eye_in(const Program& program, std::span<const core::Word18> core) {
+  geometry::Point eye{};
+  for (std::size_t a = 0; a < 3; ++a) eye[a] = core[program.labels.scene + 2 + a].twos_complement();
+  return eye;
+}
+
 // Where an eye can be: in the default view, or else in the middle of a cell. Error: as of viewpoint() there.
 base::Result<geometry::Point> accepted_eye(const scene::CellScene& scene) {
   const auto place = viewpoint(scene, scene.default_view);
@@ -373,6 +380,8 @@ base::Result<Outcome> run_core(const Program& program, std::span<const core::Wor
   machine.strokes().hand_to(&passes);
   load(machine, program, core, order);
   Outcome outcome;
+  outcome.eye = eye_in(program, core);
+  outcome.core_words = program.words_used;
   const bool complete = take_views(machine, passes, program, order, outcome);
   outcome.instructions = machine.counts().instructions;
   outcome.emulated = machine.now().time_since_epoch();

@@ -61,6 +61,8 @@ struct View {
 };
 
 struct Outcome {
+  geometry::Point eye{};
+  std::uint32_t core_words = 0;  // all that the run needs of core
   std::vector<View> views;  // as many as the order asks for
   std::uint64_t instructions = 0;
   core::Duration emulated{};

@@ -16,7 +16,7 @@ namespace {
 
 // Item -> microseconds with the EAE and without, from the table of the notes.
 std::map<std::string, std::array<double, 2>> cost_table() {
-  std::ifstream file(std::string(SIGHTLINE_SOURCE_DIR) + "/firmware/pdp7/turn/NOTES.md");
+  std::ifstream file(SIGHTLINE_SOURCE_DIR "/firmware/pdp7/turn/NOTES.md");
   std::map<std::string, std::array<double, 2>> table;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
