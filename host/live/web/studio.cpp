@@ -15,7 +15,7 @@
 #include "host/programs/flight/program.hpp"
 #include "host/programs/jones/encode.hpp"
 #include "host/programs/jones/program.hpp"
-#include "host/programs/jones/twin/arithmetic.hpp"
+#include "host/programs/jones/specification.hpp"
 #include "host/programs/skala/guest.hpp"
 #include "host/programs/skala/program.hpp"
 #include "host/programs/skala/stream.hpp"
@@ -180,16 +180,14 @@ base::Result<scene::CellScene> jones_scene(const Workbench& workbench, const std
 Json make_jones(Workbench& workbench, const Json& request) {
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return refusal(scene.error().message());
-  programs::jones::ProgramOptions options;
-  options.eae = flag_of(request, "eae", true);
-  if (const auto eye = point_of(request.find("eye"))) options.tape.view = *eye;
-  const auto program = programs::jones::assemble_program(*scene, options);
+  const bool eae = flag_of(request, "eae", true);
+  const auto program = programs::jones::assemble_program(*scene, {.eae = eae}, point_of(request.find("eye")));
   if (!program) return refusal(program.error().message());
   machines::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
   std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
   if (request.find("switches") != nullptr) switches |= static_cast<std::uint32_t>(number_of(request, "switches", 0)) & 0777777U;
-  Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), options.eae, Json::object(), program->symbols}, switches);
+  Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), eae, Json::object(), program->symbols}, switches);
   Desk* const desk = desk_of(workbench, made);
   if (desk == nullptr) return made;
   if (request.find("scale") != nullptr)

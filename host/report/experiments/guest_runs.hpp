@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "emulators/core/tstates.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/programs/skala/session.hpp"
 #include "host/programs/skala/view.hpp"
 #include "host/report/experiment.hpp"
@@ -28,11 +28,11 @@ struct JonesOrder {
 
 struct JonesRun {
   scene::CellScene scene;
-  programs::jones::Program program;
-  programs::jones::GuestRun guest;  // two views; figures are of the second, while the display shows the first
-  programs::jones::Counts twin;  // of the same view: what the machine's program does not count itself
+  programs::jones::Prepared program;
+  programs::jones::Outcome outcome;  // two views; figures are of the second, while the display shows the first
+  programs::jones::TwinCounts twin;  // of the same view: what the machine's program does not count itself
 
-  [[nodiscard]] const programs::jones::GuestView& view() const { return guest.views.back(); }
+  [[nodiscard]] const programs::jones::View& view() const { return outcome.view(); }
 };
 
 // Throws base::Error: guest_failed, if the program stopped with a status or took too long; differs, if its display

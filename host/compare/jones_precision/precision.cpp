@@ -1,4 +1,4 @@
-#include "host/programs/jones/precision/precision.hpp"
+#include "host/compare/jones_precision/precision.hpp"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,10 @@
 #include "host/programs/jones/twin/elements.hpp"
 #include "host/programs/jones/twin/search.hpp"
 
-namespace sightline::programs::jones {
+namespace sightline::compare::jones_precision {
+
+using namespace programs::jones;
+
 namespace {
 
 constexpr int longest_short_word = 30;
@@ -93,7 +96,7 @@ std::vector<std::optional<SceneLine>> lines_by_address(const EncodedScene& scene
 }
 
 base::Result<SceneInCore> scene_in_core(const scene::CellScene& scene, const geometry::Point& eye) {
-  auto encoded = encode(scene, {eye});
+  auto encoded = encode(scene, eye);
   if (!encoded) return std::move(encoded.error());
   const auto& image = *encoded;
   SceneInCore result;
@@ -103,4 +106,4 @@ base::Result<SceneInCore> scene_in_core(const scene::CellScene& scene, const geo
   return result;
 }
 
-}  // namespace sightline::programs::jones
+}  // namespace sightline::compare::jones_precision

@@ -1,6 +1,5 @@
-// Runs the program of firmware/pdp7/turn on the emulated PDP-7 with its Type 340, one picture after the other, and
-// measures each: from the store into `file` that ended the picture before to the one that ends this. An observer
-// measures; nothing is added to the program.
+// The program of firmware/pdp7/turn on the emulated PDP-7 with its Type 340, one picture after the other. Each is measured from the
+// store into `file` that ended the picture before to the one that ends this. An observer measures; nothing is added to the program.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +11,8 @@
 #include "emulators/core/word.hpp"
 #include "host/base/file.hpp"
 #include "host/programs/turn/program.hpp"
+#include "host/programs/turn/specification.hpp"
 #include "host/programs/turn/tape.hpp"
-#include "host/programs/turn/twin/twin.hpp"
 
 namespace sightline::programs::turn {
 
@@ -23,31 +22,39 @@ struct ShownPass {
   std::vector<core::Stroke> strokes;
 };
 
-struct GuestPicture {
+// One picture, taken from the machine.
+struct Picture {
   std::uint32_t angle = 0;
   bool wire = false;
   Status status = Status::right;
-  core::Duration time{};     // 0 of the first picture
-  core::Duration waiting{};  // of that, until the display had taken up a file
-  std::uint32_t passes = 0;  // of the display begun in that time
+  core::Duration time{};       // 0 of the first picture
+  core::Duration waiting{};    // of that, until the display had taken up a file
+  std::uint32_t passes = 0;    // of the display begun in that time
+  std::uint32_t lines = 0;     // drawn
+  std::uint32_t junctions = 0;  // T-junctions drawn
   std::vector<core::Word18> display_file;
   std::vector<ShownPass> shown;  // ended in that time, if strokes are kept
 };
 
-class Guest {
+class Machine {
  public:
-  enum class Strokes : std::uint8_t { dropped, kept };
+  // What is observed beside the times; each costs time of this computer.
+  struct Watching {
+    bool strokes = false;      // keep the first pass through each picture's file
+    bool torn_stores = false;  // count them
+  };
 
   // The model is in core and the program is started behind its reading of the tape.
-  Guest(const Program& program, const Tape& tape, Strokes strokes = Strokes::dropped);
+  Machine(const Program& program, const Tape& tape, Watching watching);
+  Machine(const Program& program, const Tape& tape) : Machine(program, tape, Watching()) {}
   // The tape is in the reader.
-  Guest(const Program& program, const base::Bytes& tape, Strokes strokes = Strokes::dropped);
-  ~Guest();
-  Guest(Guest&&) noexcept;
+  Machine(const Program& program, const base::Bytes& tape);
+  ~Machine();
+  Machine(Machine&&) noexcept;
 
   // Sets the switches and runs until a picture is complete. False: the machine halted, or made none in `limit` of its
   // time; status() says more.
-  [[nodiscard]] bool next(std::uint32_t switches, GuestPicture& picture, core::Duration limit = core::seconds(2));
+  [[nodiscard]] bool next(std::uint32_t switches, Picture& picture, core::Duration limit = core::seconds(2));
   [[nodiscard]] Status status() const;
   [[nodiscard]] bool halted() const;
   [[nodiscard]] core::Instant now() const;
@@ -56,8 +63,8 @@ class Guest {
   [[nodiscard]] std::uint64_t torn_stores() const;
 
  private:
-  class Machine;
-  std::unique_ptr<Machine> machine_;
+  class Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace sightline::programs::turn

@@ -1,4 +1,4 @@
-#include "host/programs/turn/guest.hpp"
+#include "host/programs/turn/machine.hpp"
 
 #include <utility>
 
@@ -17,9 +17,9 @@ namespace watching {
 // Sees the stores that end pictures, the waiting for the display, and stores into display files.
 class Watch final : public machines::ProgramWatch {
  public:
+  // From `first_file` on the stores into display files are seen.
   explicit Watch(const Labels& labels, std::uint32_t first_file, std::uint32_t file_words) : labels_(labels), file_words_(file_words) {
-    mark(labels.wait, pdp7::mark::fetched);
-    mark(labels.waited, pdp7::mark::fetched);
+    for (const pdp7::Address label : {labels.wait, labels.waited, labels.line, labels.junction}) mark(label, pdp7::mark::fetched);
     mark(labels.file, pdp7::mark::written);
     for (pdp7::Address address = first_file; address < model_end(Memory::words_8k); ++address)
       mark(address, pdp7::mark::written);
@@ -33,6 +33,10 @@ class Watch final : public machines::ProgramWatch {
       } else if (cycle.address == labels_.waited) {
         waits_ = false;
         waiting_ += cycle.time - wait_begun_;
+      } else if (cycle.address == labels_.line) {
+        ++lines_;
+      } else if (cycle.address == labels_.junction) {
+        ++junctions_;
       }
     } else if (cycle.verb != pdp7::Verb::write) {
       return;
@@ -56,6 +60,8 @@ class Watch final : public machines::ProgramWatch {
   [[nodiscard]] core::Instant ended() const { return ended_; }
   [[nodiscard]] core::Duration take_waiting() { return std::exchange(waiting_, core::Duration(0)); }
   [[nodiscard]] std::uint32_t take_passes() { return std::exchange(passes_, 0U); }
+  [[nodiscard]] std::uint32_t take_lines() { return std::exchange(lines_, 0U); }
+  [[nodiscard]] std::uint32_t take_junctions() { return std::exchange(junctions_, 0U); }
   [[nodiscard]] std::uint64_t torn() const { return torn_; }
 
  private:
@@ -72,6 +78,8 @@ class Watch final : public machines::ProgramWatch {
   std::uint32_t published_ = 0;
   std::uint32_t shown_ = 0;
   std::uint32_t passes_ = 0;
+  std::uint32_t lines_ = 0;
+  std::uint32_t junctions_ = 0;
   std::uint32_t pictures_ = 0;
   std::uint64_t torn_ = 0;
 };
@@ -119,12 +127,12 @@ pdp7::Options options_for(const Program& program) {
 
 }  // namespace
 
-class Guest::Machine {
+class Machine::Parts {
  public:
-  Machine(const Program& program, std::uint32_t first_file, std::uint32_t file_words, Strokes strokes)
+  Parts(const Program& program, std::uint32_t first_file, std::uint32_t file_words, bool strokes)
       : program_(program),
         watch_(program.labels, first_file, file_words),
-        passes_(watch_, strokes == Strokes::kept),
+        passes_(watch_, strokes),
         machine_(options_for(program)) {
     if (!machine_.error().empty()) base::give_up(machine_.error());
     machine_.strokes().hand_to(&passes_);
@@ -140,10 +148,11 @@ class Guest::Machine {
   bool halted_ = false;
 };
 
-Guest::Guest(const Program& program, const Tape& tape, Strokes strokes)
-    : machine_(std::make_unique<Machine>(
-          program, model_end(Memory::words_8k) - tape.files * tape.file_words, tape.file_words, strokes)) {
-  auto& machine = machine_->machine_;
+Machine::Machine(const Program& program, const Tape& tape, Watching watching)
+    : parts_(std::make_unique<Parts>(
+          program, model_end(Memory::words_8k) - (watching.torn_stores ? tape.files * tape.file_words : 0), tape.file_words,
+          watching.strokes)) {
+  auto& machine = parts_->machine_;
   const Labels& labels = program.labels;
   const std::uint32_t base = model_base(program.memory);
   machine.load(base, tape.words);
@@ -152,17 +161,17 @@ Guest::Guest(const Program& program, const Tape& tape, Strokes strokes)
   machine.start(labels.begin);
 }
 
-Guest::Guest(const Program& program, const base::Bytes& tape, Strokes strokes)
-    : machine_(std::make_unique<Machine>(program, model_end(Memory::words_8k), 0, strokes)) {
-  machine_->machine_.find<pdp7::Reader>()->load(tape);
-  machine_->machine_.start(program.labels.start);
+Machine::Machine(const Program& program, const base::Bytes& tape)
+    : parts_(std::make_unique<Parts>(program, model_end(Memory::words_8k), 0, false)) {
+  parts_->machine_.find<pdp7::Reader>()->load(tape);
+  parts_->machine_.start(program.labels.start);
 }
 
-Guest::~Guest() = default;
-Guest::Guest(Guest&&) noexcept = default;
+Machine::~Machine() = default;
+Machine::Machine(Machine&&) noexcept = default;
 
-bool Guest::next(std::uint32_t switches, GuestPicture& picture, core::Duration limit) {
-  Machine& m = *machine_;
+bool Machine::next(std::uint32_t switches, Picture& picture, core::Duration limit) {
+  Parts& m = *parts_;
   const Labels& labels = m.program_.labels;
   m.machine_.console().set(core::Word18(switches));
   pdp7::Limits limits;
@@ -179,6 +188,8 @@ bool Guest::next(std::uint32_t switches, GuestPicture& picture, core::Duration l
   m.last_ = ended;
   picture.waiting = m.watch_.take_waiting();
   picture.passes = m.watch_.take_passes();
+  picture.lines = m.watch_.take_lines();
+  picture.junctions = m.watch_.take_junctions();
   picture.shown = m.passes_.take();
   picture.display_file.clear();
   for (pdp7::Address address = peek(labels.file_begun); address < model_end(Memory::words_8k); ++address) {
@@ -188,12 +199,12 @@ bool Guest::next(std::uint32_t switches, GuestPicture& picture, core::Duration l
   return true;
 }
 
-Status Guest::status() const {
-  return static_cast<Status>(machine_->machine_.peek(machine_->program_.labels.status).value());
+Status Machine::status() const {
+  return static_cast<Status>(parts_->machine_.peek(parts_->program_.labels.status).value());
 }
-bool Guest::halted() const { return machine_->halted_; }
-core::Instant Guest::now() const { return machine_->machine_.now(); }
-core::Word18 Guest::peek(pdp7::Address address) const { return machine_->machine_.peek(address); }
-std::uint64_t Guest::torn_stores() const { return machine_->watch_.torn(); }
+bool Machine::halted() const { return parts_->halted_; }
+core::Instant Machine::now() const { return parts_->machine_.now(); }
+core::Word18 Machine::peek(pdp7::Address address) const { return parts_->machine_.peek(address); }
+std::uint64_t Machine::torn_stores() const { return parts_->watch_.torn(); }
 
 }  // namespace sightline::programs::turn

@@ -1,4 +1,4 @@
-#include "host/programs/jones/precision/study.hpp"
+#include "host/compare/jones_precision/study.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,12 @@
 
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/base/result.hpp"
-#include "host/programs/jones/precision/guest_pieces.hpp"
-#include "host/programs/jones/program.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
-namespace sightline::programs::jones {
+namespace sightline::compare::jones_precision {
+
+using namespace programs::jones;
 
 namespace {
 
@@ -98,34 +99,38 @@ base::Result<Measured> PrecisionStudy::measure_on_machine(int fraction_bits, boo
   measured.precision.fraction_bits = fraction_bits;
   measured.precision.truncate = truncate;
   measured.displayed.emplace();
-  ProgramOptions options;
-  options.eae = eae;
-  options.fraction_bits = static_cast<std::uint32_t>(fraction_bits);
-  options.truncate = truncate;
+  const Build build{eae, static_cast<std::uint32_t>(fraction_bits), truncate};
+  const auto prepared = Prepared::of(scene_, build);
+  if (!prepared) return prepared.error();
+  const Program& program = prepared->program();
+  const auto lines = lines_by_address(program.scene, program.core);
   const ShortWords number(machine_word_bits, fraction_bits, truncate);
+  const Window window;
+  Order order;
+  order.clock = false;
+  order.views = 1;
+  order.display = false;
+  order.pieces = true;
   for (std::size_t i = 0; i < views_.size(); ++i) {
-    options.tape.view = views_[i].eye;
-    auto assembled = assemble_program(scene_, options);
-    if (!assembled) return std::move(assembled.error());
-    const auto& program = *assembled;
-    const auto lines = lines_by_address(program.scene, program.core);
-    const GuestPieces pieces = run_for_pieces(program, eae);
-    const Window window;
+    order.eye = views_[i].eye;
+    const auto outcome = prepared->run(order);
+    if (!outcome) return outcome.error();
+    const programs::jones::View& view = outcome->view();
     std::vector<DrawnLine> clipped, displayed;
-    for (std::size_t n = 0; n < pieces.clipped.size(); ++n) {
-      const auto& line = lines.at(pieces.clipped[n].vector_address);
+    for (std::size_t n = 0; n < view.clipped.size(); ++n) {
+      const auto& line = lines.at(view.clipped[n].vector_address);
       if (!line) continue;
-      const ScreenSegment& at = pieces.clipped[n].line;
+      const ScreenSegment& at = view.clipped[n].line;
       clipped.push_back({*line,
                          {number.points(at.a.x) + window.centre_x, number.points(at.a.y) + window.centre_y,
                           number.points(at.b.x) + window.centre_x, number.points(at.b.y) + window.centre_y}});
-      if (!pieces.clipped[n].drawn) continue;
+      if (!view.clipped[n].drawn) continue;
       const auto point = [](std::int32_t place) { return static_cast<double>(place); };
-      const ScreenSegment& shown = pieces.on_display[n];
+      const ScreenSegment& shown = view.on_display[n];
       displayed.push_back({*line, {point(shown.a.x), point(shown.a.y), point(shown.b.x), point(shown.b.y)}});
     }
-    add(measured.clipped, i, pieces.status, clipped);
-    add(*measured.displayed, i, pieces.status, displayed);
+    add(measured.clipped, i, view.status, clipped);
+    add(*measured.displayed, i, view.status, displayed);
   }
   return measured;
 }
@@ -270,4 +275,4 @@ LineError line_error(const std::vector<oracle::VisibleLine>& truth, const std::v
   return error;
 }
 
-}  // namespace sightline::programs::jones
+}  // namespace sightline::compare::jones_precision

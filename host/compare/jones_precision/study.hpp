@@ -17,10 +17,10 @@
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/base/result.hpp"
 #include "host/geometry/box.hpp"
-#include "host/programs/jones/precision/precision.hpp"
+#include "host/compare/jones_precision/precision.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::programs::jones {
+namespace sightline::compare::jones_precision {
 
 // How much of a scene's lines a drawing shows wrongly, line by line: the symmetric difference of drawn and
 // visible length. Unlike an error of point sets (oracle/drawn_error.hpp) it counts a piece of a hidden line
@@ -92,7 +92,7 @@ struct ArithmeticError {
   double extra = 0;
   double longest = 0;               // wrong stretch
   std::vector<NamedStretch> named;  // wrong by more than named_from_points
-  std::vector<Status> statuses;     // by view
+  std::vector<programs::jones::Status> statuses;     // by view
   [[nodiscard]] bool complete() const;
   [[nodiscard]] double share() const { return visible > 0 ? (missing + extra) / visible : 0; }
 };
@@ -130,7 +130,7 @@ class PrecisionStudy {
     std::vector<algorithms::oracle::VisibleLine> truth;
   };
   [[nodiscard]] PreciseView run(const View& view, const Precision& precision) const;
-  void add(ArithmeticError& sum, std::size_t view, Status status, const std::vector<DrawnLine>& drawn) const;
+  void add(ArithmeticError& sum, std::size_t view, programs::jones::Status status, const std::vector<DrawnLine>& drawn) const;
 
   scene::CellScene scene_;
   std::vector<View> views_;
@@ -149,4 +149,4 @@ struct ErrorTable {
 // Of the four scenes of views.hpp, on the emulated machine.
 [[nodiscard]] ErrorTable measure_error_table(bool eae = true);
 
-}  // namespace sightline::programs::jones
+}  // namespace sightline::compare::jones_precision

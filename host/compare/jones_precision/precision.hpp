@@ -20,14 +20,14 @@
 #include "host/programs/jones/twin/twin.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
-namespace sightline::programs::jones {
+namespace sightline::compare::jones_precision {
 
 enum class NumberKind : std::uint8_t { fixed_point, single_float, double_float };
 
 struct Precision {
   NumberKind kind = NumberKind::fixed_point;
-  int word_bits = machine_word_bits;          // 12..36; of fixed point
-  int fraction_bits = machine_fraction_bits;  // 0..8; of fixed point
+  int word_bits = programs::jones::machine_word_bits;          // 12..36; of fixed point
+  int fraction_bits = programs::jones::machine_fraction_bits;  // 0..8; of fixed point
   bool truncate = false;                      // of fixed point
   friend bool operator==(const Precision&, const Precision&) = default;
 };
@@ -49,26 +49,27 @@ struct SceneLine {
 // A piece as it left the clip, in points of the screen with their fraction.
 struct PrecisePiece {
   std::uint16_t vector_address = 0;  // in core
-  Pass pass = Pass::mono;
+  programs::jones::Pass pass = programs::jones::Pass::mono;
   algorithms::oracle::ScreenSegment line;
 };
 
 struct PreciseView {
-  Status status = Status::complete;
+  programs::jones::Status status = programs::jones::Status::complete;
   std::vector<PrecisePiece> pieces;  // in the order drawn, those of no length on the screen included
   std::size_t display_words = 0;
-  Counts counts;
+  programs::jones::TwinCounts counts;
 };
 
 // core, scene_header: as of the twin's run; fraction_bits and truncate of the parameters are not looked at.
 // precision: possible.
 [[nodiscard]] PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scene_header,
-                                        const Parameters& parameters, const Precision& precision);
+                                        const programs::jones::Parameters& parameters, const Precision& precision);
 
 // The same with the machine's words, or with 8 fraction bits, for each rounding: true is the machine's own, of the
 // parameters' fraction_bits and truncate.
-[[nodiscard]] PreciseView run_mixed(std::span<const core::Word18> core, std::uint32_t scene_header, const Parameters& parameters,
-                                    const std::array<bool, roundings>& of_machine, bool convex_masks = false);
+[[nodiscard]] PreciseView run_mixed(std::span<const core::Word18> core, std::uint32_t scene_header,
+                                    const programs::jones::Parameters& parameters,
+                                    const std::array<bool, programs::jones::roundings>& of_machine, bool convex_masks = false);
 
 // A scene in core without the program, its header at 0, and which line each vector word represents.
 struct SceneInCore {
@@ -79,7 +80,7 @@ struct SceneInCore {
 [[nodiscard]] base::Result<SceneInCore> scene_in_core(const scene::CellScene& scene,
                                                       const geometry::Point& eye);
 // Of an image in which the scene was encoded; core: the words by address.
-[[nodiscard]] std::vector<std::optional<SceneLine>> lines_by_address(const EncodedScene& scene,
+[[nodiscard]] std::vector<std::optional<SceneLine>> lines_by_address(const programs::jones::EncodedScene& scene,
                                                                      std::span<const core::Word18> core);
 
-}  // namespace sightline::programs::jones
+}  // namespace sightline::compare::jones_precision

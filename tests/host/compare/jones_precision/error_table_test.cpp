@@ -5,10 +5,12 @@
 #include <array>
 #include <cstddef>
 
-#include "host/programs/jones/precision/study.hpp"
+#include "host/compare/jones_precision/study.hpp"
 
-namespace sightline::programs::jones {
+namespace sightline::compare::jones_precision {
 namespace {
+
+using namespace programs::jones;
 
 constexpr std::size_t scenes = 4, builds = 6;
 constexpr std::size_t corridor8 = 3;
@@ -101,4 +103,4 @@ TEST_F(JonesErrorTable, OnTheDisplayFractionBitsOnlyMendTheWrongPiece) {
 }
 
 }  // namespace
-}  // namespace sightline::programs::jones
+}  // namespace sightline::compare::jones_precision

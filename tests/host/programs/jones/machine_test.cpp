@@ -1,6 +1,6 @@
 // Jones's program on the emulated PDP-7 with its display: the default view of every scene, what it costs and
 // what is seen of it. Switches, statuses and lines added at once: tests/firmware/jones_control_test.cpp.
-#include "host/programs/jones/guest.hpp"
+#include "host/programs/jones/jones.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,27 +18,21 @@
 namespace sightline::programs::jones {
 namespace {
 
-GuestOptions with_eae(bool eae) {
-  GuestOptions options;
-  options.eae = eae;
-  return options;
-}
-
 class JonesGuest : public testing::TestWithParam<std::tuple<const char*, bool>> {
  protected:
-  JonesGuest() : program(assembled(scene(), eae())), run(run_guest(program, with_eae(eae()))) {}
+  JonesGuest() : program(assembled(scene(), eae())), run(outcome_of(program)) {}
   static std::string scene() { return std::get<0>(GetParam()); }
   static bool eae() { return std::get<1>(GetParam()); }
 
   Program program;
-  GuestRun run;
+  Outcome run;
 };
 
 TEST_P(JonesGuest, EveryViewIsTheTwins) {
-  const View expected = twin_view(program);
+  const TwinView expected = twin_view(program);
   ASSERT_EQ(expected.status, Status::complete);
   ASSERT_EQ(run.views.size(), 2U);
-  for (const GuestView& view : run.views) {
+  for (const View& view : run.views) {
     EXPECT_EQ(name(view.status), name(Status::complete));
     EXPECT_TRUE(same_words(view.display_file, expected.display_file));
     EXPECT_EQ(view.visits, expected.counts.visits);
@@ -54,18 +48,17 @@ TEST_P(JonesGuest, EveryViewIsTheTwins) {
 // Without a display another watch counts. What a display adds is its interrupts.
 TEST_P(JonesGuest, AViewWithoutADisplayIsCountedAlike) {
   for (const bool immediate : {false, true}) {
-    GuestOptions options;
-    options.eae = eae();
-    options.immediate = immediate;
-    options.clock = false;
-    options.views = 1;
-    const GuestRun with = run_guest(program, options);
-    options.display = false;
-    const GuestRun without = run_guest(program, options);
+    Order order;
+    order.immediate = immediate;
+    order.clock = false;
+    order.views = 1;
+    const Outcome with = outcome_of(program, order);
+    order.display = false;
+    const Outcome without = outcome_of(program, order);
     ASSERT_EQ(with.views.size(), 1U);
     ASSERT_EQ(without.views.size(), 1U);
-    const GuestView& a = with.views[0];
-    const GuestView& b = without.views[0];
+    const View& a = with.views[0];
+    const View& b = without.views[0];
     EXPECT_GT(a.instructions, 1000U);
     EXPECT_LE(b.instructions, a.instructions);
     EXPECT_GT(b.instructions, a.instructions / 10 * 9);
@@ -88,7 +81,7 @@ TEST_P(JonesGuest, TakesNoLongerThanItMay) {
               eae() ? "with EAE" : "without EAE", seconds(run.views[0].time), seconds(run.views[1].time),
               static_cast<unsigned long long>(run.views[1].instructions));
   EXPECT_LE(seconds(run.views[1].time), eae() ? 1.0 : 6.0);
-  const auto ticks = [&](const GuestView& view) {
+  const auto ticks = [&](const View& view) {
     return static_cast<std::uint64_t>(seconds(view.time) * 50) + 1;
   };
   EXPECT_LE(run.views[0].stolen_cycles, ticks(run.views[0])) << "the display is dark: only the clock steals";
@@ -113,9 +106,9 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesGuest,
 
 // Of a row of rooms the search enters only the visible ones, however many there are.
 TEST(JonesGuestCells, UnseenRoomsAreNeverTouched) {
-  GuestRun runs[2];
+  Outcome runs[2];
   for (int i = 0; i < 2; ++i) {
-    runs[i] = run_guest(assembled(i == 0 ? "corridor8" : "corridor32", true), with_eae(true));
+    runs[i] = outcome_of(assembled(i == 0 ? "corridor8" : "corridor32", true));
     ASSERT_EQ(runs[i].views.size(), 2U);
     EXPECT_EQ(runs[i].views[1].distinct_cells, 5U);
   }
@@ -125,7 +118,7 @@ TEST(JonesGuestCells, UnseenRoomsAreNeverTouched) {
 // Whatever core holds when power comes on.
 TEST(JonesGuestCore, WhatWasInCoreDoesNotMatter) {
   const Program program = assembled("roberts", true);
-  const View expected = twin_view(program);
+  const TwinView expected = twin_view(program);
   core::Duration times[2]{};
   for (std::uint64_t fill = 0; fill < 2; ++fill) {
     PathWatch watch(program, false);
@@ -146,8 +139,8 @@ TEST(JonesGuestCore, WhatWasInCoreDoesNotMatter) {
   EXPECT_EQ(times[0], times[1]);
 }
 
-std::vector<ScreenSegment> pieces_of(const GuestView& view) {
-  View words;
+std::vector<ScreenSegment> pieces_of(const View& view) {
+  TwinView words;
   words.display_file = view.display_file;
   const Drawing drawing = decode(words);
   EXPECT_TRUE(drawing.well_formed);
@@ -155,10 +148,10 @@ std::vector<ScreenSegment> pieces_of(const GuestView& view) {
 }
 
 TEST(JonesGuestStereo, EachEyeKeepsToItsHalf) {
-  GuestOptions options = with_eae(true);
-  options.stereo = true;
+  Order order;
+  order.stereo = true;
   for (const char* scene : scene_names) {
-    const GuestRun run = run_guest(assembled(scene, true), options);
+    const Outcome run = outcome_of(assembled(scene, true), order);
     ASSERT_EQ(run.views.size(), 2U);
     int halves[2] = {0, 0};
     for (const ScreenSegment& piece : pieces_of(run.views[1])) {
@@ -175,9 +168,9 @@ TEST(JonesGuestStereo, FarPointsLieEquallyInBothHalves) {
   const scene::CellScene scene =
       one_cell({2000, 200, 0}, {{0, 0, -100}, {4000, 400, 16000}},
                {{{2020, 210, 100}, {2020, 240, 100}}, {{3000, 0, 16000}, {3000, 400, 16000}}});
-  GuestOptions options = with_eae(true);
-  options.stereo = true;
-  const GuestRun run = run_guest(assembled(scene, true), options);
+  Order order;
+  order.stereo = true;
+  const Outcome run = outcome_of(assembled(scene, true), order);
   ASSERT_EQ(run.views.size(), 2U);
   std::vector<ScreenSegment> left, right;
   for (const ScreenSegment& piece : pieces_of(run.views[1]))

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <string>
 
-#include "host/programs/jones/precision/study.hpp"
+#include "host/compare/jones_precision/study.hpp"
 #include "host/programs/jones/twin/search.hpp"
 #include "tests/host/scene/scene_support.hpp"
 
-namespace sightline::programs::jones {
+namespace sightline::compare::jones_precision {
 namespace {
+
+using namespace programs::jones;
 
 namespace oracle = algorithms::oracle;
 
@@ -33,7 +35,7 @@ TEST_P(JonesPrecision, EighteenBitsAreTheTwin) {
       Parameters parameters = default_parameters(scene.core, 0);
       parameters.fraction_bits = f;
       parameters.truncate = truncate;
-      const View twin = run(scene.core, 0, parameters);
+      const TwinView twin = run_twin(scene.core, 0, parameters);
       const PreciseView view =
           run_precisely(scene.core, 0, parameters, {NumberKind::fixed_point, 18, f, truncate});
       EXPECT_EQ(view.status, Status::complete);
@@ -201,4 +203,4 @@ TEST_F(JonesLineError, APieceOfAHiddenLineIsWrongEvenOnAVisibleOne) {
 }
 
 }  // namespace
-}  // namespace sightline::programs::jones
+}  // namespace sightline::compare::jones_precision
