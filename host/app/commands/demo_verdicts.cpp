@@ -170,7 +170,7 @@ Verdict stripes_verdict(const DemoResults& results) {
 // Lines on a device: no difference from the twin, and nothing farther off than dots or steps explain.
 bool within_dots(const MethodRange& range, programs::skala::Device device) {
   compare::SkalaInk ink;
-  ink.kind = programs::skala::PictureKind::lines;
+  ink.kind = algorithms::skala::Subject::lines;
   ink.device = device;
   const compare::InkBounds bounds = compare::ink_bounds(ink);
   return !range.defect && range.farthest <= std::max(bounds.of_ink, bounds.of_lines.value_or(0));

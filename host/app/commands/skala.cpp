@@ -16,7 +16,7 @@ namespace {
 
 using programs::skala::Device;
 using programs::skala::Link;
-using programs::skala::PictureKind;
+using algorithms::skala::Subject;
 using picture::RasterPalette;
 
 HelpPage skala_help() {
@@ -48,7 +48,7 @@ ExitCode run_skala(SkalaArguments arguments) {
   SkalaRequest& order = arguments.order;
   require_angles(order.view.rotation, order.view.elevation);
   require_finite("--zoom", order.view.zoom);
-  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.picture));
+  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.subject));
   order.name = function.name;
   order.grid = std::move(function.grid);
   order.clock.hertz = arguments.clock;
@@ -57,7 +57,7 @@ ExitCode run_skala(SkalaArguments arguments) {
   order.view.device = device_named(arguments.device);
   if (arguments.link == "serial") order.link = programs::skala::Link::serial;
   const SkalaOutcome outcome = run_skala_request(programs::skala::Session(), order);
-  SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.picture), arguments.scale};
+  SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.subject), arguments.scale};
   if (!arguments.palette.empty())
     files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
   const auto pictures = write_skala_pictures(files, order, outcome);
@@ -68,21 +68,21 @@ ExitCode run_skala(SkalaArguments arguments) {
 
 void add_skala_source_options(const Command& command, SkalaArguments& arguments) {
   command.option("FUNCTION", arguments.source.name_or_file, "A function by name, or a grid file");
-  const scene::GridSize usual = usual_grid_size(arguments.order.view.picture);
+  const scene::GridSize usual = usual_grid_size(arguments.order.view.subject);
   add_function_options(command, arguments.source, std::to_string(usual.slices), std::to_string(usual.points));
 }
 
 void add_view_options(const Command& command, SkalaArguments& arguments) {
-  programs::skala::View& view = arguments.order.view;
+  algorithms::skala::View& view = arguments.order.view;
   add_angle_options(command, view.rotation, view.elevation);
   command.option("--zoom", view.zoom, "Enlarge about the middle")
       .default_value()
       .range(0.01, 100.0)
       .value("F");
-  if (view.picture != PictureKind::contours) {
+  if (view.subject != Subject::contours) {
     add_slices_options(command, arguments.slices);
     // Accepted, since one command line may serve all pictures; of no effect, and so without a help.
-    if (view.picture == PictureKind::surface) command.added("--both").hidden();
+    if (view.subject == Subject::surface) command.added("--both").hidden();
     return;
   }
   command.flag("--both", arguments.slices.both, "");
@@ -116,10 +116,10 @@ void add_output_options(const Command& command, SkalaArguments& arguments) {
   command.flag("--json", arguments.json, "One JSON document instead of the summary");
 }
 
-void add_picture(const Command& parent, const char* name, const char* description, PictureKind picture) {
+void add_picture(const Command& parent, const char* name, const char* description, Subject picture) {
   const Command command = parent.add_command(name, HelpPage{description, skala_help().text});
   const auto arguments = std::make_shared<SkalaArguments>();
-  arguments->order.view.picture = picture;
+  arguments->order.view.subject = picture;
   arguments->order.view.rotation = 30;
   add_skala_source_options(command, *arguments);
   add_view_options(command, *arguments);
@@ -132,10 +132,10 @@ void add_picture(const Command& parent, const char* name, const char* descriptio
 
 void add_skala_command(const Command& program) {
   const Command command = program.add_command("skala", skala_help());
-  add_picture(command, "lines", "Slices of a surface with hidden lines removed", PictureKind::lines);
-  add_picture(command, "surface", "A shaded surface with hidden parts removed", PictureKind::surface);
+  add_picture(command, "lines", "Slices of a surface with hidden lines removed", Subject::lines);
+  add_picture(command, "surface", "A shaded surface with hidden parts removed", Subject::surface);
   add_picture(command, "contours", "Contour lines on a surface with hidden parts removed",
-              PictureKind::contours);
+              Subject::contours);
 }
 
 }  // namespace sightline::app

@@ -10,23 +10,23 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using programs::skala::PictureKind;
+using algorithms::skala::Subject;
 
 constexpr std::string_view plotted_function = "rogers";
 
 SkalaOutcome drawn(const programs::skala::Session& session, const scene::HeightFunction& function,
-                   programs::skala::PictureKind picture, programs::skala::Device device,
+                   algorithms::skala::Subject picture, programs::skala::Device device,
                    const std::string& directory, std::string_view suffix) {
   SkalaRequest order;
   order.name = function.name;
   order.grid =
-      scene::sample(function, picture == programs::skala::PictureKind::contours ? scene::GridSize{33, 33}
+      scene::sample(function, picture == algorithms::skala::Subject::contours ? scene::GridSize{33, 33}
                                                                               : scene::GridSize{33, 60});
-  order.view.picture = picture;
+  order.view.subject = picture;
   order.view.device = device;
   order.view.rotation = 30;
   order.measure_visibility =
-      picture == programs::skala::PictureKind::lines && device == programs::skala::Device::ef9365;
+      picture == algorithms::skala::Subject::lines && device == programs::skala::Device::ef9365;
   const SkalaOutcome outcome = run_skala_request(session, order);
   write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(picture)},
                        order, outcome);
@@ -51,15 +51,15 @@ SkalaDemo run_skala_demo(const std::string& directory) {
   const programs::skala::Session session;
   SkalaDemo demo;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
-    const auto raster = [&](programs::skala::PictureKind picture, std::string_view suffix) {
+    const auto raster = [&](algorithms::skala::Subject picture, std::string_view suffix) {
       return drawn(session, function, picture, programs::skala::Device::ef9365, directory, suffix);
     };
-    demo.rows.push_back({std::string(function.name), raster(programs::skala::PictureKind::lines, "lines"),
-                         raster(programs::skala::PictureKind::surface, "surface"),
-                         raster(programs::skala::PictureKind::contours, "contours")});
+    demo.rows.push_back({std::string(function.name), raster(algorithms::skala::Subject::lines, "lines"),
+                         raster(algorithms::skala::Subject::surface, "surface"),
+                         raster(algorithms::skala::Subject::contours, "contours")});
   }
   demo.plotted = plotted_function;
-  demo.plot = drawn(session, *scene::height_function(plotted_function), programs::skala::PictureKind::lines,
+  demo.plot = drawn(session, *scene::height_function(plotted_function), algorithms::skala::Subject::lines,
                     programs::skala::Device::calcomp, directory, "calcomp");
   return demo;
 }

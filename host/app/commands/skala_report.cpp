@@ -65,7 +65,7 @@ std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome
   std::string text = fmt::format(
       "{}, {}{}: {} slices of {} points, rotated {:g}, elevation {:g}\n"
       "machine          8080 at {}, {}, {} link\n",
-      order.name, name_of(order.view.picture), order.view.visibility ? "" : " without the visibility test",
+      order.name, name_of(order.view.subject), order.view.visibility ? "" : " without the visibility test",
       order.grid.slices(), order.grid.points(), order.view.rotation, order.view.elevation,
       megahertz(order.clock), name_of(order.view.device), link_name(order.link));
   const auto seconds_of = [&](core::TStates time) { return core::in_seconds(time, order.clock); };
@@ -93,7 +93,7 @@ std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcom
   const programs::skala::GuestPicture& picture = outcome.picture;
   Json document{{"schema", "sightline/skala/1"},
                 {"function", order.name},
-                {"picture", std::string(name_of(order.view.picture))},
+                {"picture", std::string(name_of(order.view.subject))},
                 {"slices", order.grid.slices()},
                 {"points", order.grid.points()},
                 {"rotation", order.view.rotation},

@@ -56,7 +56,7 @@ void check(const SkalaRequest& order, const programs::skala::GuestPicture& pictu
 }
 
 Drawn drawn(const programs::skala::Session& session, const SkalaRequest& order, bool visibility) {
-  programs::skala::View view = order.view;
+  algorithms::skala::View view = order.view;
   view.visibility = visibility;
   const auto stream = programs::skala::stream_of(order.grid, view);
   programs::skala::GuestOptions options;
@@ -97,7 +97,7 @@ class PictureSet {
 };
 
 std::string skala_title(const SkalaRequest& order) {
-  return fmt::format("{}, {}, Skala 1985 on the 8080, {}", order.name, name_of(order.view.picture),
+  return fmt::format("{}, {}, Skala 1985 on the 8080, {}", order.name, name_of(order.view.subject),
                      name_of(order.view.device));
 }
 
@@ -109,13 +109,13 @@ std::string_view name_of(programs::skala::Device device) {
   return names[static_cast<std::size_t>(device)];
 }
 
-std::string_view name_of(programs::skala::PictureKind picture) {
+std::string_view name_of(algorithms::skala::Subject picture) {
   constexpr std::array<std::string_view, 3> names{"hidden lines", "shaded surface", "contours"};
   return names[static_cast<std::size_t>(picture)];
 }
 
-picture::RasterPalette usual_palette(programs::skala::PictureKind picture) {
-  return picture == programs::skala::PictureKind::surface ? picture::RasterPalette::grey
+picture::RasterPalette usual_palette(algorithms::skala::Subject picture) {
+  return picture == algorithms::skala::Subject::surface ? picture::RasterPalette::grey
                                                         : picture::RasterPalette::colour;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/programs/skala/session.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/scene/heights/grid.hpp"
 
@@ -17,7 +17,7 @@ namespace sightline::app {
 struct SkalaRequest {
   std::string name;  // of the function, as messages and titles show it
   scene::HeightGrid grid;
-  programs::skala::View view;
+  algorithms::skala::View view;
   programs::skala::Link link = programs::skala::Link::parallel;
   core::ClockRate clock{};
   bool measure_visibility = true;  // by a second run without the test
@@ -43,10 +43,10 @@ struct SkalaOutcome {
 // "EF9365 board", "ALT-256 board", "CalComp 565", "Minigraf 0507".
 [[nodiscard]] std::string_view name_of(programs::skala::Device device);
 // "hidden lines", "shaded surface", "contours"
-[[nodiscard]] std::string_view name_of(programs::skala::PictureKind picture);
+[[nodiscard]] std::string_view name_of(algorithms::skala::Subject picture);
 
 // Greys for a surface, colours for everything else.
-[[nodiscard]] picture::RasterPalette usual_palette(programs::skala::PictureKind picture);
+[[nodiscard]] picture::RasterPalette usual_palette(algorithms::skala::Subject picture);
 
 struct SkalaFiles {
   std::string directory;  // made if it is not there

@@ -117,7 +117,7 @@ base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& 
 skala::View view_of(const Json& request) {
   skala::View view;
   const std::string picture = text_of(request, "picture");
-  view.picture = picture == "surface" ? skala::PictureKind::surface : picture == "contours" ? skala::PictureKind::contours : skala::PictureKind::lines;
+  view.subject = picture == "surface" ? skala::Subject::surface : picture == "contours" ? skala::Subject::contours : skala::Subject::lines;
   const std::string along = text_of(request, "along");
   view.family = along == "x" ? skala::Family::along_x : along == "z" ? skala::Family::along_z : along == "both" ? skala::Family::both : skala::Family::automatic;
   const std::string device = text_of(request, "device");

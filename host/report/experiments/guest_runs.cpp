@@ -38,7 +38,7 @@ void check(const JonesOrder& order, const JonesRun& run, const std::string& diff
 
 skala::View view_of(const SkalaOrder& order, bool visibility) {
   skala::View view;
-  view.picture = order.picture;
+  view.subject = order.picture;
   view.rotation = order.rotation;
   view.visibility = visibility;
   view.device = order.device;
@@ -137,17 +137,17 @@ SkalaRun run_skala(const skala::Session& session, const SkalaOrder& order) {
   return run;
 }
 
-std::string_view name_of(skala::PictureKind picture) {
+std::string_view name_of(skala::Subject picture) {
   switch (picture) {
-    case skala::PictureKind::lines: return "lines";
-    case skala::PictureKind::surface: return "surface";
-    case skala::PictureKind::contours: return "contours";
+    case skala::Subject::lines: return "lines";
+    case skala::Subject::surface: return "surface";
+    case skala::Subject::contours: return "contours";
   }
   return "";
 }
 
 Picture raster_png(const SkalaRun& run, const SkalaOrder& order) {
-  const bool surface = order.picture == skala::PictureKind::surface;
+  const bool surface = order.picture == skala::Subject::surface;
   const auto palette = surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
   return png_picture(picture::raster_image(run.guest.raster, palette, 1), true);
 }

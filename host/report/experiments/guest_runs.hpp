@@ -12,7 +12,7 @@
 #include "emulators/core/tstates.hpp"
 #include "host/programs/jones/session.hpp"
 #include "host/programs/skala/session.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/report/experiment.hpp"
 #include "host/scene/heights/grid.hpp"
 #include "host/scene/model/cell_scene.hpp"
@@ -50,7 +50,7 @@ inline constexpr core::Duration shutter_time = core::milliseconds(200);
 
 struct SkalaOrder {
   std::string function;  // one of the eight
-  programs::skala::PictureKind picture = programs::skala::PictureKind::lines;
+  algorithms::skala::Subject picture = algorithms::skala::Subject::lines;
   scene::GridSize size{33, 60};
   double rotation = 30;
   bool compare_plain = false;  // run again without the visibility test
@@ -69,7 +69,7 @@ struct SkalaRun {
 // Throws as run_jones.
 [[nodiscard]] SkalaRun run_skala(const programs::skala::Session& session, const SkalaOrder& order);
 
-[[nodiscard]] std::string_view name_of(programs::skala::PictureKind picture);  // "lines", "surface", "contours"
+[[nodiscard]] std::string_view name_of(algorithms::skala::Subject picture);  // "lines", "surface", "contours"
 
 [[nodiscard]] Picture raster_png(const SkalaRun& run, const SkalaOrder& order);
 

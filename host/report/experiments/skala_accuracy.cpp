@@ -50,7 +50,7 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
 
 // One picture in both programs' words.
 struct Order {
-  skala::PictureKind picture = skala::PictureKind::lines;
+  skala::Subject picture = skala::Subject::lines;
   int levels = 8;
   int raster = skala::raster_side;  // dots a side; the program on the 8080 has up to 256
   skala::Device device = skala::Device::ef9365;
@@ -59,7 +59,7 @@ struct Order {
 
 skala::View view_of(const Order& order) {
   skala::View view;
-  view.picture = order.picture;
+  view.subject = order.picture;
   view.family = skala::Family::along_x;
   view.device = order.device;
   view.rotation = rotation;
@@ -70,7 +70,7 @@ skala::View view_of(const Order& order) {
 
 native::View native_view(const Order& order, int columns) {
   native::View view;
-  const bool contours = order.picture == skala::PictureKind::contours;
+  const bool contours = order.picture == skala::Subject::contours;
   view.subject = contours ? native::Subject::contours : native::Subject::lines;
   view.silhouette = contours;  // the program draws the outline of the surface with its contours
   view.family = native::Family::along_x;
@@ -135,7 +135,7 @@ class Study {
     const auto grid = grid_of(function, contour_grid);
     const auto finest = grid_of(function, finest_contour_grid);
     for (const int levels : level_counts) {
-      const Order order{.picture = skala::PictureKind::contours, .levels = levels};
+      const Order order{.picture = skala::Subject::contours, .levels = levels};
       add_both(levels, grid, order, fine_picture(finest, order));
     }
   }

@@ -149,13 +149,13 @@ SkalaPictures pictures_on(const skala::Session& session, skala::Device board) {
   SkalaPictures made;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const std::string name(function.name);
-    for (const skala::PictureKind picture :
-         {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
+    for (const skala::Subject picture :
+         {skala::Subject::lines, skala::Subject::surface, skala::Subject::contours}) {
       SkalaOrder order{.function = name, .picture = picture, .compare_plain = true, .device = board};
-      if (picture == skala::PictureKind::contours) order.size = {33, 33};
+      if (picture == skala::Subject::contours) order.size = {33, 33};
       made.pictures.push_back(picture_of(session, order));
     }
-    made.curves.push_back(picture_of(session, {name, skala::PictureKind::lines, {256, 30}, 0, true, board}));
+    made.curves.push_back(picture_of(session, {name, skala::Subject::lines, {256, 30}, 0, true, board}));
   }
   return made;
 }

@@ -196,7 +196,7 @@ TEST(SkalaPoints, OfOneLineByHand) {
 TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
   const programs::skala::Session session;
   for (const double rotation : {0.0, 33.0}) {
-    programs::skala::View view;
+    algorithms::skala::View view;
     view.rotation = rotation;
     view.visibility = false;
     const scene::HeightGrid grid = scene::sample(*scene::height_function("sinc"), {17, 12});

@@ -21,7 +21,7 @@ using stream_test::named;
 using stream_test::Place;
 using stream_test::SentCommand;
 
-const View contours{.picture = PictureKind::contours};
+const View contours{.subject = Subject::contours};
 
 TEST(ContourLevels, DivideTheRange) {
   EXPECT_EQ(contour_levels({0, 9}, 8), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));

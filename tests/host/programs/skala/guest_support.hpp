@@ -49,8 +49,8 @@ inline std::vector<std::uint8_t> stream_of(std::string_view function, scene::Gri
   return stream_of(scene::sample(*scene::height_function(function), size), view);
 }
 
-inline constexpr std::array<PictureKind, 3> skala_pictures{PictureKind::lines, PictureKind::surface,
-                                                           PictureKind::contours};
+inline constexpr std::array<Subject, 3> skala_pictures{Subject::lines, Subject::surface,
+                                                           Subject::contours};
 inline constexpr std::array<std::string_view, 3> skala_picture_names{"lines", "surface", "contours"};
 
 }  // namespace sightline::programs::skala

@@ -28,9 +28,9 @@ GuestOptions on(Device device) {
   return options;
 }
 
-View view_of(PictureKind picture, Device device) {
+View view_of(Subject picture, Device device) {
   View view;
-  view.picture = picture;
+  view.subject = picture;
   view.device = device;
   view.rotation = 30;
   return view;
@@ -49,7 +49,7 @@ TEST(SkalaGuest, DrawsALine) {
 }
 
 TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
-  const auto bytes = stream_of("franke", {17, 9}, view_of(PictureKind::lines, Device::ef9365));
+  const auto bytes = stream_of("franke", {17, 9}, view_of(Subject::lines, Device::ef9365));
   GuestOptions serial;
   serial.link = Link::serial;
   const auto fast = run_guest(skala_program(), bytes);
@@ -65,7 +65,7 @@ TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
 }
 
 TEST(SkalaGuest, RunsAreRepeatable) {
-  const auto bytes = stream_of("peaks", {17, 9}, view_of(PictureKind::surface, Device::ef9365));
+  const auto bytes = stream_of("peaks", {17, 9}, view_of(Subject::surface, Device::ef9365));
   const auto first = run_guest(skala_program(), bytes);
   const auto second = run_guest(skala_program(), bytes);
   EXPECT_EQ(first.drawing, second.drawing);
@@ -79,17 +79,17 @@ TEST(SkalaGuest, BothLinksOnEveryDevice) {
                    << "device " << static_cast<int>(device) << " link " << static_cast<int>(link));
       GuestOptions options = on(device);
       options.link = link;
-      EXPECT_TRUE(agrees(stream_of("rogers", {9, 7}, view_of(PictureKind::lines, device)), options));
+      EXPECT_TRUE(agrees(stream_of("rogers", {9, 7}, view_of(Subject::lines, device)), options));
     }
   }
 }
 
 TEST(SkalaGuest, PicturesOfSeveralBlocks) {
-  for (const PictureKind what : skala_pictures) {
+  for (const Subject what : skala_pictures) {
     SCOPED_TRACE(skala_picture_names[static_cast<std::size_t>(what)]);
     View view = view_of(what, Device::ef9365);
     view.rotation = 20;
-    const bool contours = what == PictureKind::contours;
+    const bool contours = what == Subject::contours;
     const auto bytes =
         stream_of("terrain", contours ? scene::GridSize{50, 50} : scene::GridSize{256, 200}, view);
     ASSERT_GT(bytes.size(), buffer_bytes);
@@ -161,7 +161,7 @@ TEST(SkalaGuest, ADeviceThatIsNotThere) {
 
 TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
   for (const Device device : {Device::calcomp, Device::minigraf}) {
-    for (const PictureKind what : skala_pictures) {
+    for (const Subject what : skala_pictures) {
       SCOPED_TRACE(testing::Message() << "device " << static_cast<int>(device) << ' '
                                       << skala_picture_names[static_cast<std::size_t>(what)]);
       const auto bytes = stream_of("sinc", {13, 11}, view_of(what, device));

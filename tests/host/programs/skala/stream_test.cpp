@@ -89,7 +89,7 @@ TEST(SkalaStream, AHoleBreaksTheSliceAndItsRims) {
 TEST(SkalaStream, HolesOfASurfaceAreGaps) {
   const scene::HeightGrid grid = grid_of({{0, 0, 0, 0, 0}, {0, 0, nan, 0, 0}, {nan, 0, 0, 0, nan}});
   std::vector<std::vector<int>> gaps;
-  for (const SentCommand& c : decode(stream_of(grid, {.picture = PictureKind::surface})))
+  for (const SentCommand& c : decode(stream_of(grid, {.subject = Subject::surface})))
     if (c.what == Command::gap) gaps.push_back(c.arguments);
   // Columns 0, 64, 128, 191, 255: between 64 and 191; before 64; after 191.
   EXPECT_EQ(gaps, (std::vector<std::vector<int>>{{65, 126}, {0, 64}, {192, 64}}));
@@ -97,10 +97,10 @@ TEST(SkalaStream, HolesOfASurfaceAreGaps) {
 
 TEST(SkalaStream, ASurfaceBeginsWithTheLeadingRim) {
   const auto left_first =
-      decode(stream_of(named("flat", {3, 3}), {.picture = PictureKind::surface, .rotation = -30}));
+      decode(stream_of(named("flat", {3, 3}), {.subject = Subject::surface, .rotation = -30}));
   EXPECT_EQ(left_first[4].what, Command::rim);
   const auto right_after =
-      decode(stream_of(named("flat", {3, 3}), {.picture = PictureKind::surface, .rotation = 30}));
+      decode(stream_of(named("flat", {3, 3}), {.subject = Subject::surface, .rotation = 30}));
   EXPECT_EQ(right_after[3].what, Command::surface);
   EXPECT_EQ(right_after[4].what, Command::rim);
   EXPECT_EQ(right_after[5].what, Command::rim);
@@ -174,8 +174,8 @@ std::vector<View> views() {
         view.family = family;
         result.push_back(view);
       }
-      for (const PictureKind picture : {PictureKind::surface, PictureKind::contours}) {
-        view.picture = picture;
+      for (const Subject picture : {Subject::surface, Subject::contours}) {
+        view.subject = picture;
         result.push_back(view);
       }
     }
@@ -248,7 +248,7 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
     // Slices seen end-on may come in either order, and so may cells beside each other.
     EXPECT_TRUE(turn % 12 == 6 || stream_of(grid, view) == stream_of(turned, other)) << view.rotation;
     if (turn % 6 == 0) continue;
-    view.picture = other.picture = PictureKind::contours;
+    view.subject = other.subject = Subject::contours;
     const auto one = lines_of(stream_of(grid, view));
     const auto two = lines_of(stream_of(turned, other));
     const auto key = [](const Line& l) {
@@ -266,8 +266,8 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
 // The same lines, less travel.
 TEST(SkalaStream, PlottersDrawThereAndBack) {
   const scene::HeightGrid grid = named("sinc", {33, 30});
-  for (const PictureKind picture : {PictureKind::lines, PictureKind::surface, PictureKind::contours}) {
-    View view{.picture = picture, .device = Device::calcomp, .rotation = 30};
+  for (const Subject picture : {Subject::lines, Subject::surface, Subject::contours}) {
+    View view{.subject = picture, .device = Device::calcomp, .rotation = 30};
     const TwinPicture there_and_back = run_twin(stream_of(grid, view));
     const auto serpentine = lines_of(stream_of(grid, view));
     view.serpentine = false;
