@@ -225,7 +225,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   if (source.expression.empty()) refuse_commands(name);
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.subject));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
-    throw base::bad_input(fmt::format("{}: {}; `sightline skala` draws it and compares it with its twin", name, *reason));
+    throw base::bad_input(fmt::format("{}: {}; `sightline skala --check` draws it and compares it with its twin", name, *reason));
   const auto compare_view = [&](const algorithms::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
     auto comparison = compare::compare_heights(function.grid, of, step, function.sampled, !arguments.no_host_times);
     comparison.devices = compare::compare_devices(function.grid, of, step);

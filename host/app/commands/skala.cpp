@@ -2,11 +2,12 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_report.hpp"
-#include "host/app/commands/skala_session.hpp"
+#include "host/app/commands/skala_pictures.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/scene/heights/function.hpp"
 
@@ -25,7 +26,7 @@ HelpPage skala_help() {
 
 struct SkalaArguments {
   SkalaSource source;
-  SkalaRequest order;
+  programs::skala::Order order;
   std::string device = "raster";
   std::string link = "parallel";
   std::string palette;  // empty: the usual one
@@ -45,24 +46,26 @@ programs::skala::Device device_named(const std::string& name) {
 }
 
 ExitCode run_skala(SkalaArguments arguments) {
-  SkalaRequest& order = arguments.order;
+  programs::skala::Order& order = arguments.order;
   require_angles(order.view.rotation, order.view.elevation);
   require_finite("--zoom", order.view.zoom);
   SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.subject));
-  order.name = function.name;
   order.grid = std::move(function.grid);
   order.clock.hertz = arguments.clock;
   order.view.visibility = !arguments.no_visibility;
   order.view.family = family_of(arguments.slices);
-  order.view.device = device_named(arguments.device);
+  order.device = device_named(arguments.device);
   if (arguments.link == "serial") order.link = programs::skala::Link::serial;
-  const SkalaOutcome outcome = run_skala_request(programs::skala::Session(), order);
-  SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.subject), arguments.scale};
+  order.time_plain = true;
+  order.view.silhouette = order.view.subject == Subject::contours;
+  const SkalaRequest request{function.name, std::move(order)};
+  const programs::skala::Outcome outcome = value_of(programs::skala::run(request.order), request.name);
+  SkalaFiles files{arguments.directory, function.stem, usual_palette(request.order.view.subject), arguments.scale};
   if (!arguments.palette.empty())
     files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
-  const auto pictures = write_skala_pictures(files, order, outcome);
-  write_stdout(arguments.json ? skala_document(order, outcome, pictures)
-                              : skala_summary(order, outcome, pictures));
+  const auto pictures = write_skala_pictures(files, request, outcome);
+  write_stdout(arguments.json ? skala_document(request, outcome, pictures)
+                              : skala_summary(request, outcome, pictures));
   return ExitCode::ok;
 }
 
@@ -96,6 +99,7 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
       .one_of({"raster", "alt256", "calcomp", "minigraf"})
       .value("NAME");
   command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its visibility test");
+  command.flag("--check", arguments.order.check, "Compare the picture with that of the same program in C++");
   command.option("--link", arguments.link, "From the host computer; serial is 9600 baud")
       .default_value()
       .one_of({"parallel", "serial"})
