@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/programs/skala/guest.hpp"
+#include "host/programs/skala/machine.hpp"
 #include "host/programs/skala/program.hpp"
 #include "host/programs/skala/stream.hpp"
 #include "host/programs/skala/twin/twin.hpp"
@@ -25,10 +25,10 @@ scene::HeightGrid grid_for(std::string_view function, algorithms::skala::Subject
                                                               : scene::GridSize{33, 60});
 }
 
-algorithms::skala::View view_of(algorithms::skala::Subject picture, programs::skala::Device device) {
+algorithms::skala::View view_of(algorithms::skala::Subject picture) {
   algorithms::skala::View view;
   view.subject = picture;
-  view.device = device;
+  view.silhouette = picture == Subject::contours;
   view.rotation = 30;
   return view;
 }
@@ -39,13 +39,13 @@ void assemble(benchmark::State& state) {
 
 void pictures(benchmark::State& state, const std::string& function, algorithms::skala::Subject picture,
               programs::skala::Device device) {
-  const programs::skala::Program program = programs::skala::assemble_program();
-  const auto stream = programs::skala::stream_of(grid_for(function, picture), view_of(picture, device));
-  programs::skala::GuestOptions options;
+  const programs::skala::Program& program = programs::skala::resident_program();
+  const auto stream = programs::skala::stream_of(grid_for(function, picture), view_of(picture), {device});
+  programs::skala::MachineOptions options;
   options.device = device;
   std::int64_t t_states = 0;
   for (auto _ : state) {
-    const auto result = programs::skala::run_guest(program, stream, options);
+    const auto result = programs::skala::run_machine(program, stream, options);
     if (result.status != programs::skala::Status::complete) return state.SkipWithError("the program stopped");
     t_states += result.total.count();
   }
@@ -54,13 +54,13 @@ void pictures(benchmark::State& state, const std::string& function, algorithms::
 
 void host_work(benchmark::State& state, algorithms::skala::Subject picture) {
   const scene::HeightGrid grid = grid_for("sinc", picture);
-  const auto view = view_of(picture, programs::skala::Device::ef9365);
+  const auto view = view_of(picture);
   for (auto _ : state) benchmark::DoNotOptimize(programs::skala::stream_of(grid, view));
 }
 
 void twin(benchmark::State& state, algorithms::skala::Subject picture) {
   const auto stream =
-      programs::skala::stream_of(grid_for("sinc", picture), view_of(picture, programs::skala::Device::ef9365));
+      programs::skala::stream_of(grid_for("sinc", picture), view_of(picture));
   for (auto _ : state) benchmark::DoNotOptimize(programs::skala::run_twin(stream));
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/picture/phosphor.hpp"
+#include "host/picture/raster_image.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/scene/read/cell_scene.hpp"
 

@@ -20,6 +20,7 @@ namespace sightline::report {
 namespace {
 
 namespace skala = programs::skala;
+using algorithms::skala::Subject;
 
 std::size_t colours_of(const core::Raster& raster) {
   return std::set(raster.points().begin(), raster.points().end()).size();
@@ -29,11 +30,11 @@ double clock_mhz() {
   return static_cast<double>(core::ClockRate{}.hertz) / 1e6;
 }
 
-std::string_view name_of(skala::Subject subject) {
+std::string_view name_of(Subject subject) {
   switch (subject) {
-    case skala::Subject::lines: return "lines";
-    case skala::Subject::surface: return "surface";
-    case skala::Subject::contours: return "contours";
+    case Subject::lines: return "lines";
+    case Subject::surface: return "surface";
+    case Subject::contours: return "contours";
   }
   return "";
 }
@@ -43,12 +44,12 @@ core::TStates dot_time() {
   return core::ClockRate{}.t_states_in(devices::ef9365::clocks(devices::ef9365::start_up_clocks + 1));
 }
 
-SkalaPicture picture_of(const std::string& function, skala::Subject subject, scene::GridSize size, double rotation,
+SkalaPicture picture_of(const std::string& function, Subject subject, scene::GridSize size, double rotation,
                         skala::Device board) {
   skala::Order order;
   order.grid = scene::sample(*scene::height_function(function), size);
   order.view.subject = subject;
-  order.view.silhouette = subject == skala::Subject::contours;
+  order.view.silhouette = subject == Subject::contours;
   order.view.rotation = rotation;
   order.device = board;
   order.time_plain = true;
@@ -69,7 +70,7 @@ SkalaPicture picture_of(const std::string& function, skala::Subject subject, sce
   made.instructions = run.picture.instructions;
   made.dots_busy_t_states = static_cast<std::uint64_t>((dot_time() * static_cast<std::int64_t>(made.dots)).count());
   made.colours = colours_of(run.picture.raster);
-  const auto palette = subject == skala::Subject::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+  const auto palette = subject == Subject::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
   made.raster = png_picture(picture::raster_image(run.picture.raster, palette, 1), true);
   return made;
 }
@@ -177,11 +178,11 @@ SkalaPictures pictures_on(skala::Device board) {
   SkalaPictures made;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const std::string name(function.name);
-    for (const skala::Subject subject : {skala::Subject::lines, skala::Subject::surface, skala::Subject::contours}) {
-      const scene::GridSize size = subject == skala::Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+    for (const Subject subject : {Subject::lines, Subject::surface, Subject::contours}) {
+      const scene::GridSize size = subject == Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
       made.pictures.push_back(picture_of(name, subject, size, 30, board));
     }
-    made.curves.push_back(picture_of(name, skala::Subject::lines, {256, 30}, 0, board));
+    made.curves.push_back(picture_of(name, Subject::lines, {256, 30}, 0, board));
   }
   return made;
 }

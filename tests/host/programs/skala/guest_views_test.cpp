@@ -37,16 +37,14 @@ TEST_P(SkalaGuestViews, GuestAndTwinAgree) {
   std::string longest_view;
   for (int turn = 0; turn < rotations; ++turn) {
     for (const double elevation : elevations) {
-      View view;
-      view.subject = what;
-      view.rotation = 360.0 / rotations * turn;
+      View view = view_of(what, 360.0 / rotations * turn);
       view.elevation = elevation;
       const std::string described =
           "rotated " + std::to_string(view.rotation) + ", elevation " + std::to_string(elevation);
       SCOPED_TRACE(described);
       const auto bytes = stream_of(grid, view);
-      const auto guest = run_guest(skala_program(), bytes);
-      ASSERT_TRUE(same_as_twin(guest, run_twin(bytes), view.device));
+      const auto guest = run_machine(resident_program(), bytes);
+      ASSERT_TRUE(same_as_twin(guest, run_twin(bytes), Device::ef9365));
       ASSERT_GT(points_lit(guest), 0U);
       if (guest.drawing.count() > longest) {
         longest = guest.drawing.count();
@@ -128,9 +126,7 @@ TEST_P(SkalaHardCases, GuestAndTwinAgree) {
     for (const double rotation : hard_rotations) {
       for (const double elevation : hard_elevations) {
         for (const double zoom : {1.0, 1.7}) {
-          View view;
-          view.subject = what;
-          view.rotation = rotation;
+          View view = view_of(what, rotation);
           view.elevation = elevation;
           view.zoom = zoom;
           view.family = what == Subject::lines && zoom == 1 ? Family::both : Family::automatic;
@@ -155,14 +151,11 @@ class SkalaPlotterViews : public testing::TestWithParam<std::tuple<std::string, 
 TEST_P(SkalaPlotterViews, GuestAndTwinMakeTheSameMovements) {
   const auto& [function, what, device] = GetParam();
   for (const double rotation : {30.0, 200.0}) {
-    View view;
-    view.subject = what;
-    view.device = device;
-    view.rotation = rotation;
+    const View view = view_of(what, rotation);
     SCOPED_TRACE(testing::Message() << "rotated " << rotation);
-    GuestOptions options;
+    MachineOptions options;
     options.device = device;
-    EXPECT_TRUE(agrees(stream_of(function, plotted_size, view), options));
+    EXPECT_TRUE(agrees(stream_of(function, plotted_size, view, {device}), options));
   }
 }
 

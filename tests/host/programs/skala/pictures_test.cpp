@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "host/programs/skala/contours.hpp"
-#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/picture.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
 #include "tests/host/programs/skala/guest_support.hpp"
@@ -15,21 +15,13 @@
 namespace sightline::programs::skala {
 namespace {
 
-View demo_view(Subject what, Device device) {
-  View view;
-  view.subject = what;
-  view.device = device;
-  view.rotation = 30;
-  return view;
-}
-
 class SkalaPictures : public testing::TestWithParam<std::tuple<std::string, Subject>> {};
 
 TEST_P(SkalaPictures, AreTheApprovedOnes) {
   const auto& [function, what] = GetParam();
   const scene::GridSize size =
       what == Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
-  const auto guest = run_guest(skala_program(), stream_of(function, size, demo_view(what, Device::ef9365)));
+  const auto guest = run_machine(resident_program(), stream_of(function, size, view_of(what, 30)));
   ASSERT_EQ(guest.status, Status::complete);
   const auto palette =
       what == Subject::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
@@ -79,8 +71,8 @@ int gaps_in_contours(const core::Raster& raster) {
 class SkalaContourDashes : public testing::TestWithParam<std::string> {};
 
 TEST_P(SkalaContourDashes, ThereAreNone) {
-  const auto view = demo_view(Subject::contours, Device::ef9365);
-  const auto guest = run_guest(skala_program(), stream_of(GetParam(), {33, 33}, view));
+  const auto view = view_of(Subject::contours, 30);
+  const auto guest = run_machine(resident_program(), stream_of(GetParam(), {33, 33}, view));
   EXPECT_EQ(gaps_in_contours(guest.raster), 0);
 }
 
@@ -90,11 +82,11 @@ INSTANTIATE_TEST_SUITE_P(TheEight, SkalaContourDashes,
                          [](const auto& parameter) { return parameter.param; });
 
 TEST(SkalaPlot, IsTheApprovedOne) {
-  GuestOptions options;
+  MachineOptions options;
   options.device = Device::calcomp;
   const auto guest =
-      run_guest(skala_program(),
-                stream_of("rogers", {33, 60}, demo_view(Subject::lines, Device::calcomp)), options);
+      run_machine(resident_program(),
+                stream_of("rogers", {33, 60}, view_of(Subject::lines, 30), {Device::calcomp}), options);
   ASSERT_EQ(guest.status, Status::complete);
   EXPECT_TRUE(tests::matches_approved_png(
       picture::pen_image(pen_paths(guest.moves), picture::calcomp_paper, 1), "skala/rogers-calcomp.png"));

@@ -35,7 +35,7 @@ TEST(SkalaStream, OfAFlatSquare) {
   EXPECT_EQ(stream_of(named("flat", {2, 2}), {}), expected);
   Bytes alone = expected;
   alone[1] = 0x81;
-  EXPECT_EQ(stream_of(named("flat", {2, 2}), {.device = Device::alt256, .visibility = false}), alone);
+  EXPECT_EQ(stream_of(named("flat", {2, 2}), {.visibility = false}, {Device::alt256}), alone);
 }
 
 // Rotated 45 degrees the square stands on a corner, the right rim continues the near edge, and the left one
@@ -176,6 +176,7 @@ std::vector<View> views() {
       }
       for (const Subject picture : {Subject::surface, Subject::contours}) {
         view.subject = picture;
+        view.silhouette = picture == Subject::contours;
         result.push_back(view);
       }
     }
@@ -220,8 +221,7 @@ TEST(SkalaStream, HolesAndZoomsAreMonotoneToo) {
   for (std::size_t i = 0; i < grid.heights.size(); i += 7) grid.heights[i] = nan;
   for (View view : views()) {
     view.zoom = 1 + view.rotation / 60;
-    view.device = Device::calcomp;
-    const Bytes stream = stream_of(grid, view);
+    const Bytes stream = stream_of(grid, view, {Device::calcomp});
     expect_monotone(lines_of(stream), "rotated " + std::to_string(view.rotation));
     ASSERT_EQ(run_twin(stream).status, Status::complete);
   }
@@ -249,6 +249,7 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
     EXPECT_TRUE(turn % 12 == 6 || stream_of(grid, view) == stream_of(turned, other)) << view.rotation;
     if (turn % 6 == 0) continue;
     view.subject = other.subject = Subject::contours;
+    view.silhouette = other.silhouette = true;
     const auto one = lines_of(stream_of(grid, view));
     const auto two = lines_of(stream_of(turned, other));
     const auto key = [](const Line& l) {
@@ -267,12 +268,13 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
 TEST(SkalaStream, PlottersDrawThereAndBack) {
   const scene::HeightGrid grid = named("sinc", {33, 30});
   for (const Subject picture : {Subject::lines, Subject::surface, Subject::contours}) {
-    View view{.subject = picture, .device = Device::calcomp, .rotation = 30};
-    const TwinPicture there_and_back = run_twin(stream_of(grid, view));
-    const auto serpentine = lines_of(stream_of(grid, view));
-    view.serpentine = false;
-    const TwinPicture one_way = run_twin(stream_of(grid, view));
-    const auto plain = lines_of(stream_of(grid, view));
+    const View view{.subject = picture, .rotation = 30, .silhouette = picture == Subject::contours};
+    const Bytes turning = stream_of(grid, view, {Device::calcomp});
+    const Bytes straight = stream_of(grid, view, {Device::calcomp, false});
+    const TwinPicture there_and_back = run_twin(turning);
+    const auto serpentine = lines_of(turning);
+    const TwinPicture one_way = run_twin(straight);
+    const auto plain = lines_of(straight);
     const auto ends = [](const std::vector<Line>& lines) {
       std::multiset<std::pair<Place, Place>> set;
       for (const Line& l : lines)
