@@ -22,17 +22,17 @@ skala::Figure skala_figure(std::span<const scene::HeightGrid> grids, const skala
   return skala::figure(grids, view, options);
 }
 
-constexpr std::array rows{
+constexpr std::array height_rows{
     HeightAlgorithm{"skala", "Skala's masks as a modern algorithm: vectors on masks finer than a dot", why_no_skala, draw_skala, skala_figure},
 };
 
 }  // namespace
 
-std::span<const HeightAlgorithm> height_algorithms() { return rows; }
+std::span<const HeightAlgorithm> height_algorithms() { return height_rows; }
 
 const HeightAlgorithm* find_height_algorithm(std::string_view name) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [name](const HeightAlgorithm& row) { return row.name == name; });
-  return found != rows.end() ? &*found : nullptr;
+  const auto found = std::find_if(height_rows.begin(), height_rows.end(), [name](const HeightAlgorithm& row) { return row.name == name; });
+  return found != height_rows.end() ? &*found : nullptr;
 }
 
 }  // namespace sightline::registry

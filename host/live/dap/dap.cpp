@@ -1,5 +1,5 @@
 // See dap.hpp.
-#include "host/live/dap.hpp"
+#include "host/live/dap/dap.hpp"
 
 #include <fmt/core.h>
 
@@ -23,7 +23,6 @@ namespace sightline::live {
 namespace {
 
 using base::Json;
-using dap::accepted;
 using dap::flag_in;
 using dap::member;
 using dap::text_in;
