@@ -1,7 +1,8 @@
-#include "host/programs/flight/guest.hpp"
+#include "host/programs/flight/machine.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,13 +19,36 @@ namespace {
 
 namespace display = devices::priority_display;
 
+// The pieces' numbers by distance, and how they change from frame to frame.
+class Ranks {
+ public:
+  // `order`: the nearest first. The first one is compared with the order of the numbers.
+  void take(std::span<const std::uint8_t> order, MachineFrame& frame) {
+    if (place_.empty()) {
+      place_.resize(256);
+      std::iota(place_.begin(), place_.end(), 0U);
+    }
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const unsigned here = place_[order[i]];
+      const auto passed = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i) + 1, order.end(),
+                                        [&](std::uint8_t other) { return place_[other] < here; });
+      frame.exchanges += static_cast<std::uint32_t>(passed);
+      frame.moved += passed > 0 ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < order.size(); ++i) place_[order[i]] = static_cast<unsigned>(i);
+  }
+
+ private:
+  std::vector<unsigned> place_;  // in the order of the frame before, by number
+};
+
 }  // namespace
 
 // Notes every frame, and how long the program waited for the display to be free.
-class Guest::DisplayFront final : public i8080::Front {
+class FlightMachine::DisplayFront final : public i8080::Front {
  public:
-  DisplayFront(i8080::Machine& machine, const GuestOptions& options, GuestFlight& flight)
-      : Front(machine, control), board_(*machine.find<devices::PriorityBoard>()), options_(options), flight_(flight) {}
+  DisplayFront(i8080::Machine& machine, const Program& program, const MachineOptions& options, MachineFlight& flight)
+      : Front(machine, control), board_(*machine.find<devices::PriorityBoard>()), count_(program.count), list_end_(program.list_end), options_(options), flight_(flight) {}
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     pass_to_host(options_.clock.to_nanoseconds(at));
@@ -50,10 +74,12 @@ class Guest::DisplayFront final : public i8080::Front {
   static constexpr core::PortRange control[]{{control_port, control_port}};
 
   void note(core::TStateInstant at) {
-    GuestFrame frame;
+    MachineFrame frame;
     const auto priorities = board_.priorities();
     std::copy(priorities.begin(), priorities.end(), frame.priorities.begin());
     frame.told = at;
+    const std::size_t count = machine().peek(count_);
+    ranks_.take(machine().memory().subspan(list_end_ - count, count), frame);
     frame.waiting = last_asked_ - first_asked_;
     // A frame begins with its first line, where the display takes a new list.
     const std::int64_t length = display::frame.count();
@@ -76,22 +102,25 @@ class Guest::DisplayFront final : public i8080::Front {
   }
 
   devices::PriorityBoard& board_;
-  const GuestOptions& options_;
-  GuestFlight& flight_;
+  i8080::Address count_;
+  i8080::Address list_end_;
+  Ranks ranks_;
+  const MachineOptions& options_;
+  MachineFlight& flight_;
   bool asked_ = false;
   core::TStateInstant first_asked_{};
   core::TStateInstant last_asked_{};
   std::size_t handed_ = 0;
 };
 
-struct Guest::Parts {
-  Parts(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options, GuestFlight& flight)
+struct FlightMachine::Parts {
+  Parts(const Program& program, std::span<const std::uint8_t> stream, const MachineOptions& options, MachineFlight& flight)
       : machine({options.clock}), status(program.status) {
     attach(devices::ParallelLink::info.name);
     machine.find<devices::ParallelLink>()->send(stream);
     if (options.display) {
       attach(devices::PriorityBoard::info.name);
-      front.emplace(machine, options, flight);
+      front.emplace(machine, program, options, flight);
     }
     machine.load(0, program.memory);
     machine.start(program.start);
@@ -106,11 +135,11 @@ struct Guest::Parts {
   i8080::Address status;
 };
 
-Guest::Guest(const Program& program, std::span<const std::uint8_t> stream, GuestOptions options)
+FlightMachine::FlightMachine(const Program& program, std::span<const std::uint8_t> stream, MachineOptions options)
     : options_(std::move(options)), parts_(std::make_unique<Parts>(program, stream, options_, flight_)) {}
-Guest::~Guest() = default;
+FlightMachine::~FlightMachine() = default;
 
-void Guest::run(core::TStateInstant until) {
+void FlightMachine::run(core::TStateInstant until) {
   i8080::Machine& machine = parts_->machine;
   if (!flight_.ended) {
     i8080::Limits limits;
@@ -128,9 +157,9 @@ void Guest::run(core::TStateInstant until) {
   for (const i8080::UnansweredPort& port : machine.unanswered()) flight_.unanswered += port.reads + port.writes;
 }
 
-core::TStateInstant Guest::now() const { return parts_->machine.now(); }
+core::TStateInstant FlightMachine::now() const { return parts_->machine.now(); }
 
-std::span<const std::uint32_t> Guest::picture() {
+std::span<const std::uint32_t> FlightMachine::picture() {
   auto* const board = parts_->machine.find<devices::PriorityBoard>();
   if (board == nullptr) return {};
   if (!flight_.ended) board->advance(now());
@@ -144,10 +173,10 @@ core::TStateInstant latest_end(std::span<const std::uint8_t> stream) {
   return core::at_t_state(once + a_byte * static_cast<std::int64_t>(stream.size()));
 }
 
-GuestFlight run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options) {
-  Guest guest(program, stream, options);
-  guest.run(latest_end(stream));
-  return guest.flight();
+MachineFlight run_machine(const Program& program, std::span<const std::uint8_t> stream, const MachineOptions& options) {
+  FlightMachine machine(program, stream, options);
+  machine.run(latest_end(stream));
+  return machine.flight();
 }
 
 }  // namespace sightline::programs::flight

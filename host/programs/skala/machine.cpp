@@ -1,4 +1,4 @@
-#include "host/programs/skala/guest.hpp"
+#include "host/programs/skala/machine.hpp"
 
 #include <fmt/core.h>
 
@@ -26,31 +26,31 @@ namespace {
 
 // --- what the devices say
 
-void add(GuestPicture& picture, std::string_view what, std::uint64_t count) {
+void add(MachinePicture& picture, std::string_view what, std::uint64_t count) {
   if (count > 0) picture.faults.push_back({what, count});
 }
 
 // What of a device's counts is an error, and the dots no monitor shows.
-void report_faults(const devices::Ef9365Counts& counts, GuestPicture& picture) {
+void report_faults(const devices::Ef9365Counts& counts, MachinePicture& picture) {
   add(picture, "commands to the busy EF9365", counts.commands_while_busy);
   add(picture, "registers written while the EF9365 was busy", counts.writes_while_busy);
   add(picture, "things asked of the EF9365 that it cannot do", counts.unanswered);
   add(picture, "dots outside the EF9365's planes", counts.dots_outside);
 }
 
-void report_faults(const devices::Alt256Counts& counts, GuestPicture& picture) {
+void report_faults(const devices::Alt256Counts& counts, MachinePicture& picture) {
   add(picture, "bytes written to the ALT-256 before it was ready", counts.writes_lost);
   picture.dots_not_shown = counts.dots_invisible;
 }
 
-void report_faults(const devices::CalComp565Counts& counts, GuestPicture& picture) {
+void report_faults(const devices::CalComp565Counts& counts, MachinePicture& picture) {
   add(picture, "commands to the busy CalComp", counts.commands_while_busy);
   add(picture, "steps off the CalComp's carriage", counts.off_carriage);
   add(picture, "codes the CalComp does not know", counts.unknown_codes);
   add(picture, "marks beside the CalComp's paper", counts.off_paper);
 }
 
-void report_faults(const devices::MinigrafCounts& counts, GuestPicture& picture) {
+void report_faults(const devices::MinigrafCounts& counts, MachinePicture& picture) {
   add(picture, "steps the Minigraf's motors missed: too soon after the last", counts.missed_fast);
   add(picture, "steps the Minigraf's motors missed: phase changed by more than one", counts.missed_jump);
   add(picture, "steps before the Minigraf's pen had touched", counts.steps_early);
@@ -168,7 +168,7 @@ std::vector<std::size_t> block_ends(std::span<const std::uint8_t> stream) {
 }
 
 // Generous: a command of three bytes steps through 255 points at most.
-std::int64_t limit_for(std::size_t bytes, const GuestOptions& options) {
+std::int64_t limit_for(std::size_t bytes, const MachineOptions& options) {
   const std::int64_t seconds = is_raster(options.device) ? 60 + static_cast<std::int64_t>(bytes) / 20
                                                          : 600 + static_cast<std::int64_t>(bytes);
   return seconds * std::max(options.clock.hertz, core::ClockRate{}.hertz);
@@ -187,7 +187,7 @@ std::string_view name_of(Device device) {
 // With the devices of a run. The machine is a part of this program, so that an error ends the process.
 class SkalaMachine : public i8080::Machine {
  public:
-  SkalaMachine(std::span<const std::uint8_t> stream, const GuestOptions& options) : i8080::Machine({options.clock}) {
+  SkalaMachine(std::span<const std::uint8_t> stream, const MachineOptions& options) : i8080::Machine({options.clock}) {
     const std::string_view link = options.link == Link::serial ? devices::SerialLink::info.name : devices::ParallelLink::info.name;
     for (const std::string_view name : {name_of(options.device), link})
       if (const std::string error = attach(name); !error.empty()) base::give_up(error);
@@ -195,9 +195,9 @@ class SkalaMachine : public i8080::Machine {
   }
 };
 
-class GuestMachine {
+class MeasuredRun {
  public:
-  GuestMachine(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options)
+  MeasuredRun(const Program& program, std::span<const std::uint8_t> stream, const MachineOptions& options)
       : program_(program), blocks_(block_ends(stream)), machine_(stream, options) {
     machine_.load(0, program.memory);
     machine_.deposit(program.labels.link_switch, options.link == Link::serial ? 1 : 0);
@@ -207,9 +207,9 @@ class GuestMachine {
                                                                : limit_for(stream.size(), options));
   }
 
-  GuestPicture picture() {
+  MachinePicture picture() {
     using i8080::StopReason;
-    GuestPicture result;
+    MachinePicture result;
     StopReason reason = StopReason::device;
     for (std::size_t block = 0; block < blocks_.size() && reason == StopReason::device; ++block) {
       link_.stop_after_bytes(blocks_[block]);
@@ -247,7 +247,7 @@ class GuestMachine {
     return end > begun ? end : machine_.now();
   }
 
-  void report(GuestPicture& result) {
+  void report(MachinePicture& result) {
     const auto page = [&](i8080::Address from, std::array<std::uint8_t, 256>& to) {
       std::copy_n(machine_.memory().begin() + from, to.size(), to.begin());
     };
@@ -273,7 +273,7 @@ class GuestMachine {
     }
   }
   template <class Device>
-  void report_faults_of(GuestPicture& picture) const {
+  void report_faults_of(MachinePicture& picture) const {
     if (const Device* const device = machine_.find<Device>(); device != nullptr) report_faults(device->totals(), picture);
   }
 
@@ -286,101 +286,20 @@ class GuestMachine {
   i8080::Limits limits_;
 };
 
-// --- guest and twin
-
-constexpr int raster_width = core::Raster::width;
-
-// Calls action(x, y) for every place until it returns true.
-template <class Action>
-void for_places(Action action) {
-  for (int y = 0; y < raster_width; ++y)
-    for (int x = 0; x < raster_width; ++x)
-      if (action(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y))) return;
-}
-
-std::string difference(const core::Raster& guest, const core::Raster& twin) {
-  std::string text;
-  if (guest == twin) return text;
-  for_places([&](std::uint8_t x, std::uint8_t y) {
-    if (guest.at(x, y) == twin.at(x, y)) return false;
-    text = fmt::format("dot ({}, {}): the program {}, its twin {}", x, y, guest.at(x, y), twin.at(x, y));
-    return true;
-  });
-  return text;
-}
-
-std::string described(std::span<const PlotterMove> moves, std::size_t number) {
-  if (number >= moves.size()) return "nothing more";
-  constexpr std::array<std::string_view, 3> names{"a step to", "pen up at", "pen down at"};
-  const PlotterMove& move = moves[number];
-  return fmt::format("{} ({}, {})", names[static_cast<std::size_t>(move.action)], move.x, move.y);
-}
-
-std::string difference(std::span<const PlotterMove> guest, std::span<const PlotterMove> twin) {
-  const auto [in_guest, in_twin] = std::mismatch(guest.begin(), guest.end(), twin.begin(), twin.end());
-  if (in_guest == guest.end() && in_twin == twin.end()) return {};
-  const auto number = static_cast<std::size_t>(in_guest - guest.begin());
-  return fmt::format("movement {} of the plotter: the program {}, its twin {}", number + 1,
-                     described(guest, number), described(twin, number));
-}
-
-// Of a surface's slices a plotter's program keeps nothing.
-std::string difference(const Columns& guest, const Columns& twin, bool slices) {
-  for (std::size_t x = 0; x < guest.mask_top.size(); ++x) {
-    const auto said = [x](std::string_view mask, int in_guest, int in_twin) {
-      return fmt::format("{} of column {}: the program {}, its twin {}", mask, x, in_guest, in_twin);
-    };
-    if (guest.mask_top[x] != twin.mask_top[x]) return said("mask top", guest.mask_top[x], twin.mask_top[x]);
-    if (guest.mask_bottom[x] != twin.mask_bottom[x])
-      return said("mask bottom", guest.mask_bottom[x], twin.mask_bottom[x]);
-    if (!slices) continue;
-    if (guest.previous_level[x] != twin.previous_level[x])
-      return said("level of the previous slice", guest.previous_level[x], twin.previous_level[x]);
-    if (guest.previous_level[x] != 0 && guest.previous_y[x] != twin.previous_y[x])
-      return said("row of the previous slice", guest.previous_y[x], twin.previous_y[x]);
-  }
-  return {};
-}
-
 }  // namespace
 
-GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream,
-                       const GuestOptions& options) {
-  return GuestMachine(program, stream, options).picture();
+MachinePicture run_machine(const Program& program, std::span<const std::uint8_t> stream,
+                       const MachineOptions& options) {
+  return MeasuredRun(program, stream, options).picture();
 }
 
-std::string difference_from_twin(const GuestPicture& guest, const TwinPicture& twin, Device device) {
-  if (guest.status != twin.status)
-    return fmt::format("status: the program \"{}\", its twin \"{}\"", text_of(guest.status),
-                       text_of(twin.status));
-  std::string text;
-  if (is_raster(device)) text = difference(guest.raster, twin.raster(device));
-  if (text.empty()) text = difference(guest.moves, twin.moves);
-  if (text.empty()) text = difference(guest.columns, twin.columns, is_raster(device));
-  return text;
-}
-
-std::uint64_t points_lit(const GuestPicture& guest) {
-  core::Raster marked = guest.raster;
-  for (const PlotterMove& move : guest.moves)
+std::uint64_t points_lit(const MachinePicture& picture) {
+  core::Raster marked = picture.raster;
+  for (const PlotterMove& move : picture.moves)
     if (move.pen_down) marked.set(move.x, move.y, 1);
   const auto points = marked.points();
   return points.size() -
          static_cast<std::uint64_t>(std::count(points.begin(), points.end(), std::uint8_t{0}));
-}
-
-PlotterWork plotter_work(std::span<const PlotterMove> moves) {
-  PlotterWork work;
-  for (const PlotterMove& move : moves) {
-    if (move.action == PlotterAction::step) {
-      ++(move.pen_down ? work.steps_pen_down : work.steps_pen_up);
-      work.time += devices::calcomp565::step;
-    } else {
-      work.pen_lifts += move.action == PlotterAction::pen_up ? 1 : 0;
-      work.time += devices::calcomp565::pen;
-    }
-  }
-  return work;
 }
 
 }  // namespace sightline::programs::skala

@@ -1,4 +1,5 @@
-// Polygons cut into stripes, for the twin and for a host computer that does it (SPECIFICATION, section 2).
+#include "host/programs/stripes/face_stripes.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +7,6 @@
 #include <utility>
 
 #include "host/programs/stripes/status.hpp"
-#include "host/programs/stripes/twin/twin.hpp"
 
 namespace sightline::programs::stripes {
 

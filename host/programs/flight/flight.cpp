@@ -1,4 +1,4 @@
-#include "host/programs/flight/session.hpp"
+#include "host/programs/flight/flight.hpp"
 
 #include <fmt/core.h>
 
@@ -7,6 +7,9 @@
 
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/spans.hpp"
+#include "host/programs/flight/check.hpp"
+#include "host/programs/flight/path.hpp"
+#include "host/programs/flight/twin/twin.hpp"
 
 namespace sightline::programs::flight {
 
@@ -16,33 +19,21 @@ namespace willis = algorithms::willis;
 
 constexpr double field = 60;  // degrees across the picture
 
-// Of the frames that both have.
-std::string first_wrong_frame(const GuestFlight& guest, const TwinFlight& twin) {
-  for (std::size_t frame = 0; frame < std::min(guest.frames.size(), twin.frames.size()); ++frame) {
-    const Priorities& here = guest.frames[frame].priorities;
-    const Priorities& there = twin.frames[frame].priorities;
-    const auto [at, other] = std::mismatch(here.begin(), here.end(), there.begin());
-    if (at != here.end())
-      return fmt::format("frame {}: piece {} has the priority {}, the twin's {}", frame, at - here.begin(), *at, *other);
-  }
-  return "";
-}
-
-FlightSummary summary_of(const FlightRun& run, std::size_t pieces, core::ClockRate clock) {
-  FlightSummary sum;
-  sum.frames = static_cast<std::uint32_t>(run.frames.size());
+Summary summary_of(const std::vector<Frame>& frames, std::size_t pieces, core::ClockRate clock) {
+  Summary sum;
+  sum.frames = static_cast<std::uint32_t>(frames.size());
   sum.pieces = static_cast<std::uint32_t>(pieces);
   double shown = 0;
   double longest = 0;
   double computing = 0;
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    const FlightFrame& frame = run.frames[i];
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Frame& frame = frames[i];
     sum.wrong_orders += frame.wrong_orders;
     sum.pairs += std::uint64_t{frame.facing} * (frame.facing - (frame.facing > 0 ? 1 : 0)) / 2;
     sum.wrong_points += frame.wrong_points;
     sum.frames_wrong += frame.wrong_points > 0 ? 1 : 0;
     if (i == 0) continue;  // it has no beginning
-    const double gap = core::in_seconds(frame.shown - run.frames[i - 1].shown);
+    const double gap = core::in_seconds(frame.shown - frames[i - 1].shown);
     shown += gap;
     longest = std::max(longest, gap);
     computing += static_cast<double>(frame.computing.count());
@@ -50,8 +41,8 @@ FlightSummary summary_of(const FlightRun& run, std::size_t pieces, core::ClockRa
     sum.exchanges_mean += frame.exchanges;
     sum.exchanges_most = std::max(sum.exchanges_most, frame.exchanges);
   }
-  if (run.frames.size() < 2) return sum;
-  const double count = static_cast<double>(run.frames.size() - 1);
+  if (frames.size() < 2) return sum;
+  const double count = static_cast<double>(frames.size() - 1);
   const auto hertz = static_cast<double>(clock.hertz);
   sum.frames_per_second_mean = count / shown;
   sum.frames_per_second_worst = 1 / longest;
@@ -87,17 +78,6 @@ ShownOrder shown_order(const willis::Model& model, const scene::PolyCamera& came
   return shown;
 }
 
-std::string difference_of(const GuestFlight& guest, const TwinFlight& twin) {
-  if (std::string wrong = first_wrong_frame(guest, twin); !wrong.empty()) return wrong;
-  if (guest.frames.size() != twin.frames.size())
-    return fmt::format("{} frames, the twin's {}", guest.frames.size(), twin.frames.size());
-  if (guest.status != twin.status) return fmt::format("status \"{}\", the twin's \"{}\"", text_of(guest.status), text_of(twin.status));
-  if (!guest.ended) return "the program did not end";
-  if (guest.writes_lost + guest.unanswered > 0)
-    return fmt::format("{} writes to the display lost, {} accesses unanswered", guest.writes_lost, guest.unanswered);
-  return "";
-}
-
 // What the host knows of each frame: exact order, and where its pieces are on the screen.
 class FlightInProgress::Host {
  public:
@@ -115,7 +95,7 @@ class FlightInProgress::Host {
     board.give(surfaces_, covered_);
   }
 
-  void count(std::size_t frame, const Priorities& priorities, bool points, FlightFrame& result) {
+  void count(std::size_t frame, const Priorities& priorities, bool points, Frame& result) {
     const auto exact = order(frame);
     result.facing = static_cast<std::uint32_t>(exact.size());
     const ShownOrder shown = shown_order(model_, cameras_[frame], exact, priorities);
@@ -145,76 +125,93 @@ class FlightInProgress::Host {
 };
 
 struct FlightInProgress::Parts {
-  static GuestOptions guest_options(Host& host, const FlightOptions& options) {
-    GuestOptions machine;
-    machine.clock = options.clock;
-    machine.scanned = options.picture;
-    if (options.picture || options.shown)
-      machine.give = [&host](std::uint32_t frame, devices::PriorityBoard& board) { host.give(frame, board); };
-    return machine;
+  explicit Parts(const Order& given)
+      : order(given), outcome{pack(given.model, given.path, given.precision), {}, {}, {}}, host(given.model, given.path),
+        machine(resident_program(), outcome.packed.stream, machine_options(host, given)) {
+    if (order.check) twin = run_twin(outcome.packed.stream);
   }
-  Parts(const Program& program, const willis::Model& model, std::span<const scene::PolyCamera> cameras, const Packed& packed,
-        const FlightOptions& given)
-      : options(given), pieces(model.pieces.size()), host(model, cameras), guest(program, packed.stream, guest_options(host, given)),
-        twin(run_twin(packed.stream)) {}
+  static MachineOptions machine_options(Host& host, const Order& order) {
+    MachineOptions options;
+    options.clock = order.clock;
+    options.scanned = order.picture;
+    if (order.picture || order.shown)
+      options.give = [&host](std::uint32_t frame, devices::PriorityBoard& board) { host.give(frame, board); };
+    return options;
+  }
 
   void take_frames() {
-    const auto& frames = guest.flight().frames;
-    while (run.frames.size() < std::min(frames.size(), twin.frames.size())) {
-      const std::size_t i = run.frames.size();
-      FlightFrame frame;
+    outcome.flight = machine.flight();
+    const auto& frames = outcome.flight.frames;
+    const std::size_t before = outcome.frames.size();
+    while (outcome.frames.size() < std::min(frames.size(), order.path.size())) {
+      const std::size_t i = outcome.frames.size();
+      Frame frame;
       frame.waiting = frames[i].waiting;
       if (i > 0) frame.computing = frames[i].told - frames[i - 1].told - frames[i].waiting;
       frame.shown = frames[i].shown;
-      frame.moved = twin.frames[i].moved;
-      frame.exchanges = twin.frames[i].exchanges;
-      host.count(i, frames[i].priorities, options.count_points, frame);
-      run.frames.push_back(frame);
+      frame.moved = frames[i].moved;
+      frame.exchanges = frames[i].exchanges;
+      host.count(i, frames[i].priorities, order.count_points, frame);
+      outcome.frames.push_back(frame);
     }
+    if (outcome.frames.size() > before) outcome.summary = summary_of(outcome.frames, order.model.pieces.size(), order.clock);
   }
 
-  FlightOptions options;
-  std::size_t pieces;
+  Order order;
+  Outcome outcome;
   Host host;
-  Guest guest;
-  TwinFlight twin;
-  FlightRun run;
+  FlightMachine machine;
+  std::optional<TwinFlight> twin;
 };
 
-FlightInProgress::FlightInProgress(const Program& program, const willis::Model& model, std::span<const scene::PolyCamera> cameras,
-                                   const Packed& packed, const FlightOptions& options)
-    : parts_(std::make_unique<Parts>(program, model, cameras, packed, options)) {}
+FlightInProgress::FlightInProgress(const Order& order) : parts_(std::make_unique<Parts>(order)) {}
 FlightInProgress::~FlightInProgress() = default;
 
 void FlightInProgress::run(core::TStateInstant until) {
-  parts_->guest.run(until);
-  const std::size_t before = parts_->run.frames.size();
+  parts_->machine.run(until);
   parts_->take_frames();
-  if (parts_->run.frames.size() > before) parts_->run.summary = summary_of(parts_->run, parts_->pieces, parts_->options.clock);
 }
 
-core::TStateInstant FlightInProgress::now() const { return parts_->guest.now(); }
-bool FlightInProgress::ended() const { return parts_->guest.flight().ended; }
+core::TStateInstant FlightInProgress::now() const { return parts_->machine.now(); }
+bool FlightInProgress::ended() const { return parts_->machine.flight().ended; }
+core::TStateInstant FlightInProgress::latest_end() const { return flight::latest_end(parts_->outcome.packed.stream); }
+const Outcome& FlightInProgress::so_far() const { return parts_->outcome; }
 
-const FlightRun& FlightInProgress::so_far() const {
-  FlightRun& run = parts_->run;
-  run.guest = parts_->guest.flight();
-  run.difference = run.guest.ended ? difference_of(run.guest, parts_->twin) : first_wrong_frame(run.guest, parts_->twin);
-  return run;
+std::string FlightInProgress::difference() const {
+  if (!parts_->twin) return "";
+  const MachineFlight& flight = parts_->outcome.flight;
+  return flight.ended ? difference_from_twin(flight, *parts_->twin) : first_wrong_frame(flight, *parts_->twin);
 }
 
-std::span<const std::uint32_t> FlightInProgress::picture() { return parts_->guest.picture(); }
+std::span<const std::uint32_t> FlightInProgress::picture() { return parts_->machine.picture(); }
 
-FlightRun Session::run(const willis::Model& model, std::span<const scene::PolyCamera> cameras, const Packed& packed,
-                       const FlightOptions& options) const {
-  FlightInProgress flight(program_, model, cameras, packed, options);
-  flight.run(latest_end(packed.stream));
-  FlightRun run = flight.so_far();
-  if (!run.guest.ended && run.difference.empty()) run.difference = "the program did not end";
-  return run;
+base::Result<Plan> plan_flight(const scene::PolyScene& scene, bool level, std::uint32_t frames, std::optional<std::size_t> pieces) {
+  const scene::SceneFrame frame = scene::frame_of(scene.camera);
+  auto path = path_through(scene, frame, frames, level);
+  if (!path) return path.error();
+  willis::ModelOptions options;
+  options.plan = level;
+  options.vertical = frame.vertical;
+  auto model = flight_model(scene, options, path->front().eye, pieces);
+  if (!model) return model.error();
+  return Plan{std::move(*model), std::move(*path)};
 }
 
-double predicted_t_states(const Packed& packed, std::size_t pieces, const FlightFrame& frame) {
+base::Result<Outcome> run(const Order& order) {
+  FlightInProgress flight(order);
+  flight.run(flight.latest_end());
+  const MachineFlight& machine = flight.so_far().flight;
+  if (const std::string difference = flight.difference(); !difference.empty())
+    return base::difference("internal error: a priority on the 8080 is not the one its native twin computes: " + difference);
+  if (!machine.ended) return base::program_failed("the program did not end");
+  if (machine.status != Status::complete) return base::program_failed(fmt::format("the program stopped: {}", text_of(machine.status)));
+  if (machine.writes_lost + machine.unanswered > 0)
+    return base::program_failed(
+        fmt::format("{} writes to the display lost, {} accesses unanswered", machine.writes_lost, machine.unanswered));
+  return flight.so_far();
+}
+
+double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame& frame) {
   const bool space = packed.axes == 3;
   double packet = 0;  // receipt and check of an eye, and what a frame costs besides
   double piece = 0;   // its key, its look at the one before it in the order, its priority

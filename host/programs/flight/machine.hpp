@@ -12,20 +12,23 @@
 #include "emulators/core/tstates.hpp"
 #include "emulators/devices/priority_board.hpp"
 #include "host/programs/flight/program.hpp"
-#include "host/programs/flight/twin/twin.hpp"
+#include "host/programs/flight/status.hpp"
 
 namespace sightline::programs::flight {
 
-struct GuestFrame {
+struct MachineFrame {
   Priorities priorities{};      // in the display when it was told to show them
   core::TStateInstant told{};   // when
   core::TStates waiting{};      // until the display had taken up the frame before
   core::Instant shown{};        // the beginning of the display's frame that shows it
+  // How far the program's order is from that of the frame before: pieces that went before another, and pairs that changed places.
+  std::uint32_t moved = 0;
+  std::uint32_t exchanges = 0;
 };
 
-struct GuestFlight {
+struct MachineFlight {
   Status status = Status::running;
-  std::vector<GuestFrame> frames;
+  std::vector<MachineFrame> frames;
   core::TStates total{};
   bool ended = false;             // false: the limit of time came before the program's halt
   std::uint64_t priorities = 0;   // written
@@ -33,7 +36,7 @@ struct GuestFlight {
   std::uint64_t unanswered = 0;   // accesses that no device answered
 };
 
-struct GuestOptions {
+struct MachineOptions {
   bool display = true;
   core::ClockRate clock{};
   // Called before the display is told to show a frame, from 0: the host gives the board what is to be seen.
@@ -43,18 +46,18 @@ struct GuestOptions {
 };
 
 // A flight that is run from time to time, while somebody looks.
-class Guest {
+class FlightMachine {
  public:
   // The program's memory is copied; the stream outlives this.
-  Guest(const Program& program, std::span<const std::uint8_t> stream, GuestOptions options = {});
-  ~Guest();
-  Guest(const Guest&) = delete;
-  Guest& operator=(const Guest&) = delete;
+  FlightMachine(const Program& program, std::span<const std::uint8_t> stream, MachineOptions options = {});
+  ~FlightMachine();
+  FlightMachine(const FlightMachine&) = delete;
+  FlightMachine& operator=(const FlightMachine&) = delete;
 
   // To that time, or to the program's end, which `flight().ended` tells. The last frame is then shown, too.
   void run(core::TStateInstant until);
   // So far; what is in the display is as of the last run.
-  [[nodiscard]] const GuestFlight& flight() const { return flight_; }
+  [[nodiscard]] const MachineFlight& flight() const { return flight_; }
   [[nodiscard]] core::TStateInstant now() const;
   // What the display shows by now, as `scanned` has it.
   [[nodiscard]] std::span<const std::uint32_t> picture();
@@ -62,14 +65,14 @@ class Guest {
  private:
   class DisplayFront;
   struct Parts;
-  GuestOptions options_;
-  GuestFlight flight_;
+  MachineOptions options_;
+  MachineFlight flight_;
   std::unique_ptr<Parts> parts_;
 };
 
 // More than any program can take for that stream.
 [[nodiscard]] core::TStateInstant latest_end(std::span<const std::uint8_t> stream);
 // The whole flight at once.
-[[nodiscard]] GuestFlight run_guest(const Program& program, std::span<const std::uint8_t> stream, const GuestOptions& options = {});
+[[nodiscard]] MachineFlight run_machine(const Program& program, std::span<const std::uint8_t> stream, const MachineOptions& options = {});
 
 }  // namespace sightline::programs::flight

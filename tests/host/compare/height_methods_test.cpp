@@ -1,6 +1,6 @@
-// Every method that draws height grids is behind one door: all draw one picture of a plain function, and say
+// All methods that draw height grids on the points of Skala's board draw one picture of a plain function, and say
 // what they have no picture of.
-#include "host/algorithms/registry/heights.hpp"
+#include "host/compare/height_methods.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "host/scene/heights/function.hpp"
 
-namespace sightline::registry {
+namespace sightline::compare {
 namespace {
 
 scene::HeightGrid hills() {
@@ -18,7 +18,7 @@ scene::HeightGrid hills() {
 
 TEST(HeightMethods, ProgramsDrawTheOraclesDots) {
   const scene::HeightGrid grid = hills();
-  HeightView view;
+  algorithms::skala::View view;
   view.rotation = 30;
   const picture::PixelGrid truth = find_height_method("oracle")->draw(grid, view).dots;
   for (const HeightMethod& method : height_methods()) {
@@ -38,7 +38,7 @@ TEST(HeightMethods, ProgramsDrawTheOraclesDots) {
 
 TEST(HeightMethods, SayWhatTheyHaveNoPictureOf) {
   scene::HeightGrid grid = hills();
-  HeightView zoomed;
+  algorithms::skala::View zoomed;
   zoomed.zoom = 3;
   EXPECT_FALSE(find_height_method("guest")->why_not(grid, zoomed));
   EXPECT_TRUE(find_height_method("native")->why_not(grid, zoomed));
@@ -49,24 +49,5 @@ TEST(HeightMethods, SayWhatTheyHaveNoPictureOf) {
   EXPECT_EQ(find_height_method("none"), nullptr);
 }
 
-TEST(HeightMethods, ViewsAreTheSameInBothTerms) {
-  HeightView view;
-  view.subject = algorithms::skala::Subject::contours;
-  view.family = algorithms::skala::Family::both;
-  view.rotation = 12;
-  view.elevation = -7;
-  view.zoom = 2;
-  view.levels = 5;
-  view.net = true;
-  const HeightView again = height_view(program_view(view));
-  EXPECT_EQ(again.subject, view.subject);
-  EXPECT_EQ(again.family, view.family);
-  EXPECT_EQ(again.rotation, view.rotation);
-  EXPECT_EQ(again.elevation, view.elevation);
-  EXPECT_EQ(again.zoom, view.zoom);
-  EXPECT_EQ(again.levels, view.levels);
-  EXPECT_EQ(again.net, view.net);
-}
-
 }  // namespace
-}  // namespace sightline::registry
+}  // namespace sightline::compare

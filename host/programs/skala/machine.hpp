@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,14 +18,14 @@
 #include "emulators/core/stroke.hpp"
 #include "emulators/core/tstates.hpp"
 #include "host/programs/skala/commands.hpp"
+#include "host/programs/skala/picture.hpp"
 #include "host/programs/skala/program.hpp"
-#include "host/programs/skala/twin/twin.hpp"
 
 namespace sightline::programs::skala {
 
 enum class Link { parallel, serial };
 
-struct GuestOptions {
+struct MachineOptions {
   Device device = Device::ef9365;  // the only one on the machine, whatever the stream asks for
   Link link = Link::parallel;
   core::ClockRate clock{};
@@ -47,7 +46,7 @@ struct DeviceFault {
   std::uint64_t count = 0;
 };
 
-struct GuestPicture {
+struct MachinePicture {
   bool ended = false;  // false: the limit came before the program's halt
   Status status = Status::running;
   core::Raster raster{};              // of the board; empty on a plotter
@@ -64,23 +63,10 @@ struct GuestPicture {
 };
 
 // `stream` as stream_of makes it; any bytes are taken.
-[[nodiscard]] GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream,
-                                     const GuestOptions& options = {});
-
-// Where the program's picture is not its twin's, in words: the first dot, movement, mask or the status. Empty
-// when they agree in everything. `device` as in the options of the run.
-[[nodiscard]] std::string difference_from_twin(const GuestPicture& guest, const TwinPicture& twin,
-                                               Device device);
+[[nodiscard]] MachinePicture run_machine(const Program& program, std::span<const std::uint8_t> stream,
+                                     const MachineOptions& options = {});
 
 // Distinct places lit on the board, or marked by the pen.
-[[nodiscard]] std::uint64_t points_lit(const GuestPicture& guest);
-
-struct PlotterWork {
-  std::uint64_t steps_pen_down = 0;
-  std::uint64_t steps_pen_up = 0;
-  std::uint64_t pen_lifts = 0;
-  core::Duration time{};  // 1/300 s a step, 0.1 s a change of the pen
-};
-[[nodiscard]] PlotterWork plotter_work(std::span<const PlotterMove> moves);
+[[nodiscard]] std::uint64_t points_lit(const MachinePicture& picture);
 
 }  // namespace sightline::programs::skala

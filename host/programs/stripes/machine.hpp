@@ -1,25 +1,24 @@
 // Runs the program of firmware/i8080/stripes on the emulated 8080 with its parallel link and one device, the EF9365 board or the
-// CalComp 565, and measures it: receipt, priority list, drawing. The run stops at CHECK and DRAWIT and goes on from there; nothing
-// is added to the program.
+// CalComp 565, and measures it: receipt, priority list, drawing. An observer notes when the program comes to its labels, and counts;
+// nothing is added to the program.
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "emulators/core/raster.hpp"
 #include "emulators/core/tstates.hpp"
+#include "host/programs/stripes/counts.hpp"
 #include "host/programs/stripes/program.hpp"
 #include "host/programs/stripes/status.hpp"
-#include "host/programs/stripes/twin/twin.hpp"
 
 namespace sightline::programs::stripes {
 
 enum class Device : std::uint8_t { none, ef9365, calcomp };
 
-struct GuestOptions {
+struct MachineOptions {
   Device device = Device::ef9365;
   core::ClockRate clock{};
   std::int64_t t_state_limit = 0;  // 0: more than any scene takes
@@ -31,7 +30,7 @@ struct DeviceFault {
   std::uint64_t count = 0;
 };
 
-struct GuestPicture {
+struct MachinePicture {
   bool ended = false;  // false: the limit came before the program's halt
   Status status = Status::running;
   std::uint8_t fault = 0;
@@ -43,6 +42,7 @@ struct GuestPicture {
   core::TStates drawing{};             // to the halt, or until the device is done
   core::TStates device{};              // of the plotter: its busy times
   std::uint64_t instructions = 0;
+  Counts counts;
   std::vector<DeviceFault> faults;  // counts above 0 only
 
   // Without the receipt: the link's speed is the host's.
@@ -50,11 +50,7 @@ struct GuestPicture {
 };
 
 // Any bytes are taken.
-[[nodiscard]] GuestPicture run_guest(const Program& program, std::span<const std::uint8_t> stream,
-                                     const GuestOptions& options = {});
-
-// Where the program's picture is not its twin's, in words: status, the first dot or the first command. Empty when they agree in
-// everything.
-[[nodiscard]] std::string difference_from_twin(const GuestPicture& guest, const TwinPicture& twin);
+[[nodiscard]] MachinePicture run_machine(const Program& program, std::span<const std::uint8_t> stream,
+                                     const MachineOptions& options = {});
 
 }  // namespace sightline::programs::stripes

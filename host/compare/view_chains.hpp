@@ -14,7 +14,7 @@
 #include "host/programs/skala/contours.hpp"
 #include "host/programs/skala/projection.hpp"
 
-namespace sightline::registry {
+namespace sightline::compare {
 
 class ViewChains {
  public:
@@ -199,4 +199,4 @@ class ViewChains {
   bool slices_along_x_;
 };
 
-}  // namespace sightline::registry
+}  // namespace sightline::compare
