@@ -152,7 +152,7 @@ std::vector<core::Count> Display::counts() const {
 }
 
 void Display::visit_state(core::StateVisitor& visit) {
-  using Direction = core::DataBreak::Direction;
+  using enum core::DataBreak::Direction;
   if (visit.restores()) whole_ = false;
   visit.part("registers", registers_);
   visit.part("delays", delays_);
@@ -161,9 +161,9 @@ void Display::visit_state(core::StateVisitor& visit) {
   visit("start_address", start_address_, Registers::address_mask);
   visit("request_since", request_since_);
   visit("request_address", request_.address, Registers::address_mask);
-  bool writes = request_.direction == Direction::to_core;
+  bool writes = request_.direction == to_core;
   visit("request_write", writes);
-  request_.direction = writes ? Direction::to_core : Direction::from_core;
+  request_.direction = writes ? to_core : from_core;
   visit("request_word", request_.word);
   visit("writing", writing_);
   visit("pass_open", pass_open_);

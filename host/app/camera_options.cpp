@@ -44,8 +44,7 @@ Vector vector_argument(std::string_view option, const std::string& text, bool wh
   if (whole) {
     if (const auto point = base::whole_numbers<std::int32_t, 3>(text, ',', 1 - limit, limit - 1))
       return {double((*point)[0]), double((*point)[1]), double((*point)[2])};
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from {} to {}", option,
+    throw base::usage_error(fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from {} to {}", option,
                               text, 1 - limit, limit - 1));
   }
   Vector vector{};
@@ -54,7 +53,7 @@ Vector vector_argument(std::string_view option, const std::string& text, bool wh
     const std::size_t comma = rest.find(',');
     const auto number = base::decimal_number(rest.substr(0, comma));
     if (!number || (comma == std::string_view::npos) != (a == 2))
-      throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected X,Y,Z, three numbers", option, text));
+      throw base::usage_error(fmt::format("{}: found \"{}\", expected X,Y,Z, three numbers", option, text));
     vector[a] = *number;
     if (a < 2) rest.remove_prefix(comma + 1);
   }
@@ -64,14 +63,14 @@ Vector vector_argument(std::string_view option, const std::string& text, bool wh
 Vector direction_argument(std::string_view option, const std::string& text) {
   const Vector direction = vector_argument(option, text, false, 0);
   if (direction == Vector{})
-    throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected a direction", option, text));
+    throw base::usage_error(fmt::format("{}: found \"{}\", expected a direction", option, text));
   return direction;
 }
 
 scene::PolyPoint exact_vector(std::string_view option, const std::string& text) {
   const Vector vector = vector_argument(option, text, true, scene::camera_vector_limit);
   if (vector == Vector{})
-    throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected a direction", option, text));
+    throw base::usage_error(fmt::format("{}: found \"{}\", expected a direction", option, text));
   return scene::direction_of(vector);
 }
 
@@ -84,7 +83,7 @@ bool is_eye(const std::string& view) {
 CameraArguments with_eye(const CameraArguments& given) {
   CameraArguments arguments = given;
   if (!is_eye(arguments.view)) return arguments;
-  if (!arguments.eye.empty()) throw Failure(ExitCode::usage, "found --view and --eye, expected one of them");
+  if (!arguments.eye.empty()) throw base::usage_error("found --view and --eye, expected one of them");
   arguments.eye = std::exchange(arguments.view, {});
   return arguments;
 }
@@ -97,7 +96,7 @@ void refuse_together(const CameraArguments& arguments) {
   const auto refuse = [](std::string_view a, const std::string& given_a, std::string_view b,
                          const std::string& given_b) {
     if (!given_a.empty() && !given_b.empty())
-      throw Failure(ExitCode::usage, fmt::format("found {} and {}, expected one of them", a, b));
+      throw base::usage_error(fmt::format("found {} and {}, expected one of them", a, b));
   };
   refuse("--orthographic", arguments.orthographic, "--eye", arguments.eye);
   refuse("--orthographic", arguments.orthographic, "--look-at", arguments.look_at);
@@ -109,10 +108,10 @@ void refuse_together(const CameraArguments& arguments) {
   refuse("--view", arguments.view, "--orthographic", arguments.orthographic);
   refuse("--view", arguments.view, "--forward", arguments.forward);
   if (arguments.perspective && arguments.view.empty())
-    throw Failure(ExitCode::usage, "found --perspective without --view, expected both: other cameras are in perspective anyway");
+    throw base::usage_error("found --perspective without --view, expected both: other cameras are in perspective anyway");
   if (has_exact_vectors(arguments) &&
       (arguments.forward.empty() || arguments.right.empty() || arguments.up.empty()))
-    throw Failure(ExitCode::usage, "expected --forward, --right and --up together, or --up alone, or none of them");
+    throw base::usage_error("expected --forward, --right and --up together, or --up alone, or none of them");
 }
 
 scene::PolyCamera exact_vectors(const CameraArguments& arguments, scene::PolyCamera camera) {
@@ -124,7 +123,7 @@ scene::PolyCamera exact_vectors(const CameraArguments& arguments, scene::PolyCam
   };
   if (!square(camera.forward, camera.right) || !square(camera.forward, camera.up) ||
       !square(camera.right, camera.up)) {
-    throw Failure(ExitCode::usage, fmt::format("found --forward {} --right {} --up {}, expected right angles "
+    throw base::usage_error(fmt::format("found --forward {} --right {} --up {}, expected right angles "
                                                "between them",
                                                arguments.forward, arguments.right, arguments.up));
   }
@@ -146,8 +145,7 @@ GridPoint grid_point_argument(std::string_view option, const std::string& text, 
   const auto at = scene::grid_point(scene, given);
   if (!at) {
     const std::int32_t most = scene::poly_coordinate_limit - 1;
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: found {}, expected a point between {} and {}", option, text,
+    throw base::usage_error(fmt::format("{}: found {}, expected a point between {} and {}", option, text,
                               scene::file_point_text(scene, {-most, -most, -most}),
                               scene::file_point_text(scene, {most, most, most})));
   }
@@ -189,7 +187,7 @@ class Aiming {
     if (!arguments_.look_at.empty()) {
       const GridPoint point = grid_point_argument("--look-at", arguments_.look_at, arguments_, scene_);
       if (point.at == eye.at)
-        throw Failure(ExitCode::usage, fmt::format("--look-at: found the eye itself, {}", arguments_.look_at));
+        throw base::usage_error(fmt::format("--look-at: found the eye itself, {}", arguments_.look_at));
       target = point.given;
     }
     if (target == eye.given) target = vector_of(bounds.low);
@@ -212,7 +210,7 @@ class Aiming {
           arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, vector_of(camera.forward), camera.perspective);
       return {aimed.camera, angle_to(aimed.camera, direction)};
     }
-    throw Failure(ExitCode::usage, fmt::format("--view: found \"{}\", expected {}, or the eye, X,Y,Z", arguments_.view,
+    throw base::usage_error(fmt::format("--view: found \"{}\", expected {}, or the eye, X,Y,Z", arguments_.view,
                                                base::joined(preset_names(), ", ")));
   }
 
@@ -225,9 +223,7 @@ class Aiming {
     const scene::PolyPoint a = scene::direction_of(up);
     const scene::PolyPoint b = scene::direction_of(direction);
     if (geometry::is_zero(geometry::cross(geometry::vector_of(a), geometry::vector_of(b))))
-      throw Failure(
-          ExitCode::usage,
-          fmt::format("--up: found {}, along the line of sight; expected another direction", arguments_.up));
+      throw base::usage_error(fmt::format("--up: found {}, along the line of sight; expected another direction", arguments_.up));
     const scene::PolyCamera camera = turned_camera(frame_, eye, direction, up, perspective);
     return {camera, angle_to(camera, direction)};
   }
@@ -281,8 +277,7 @@ std::optional<double> image_field(const std::optional<double>& field, const scen
   constexpr double widest = 1e9;  // steps, more than any image of a scene
   const double extent = camera.perspective ? *field : *field / scene.step;
   if (!(extent > 0) || extent > (camera.perspective ? 170 : widest)) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--field: found {}, expected {}", *field,
+    throw base::usage_error(fmt::format("--field: found {}, expected {}", *field,
                               camera.perspective
                                   ? "degrees above 0, at most 170"
                                   : fmt::format("a length above 0, at most {:g}, in the unit of the file", widest * scene.step)));
@@ -320,7 +315,7 @@ AimedCamera aimed_camera_of(const CameraArguments& given, const scene::PolyScene
   }
   if (auto error = scene::eye_error(scene, aimed.camera)) {
     error->file = source;
-    throw Failure(ExitCode::bad_input, error->message());
+    throw base::bad_input(error->message());
   }
   return aimed;
 }
@@ -365,8 +360,7 @@ scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::Poly
   if (camera.perspective) {
     const auto moved = turned_eye(frame, scene, camera, number, count);
     if (!moved) {
-      throw Failure(ExitCode::usage,
-                    fmt::format("view {} of the turn: the eye leaves the coordinates of the scene; --eye nearer", number + 1));
+      throw base::usage_error(fmt::format("view {} of the turn: the eye leaves the coordinates of the scene; --eye nearer", number + 1));
     }
     eye = *moved;
   }

@@ -34,11 +34,11 @@ void add_camera_options(const Command& command, CameraArguments& arguments);
 // --field and --fov: how much is shown.
 void add_field_option(const Command& command, std::optional<double>& field, const std::string& default_value);
 // As the camera's image has it: degrees, or without perspective steps of the scene's grid, of a field in the unit of the
-// file. Failure usage: no number, or none that a camera can show.
+// file. Error usage: no number, or none that a camera can show.
 [[nodiscard]] std::optional<double> image_field(const std::optional<double>& field, const scene::PolyScene& scene,
                                                 const scene::PolyCamera& camera);
 
-// The eye that was asked for, so that the scene can be read with room for it. Failure usage: no point.
+// The eye that was asked for, so that the scene can be read with room for it. Error usage: no point.
 [[nodiscard]] std::optional<std::array<double, 3>> eye_of(const CameraArguments& arguments);
 
 // How the scene's coordinates are meant: as --vertical says, else as the scene's own camera does. Not as the
@@ -52,15 +52,15 @@ struct AimedCamera {
 };
 
 // The scene's own camera changed as the options say; in free space, unless the camera is orthographic.
-// `source` names the scene in errors. Failure usage: options that contradict each other or are no vectors.
-// Failure bad_input: the eye is inside a solid or on a face, which are named.
+// `source` names the scene in errors. Error usage: options that contradict each other or are no vectors.
+// Error bad_input: the eye is inside a solid or on a face, which are named.
 [[nodiscard]] AimedCamera aimed_camera_of(const CameraArguments& arguments, const scene::PolyScene& scene,
                                           const std::string& source);
 [[nodiscard]] scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyScene& scene,
                                           const std::string& source);
 
 // Once around the upright through the middle of the scene: view `number` of `count`, the first of which is the
-// camera itself. Failure usage: an eye beyond the scene's coordinates.
+// camera itself. Error usage: an eye beyond the scene's coordinates.
 [[nodiscard]] scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                              const scene::PolyCamera& camera, int number, int count);
 

@@ -24,14 +24,25 @@ base::Bytes read_stdin() {
   while (true) {
     const std::size_t n = std::fread(block.data(), 1, block.size(), stdin);
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(n));
-    if (bytes.size() > largest_input) throw Failure(ExitCode::io, "standard input: more than 1 GiB");
+    if (bytes.size() > largest_input) throw base::io_error("standard input: more than 1 GiB");
     if (n == block.size()) continue;
-    if (std::ferror(stdin) != 0) throw Failure(ExitCode::io, "standard input: cannot read");
+    if (std::ferror(stdin) != 0) throw base::io_error("standard input: cannot read");
     return bytes;
   }
 }
 
 }  // namespace
+
+ExitCode exit_code_of(base::ErrorKind kind) {
+  switch (kind) {
+    case base::ErrorKind::usage: return ExitCode::usage;
+    case base::ErrorKind::program_failed: return ExitCode::guest_failed;
+    case base::ErrorKind::differs: return ExitCode::differs;
+    case base::ErrorKind::io: return ExitCode::io;
+    case base::ErrorKind::bad_input: break;
+  }
+  return ExitCode::bad_input;
+}
 
 // A terminal that is gone is no failure of the command: its files are still to be put in their places.
 void complain(std::string_view text) {
@@ -56,7 +67,7 @@ std::string shown_name(const std::string& path) {
 base::Bytes read_input(const std::string& path) {
   if (path == "-") return read_stdin();
   auto bytes = base::read_file(path, largest_input);
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  if (!bytes) throw base::io_error(bytes.error().message());
   return std::move(*bytes);
 }
 
@@ -73,7 +84,7 @@ void check_stdout() {
   errno = 0;
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     const int code = errno != 0 ? errno : EIO;
-    throw Failure(ExitCode::io, "standard output: cannot write: " + std::generic_category().message(code));
+    throw base::io_error("standard output: cannot write: " + std::generic_category().message(code));
   }
 }
 
@@ -84,7 +95,7 @@ void print_json(const base::Json& document) {
 Output::Output(const std::string& path) {
   if (path == "-") return;
   auto file = base::AtomicFile::create(path);
-  if (!file) throw Failure(ExitCode::io, file.error().message());
+  if (!file) throw base::io_error(file.error().message());
   file_ = std::make_unique<base::AtomicFile>(std::move(*file));
 }
 
@@ -107,7 +118,7 @@ void Output::write(std::span<const std::uint8_t> bytes) {
 void Output::commit() {
   if (!file_) return check_stdout();
   const auto done = file_->commit();
-  if (!done) throw Failure(ExitCode::io, done.error().message());
+  if (!done) throw base::io_error(done.error().message());
 }
 
 std::string why_no_whole_number(const std::string& text) {
@@ -118,7 +129,7 @@ std::string why_no_whole_number(const std::string& text) {
 
 void require_finite(const char* option, double value) {
   if (!std::isfinite(value))
-    throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a finite number", option, value));
+    throw base::usage_error(fmt::format("{}: found {}, expected a finite number", option, value));
 }
 
 }  // namespace sightline::app

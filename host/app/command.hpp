@@ -1,14 +1,13 @@
 // What all subcommands of `sightline` share: exit codes, how they fail, how they read and write.
 //
 // Data goes to standard output, talk to standard error. A subcommand returns its exit code, or throws a
-// Failure, which main prints. Outputs appear whole or not at all: they are opened before the work,
+// base::Error, which main prints. Outputs appear whole or not at all: they are opened before the work,
 // so that a path that cannot be written is known at once, and put in their places after it.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
+#include "host/base/value_of.hpp"
 
 namespace sightline::app {
 
@@ -34,23 +34,9 @@ inline constexpr std::string_view exit_code_help =
     "Exit codes: 0 done, 1 results differ, 2 wrong usage, 3 the emulated program failed, 4 bad input file, "
     "5 a file cannot be read or written, 130 stopped by Ctrl-C.";
 
-class Failure : public std::runtime_error {
- public:
-  Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
-  [[nodiscard]] ExitCode code() const { return code_; }
+[[nodiscard]] ExitCode exit_code_of(base::ErrorKind kind);
 
- private:
-  ExitCode code_;
-};
-
-// The value, or a Failure with the error. `name` is what the user calls the thing that has the error.
-template <class Value>
-[[nodiscard]] Value value_of(base::Result<Value> result, const std::string& name,
-                             ExitCode code = ExitCode::bad_input) {
-  if (result) return std::move(*result);
-  result.error().file = name;
-  throw Failure(code, result.error().message());
-}
+using base::value_of;
 
 // One line on standard error, "sightline: text".
 void complain(std::string_view text);
@@ -61,13 +47,13 @@ void say_written(const std::string& file, std::string_view what);
 // "1 line", "2 lines": `unit` is what one is called, `units` what others are; an s is added unless it is given.
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view unit, std::string_view units = {});
 
-// The whole file, or standard input for "-" (named by shown_name). Failure io.
+// The whole file, or standard input for "-" (named by shown_name). Error io.
 [[nodiscard]] base::Bytes read_input(const std::string& path);
 [[nodiscard]] std::string read_input_text(const std::string& path);
 // "-" as "standard input".
 [[nodiscard]] std::string shown_name(const std::string& path);
 
-// Standard output. write_stdout fails quietly; check_stdout throws Failure io if anything was lost.
+// Standard output. write_stdout fails quietly; check_stdout throws Error io if anything was lost.
 void write_stdout(std::string_view text);
 void check_stdout();
 // A document of --json.
@@ -76,13 +62,13 @@ void print_json(const base::Json& document);
 // A file to be, or standard output for "-".
 class Output {
  public:
-  // Failure io if the path cannot be written.
+  // Error io if the path cannot be written.
   explicit Output(const std::string& path);
 
   [[nodiscard]] bool is_stdout() const { return !file_; }
   void write(std::string_view text);
   void write(std::span<const std::uint8_t> bytes);
-  // Once. Failure io.
+  // Once. Error io.
   void commit();
 
  private:
@@ -93,7 +79,7 @@ class Output {
 // numbers have no other bounds. Empty if `text` is a whole number from 0 to 2^64 - 1, else the complaint.
 [[nodiscard]] std::string why_no_whole_number(const std::string& text);
 
-// The option parser takes nan and inf for numbers: a Failure usage for them.
+// The option parser takes nan and inf for numbers: a Error usage for them.
 void require_finite(const char* option, double value);
 
 }  // namespace sightline::app

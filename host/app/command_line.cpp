@@ -129,7 +129,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 void refuse_empty_arguments(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (argv[i][0] != '\0') continue;
-    throw Failure(ExitCode::usage, "found an empty argument after \"" + std::string(argv[i - 1]) +
+    throw base::usage_error("found an empty argument after \"" + std::string(argv[i - 1]) +
                                        "\", expected something in it");
   }
 }
@@ -146,7 +146,7 @@ void add_help_command(CLI::App& app) {
     std::string parents;
     for (const std::string& word : *words) {
       const auto below = command->get_subcommands([&word](const CLI::App* choice) { return choice->check_name(word); });
-      if (below.empty()) throw Failure(ExitCode::usage, unknown_command(*command, word));
+      if (below.empty()) throw base::usage_error(unknown_command(*command, word));
       parents += (parents.empty() ? "" : " ") + command->get_name();
       command = below.front();
     }
@@ -160,7 +160,7 @@ ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exi
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    if (const auto unknown = explain_unknown(app)) throw Failure(ExitCode::usage, *unknown);
+    if (const auto unknown = explain_unknown(app)) throw base::usage_error(*unknown);
     print_help(app);
   } catch (const CLI::CallForVersion& version) {
     write_stdout(std::string(version.what()) + "\n");
@@ -384,9 +384,9 @@ int run_command_line(int argc, char** argv, const HelpPage& help,
     app.footer(help.text);
     finish_help(app, app.get_name());
     exit_code = parse_and_run(app, argc, argv, exit_code);
-  } catch (const Failure& failure) {
-    complain(failure.what());
-    exit_code = failure.code();
+  } catch (const base::Error& error) {
+    complain(error.message());
+    exit_code = exit_code_of(error.kind);
   } catch (const std::bad_alloc&) {
     complain("not enough memory");
     exit_code = ExitCode::io;

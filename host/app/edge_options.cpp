@@ -28,8 +28,7 @@ void add_edge_options(const Command& command, EdgeArguments& arguments) {
 
 void check_edges(const EdgeArguments& arguments) {
   if (!arguments.kinds.empty() && !picture::edge_choice_named(arguments.kinds)) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
+    throw base::usage_error(fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
                               "boundary, crease, border, intersection, wire",
                               arguments.kinds));
   }

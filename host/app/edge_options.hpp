@@ -21,7 +21,7 @@ struct EdgeArguments {
 // --edges, --crease, --all-edges.
 void add_edge_options(const Command& command, EdgeArguments& arguments);
 
-// Failure usage: no such kind, or no angle.
+// Error usage: no such kind, or no angle.
 void check_edges(const EdgeArguments& arguments);
 
 // Of arguments that were checked; empty: all edges, and there are no crossings. Creases of a mesh begin at 30

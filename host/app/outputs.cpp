@@ -15,7 +15,7 @@ bool open_outputs(std::span<const NamedOutput> outputs, bool json, std::string_v
   for (const NamedOutput& wanted : outputs) {
     if (wanted.path->empty()) continue;
     if (std::find(named.begin(), named.end(), *wanted.path) != named.end()) {
-      throw Failure(ExitCode::usage, *wanted.path == "-"
+      throw base::usage_error(*wanted.path == "-"
                                          ? std::string(stdout_twice)
                                          : fmt::format("{}: named for two outputs", *wanted.path));
     }
@@ -23,7 +23,7 @@ bool open_outputs(std::span<const NamedOutput> outputs, bool json, std::string_v
   }
   const bool uses_stdout = std::find(named.begin(), named.end(), "-") != named.end();
   if (uses_stdout && json)
-    throw Failure(ExitCode::usage, "--json needs standard output; an output cannot be `-`");
+    throw base::usage_error("--json needs standard output; an output cannot be `-`");
   for (const NamedOutput& wanted : outputs) {
     if (!wanted.path->empty()) wanted.output->emplace(*wanted.path);
   }
@@ -32,14 +32,14 @@ bool open_outputs(std::span<const NamedOutput> outputs, bool json, std::string_v
 
 void write_png(Output& output, const picture::Image& image, const picture::TextEntries& text) {
   const auto bytes = picture::encode_png(image, text);
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  if (!bytes) throw base::io_error(bytes.error().message());
   output.write(std::span<const std::uint8_t>(*bytes));
 }
 
 void make_directory(const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
-  if (error) throw Failure(ExitCode::io, directory + ": " + error.message());
+  if (error) throw base::io_error(directory + ": " + error.message());
 }
 
 }  // namespace sightline::app

@@ -19,15 +19,15 @@ struct NamedOutput {
 };
 
 // Opens those that were named, once all names have been looked at; true if one of them is standard output.
-// Failure usage if two have one name (said with `stdout_twice` of standard output), or if one is standard
-// output and `json` needs it; Failure io if one cannot be written.
+// Error usage if two have one name (said with `stdout_twice` of standard output), or if one is standard
+// output and `json` needs it; Error io if one cannot be written.
 [[nodiscard]] bool open_outputs(std::span<const NamedOutput> outputs, bool json,
                                 std::string_view stdout_twice = "-: named for two outputs");
 
-// Failure io if the image is larger than a PNG may be.
+// Error io if the image is larger than a PNG may be.
 void write_png(Output& output, const picture::Image& image, const picture::TextEntries& text);
 
-// With those above it; no error if it is there. Failure io.
+// With those above it; no error if it is there. Error io.
 void make_directory(const std::string& directory);
 
 }  // namespace sightline::app

@@ -25,7 +25,7 @@ void leave_out_wires(scene::LoadedScene& loaded) {
   const std::size_t count = loaded.scene.wires.size();
   const std::string found = fmt::format("{} {} without faces", count, count == 1 ? "line" : "lines");
   if (loaded.scene.bodies.empty()) {
-    throw Failure(ExitCode::bad_input, fmt::format("{}: found only {}, expected a scene with faces; `sightline draw exact` draws {}",
+    throw base::bad_input(fmt::format("{}: found only {}, expected a scene with faces; `sightline draw exact` draws {}",
                                                    loaded.name, found, count == 1 ? "it" : "them"));
   }
   warn(fmt::format("{}: {} left out; `sightline draw exact` draws {}", loaded.name, found, count == 1 ? "it" : "them"));
@@ -36,14 +36,14 @@ void leave_out_wires(scene::LoadedScene& loaded) {
 
 scene::SceneFile find_scene(const std::string& argument) {
   if (auto named = scene::named_scene(argument)) {
-    if (!*named) throw Failure(ExitCode::usage, named->error().message());
+    if (!*named) throw base::usage_error(named->error().message());
     return std::move(**named);
   }
   std::error_code unknown;
   if (argument != "-" && !std::filesystem::exists(argument, unknown)) {
     std::vector<std::string> names;
     for (const std::string_view name : scene::builtin_scene_names()) names.emplace_back(name);
-    throw Failure(ExitCode::io, base::Error{.file = argument,
+    throw base::io_error(base::Error{.file = argument,
                                             .found = "no such file, and no built-in scene of that name",
                                             .expected = "a file, FAMILY-SIZE or one of " + base::joined(names, ", "),
                                             .remedy = base::did_you_mean(argument, names)}
@@ -59,7 +59,7 @@ scene::SceneFile find_scene(const std::string& argument) {
 
 scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOptions& options) {
   auto loaded = scene::load_scene(std::move(file), options);
-  if (!loaded) throw Failure(ExitCode::bad_input, loaded.error().message());
+  if (!loaded) throw base::bad_input(loaded.error().message());
   return std::move(*loaded);
 }
 
@@ -111,13 +111,12 @@ scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& 
 scene::CellScene load_cells(const std::string& argument) {
   scene::SceneFile file = find_scene(argument);
   if (file.generated) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: found the name of a generated scene, {}", argument, cells_expected));
+    throw base::usage_error(fmt::format("{}: found the name of a generated scene, {}", argument, cells_expected));
   }
   const std::string name = file.name;
   scene::SceneReading reading = scene::read_scene(std::move(file));
   if (reading.loaded.kind != scene::SceneKind::cells)
-    throw Failure(ExitCode::bad_input, fmt::format("{}: found polyhedra, {}", name, cells_expected));
+    throw base::bad_input(fmt::format("{}: found polyhedra, {}", name, cells_expected));
   return *value_of(scene::scene_or_error(std::move(reading)), name).cells;
 }
 
@@ -131,8 +130,7 @@ void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, c
   constexpr double longest = 60;
   const double seconds = time.seconds_for(mesh.scene);
   if (seconds < longest) return;
-  throw Failure(ExitCode::usage,
-                fmt::format("{}: {} is {} here, and takes about {:.0f} minutes for {} faces{}; "
+  throw base::usage_error(fmt::format("{}: {} is {} here, and takes about {:.0f} minutes for {} faces{}; "
                             "`sightline draw exact` takes seconds; --go-on draws it all the same",
                             mesh.name, method, time.by_planes ? "slow" : "quadratic", std::ceil(seconds / 60), scene::face_count(mesh.scene),
                             time.by_planes ? ", which cross each other's planes" : ""));
@@ -163,8 +161,7 @@ void warn_of_changes(const scene::PolyImportReport& report) {
 geometry::Point point_argument(std::string_view option, std::string_view text) {
   constexpr std::int32_t most = 32767;
   if (const auto point = base::whole_numbers<std::int32_t, 3>(text, ',', -most, most)) return *point;
-  throw Failure(ExitCode::usage,
-                fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from -32767 to 32767",
+  throw base::usage_error(fmt::format("{}: found \"{}\", expected X,Y,Z, three whole numbers from -32767 to 32767",
                             option, text));
 }
 

@@ -36,11 +36,11 @@ struct MeshArguments {
 };
 void add_mesh_options(const Command& command, MeshArguments& arguments);
 
-// Its text, or the generated scene. Failure io: no such scene or file, or it cannot be read; usage: a
+// Its text, or the generated scene. Error io: no such scene or file, or it cannot be read; usage: a
 // generated scene of an impossible size.
 [[nodiscard]] scene::SceneFile find_scene(const std::string& argument);
 
-// Read and checked. Failure bad_input: the first thing that is wrong.
+// Read and checked. Error bad_input: the first thing that is wrong.
 [[nodiscard]] scene::LoadedScene load_found(scene::SceneFile file,
                                             const scene::PolyImportOptions& options = {});
 
@@ -48,15 +48,15 @@ void add_mesh_options(const Command& command, MeshArguments& arguments);
 enum class Wires { left_out, kept };
 
 // Found, read and checked; named as the argument is. What was changed while reading is said on standard
-// error. Failure as find_scene, or bad_input: the first thing that is wrong, or nothing but wires to leave out.
+// error. Error as find_scene, or bad_input: the first thing that is wrong, or nothing but wires to leave out.
 [[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {},
                                             Wires wires = Wires::left_out);
-// The same; anything but a scene of cells is a Failure usage or bad_input.
+// The same; anything but a scene of cells is a Error usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
 
 // --go-on: of a command that draws by one method.
 void add_go_on_option(const Command& command, bool& go_on);
-// Failure usage: the method would take more than a minute for so many faces of a mesh, and --go-on is not given.
+// Error usage: the method would take more than a minute for so many faces of a mesh, and --go-on is not given.
 void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on);
 
 // --eae and --no-eae, of commands that run Jones's program: whether the PDP-7 has the Type 177 extended
@@ -69,7 +69,7 @@ void warn_of_units(const scene::LoadedScene& loaded, const MeshArguments& mesh);
 // What was done to the scene while it was read, as warnings.
 void warn_of_changes(const scene::PolyImportReport& report);
 
-// "X,Y,Z", decimal integers below 2^15 in magnitude. Failure usage.
+// "X,Y,Z", decimal integers below 2^15 in magnitude. Error usage.
 [[nodiscard]] geometry::Point point_argument(std::string_view option, std::string_view text);
 
 }  // namespace sightline::app

@@ -21,7 +21,16 @@ enum class MessageStyle : std::uint8_t {
   compiler,  // "FILE:PLACE: error: found FOUND, expected EXPECTED; REMEDY": what editors recognise
 };
 
-// Any field may be empty; a message leaves out what is empty.
+// What has failed. The exit code of a command follows from it (host/app/command.hpp).
+enum class ErrorKind : std::uint8_t {
+  bad_input,       // a file, a scene or a request is wrong
+  usage,           // an option or argument is wrong
+  program_failed,  // the program on an emulated machine did not do its work
+  differs,         // results that must be equal are not
+  io,              // something cannot be read, written or started
+};
+
+// Any text may be empty; a message leaves out what is empty. Commands and experiments throw it; all others return it in a Result.
 struct Error {
   std::string file = {};      // file, scene or option, as the user named it
   std::string place = {};     // "line 3", "byte 41", "openings[3].rect", "3:12" (line:column, from 1)
@@ -29,6 +38,7 @@ struct Error {
   std::string expected = {};  // what would be accepted
   std::string remedy = {};    // what to do about it
   std::string excerpt = {};   // lines of the input that point at the place, shown below the message
+  ErrorKind kind = ErrorKind::bad_input;
 
   // Without a line end. One line unless there is an excerpt.
   [[nodiscard]] std::string message(MessageStyle style = MessageStyle::plain) const;
@@ -36,10 +46,15 @@ struct Error {
   friend bool operator==(const Error&, const Error&) = default;
 };
 
-// An Error that is one complaint about no file or place: "the eye is inside a solid".
-[[nodiscard]] inline Error fail(std::string_view complaint) {
-  return {.found = std::string(complaint)};
+// An Error of one complaint: "the eye is inside a solid".
+[[nodiscard]] inline Error error_of(ErrorKind kind, std::string_view complaint) {
+  return {.found = std::string(complaint), .kind = kind};
 }
+[[nodiscard]] inline Error bad_input(std::string_view complaint) { return error_of(ErrorKind::bad_input, complaint); }
+[[nodiscard]] inline Error usage_error(std::string_view complaint) { return error_of(ErrorKind::usage, complaint); }
+[[nodiscard]] inline Error program_failed(std::string_view complaint) { return error_of(ErrorKind::program_failed, complaint); }
+[[nodiscard]] inline Error difference(std::string_view complaint) { return error_of(ErrorKind::differs, complaint); }
+[[nodiscard]] inline Error io_error(std::string_view complaint) { return error_of(ErrorKind::io, complaint); }
 
 // A fault of this program itself, found where it cannot be handed on as an error. Throws std::logic_error; ends the program
 // where there are no exceptions.

@@ -513,7 +513,7 @@ base::Result<std::string> plot_svg(const std::vector<PlotPoint>& points, std::st
   constexpr double title_height = 30;
   const Panel emulated(points, PlotPanel::emulated);
   const Panel host(points, PlotPanel::host);
-  if (emulated.empty() && host.empty()) return base::fail("nothing to plot: no method has both a time and an error here");
+  if (emulated.empty() && host.empty()) return base::bad_input("nothing to plot: no method has both a time and an error here");
   std::string text = svg_start(2 * panel_width + gap, title_height + std::max(emulated.height(), host.height()), title);
   base::append(text, "<text class=\"b\" x=\"8\" y=\"20\">{}</text>\n", xml_text(title));
   base::append(text, "<g transform=\"translate(0 {:.0f})\">\n{}</g>\n", title_height, emulated.text());

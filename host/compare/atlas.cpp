@@ -103,9 +103,9 @@ base::Result<ErrorAtlas> ErrorAtlas::of(const scene::CellScene& scene, std::vect
   const auto free = std::find_if(eyes.begin(), eyes.end(), [&](const geometry::Point& eye) {
     return jones::viewpoint(scene, eye).has_value();
   });
-  if (free == eyes.end()) return base::fail("found no eye in free space, a unit from every wall");
+  if (free == eyes.end()) return base::bad_input("found no eye in free space, a unit from every wall");
   auto matter = oracle::Matter::of(scene);
-  if (!matter) return base::fail("found too many grid units for the oracle");
+  if (!matter) return base::bad_input("found too many grid units for the oracle");
   jones::ProgramOptions of_program;
   of_program.eae = options.eae;
   of_program.fraction_bits = static_cast<std::uint32_t>(options.fraction_bits);

@@ -156,12 +156,12 @@ base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, 
   for (int bits = 0; bits <= most_on_machine; ++bits) {
     const auto run = run_of(scene, view.camera.eye, eae, bits);
     if (!run) return run.error();
-    if (run->guest.timed_out || run->guest.views.empty()) return base::fail("the program on the PDP-7 did not complete a view");
+    if (run->guest.timed_out || run->guest.views.empty()) return base::bad_input("the program on the PDP-7 did not complete a view");
     if (!run->difference.empty())
-      return base::fail(fmt::format("{} fraction bits: the program is not its twin: {}", bits, run->difference));
+      return base::bad_input(fmt::format("{} fraction bits: the program is not its twin: {}", bits, run->difference));
     const jones::GuestView& shown = run->guest.views.back();
     if (shown.status != jones::Status::complete)
-      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+      return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
     made.display_file = shown.display_file;
     made.lines = on_points(run->twin, bits);
@@ -181,7 +181,7 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
     parameters.fraction_bits = bits;
     const jones::View shown = jones::run(in_core->core, 0, parameters);
     if (shown.status != jones::Status::complete)
-      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+      return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     builds.push_back({{jones::machine_word_bits, bits}, shown.display_file, {}, 0, {}, 0});
   }
   for (const int bits : bits_of_longer_words) {
@@ -193,7 +193,7 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
     precision.fraction_bits = bits;
     const jones::PreciseView shown = jones::run_precisely(in_core->core, 0, parameters, precision);
     if (shown.status != jones::Status::complete)
-      return base::fail(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
+      return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     for (const jones::PrecisePiece& piece : shown.pieces)
       made.lines.push_back({{piece.line.x0, piece.line.y0}, {piece.line.x1, piece.line.y1}});
   }

@@ -142,7 +142,7 @@ base::Result<Turning> Turning::of(const scene::PolyScene& scene) {
   const plantinga::RotationModel model(*standing);
   // Known before the events are, which take long.
   if (model.edges().size() > most_edges)
-    return base::fail(fmt::format("found {} edges, expected at most {}, as many as the machine can hold", model.edges().size(), most_edges));
+    return base::bad_input(fmt::format("found {} edges, expected at most {}, as many as the machine can hold", model.edges().size(), most_edges));
   const auto events = plantinga::build_event_list(model);
   if (!events) return events.error();
   auto tape = turn::encode(model, *events, turn::Memory::words_8k);
@@ -179,7 +179,7 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   TurnPicture shown;
   shown.angle = angle;
   const auto camera = camera_between_events(parts_->model, parts_->events, angle);
-  if (!camera) return base::fail(fmt::format("no camera is between the events around angle {} of the machine", angle));
+  if (!camera) return base::bad_input(fmt::format("no camera is between the events around angle {} of the machine", angle));
   shown.camera = *camera;
 
   turn::Guest guest(parts_->program, tape, turn::Guest::Strokes::kept);

@@ -21,7 +21,7 @@ base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, con
                                               const registry::FaceWindow& shown) {
   const auto model = flight::view_model(scene, options, camera);
   if (!model) return model.error();
-  if (auto error = willis::plan_error(*model, camera)) return base::fail(*error);
+  if (auto error = willis::plan_error(*model, camera)) return base::bad_input(*error);
   static const flight::Session session;
   // Shown twice, for the time: the first frame begins with the pieces sent to the machine.
   const std::array path{camera, camera};

@@ -22,7 +22,7 @@ namespace {
 using machines::Arguments;
 using machines::Limits;
 using machines::Machine;
-using machines::Result;
+using base::Result;
 using machines::Stop;
 using machines::usage;
 
@@ -278,7 +278,7 @@ Result<std::string> plain_text(std::string_view option, std::string_view text) {
       plain.push_back(meanings[letter]);
       ++i;
     } else if (!(rest.starts_with('x') ? numbered(1, 2, 16) : numbered(0, 3, 8))) {
-      return usage(fmt::format("{}: found \"\\{}\", expected \\r \\n \\t \\e \\\\, \\NNN in octal or \\xHH", option,
+      return base::usage_error(fmt::format("{}: found \"\\{}\", expected \\r \\n \\t \\e \\\\, \\NNN in octal or \\xHH", option,
                                rest.substr(0, 3)));
     }
   }
@@ -290,7 +290,7 @@ Result<ConsoleOptions> console_options(const Arguments& arguments, bool terminal
   const std::string& mode = arguments.text("--console");
   const auto codes = codes_named(mode);
   if (!codes) {
-    return usage(fmt::format("--console: found \"{}\", expected {}; a file for what is printed is named by "
+    return base::usage_error(fmt::format("--console: found \"{}\", expected {}; a file for what is printed is named by "
                              "--console-out on the 8080, by --teletype on the PDP-7",
                              mode, mode_names));
   }
@@ -298,7 +298,7 @@ Result<ConsoleOptions> console_options(const Arguments& arguments, bool terminal
   for (const Arguments::Step& step : arguments.steps()) {
     const auto plain = plain_text(step.option, step.text);
     if (!plain) return plain.error();
-    if (plain->empty()) return usage(step.option + ": found an empty text, expected one");
+    if (plain->empty()) return base::usage_error(step.option + ": found an empty text, expected one");
     options.script.push_back({step.option == "--expect" ? Step::Kind::expect : Step::Kind::send, *plain});
   }
   const std::string& speed = arguments.text("--speed");
@@ -310,7 +310,7 @@ Result<ConsoleOptions> console_options(const Arguments& arguments, bool terminal
     char* end = nullptr;
     const double times = std::strtod(speed.c_str(), &end);
     if (end != speed.c_str() + speed.size() || !std::isfinite(times) || times < 0.001 || times > 1000)
-      return usage(fmt::format("--speed: found \"{}\", expected real, max or a number from 0.001 to 1000", speed));
+      return base::usage_error(fmt::format("--speed: found \"{}\", expected real, max or a number from 0.001 to 1000", speed));
     options.speed = times;
   }
   return options;

@@ -28,7 +28,7 @@ struct Step {
 };
 
 // What \r \n \t \e \\ \NNN (octal) and \xHH in an option's text stand for.
-[[nodiscard]] machines::Result<std::string> plain_text(std::string_view option, std::string_view text);
+[[nodiscard]] base::Result<std::string> plain_text(std::string_view option, std::string_view text);
 
 // --- A session ---
 
@@ -40,7 +40,7 @@ struct ConsoleOptions {
 
 // The values of --console, --speed, --expect and --send. Without --speed a person at a terminal has the machine's own
 // speed, a pipe or a script the fastest.
-[[nodiscard]] machines::Result<ConsoleOptions> console_options(const machines::Arguments& arguments,
+[[nodiscard]] base::Result<ConsoleOptions> console_options(const machines::Arguments& arguments,
                                                                   bool terminal);
 
 // The other end of the console. Functions may be called between slices of a run only.

@@ -26,7 +26,6 @@ using base::Json;
 using dap::accepted;
 using dap::flag_in;
 using dap::member;
-using dap::Refused;
 using dap::text_in;
 using machines::Machine;
 
@@ -46,8 +45,8 @@ class Adapter {
     }
     try {
       finish();
-    } catch (const Refused& refused) {
-      return base::fail(refused.text);
+    } catch (const base::Error& refused) {
+      return base::bad_input(refused.message());
     }
     if (broken_) return *broken_;
     return base::Done{};
@@ -117,13 +116,13 @@ class Adapter {
     Json answer{{"type", "response"}, {"request_seq", member(message, "seq").integer().value_or(0)}, {"success", true}, {"command", name}};
     const auto known = std::find_if(commands().begin(), commands().end(), [&name](const Command& each) { return each.name == name; });
     try {
-      if (known == commands().end()) throw Refused{fmt::format("found the request \"{}\", which this adapter does not know", name)};
-      if (known->needs_machine && !debugger_) throw Refused{fmt::format("found {} before launch, expected launch first", name)};
+      if (known == commands().end()) throw base::usage_error(fmt::format("found the request \"{}\", which this adapter does not know", name));
+      if (known->needs_machine && !debugger_) throw base::usage_error(fmt::format("found {} before launch, expected launch first", name));
       Json body = (this->*known->work)(member(message, "arguments"));
       if (!body.is_null()) answer["body"] = std::move(body);
-    } catch (const Refused& refused) {
+    } catch (const base::Error& refused) {
       answer["success"] = false;
-      answer["message"] = refused.text;
+      answer["message"] = refused.message();
     }
     send(std::move(answer));
     for (auto& each : std::exchange(afterwards_, {})) each();
@@ -147,8 +146,8 @@ class Adapter {
     return can;
   }
   Json launch(const Json& arguments) {
-    if (launched_) throw Refused{"found a second launch, expected one in a session"};
-    begin(accepted(host_.launch(arguments)), arguments);
+    if (launched_) throw base::usage_error("found a second launch, expected one in a session");
+    begin(base::value_of(host_.launch(arguments)), arguments);
     afterwards_.push_back([this] { event("initialized", Json::object()); });
     return {};
   }
@@ -205,7 +204,7 @@ class Adapter {
     running_ = false;
     finish();
     finished_ = false;  // until there is another
-    Launched launched = accepted(host_.launch(wanted));
+    Launched launched = base::value_of(host_.launch(wanted));
     Breakpoints kept = debugger_->breakpoints();
     begin(std::move(launched), wanted);
     kept.forget_passes();
@@ -225,7 +224,7 @@ class Adapter {
     if (monitor_) output("console", monitor_->finish().text);
     if (!host_.finish) return;
     const auto done = host_.finish(*launched_->prepared.machine);
-    if (!done) throw Refused{done.error().message()};
+    if (!done) throw base::usage_error(done.error().message());
   }
   Json terminate(const Json&) {
     running_ = false;
@@ -282,13 +281,13 @@ class Adapter {
     return {};
   }
   Json step_back(const Json&) {
-    accepted(debugger_->back(1));
+    base::value_of(debugger_->back(1));
     afterwards_.push_back([this] { stopped("step", {}); });
     return {};
   }
   Json reverse_continue(const Json&) {
     action_ = Action::out;  // what waits meanwhile is for the machine where it will be, but for a pause
-    const auto met = accepted(debugger_->back_to_breakpoint());
+    const auto met = base::value_of(debugger_->back_to_breakpoint());
     afterwards_.push_back([this, met] {
       if (!met) return stopped("pause", {});
       stopped(*met ? "breakpoint" : "entry", *met ? std::string() : std::string("the past reaches no further"));
@@ -364,7 +363,7 @@ class Adapter {
       running_ = false;
       afterwards_.push_back([this] { event("terminated", Json::object()); });
     }
-    if (answer.kind == Answer::Kind::wrong || answer.kind == Answer::Kind::failed) throw Refused{text};
+    if (answer.kind == Answer::Kind::wrong || answer.kind == Answer::Kind::failed) throw base::usage_error(text);
     return Json{{"result", text}, {"variablesReference", 0}};
   }
 

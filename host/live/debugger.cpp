@@ -228,7 +228,7 @@ base::Result<std::uint32_t> Debugger::address_of(std::string_view expression) co
   const auto value = evaluate(expression);
   if (!value) return value.error();
   if (*value < 0 || *value >= machine_.words()) {
-    return base::fail(fmt::format("found address {}, expected one in {}, {}-{}", expression, description_.memory_name,
+    return base::bad_input(fmt::format("found address {}, expected one in {}, {}-{}", expression, description_.memory_name,
                                   address(0), address(machine_.words() - 1)));
   }
   return static_cast<std::uint32_t>(*value);
@@ -277,10 +277,10 @@ base::Result<Done> Debugger::put_instruction(std::uint32_t at, std::string_view 
   }
   const std::array sources{assembler::SourceFile{"deposit", source}};
   const auto assembled = description_.assembler.assemble(sources, options, {});
-  if (!assembled) return base::fail(assembled.error().message);
+  if (!assembled) return base::bad_input(assembled.error().message());
   for (const auto& diagnostic : assembled->diagnostics) {
     if (diagnostic.severity == assembler::Severity::error)
-      return base::fail(fmt::format("found {}, expected {}", diagnostic.found, diagnostic.expected));
+      return base::bad_input(fmt::format("found {}, expected {}", diagnostic.found, diagnostic.expected));
   }
   for (const auto& [where, value] : assembled->program.words) {
     if (where < machine_.words()) put(where, value);
@@ -447,7 +447,7 @@ Halted Debugger::step_over() {
 
 base::Result<Halted> Debugger::step_out() {
   const std::vector<Frame> frames = stack();
-  if (frames.empty()) return base::fail("found no subroutine that was called and not left in the last instructions");
+  if (frames.empty()) return base::bad_input("found no subroutine that was called and not left in the last instructions");
   return run_to_return(frames.front());
 }
 
@@ -457,7 +457,7 @@ base::Result<Done> Debugger::back(std::uint64_t instructions) {
   inside_.reset();
   const std::uint64_t reach = past_.reach();
   if (instructions > reach) {
-    return base::fail(fmt::format("found {} instructions, expected at most {}: the past reaches no further", instructions,
+    return base::bad_input(fmt::format("found {} instructions, expected at most {}: the past reaches no further", instructions,
                                   reach));
   }
   return past_.go_back_to(machine_.instructions() - instructions);

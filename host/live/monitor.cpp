@@ -28,7 +28,6 @@ using base::without_blanks;
 using monitor::Reader;
 using monitor::take_part;
 using monitor::taken;
-using monitor::Wrong;
 using Kind = Answer::Kind;
 
 }  // namespace
@@ -88,7 +87,7 @@ class Monitor::Inside {
   void write_media_back() {
     for (const auto& medium : machine_.changed_media()) {
       const auto done = host_.write(medium.path, medium.content);
-      if (!done) throw Wrong{done.error().message};
+      if (!done) throw base::usage_error(done.error().message());
     }
   }
   Answer save(std::string_view arguments);
@@ -125,7 +124,7 @@ class Monitor::Inside {
   Answer read_commands(std::string_view arguments);
   Answer help(std::string_view arguments);
   Answer quit(std::string_view arguments) {
-    if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
+    if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
     return {Kind::quit, {}};
   }
   void write_trace();
@@ -138,7 +137,7 @@ class Monitor::Inside {
   }
   [[nodiscard]] machines::Input file(const std::string& path) const {
     auto input = host_.read(path);
-    if (!input) throw Wrong{input.error().message};
+    if (!input) throw base::usage_error(input.error().message());
     return std::move(*input);
   }
 
@@ -224,8 +223,8 @@ Answer Monitor::Inside::execute_one(std::string_view line) {
   try {
     monitor::refuse_open_quotes(rest);
     return (this->*found->work)(rest);
-  } catch (const Wrong& wrong) {
-    return {Kind::wrong, fmt::format("{}: {}\n", found->name, wrong.text)};
+  } catch (const base::Error& wrong) {
+    return {Kind::wrong, fmt::format("{}: {}\n", found->name, wrong.message())};
   }
 }
 
@@ -250,27 +249,27 @@ Answer Monitor::Inside::examine(std::string_view arguments) {
 
 Answer Monitor::Inside::deposit(std::string_view arguments) {
   const std::string_view where = take_part(arguments);
-  if (where.empty() || arguments.empty()) throw Wrong{"expected ADDRESS WORD..., ADDRESS \"INSTRUCTION\" or REGISTER VALUE"};
+  if (where.empty() || arguments.empty()) throw base::usage_error("expected ADDRESS WORD..., ADDRESS \"INSTRUCTION\" or REGISTER VALUE");
   if (const auto n = debugger_.register_named(where)) {
     const auto& each = description_.registers[*n];
     const std::int64_t value = read_.value(arguments);
     const std::int64_t most = (std::int64_t{1} << each.bits) - 1;
     if (value < 0 || value > most)
-      throw Wrong{fmt::format("found {} for {}, expected {} of {} bits", arguments, each.name, each.what, each.bits)};
+      throw base::usage_error(fmt::format("found {} for {}, expected {} of {} bits", arguments, each.name, each.what, each.bits));
     debugger_.set(*n, static_cast<std::uint32_t>(value));
     return noted(debugger_.register_text(*n));
   }
   if (const auto pair = debugger_.pair_named(where)) {
     const std::int64_t value = read_.value(arguments);
     if (value < 0 || value > debugger_.most_of(*pair))
-      throw Wrong{fmt::format("found {} for {}, expected 0 to {:X}", arguments, where, debugger_.most_of(*pair))};
+      throw base::usage_error(fmt::format("found {} for {}, expected 0 to {:X}", arguments, where, debugger_.most_of(*pair)));
     debugger_.set(*pair, static_cast<std::uint32_t>(value));
     return noted(debugger_.pair_text(*pair));
   }
   std::uint32_t at = read_.address(where);
   if (arguments.front() == '"') {
     const std::string_view text = take_part(arguments);
-    static_cast<void>(taken(debugger_.put_instruction(at, text)));
+    static_cast<void>(base::value_of(debugger_.put_instruction(at, text)));
     return noted(monitor::memory(debugger_, at, at));
   }
   const std::int64_t most = (std::int64_t{1} << description_.word_bits) - 1;
@@ -278,13 +277,13 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
     const auto read = debugger_.evaluate(text);
-    if (!read) throw Wrong{read.error().message() + "; an instruction stands in quotes, \"" + std::string(text) + " ...\""};
+    if (!read) throw base::usage_error(read.error().message() + "; an instruction stands in quotes, \"" + std::string(text) + " ...\"");
     const std::int64_t value = *read;
     if (value < 0 || value > most)
-      throw Wrong{fmt::format("found {}, expected a word of {} bits", text, description_.word_bits)};
+      throw base::usage_error(fmt::format("found {}, expected a word of {} bits", text, description_.word_bits));
     words.push_back(static_cast<std::uint32_t>(value));
   }
-  if (words.size() > machine_.words() - at) throw Wrong{"found more words than memory has behind that address"};
+  if (words.size() > machine_.words() - at) throw base::usage_error("found more words than memory has behind that address");
   const std::uint32_t first = at;
   for (const std::uint32_t value : words) debugger_.put(at++, value);
   if (words.size() == 1) return noted(monitor::memory(debugger_, first, first));
@@ -334,7 +333,7 @@ Answer Monitor::Inside::remove_break(std::string_view arguments) {
     const std::string_view text = take_part(arguments);
     const std::uint64_t number = std::min<std::uint64_t>(Reader::count(text), std::numeric_limits<int>::max());
     if (!debugger_.breakpoints().remove(static_cast<int>(number)))
-      throw Wrong{fmt::format("there is no breakpoint {}; show breaks lists them", text)};
+      throw base::usage_error(fmt::format("there is no breakpoint {}; show breaks lists them", text));
     ++removed;
   }
   return noted(fmt::format("{} breakpoint{} removed", removed, removed == 1 ? "" : "s"));
@@ -348,24 +347,24 @@ Answer Monitor::Inside::answer_of(const Halted& halted) const {
 }
 
 Answer Monitor::Inside::back(std::string_view arguments) {
-  static_cast<void>(taken(debugger_.back(arguments.empty() ? 1 : Reader::count(arguments))));
+  static_cast<void>(base::value_of(debugger_.back(arguments.empty() ? 1 : Reader::count(arguments))));
   return {Kind::done, status()};
 }
 
 Answer Monitor::Inside::save(std::string_view arguments) {
   const std::string path(take_part(arguments));
-  if (path.empty()) throw Wrong{"expected a file"};
+  if (path.empty()) throw base::usage_error("expected a file");
   const auto snapshot = debugger_.save();
   const auto done = host_.write(path, snapshot);
-  if (!done) throw Wrong{done.error().message};
+  if (!done) throw base::usage_error(done.error().message());
   return noted(fmt::format("{}: {} bytes", path, snapshot.size()));
 }
 
 Answer Monitor::Inside::restore(std::string_view arguments) {
   const std::string path(take_part(arguments));
-  if (path.empty()) throw Wrong{"expected a file"};
+  if (path.empty()) throw base::usage_error("expected a file");
   const machines::Input input = file(path);
-  static_cast<void>(taken(debugger_.restore(input.bytes, path)));
+  static_cast<void>(base::value_of(debugger_.restore(input.bytes, path)));
   return {Kind::done, status()};
 }
 
@@ -386,22 +385,22 @@ Answer Monitor::Inside::step(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::over(std::string_view arguments) {
-  if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
+  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
   return answer_of(debugger_.step_over());
 }
 
 Answer Monitor::Inside::out(std::string_view arguments) {
-  if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
-  return answer_of(taken(debugger_.step_out()));
+  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+  return answer_of(base::value_of(debugger_.step_out()));
 }
 
 Answer Monitor::Inside::cycle(std::string_view arguments) {
-  const Debugger::Cycled cycled = taken(debugger_.run_cycles(read_.cycles(arguments)));
+  const Debugger::Cycled cycled = base::value_of(debugger_.run_cycles(read_.cycles(arguments)));
   return cycled.cycles.empty() ? answer_of(cycled.halted) : Answer{Kind::done, monitor::cycles(debugger_, cycled)};
 }
 
 Answer Monitor::Inside::resume(std::string_view arguments) {
-  if (!arguments.empty()) throw Wrong{"expected nothing behind it"};
+  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
   return run({});
 }
 
@@ -428,12 +427,12 @@ Answer Monitor::Inside::show(std::string_view arguments) {
 
 Answer Monitor::Inside::attach(std::string_view arguments) {
   const std::string device = base::lower_case(take_part(arguments));
-  if (device.empty() || arguments.empty()) throw Wrong{"expected DEVICE FILE, such as reader tape.rim"};
+  if (device.empty() || arguments.empty()) throw base::usage_error("expected DEVICE FILE, such as reader tape.rim");
   const machines::Input input = file(std::string(take_part(arguments)));
   write_media_back();
   const auto done = machine_.attach(device, input);
   debugger_.forget_past();
-  if (!done) throw Wrong{done.error().message};
+  if (!done) throw base::usage_error(done.error().message());
   return noted(fmt::format("{}: {}, {} bytes", device, input.name, input.bytes.size()));
 }
 
@@ -442,22 +441,22 @@ Answer Monitor::Inside::detach(std::string_view arguments) {
   const std::string device = base::lower_case(arguments);
   const auto done = machine_.attach(device, {});
   debugger_.forget_past();
-  if (!done) throw Wrong{done.error().message};
+  if (!done) throw base::usage_error(done.error().message());
   return noted(fmt::format("{}: detached", device));
 }
 
 Answer Monitor::Inside::send(std::string_view arguments) {
-  if (arguments.empty()) throw Wrong{"expected \"KEYS\", such as \"hello\\r\""};
+  if (arguments.empty()) throw base::usage_error("expected \"KEYS\", such as \"hello\\r\"");
   const auto keys = plain_text("a text", take_part(arguments));
-  if (!keys) throw Wrong{keys.error().message};
+  if (!keys) throw base::usage_error(keys.error().message());
   debugger_.send(*keys);
   return noted(fmt::format("{} {} typed in the next run", keys->size(), keys->size() == 1 ? "key is" : "keys are"));
 }
 
 Answer Monitor::Inside::expect(std::string_view arguments) {
   const auto text = plain_text("a text", take_part(arguments));
-  if (!text) throw Wrong{text.error().message};
-  if (text->empty()) throw Wrong{"expected a text"};
+  if (!text) throw base::usage_error(text.error().message());
+  if (text->empty()) throw base::usage_error("expected a text");
   constexpr std::int64_t most_seconds = 60;
   const std::int64_t end = machine_.ticks() + most_seconds * machine_.ticks_a_second();
   while (true) {
@@ -484,28 +483,28 @@ Answer Monitor::Inside::assert_verb(std::string_view arguments) {
 
 Answer Monitor::Inside::screenshot(std::string_view arguments) {
   const std::string path(take_part(arguments));
-  if (path.empty()) throw Wrong{"expected a file"};
+  if (path.empty()) throw base::usage_error("expected a file");
   // Of a vector display the photograph of its screen, of a raster board what it shows.
   auto picture = machine_.output("--phosphor");
   if (picture.empty()) picture = machine_.output("--png");
-  if (picture.empty()) throw Wrong{"this machine has no display or raster board, or its program has not used the display yet"};
+  if (picture.empty()) throw base::usage_error("this machine has no display or raster board, or its program has not used the display yet");
   const auto done = host_.write(path, picture);
-  if (!done) throw Wrong{done.error().message};
+  if (!done) throw base::usage_error(done.error().message());
   return noted(fmt::format("{}: {} bytes", path, picture.size()));
 }
 
 Answer Monitor::Inside::trace(std::string_view arguments) {
   const std::string path(take_part(arguments));
-  if (path.empty()) throw Wrong{"expected a file, or off"};
+  if (path.empty()) throw base::usage_error("expected a file, or off");
   if (path != "off") {
     write_trace();
     // A file that cannot be written is told now, not at the end.
-    if (const auto done = host_.write(path, {}); !done) throw Wrong{done.error().message};
+    if (const auto done = host_.write(path, {}); !done) throw base::usage_error(done.error().message());
     trace_file_ = path;
     machine_.probe()->on_instruction = [this](const Past::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
     return noted(fmt::format("{}: written by `trace off` or at the end of the session", path));
   }
-  if (trace_file_.empty()) throw Wrong{"no trace is under way"};
+  if (trace_file_.empty()) throw base::usage_error("no trace is under way");
   const std::string written = trace_file_;
   const auto instructions = std::count(trace_.begin(), trace_.end(), '\n');
   write_trace();
@@ -521,29 +520,29 @@ void Monitor::Inside::write_trace() {
       host_.write(trace_file_, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   trace_file_.clear();
   trace_.clear();
-  if (!done) throw Wrong{done.error().message};
+  if (!done) throw base::usage_error(done.error().message());
 }
 
 Answer Monitor::Inside::finish() {
   try {
     write_trace();
-  } catch (const Wrong& wrong) {
-    return {Kind::wrong, fmt::format("trace: {}\n", wrong.text)};
+  } catch (const base::Error& wrong) {
+    return {Kind::wrong, fmt::format("trace: {}\n", wrong.message())};
   }
   return {};
 }
 
 Answer Monitor::Inside::speed(std::string_view arguments) {
   const auto done = host_.speed(std::string(arguments));
-  if (!done) throw Wrong{done.error().message};
+  if (!done) throw base::usage_error(done.error().message());
   return noted(arguments == "max" ? "as fast as this computer can" : arguments == "real" ? "the speed of the machine" : fmt::format("{} times the speed of the machine", arguments));
 }
 
 Answer Monitor::Inside::read_commands(std::string_view arguments) {
   const std::string path(take_part(arguments));
-  if (path.empty()) throw Wrong{"expected a file of commands"};
+  if (path.empty()) throw base::usage_error("expected a file of commands");
   constexpr int deepest = 8;
-  if (depth_ == deepest) throw Wrong{fmt::format("{}: found a file within {} others, expected fewer", path, deepest)};
+  if (depth_ == deepest) throw base::usage_error(fmt::format("{}: found a file within {} others, expected fewer", path, deepest));
   const machines::Input input = file(path);
   const std::string text(input.bytes.begin(), input.bytes.end());
   std::string_view rest = text;
@@ -572,7 +571,7 @@ Answer Monitor::Inside::help(std::string_view arguments) {
                                              : fmt::format("[{}]", verb.name.substr(verb.shortest)));
     text += fmt::format("{} {}\n        {}\n", name, verb.arguments, verb.help);
   }
-  if (text.empty()) throw Wrong{fmt::format("unknown command \"{}\"", wanted)};
+  if (text.empty()) throw base::usage_error(fmt::format("unknown command \"{}\"", wanted));
   if (wanted.empty()) {
     text += fmt::format("Addresses and words are {}, 10. is decimal, counts are decimal. Expressions know registers, symbols, "
                         "[ADDRESS], time, instructions and the operators of C. `;` separates commands.\n",

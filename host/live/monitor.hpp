@@ -20,11 +20,11 @@ namespace sightline::live {
 // What the monitor cannot do by itself.
 struct MonitorHost {
   RunHost running;
-  std::function<machines::Result<machines::Input>(const std::string& path)> read;
+  std::function<base::Result<machines::Input>(const std::string& path)> read;
   // All of the file or nothing.
-  std::function<machines::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;
+  std::function<base::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;
   // "real", "max" or a number; a complaint if it is none.
-  std::function<machines::Result<base::Done>(const std::string&)> speed;
+  std::function<base::Result<base::Done>(const std::string&)> speed;
   // A person at a prompt: commands that else print nothing say in one line what they have done. Those of a file never do.
   bool person = false;
 };

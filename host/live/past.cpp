@@ -137,7 +137,7 @@ void Past::look_back(Work work) {
 
 base::Result<std::optional<bool>> Past::go_back_to_event(const std::function<void(Probe&)>& mark,
                                                          const std::function<bool()>& interrupted) {
-  if (places_.empty()) return base::fail("there is no past yet");
+  if (places_.empty()) return base::bad_input("there is no past yet");
   const Boundary now = here();
   std::optional<std::uint64_t> found;
   bool given_up = false;

@@ -39,13 +39,13 @@ Result<core::Setting> read_setting(std::string_view text, const ListedDevice& de
   const std::string_view name = text.substr(0, equals);
   const core::DeviceOption* const option = find_named(device.options, name);
   if (option == nullptr || equals == text.size()) {
-    return usage(fmt::format("--device {}: found \"{}\", expected {}", device.name, text,
+    return base::usage_error(fmt::format("--device {}: found \"{}\", expected {}", device.name, text,
                              device.options.empty() ? "no setting" : "SETTING=N with one of " + names_of(device.options)));
   }
   const std::string_view digits = text.substr(equals + 1);
   const auto value = base::whole_number<std::int64_t>(digits, 10);
   if (!value || *value < option->least || *value > option->most) {
-    return usage(fmt::format("--device {},{}: found \"{}\", expected a whole decimal number, {} to {}", device.name, name, digits,
+    return base::usage_error(fmt::format("--device {},{}: found \"{}\", expected a whole decimal number, {} to {}", device.name, name, digits,
                              option->least, option->most));
   }
   return core::Setting{option->name, *value};
@@ -55,14 +55,14 @@ Result<DeviceChoice> read_device(std::string_view text, std::span<const ListedDe
   const bool has_comma = text.find(',') != std::string_view::npos;
   const std::string_view name = take_part(text);
   const ListedDevice* const device = find_named(devices, name);
-  if (device == nullptr) return usage(fmt::format("--device: found \"{}\", expected one of {}", name, names_of(devices)));
+  if (device == nullptr) return base::usage_error(fmt::format("--device: found \"{}\", expected one of {}", name, names_of(devices)));
   DeviceChoice choice{device->name, {}};
   for (bool more = has_comma; more;) {
     more = text.find(',') != std::string_view::npos;
     auto setting = read_setting(take_part(text), *device);
     if (!setting) return setting.error();
     if (find_named(std::span<const core::Setting>(choice.settings), setting->name) != nullptr)
-      return usage(fmt::format("--device {}: found {} twice, expected it once", device->name, setting->name));
+      return base::usage_error(fmt::format("--device {}: found {} twice, expected it once", device->name, setting->name));
     choice.settings.push_back(*setting);
   }
   return choice;
@@ -95,7 +95,7 @@ Result<std::vector<DeviceChoice>> read_devices(std::span<const std::string> text
     auto choice = read_device(text, devices);
     if (!choice) return choice.error();
     if (find_named(std::span<const DeviceChoice>(choices), choice->name) != nullptr)
-      return usage(fmt::format("--device: found {} twice, expected it once", choice->name));
+      return base::usage_error(fmt::format("--device: found {} twice, expected it once", choice->name));
     choices.push_back(std::move(*choice));
   }
   return choices;

@@ -17,7 +17,7 @@ constexpr std::size_t bytes_of_disk = bytes_a_word * pdp7::rb09::words_of_disk;
 
 Result<std::vector<core::Word18>> read_disk_image(const Input& input) {
   if (input.bytes.size() != bytes_of_disk) {
-    return bad_input(fmt::format("{}: found {} bytes, expected {}: an RB09 image is {} words of four bytes; `truncate -s {} FILE` "
+    return base::bad_input(fmt::format("{}: found {} bytes, expected {}: an RB09 image is {} words of four bytes; `truncate -s {} FILE` "
                                  "makes an empty one",
                                  input.name, input.bytes.size(), bytes_of_disk, pdp7::rb09::words_of_disk, bytes_of_disk));
   }
@@ -27,7 +27,7 @@ Result<std::vector<core::Word18>> read_disk_image(const Input& input) {
     std::uint32_t word = 0;
     for (std::size_t n = bytes_a_word; n-- > 0;) word = word << 8 | input.bytes[at + n];
     if (word > core::Word18::mask) {
-      return bad_input(fmt::format("{}: byte {}: found {:o}, expected a word of 18 bits in four bytes, the lowest first",
+      return base::bad_input(fmt::format("{}: byte {}: found {:o}, expected a word of 18 bits in four bytes, the lowest first",
                                    input.name, at, word));
     }
     words.emplace_back(word);

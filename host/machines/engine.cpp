@@ -62,7 +62,7 @@ Result<Done> set_register(const MachineDescription& description, Machine& machin
   if (found == description.registers.end() || equals == std::string::npos) {
     std::string names;
     for (const Register& each : description.registers) names += fmt::format(" {}", each.name);
-    return usage(fmt::format("--set: found \"{}\", expected REGISTER=VALUE with one of{}", setting, names));
+    return base::usage_error(fmt::format("--set: found \"{}\", expected REGISTER=VALUE with one of{}", setting, names));
   }
   const std::uint32_t most = found->in_core ? machine.words() - 1 : (1U << found->bits) - 1;
   const auto value = number_argument("--set " + name, std::string_view(setting).substr(equals + 1),
@@ -95,7 +95,7 @@ const Format* find_format(const MachineDescription& machine, const FileArgument&
 Result<Program> read_as(const MachineDescription& machine, const Format* format, const FileArgument& file,
                         const Input& input) {
   if (format != nullptr) return format->read(input.bytes, input.name, file.address);
-  if (file.address) return usage(fmt::format("{}: found an address, expected none: a dump begins at 0", input.name));
+  if (file.address) return base::usage_error(fmt::format("{}: found an address, expected none: a dump begins at 0", input.name));
   return read_dump(machine, input);
 }
 
@@ -117,13 +117,13 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
     if (!file) return file.error();
     const Input input = read(file->path);
     if (named_as_source(file->path)) {
-      return bad_input(fmt::format("{}: found a source file, expected an assembled program; assemble it with: "
+      return base::bad_input(fmt::format("{}: found a source file, expected an assembled program; assemble it with: "
                                    "sightline asm {} {} -o PROGRAM",
                                    input.name, description.name, file->path));
     }
     if (input.bytes.size() >= snapshot_signature.size() &&
         std::equal(snapshot_signature.begin(), snapshot_signature.end(), input.bytes.begin())) {
-      return bad_input(fmt::format("{}: found a snapshot, expected a program; continue from it with: sightline run {} "
+      return base::bad_input(fmt::format("{}: found a snapshot, expected a program; continue from it with: sightline run {} "
                                    "--restore {}",
                                    input.name, description.name, file->path));
     }
@@ -140,7 +140,7 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
           description.memory_option.empty()
               ? std::string()
               : fmt::format(" ({} {})", description.memory_option, arguments.text(description.memory_option));
-      return bad_input(fmt::format("{}: error: found {} {}, expected one in {}, {}-{}{}", input.name, what,
+      return base::bad_input(fmt::format("{}: error: found {} {}, expected one in {}, {}-{}{}", input.name, what,
                                    address_text(description, address), description.memory_name,
                                    address_text(description, 0),
                                    address_text(description, machine.words() - 1), size));
@@ -148,7 +148,7 @@ Result<Loaded> load(const MachineDescription& description, const Arguments& argu
     for (const auto& [address, word] : program->words) {
       if (address >= machine.words()) return outside("a word for address", address);
       if (word >> description.word_bits != 0)
-        return bad_input(fmt::format("{}: error: found {} at address {}, expected a word of {} bits",
+        return base::bad_input(fmt::format("{}: error: found {} at address {}, expected a word of {} bits",
                                      input.name, in_radix(word, description.radix),
                                      address_text(description, address), description.word_bits));
       machine.put(address, word);
@@ -174,7 +174,7 @@ Result<Done> start(const MachineDescription& description, const Arguments& argum
                    Machine& machine) {
   for (const auto& [number, value] : loaded.registers) machine.set(number, value);
   if (arguments.given("--start")) {
-    if (sets_pc(arguments) && description.one_start) return usage("--set PC: found --start too, expected one of them");
+    if (sets_pc(arguments) && description.one_start) return base::usage_error("--set PC: found --start too, expected one of them");
     const auto address = number_argument("--start", arguments.text("--start"), description.radix,
                                          machine.words() - 1, description.an_address);
     if (!address) return address.error();
@@ -218,7 +218,7 @@ Result<Done> check_snapshot_alone(const MachineDescription& description, const A
   held.insert(held.end(), description.in_snapshot.begin(), description.in_snapshot.end());
   for (const std::string_view option : held) {
     if (!arguments.given(option)) continue;
-    return usage(fmt::format("--restore: found {} too, expected one of them: the snapshot holds what {} gives",
+    return base::usage_error(fmt::format("--restore: found {} too, expected one of them: the snapshot holds what {} gives",
                              option == "--load" ? "a PROGRAM" : option, option == "--load" ? "it" : option));
   }
   return Done{};
@@ -238,7 +238,7 @@ Result<Done> check_needs(const MachineDescription& description, const Arguments&
   if (arguments.given("--restore")) {
     if (auto done = check_snapshot_alone(description, arguments); !done) return done;
   } else if (arguments.list("--load").empty()) {
-    return usage(fmt::format("run {}: needs a PROGRAM or --load FILE: without a program there is nothing to run",
+    return base::usage_error(fmt::format("run {}: needs a PROGRAM or --load FILE: without a program there is nothing to run",
                              description.name));
   }
   for (const Option& option : description.options) {
@@ -247,7 +247,7 @@ Result<Done> check_needs(const MachineDescription& description, const Arguments&
     const std::string_view name = needs.substr(0, needs.find(' '));
     const bool there =
         name == needs ? arguments.given(name) : arguments.text(name) == needs.substr(name.size() + 1);
-    if (!there) return usage(fmt::format("{}: needs {}", option.key(), option.needs));
+    if (!there) return base::usage_error(fmt::format("{}: needs {}", option.key(), option.needs));
   }
   return Done{};
 }
@@ -311,13 +311,13 @@ Result<std::uint32_t> number_argument(std::string_view option, std::string_view 
                                       std::uint32_t most, std::string_view what) {
   const auto value = base::unsigned_number(without_mark(text, radix), radix);
   if (value && *value <= most) return static_cast<std::uint32_t>(*value);
-  return usage(fmt::format("{}: found \"{}\", expected {}, {}, 0 to {}", option, text, what,
+  return base::usage_error(fmt::format("{}: found \"{}\", expected {}, {}, 0 to {}", option, text, what,
                            radix_name(radix), in_radix(most, radix)));
 }
 
 Result<std::uint64_t> count_argument(std::string_view option, std::string_view text) {
   if (const auto value = base::count_number(text)) return *value;
-  return usage(fmt::format("{}: found \"{}\", expected a whole decimal number such as 1000000 or 1e6", option, text));
+  return base::usage_error(fmt::format("{}: found \"{}\", expected a whole decimal number such as 1000000 or 1e6", option, text));
 }
 
 Result<FileArgument> file_argument(const MachineDescription& machine, std::string_view option,
@@ -333,7 +333,7 @@ Result<FileArgument> file_argument(const MachineDescription& machine, std::strin
   const auto address = number_argument(option, tail, machine.radix, most, "an address after @");
   if (!address) {
     if (machine.radix != 16) return address.error();
-    return usage(fmt::format("{}: found {}, expected an address after @, 0 to {:X}", option, tail, most));
+    return base::usage_error(fmt::format("{}: found {}, expected an address after @, 0 to {:X}", option, tail, most));
   }
   return FileArgument{text.substr(0, at), *address};
 }
@@ -511,7 +511,7 @@ Result<Program> read_dump(const MachineDescription& description, const Input& in
   std::string_view text = text_of(input.bytes);
   std::size_t line = 1;
   const auto refused = [&](std::string_view found, std::string_view expected) {
-    return bad_input(base::Error{.file = input.name,
+    return base::bad_input(base::Error{.file = input.name,
                                  .place = fmt::format("line {}", line),
                                  .found = fmt::format("found {}", found),
                                  .expected = std::string(expected),

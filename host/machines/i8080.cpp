@@ -169,7 +169,7 @@ class I8080Run final : public Machine {
     if (!cpm_) return Done{};
     for (const auto& [address, byte] : cpm_->entries()) {
       if (loaded_[address] && machine_->memory()[address] != byte) {
-        return bad_input(fmt::format(
+        return base::bad_input(fmt::format(
             "--load: found a byte for {:04X}, expected none: --cpm has its entry to CP/M there", address));
       }
     }

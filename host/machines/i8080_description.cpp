@@ -138,7 +138,7 @@ Result<Settings> hold_times(const std::string& text) {
   const bool once = slash == text.size();
   if (first && length && *length > 0 && (once || (period && *period > *length)))
     return Settings{{"first", *first}, {"length", *length}, {"period", once ? 0 : *period}};
-  return usage(fmt::format("--hold: found \"{}\", expected FIRST+LENGTH or FIRST+LENGTH/PERIOD in T-states, decimal, LENGTH of 1 "
+  return base::usage_error(fmt::format("--hold: found \"{}\", expected FIRST+LENGTH or FIRST+LENGTH/PERIOD in T-states, decimal, LENGTH of 1 "
                            "and more, PERIOD longer than LENGTH",
                            text));
 }
@@ -151,7 +151,7 @@ Result<Settings> plotter_place(const std::string& text) {
   const auto y = base::whole_number<std::uint16_t>(whole.substr(std::min(comma + 1, text.size())));
   constexpr std::int32_t highest = devices::calcomp565::carriage_steps;
   if (x && y && *y <= highest) return Settings{{"start-x", *x}, {"start-y", *y}};
-  return usage(
+  return base::usage_error(
       fmt::format("--plotter-start: found \"{}\", expected X,Y, decimal, X 0 to 65535, Y 0 to {}", text, highest));
 }
 
@@ -159,7 +159,7 @@ Result<Settings> terminal_baud(const std::string& text) {
   constexpr std::uint64_t slowest = 50, fastest = 1'000'000;
   const auto baud = count_argument("--baud", text);
   if (!baud) return baud.error();
-  if (*baud < slowest || *baud > fastest) return usage(fmt::format("--baud: found {}, expected {} to {}", text, slowest, fastest));
+  if (*baud < slowest || *baud > fastest) return base::usage_error(fmt::format("--baud: found {}, expected {} to {}", text, slowest, fastest));
   return Settings{{"baud", static_cast<std::int64_t>(*baud)}};
 }
 
@@ -204,10 +204,10 @@ Result<Done> want_interrupt(Wanted& wanted, const std::string& text) {
     });
   }
   if (!known) {
-    return usage(fmt::format("--interrupt: found \"{}\", expected DEVICE=N with N of 0 to 7 and one of {}",
+    return base::usage_error(fmt::format("--interrupt: found \"{}\", expected DEVICE=N with N of 0 to 7 and one of {}",
                              text, line_names(" ", " ")));
   }
-  if (!there) return usage(fmt::format("--interrupt: found \"{}\", expected a device that is there", name));
+  if (!there) return base::usage_error(fmt::format("--interrupt: found \"{}\", expected a device that is there", name));
   return Done{};
 }
 
@@ -248,7 +248,7 @@ std::vector<std::string> configuration_of(const Wanted& wanted, const std::optio
 Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
   if (!arguments.given("--cpm")) {
     if (arguments.given("--console") && !arguments.given("--terminal"))
-      return usage("--console: needs --cpm or --terminal: the console is that of CP/M, or on a serial board of the Altair");
+      return base::usage_error("--console: needs --cpm or --terminal: the console is that of CP/M, or on a serial board of the Altair");
     return Done{};
   }
   CpmSetup& cpm = setup.cpm.emplace();
@@ -256,10 +256,10 @@ Result<Done> set_up_cpm(const Arguments& arguments, I8080Setup& setup) {
   cpm.arguments = arguments.text("--cpm-args");
   for (const std::string& text : arguments.list("--cpm-drive")) {
     auto drive = parse_cpm_drive(text);
-    if (!drive) return usage(drive.error().message());
+    if (!drive) return base::usage_error(drive.error().message());
     for (const CpmDrive& other : cpm.drives) {
       if (other.number == drive->number)
-        return usage(fmt::format("--cpm-drive: found two folders for drive {}, expected one", static_cast<char>('A' + other.number)));
+        return base::usage_error(fmt::format("--cpm-drive: found two folders for drive {}, expected one", static_cast<char>('A' + other.number)));
     }
     cpm.drives.push_back(std::move(*drive));
   }
@@ -290,9 +290,9 @@ void read_links(const Arguments& arguments, const FileReader& read, I8080Setup& 
 Result<Done> put_together(const Wanted& wanted, I8080Setup& setup) {
   setup.machine = std::make_unique<i8080::Machine>(wanted.options);
   for (const DeviceChoice& choice : wanted.devices)
-    if (const std::string error = setup.machine->attach(choice.name, choice.settings); !error.empty()) return usage(error);
+    if (const std::string error = setup.machine->attach(choice.name, choice.settings); !error.empty()) return base::usage_error(error);
   for (const auto& [line, restart] : wanted.interrupts)
-    if (const std::string error = setup.machine->wire(line, restart); !error.empty()) return usage(error);
+    if (const std::string error = setup.machine->wire(line, restart); !error.empty()) return base::usage_error(error);
   for (const auto& [link, bytes] : setup.sent) setup.machine->device(link)->link_host()->send(bytes);
   return Done{};
 }
@@ -304,7 +304,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   const auto hertz = count_argument("--clock", clock);
   if (!hertz) return hertz.error();
   if (*hertz < slowest_clock || *hertz > fastest_clock)
-    return usage(fmt::format("--clock: found {}, expected {} to {} Hz", clock, slowest_clock, fastest_clock));
+    return base::usage_error(fmt::format("--clock: found {}, expected {} to {} Hz", clock, slowest_clock, fastest_clock));
   wanted.options = {{static_cast<std::int64_t>(*hertz)}, arguments.given("--strict")};
   if (auto done = want_devices(arguments, wanted); !done) return done.error();
   read_links(arguments, read, setup);
@@ -315,7 +315,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   if (auto done = set_baud(arguments, wanted); !done) return done.error();
   setup.console = arguments.given("--console");
   if (arguments.given("--console-out") && !setup.cpm && !arguments.given("--terminal"))
-    return usage("--console-out: needs --cpm or --terminal");
+    return base::usage_error("--console-out: needs --cpm or --terminal");
   setup.observed = arguments.given("--trace") || arguments.given("--bus") || arguments.given("--vcd");
   if (arguments.given("--vcd")) {
     auto writer = VcdWriter::make("i8080", i8080_signals(), vcd_target(arguments.text("--vcd")).signals);
@@ -360,12 +360,12 @@ Program program_of(const image::ByteImage& image) {
 }
 
 Result<Program> program_of(const base::Result<image::ByteImage>& image) {
-  if (!image) return bad_input(image.error().message(base::MessageStyle::compiler));
+  if (!image) return base::bad_input(image.error().message(base::MessageStyle::compiler));
   return program_of(image.value());
 }
 
 Result<Bytes> bytes_of(const base::Result<std::vector<std::uint8_t>>& bytes) {
-  if (!bytes) return bad_input(bytes.error().message(base::MessageStyle::compiler));
+  if (!bytes) return base::bad_input(bytes.error().message(base::MessageStyle::compiler));
   return bytes.value();
 }
 
@@ -382,8 +382,8 @@ bool begins_with_hex_record(std::span<const std::uint8_t> bytes) {
 using View = std::span<const std::uint8_t>;
 using Address = std::optional<std::uint32_t>;
 
-Refusal address_refused(const std::string& file, std::string_view why) {
-  return usage(fmt::format("{}: found an address, expected none: {}", file, why));
+base::Error address_refused(const std::string& file, std::string_view why) {
+  return base::usage_error(fmt::format("{}: found an address, expected none: {}", file, why));
 }
 
 Result<Program> read_com(View bytes, const std::string& file, Address address) {

@@ -35,20 +35,7 @@ namespace sightline::machines {
 
 using base::Bytes;
 
-// Why a run cannot begin: an option is wrong, or the content of a file is.
-struct Refusal {
-  enum class Kind : std::uint8_t { usage, bad_input };
-  Kind kind = Kind::usage;
-  std::string message;
-};
-[[nodiscard]] inline Refusal usage(std::string message) {
-  return {Refusal::Kind::usage, std::move(message)};
-}
-[[nodiscard]] inline Refusal bad_input(std::string message) {
-  return {Refusal::Kind::bad_input, std::move(message)};
-}
-template <class T>
-using Result = base::Result<T, Refusal>;
+using base::Result;
 using base::Done;
 
 // --- Options ---
@@ -186,7 +173,7 @@ template <class Define>
   std::vector<Define> defines;
   for (const std::string& text : arguments.list("-D")) {
     auto define = parse(text);
-    if (!define) return usage("-D " + text + ": " + define.error().message());
+    if (!define) return base::usage_error("-D " + text + ": " + define.error().message());
     defines.push_back(std::move(*define));
   }
   return defines;
@@ -335,7 +322,7 @@ class Machine {
   [[nodiscard]] virtual std::string history_line(const Probe::Entry&) const { return {}; }
   // Puts something into a device (a tape into the reader), or takes it out; a complaint if there is no such device.
   [[nodiscard]] virtual Result<Done> attach(std::string_view device, const Input&) {
-    return usage("found device \"" + std::string(device) + "\", expected none: nothing can be attached to this machine");
+    return base::usage_error("found device \"" + std::string(device) + "\", expected none: nothing can be attached to this machine");
   }
   // For a screen that is looked at while the machine runs: from now on every stroke of the display or the plotter is kept until
   // it is taken, and for no output. The display of a machine made with --monitor, or with an output of its strokes.

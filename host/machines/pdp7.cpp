@@ -104,7 +104,7 @@ class Pdp7Machine final : public Machine {
       machine_.plug_in(display_name, !setup_.display_when_used);
     }
     for (const DeviceChoice& device : setup_.devices) attach(device.name, device.settings);
-    if (!error.empty()) return usage("--device: " + error);
+    if (!error.empty()) return base::usage_error("--device: " + error);
     if (setup_.disk) {
       disk_ = machine_.find<pdp7::Rb09>();
       disk_->attach(std::move(setup_.disk->image), setup_.disk->number, setup_.disk->locks);
@@ -225,7 +225,7 @@ class Pdp7Machine final : public Machine {
     if (device == "disk") return attach_disk(input);
     if (device == "pen") return attach_pen(input);
     if (device != "reader")
-      return usage(fmt::format("found device \"{}\", expected reader, disk or pen", device));
+      return base::usage_error(fmt::format("found device \"{}\", expected reader, disk or pen", device));
     reader_.load(input.bytes);
     setup_.reader_name = input.name;
     return Done{};
@@ -577,7 +577,7 @@ class Pdp7Machine final : public Machine {
 
   // An input without a name is no pen.
   Result<Done> attach_pen(const Input& input) {
-    if (!setup_.display) return usage("found no display on this machine, expected one; begin without --no-display");
+    if (!setup_.display) return base::usage_error("found no display on this machine, expected one; begin without --no-display");
     std::vector<PenMove> script;
     if (!input.name.empty()) {
       if (auto done = read_light_pen(input, script); !done) return done;
@@ -594,7 +594,7 @@ class Pdp7Machine final : public Machine {
 
   // An input without a name is an empty drive.
   Result<Done> attach_disk(const Input& input) {
-    if (disk_ == nullptr) return usage("found no disk drive on this machine, expected one; begin with --disk FILE");
+    if (disk_ == nullptr) return base::usage_error("found no disk drive on this machine, expected one; begin with --disk FILE");
     if (input.name.empty()) {
       disk_->detach();
       disk_path_.clear();

@@ -130,7 +130,7 @@ Result<Done> set_timing(const std::vector<std::string>& texts, Pdp7Setup& setup)
     if (!place) {
       std::string names;
       for (const TimingName& row : timing_names) names += fmt::format(" {}", row.name);
-      return usage(fmt::format(
+      return base::usage_error(fmt::format(
           "--timing: found \"{}\", expected NAME=VALUE with one of{} (DD: a device, two octal digits)", text,
           names));
     }
@@ -138,7 +138,7 @@ Result<Done> set_timing(const std::vector<std::string>& texts, Pdp7Setup& setup)
     const std::string digits = equals < text.size() ? text.substr(equals + 1) : "";
     const auto value = base::whole_number<std::int64_t>(digits, 10);
     if (!value || *value < row.least || *value > row.most) {
-      return usage(fmt::format("--timing {}: found \"{}\", expected a whole decimal number, {} to {} ({})",
+      return base::usage_error(fmt::format("--timing {}: found \"{}\", expected a whole decimal number, {} to {} ({})",
                                name, digits, row.least, row.most, row.unit));
     }
     row.set(setup.machine.timing, place->device, *value);
@@ -177,14 +177,14 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
       rate = *wanted;
     }
     if (rate == 0 || rate > most)
-      return usage(fmt::format("--movie-rate: found {}, expected 1 to {} pictures a second", arguments.text("--movie-rate"), most));
+      return base::usage_error(fmt::format("--movie-rate: found {}, expected 1 to {} pictures a second", arguments.text("--movie-rate"), most));
     setup.movie_rate = static_cast<std::uint32_t>(rate);
   }
   setup.picture_wanted = wishes.picture;
   if (arguments.given("--png-window")) {
     const auto window = parse_seconds(arguments.text("--png-window"));
     if (!window || *window == core::Instant{}) {
-      return usage(fmt::format("--png-window: found \"{}\", expected {}, more than 0", arguments.text("--png-window"),
+      return base::usage_error(fmt::format("--png-window: found \"{}\", expected {}, more than 0", arguments.text("--png-window"),
                                seconds_expected));
     }
     wishes.window = window->time_since_epoch();
@@ -193,7 +193,7 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   const std::vector<std::string>& options = arguments.list("--display-option");
   if (arguments.given("--no-display")) {
     for (const std::string_view option : {"--png", "--svg", "--phosphor", "--movie", "--strokes", "--display-option", "--light-pen"})
-      if (arguments.given(option)) return usage(fmt::format("{}: found --no-display too, expected one of them", option));
+      if (arguments.given(option)) return base::usage_error(fmt::format("{}: found --no-display too, expected one of them", option));
     return Done{};
   }
   const auto has = [&options](const char* name) {
@@ -306,7 +306,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
 
 Result<std::int64_t> parse_time(std::string_view option, std::string_view text) {
   if (const auto seconds = parse_seconds(text)) return core::nanoseconds_of(*seconds);
-  return usage(fmt::format("{}: found \"{}\", expected {}", option, text, seconds_expected));
+  return base::usage_error(fmt::format("{}: found \"{}\", expected {}", option, text, seconds_expected));
 }
 
 // --- Programs ---
@@ -336,7 +336,7 @@ Result<Program> read_image(std::span<const std::uint8_t> bytes, const std::strin
                            std::optional<std::uint32_t> address) {
   std::vector<std::string> warnings;
   const auto core = image::read_image(bytes, file, address, &warnings);
-  if (!core) return bad_input(core.error().message(base::MessageStyle::compiler));
+  if (!core) return base::bad_input(core.error().message(base::MessageStyle::compiler));
   Program program = program_of(core.value());
   program.warnings = std::move(warnings);
   return program;
@@ -345,7 +345,7 @@ Result<Program> read_image(std::span<const std::uint8_t> bytes, const std::strin
 template <auto write>
 Result<Bytes> write_tape(const Program& program, const std::string& file) {
   const auto tape = write(core_image(program), file);
-  if (!tape) return bad_input(tape.error().message(base::MessageStyle::compiler));
+  if (!tape) return base::bad_input(tape.error().message(base::MessageStyle::compiler));
   return tape.value();
 }
 
@@ -366,7 +366,7 @@ Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const
     options.dialect = assembler::Dialect::bell;
     for (const std::string_view option : {"--twos-complement", "--undefined-are-variables", "--title"}) {
       if (arguments.given(option))
-        return usage(fmt::format("{}: found --dialect {}, expected it with --dialect dec only", option, bell_dialect));
+        return base::usage_error(fmt::format("{}: found --dialect {}, expected it with --dialect dec only", option, bell_dialect));
     }
   }
   options.twos_complement = arguments.given("--twos-complement");
@@ -383,7 +383,7 @@ Result<std::string> disassemble_bell(const Program& program, const std::string& 
   if (text) return std::move(*text);
   base::Error error = text.error();
   error.file = file;
-  return bad_input(error.message(base::MessageStyle::compiler));
+  return base::bad_input(error.message(base::MessageStyle::compiler));
 }
 
 template <auto disassembler>

@@ -32,8 +32,8 @@ struct ScriptLine {
   core::Instant when;
   std::string_view what;
 
-  [[nodiscard]] Refusal error(std::string_view found, std::string_view expected) const {
-    return bad_input(
+  [[nodiscard]] base::Error error(std::string_view found, std::string_view expected) const {
+    return base::bad_input(
         fmt::format("{}:{}: error: found \"{}\", expected {}", script.name, number, found, expected));
   }
 };

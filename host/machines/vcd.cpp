@@ -51,7 +51,7 @@ Result<VcdWriter> VcdWriter::make(std::string_view machine, std::span<const VcdS
     }
     if (found) continue;
     const std::string remedy = base::did_you_mean(name, names);
-    return usage(fmt::format("--vcd: found signal \"{}\", expected some of {}{}", name, base::joined(names, ", "),
+    return base::usage_error(fmt::format("--vcd: found signal \"{}\", expected some of {}{}", name, base::joined(names, ", "),
                              remedy.empty() ? "" : "; " + remedy));
   }
   return writer;

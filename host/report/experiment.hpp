@@ -1,8 +1,7 @@
-// What an experiment is told, and how it fails. An experiment is a function that runs programs and returns plain structs;
+// What an experiment is told. One that cannot go on throws a base::Error, which make_report returns. An experiment is a function that runs programs and returns plain structs;
 // its chapters (page.hpp) say what the page shows of them. sections.cpp lists both.
 #pragma once
 
-#include <exception>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -12,34 +11,6 @@
 #include "host/report/document.hpp"
 
 namespace sightline::report {
-
-enum class ErrorKind {
-  guest_failed,  // a program on an emulated machine did not do its work
-  differs,       // results that must be equal are not: a defect of this program
-  missing_tool,  // gnuplot
-  bad_input,     // a scene, case or data file that comes with the program cannot be used
-  file,          // something cannot be read or written
-};
-
-struct ReportError {
-  ErrorKind kind = ErrorKind::file;
-  std::string message;
-};
-
-template <class T>
-using Outcome = base::Result<T, ReportError>;
-
-// Thrown by experiments, which cannot go on without what failed; make_report returns it as a ReportError.
-class Failure : public std::exception {
- public:
-  Failure(ErrorKind kind, std::string message) : error_{kind, std::move(message)} {}
-  explicit Failure(ReportError error) : error_(std::move(error)) {}
-  [[nodiscard]] const ReportError& error() const { return error_; }
-  [[nodiscard]] const char* what() const noexcept override { return error_.message.c_str(); }
-
- private:
-  ReportError error_;
-};
 
 // What an experiment is told.
 struct Context {

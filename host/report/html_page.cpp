@@ -203,7 +203,7 @@ class HtmlWriter {
     html_ += fmt::format(choice, name, "method", "checked", "all");
     for (const Table* const table : card_tables(section))
       html_ += fmt::format(choice, name, "method", fmt::format("id=\"show-{}\"", html_escaped(table->id)), html_escaped(table->cards_name));
-    html_ += "</fieldset>\n<fieldset><legend>Outcome</legend>\n";
+    html_ += "</fieldset>\n<fieldset><legend>base::Result</legend>\n";
     html_ += fmt::format(choice, name, "outcome", "checked", "all");
     html_ += fmt::format(choice, name, "outcome", "class=\"show-bad\"", "some method is wrong");
     html_ += fmt::format(choice, name, "outcome", "class=\"show-good\"", "all methods are right");

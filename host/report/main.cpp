@@ -18,7 +18,6 @@ namespace {
 namespace report = sightline::report;
 using sightline::app::Command;
 using sightline::app::ExitCode;
-using sightline::app::Failure;
 
 struct ReportArguments {
   std::string directory = "report";
@@ -29,30 +28,13 @@ struct ReportArguments {
   bool quiet = false;
 };
 
-ExitCode exit_code_of(report::ErrorKind kind) {
-  switch (kind) {
-    case report::ErrorKind::guest_failed: return ExitCode::guest_failed;
-    case report::ErrorKind::differs: return ExitCode::differs;
-    case report::ErrorKind::bad_input: return ExitCode::bad_input;
-    case report::ErrorKind::missing_tool:
-    case report::ErrorKind::file: break;
-  }
-  return ExitCode::io;
-}
-
-template <class Value>
-Value value_or_fail(report::Outcome<Value> outcome) {
-  if (!outcome) throw Failure(exit_code_of(outcome.error().kind), outcome.error().message);
-  return std::move(*outcome);
-}
-
 void check_parts(const std::vector<int>& numbers) {
   const auto& all = report::report_parts();
   for (const int number : numbers) {
     if (std::any_of(all.begin(), all.end(), [&](const auto& part) { return part.number == number; })) continue;
     std::string there;
     for (const report::Part& part : all) there += fmt::format("{}{}", there.empty() ? "" : ", ", part.number);
-    throw Failure(ExitCode::usage, fmt::format("--part: found {}, expected one of {}", number, there));
+    throw sightline::base::usage_error(fmt::format("--part: found {}, expected one of {}", number, there));
   }
 }
 
@@ -78,8 +60,8 @@ class StepLine {
 
 ExitCode run_report(const ReportArguments& arguments) {
   check_parts(arguments.parts);
-  value_or_fail(report::prepare_directory(arguments.directory));
-  if (const auto error = report::gnuplot_missing()) throw Failure(exit_code_of(error->kind), error->message);
+  sightline::base::value_of(report::prepare_directory(arguments.directory));
+  if (const auto error = report::gnuplot_missing()) throw *error;
   report::Report made;
   {
     const StepLine line(arguments.quiet);
@@ -89,10 +71,10 @@ ExitCode run_report(const ReportArguments& arguments) {
     context.cache = arguments.cache.empty() ? arguments.directory + "/cache" : arguments.cache;
     context.jobs = std::max(1U, std::thread::hardware_concurrency());
     context.progress = [&line](std::string_view step) { line.show(step); };
-    made = value_or_fail(report::make_report(arguments.parts, context));
+    made = sightline::base::value_of(report::make_report(arguments.parts, context));
   }
   made.version = SIGHTLINE_VERSION;
-  const auto paths = value_or_fail(report::write_report(made, arguments.directory));
+  const auto paths = sightline::base::value_of(report::write_report(made, arguments.directory));
   sightline::app::write_stdout(fmt::format("{}\n", paths.front()));
   if (!arguments.quiet && paths.size() > 1)
     fmt::print(stderr, "and {} tables as CSV and JSON in {}/tables/\n", paths.size() / 2,

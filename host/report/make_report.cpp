@@ -15,10 +15,10 @@ namespace {
 
 // What the work gives, or the failure that it throws.
 template <class Work>
-auto caught(const Work& work) -> Outcome<decltype(work())> {
+auto caught(const Work& work) -> base::Result<decltype(work())> {
   try {
     return work();
-  } catch (const Failure& failure) {
+  } catch (const base::Error& error) {
     return failure.error();
   }
 }
@@ -116,15 +116,15 @@ Report written(std::span<const int> parts, const Results& results, const Context
 
 }  // namespace
 
-Outcome<Results> run_experiments(std::span<const int> parts, const Context& context) {
+base::Result<Results> run_experiments(std::span<const int> parts, const Context& context) {
   return caught([&] { return run_all(experiments_of(parts), context); });
 }
 
-Outcome<Report> report_of(std::span<const int> parts, const Results& results, const Context& context) {
+base::Result<Report> report_of(std::span<const int> parts, const Results& results, const Context& context) {
   return caught([&] { return written(parts, results, context); });
 }
 
-Outcome<Report> make_report(std::span<const int> parts, const Context& context) {
+base::Result<Report> make_report(std::span<const int> parts, const Context& context) {
   return caught([&] { return written(parts, run_all(experiments_of(parts), context), context); });
 }
 

@@ -11,12 +11,12 @@ namespace sightline::report {
 
 // The data that the parts of these numbers take, or all of them if there are none. Every experiment is run once; those
 // that take times of this computer run alone, the others on all processors. An error of any ends it.
-[[nodiscard]] Outcome<Results> run_experiments(std::span<const int> parts, const Context& context);
+[[nodiscard]] base::Result<Results> run_experiments(std::span<const int> parts, const Context& context);
 
 // The parts of these numbers, or the whole report, of data that are there.
-[[nodiscard]] Outcome<Report> report_of(std::span<const int> parts, const Results& results, const Context& context);
+[[nodiscard]] base::Result<Report> report_of(std::span<const int> parts, const Results& results, const Context& context);
 
 // Both.
-[[nodiscard]] Outcome<Report> make_report(std::span<const int> parts, const Context& context);
+[[nodiscard]] base::Result<Report> make_report(std::span<const int> parts, const Context& context);
 
 }  // namespace sightline::report

@@ -23,7 +23,7 @@ bool worth_drawing(const Plot& plot) {
 
 Figure drawn(const Plot& plot) {
   auto figure = draw_plot(plot);
-  if (!figure) throw Failure(std::move(figure.error()));
+  if (!figure) throw std::move(figure.error());
   return *std::move(figure);
 }
 
@@ -52,7 +52,7 @@ Figure figure(const Picture& picture, std::string id, std::string title, Said ca
 
 Range<double> Page::paper_figure(std::string_view claim) const {
   const PaperClaim& of = papers_.claim(claim);
-  if (!of.has_figure) throw Failure(ErrorKind::bad_input, fmt::format("papers.json: claim {}: found no figure", claim));
+  if (!of.has_figure) throw base::bad_input(fmt::format("papers.json: claim {}: found no figure", claim));
   return of.figure;
 }
 

@@ -76,14 +76,14 @@ template <class T>
 template <class Row>
 struct RowColumn {
   template <std::invocable<const Row&> Value>
-  RowColumn(std::string key, std::string title, std::string unit, Value value, int places = Real::as_needed, bool host = false)
+  RowColumn(std::string key, std::string title, std::string unit, Value value, int places = Real::as_needed, bool of_host = false)
       : column{std::move(key), std::move(title), std::move(unit)},
         cell([value, places](const Row& row) { return as_cell(std::remove_cvref_t<std::invoke_result_t<Value, const Row&>>(
                                                           std::invoke(value, row)), places); }),
-        host(host) {}
+        host(of_host) {}
   template <std::invocable<const Row&> Value>
-  RowColumn(std::string key, std::string title, Value value, int places = Real::as_needed, bool host = false)
-      : RowColumn(std::move(key), std::move(title), std::string(), value, places, host) {}
+  RowColumn(std::string key, std::string title, Value value, int places = Real::as_needed, bool of_host = false)
+      : RowColumn(std::move(key), std::move(title), std::string(), value, places, of_host) {}
 
   Column column;
   std::function<Cell(const Row&)> cell;
@@ -166,7 +166,7 @@ class Page {
 
   [[nodiscard]] bool host_times() const { return host_times_; }
   [[nodiscard]] const Papers& papers() const { return papers_; }
-  // The figure of a claim that has one; throws Failure (bad_input).
+  // The figure of a claim that has one; throws base::Error (bad_input).
   [[nodiscard]] Range<double> paper_figure(std::string_view claim) const;
 
   // The sentence, if it holds. `found`: what was measured instead.

@@ -20,7 +20,7 @@ using base::Json;
 constexpr std::string_view file = "papers.json";
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", file, why));
+  throw base::bad_input(fmt::format("{}: {}", file, why));
 }
 
 [[noreturn]] void not_found(std::string_view kind, std::string_view name, const std::vector<std::string>& names) {
@@ -134,7 +134,7 @@ const std::string& PrintedTable::text(std::size_t row, std::string_view key) con
 
 Papers::Papers(std::string_view json) {
   const auto document = base::parse_json(json, file);
-  if (!document) throw Failure(ErrorKind::bad_input, document.error().message());
+  if (!document) throw base::bad_input(document.error().message());
   base::JsonReader reader{std::string(file)};
   PaperReader papers(reader);
   if (const Json* const all = reader.field(*document, "papers", ""))
@@ -144,7 +144,7 @@ Papers::Papers(std::string_view json) {
         for (const auto& [name, table] : tables->members())
           tables_[name] = papers.table(table, fmt::format("{}.tables.{}", place, name));
     });
-  if (reader.failed()) throw Failure(ErrorKind::bad_input, reader.error().message());
+  if (reader.failed()) throw base::bad_input(reader.error().message());
 }
 
 const Papers& Papers::of_program() {

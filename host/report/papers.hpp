@@ -36,7 +36,7 @@ struct PrintedTable {
   std::vector<std::string> keys;
   std::vector<std::vector<Cell>> rows;
 
-  // Throw Failure (bad_input) for a key that is not there, and for a cell of another kind.
+  // Throw base::Error (bad_input) for a key that is not there, and for a cell of another kind.
   [[nodiscard]] const Cell& cell(std::size_t row, std::string_view key) const;
   [[nodiscard]] double number(std::size_t row, std::string_view key) const;
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view key) const;
@@ -44,13 +44,13 @@ struct PrintedTable {
 
 class Papers {
  public:
-  // Throws Failure (bad_input) that names the place, for text that is no such document.
+  // Throws base::Error (bad_input) that names the place, for text that is no such document.
   explicit Papers(std::string_view json);
   // The one that comes with the program.
   [[nodiscard]] static const Papers& of_program();
 
   [[nodiscard]] const std::vector<Paper>& all() const { return papers_; }
-  // These throw Failure (bad_input) for a name that is not there.
+  // These throw base::Error (bad_input) for a name that is not there.
   [[nodiscard]] const Paper& paper(std::string_view id) const;
   [[nodiscard]] const PaperClaim& claim(std::string_view name) const;  // "jones.core"
   [[nodiscard]] const PrintedTable& table(std::string_view name) const;

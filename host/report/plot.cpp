@@ -110,12 +110,12 @@ struct Temporary {
   }
 };
 
-std::optional<ReportError> make_temporary(Temporary& folder) {
+std::optional<base::Error> make_temporary(Temporary& folder) {
   std::error_code error;
   std::string name = (files::temp_directory_path(error) / "sightline-plot-XXXXXX").string();
   if (error || ::mkdtemp(name.data()) == nullptr) {
     const std::string why = error ? error.message() : std::generic_category().message(errno);
-    return ReportError{ErrorKind::file, fmt::format("{}: cannot make a folder for a plot: {}", name, why)};
+    return base::Error{base::ErrorKind::io, fmt::format("{}: cannot make a folder for a plot: {}", name, why)};
   }
   folder.path = name;
   return std::nullopt;
@@ -144,9 +144,9 @@ int run_gnuplot(const std::string& argument, const std::string& said) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-ReportError not_run(int code) {
-  if (code == ENOENT) return {ErrorKind::missing_tool, std::string(missing)};
-  return {ErrorKind::missing_tool, "gnuplot cannot be run: " + std::generic_category().message(code)};
+base::Error not_run(int code) {
+  if (code == ENOENT) return {base::ErrorKind::io, std::string(missing)};
+  return {base::ErrorKind::io, "gnuplot cannot be run: " + std::generic_category().message(code)};
 }
 
 std::string text_of(const files::path& path) {
@@ -198,7 +198,7 @@ std::string gnuplot_script(const Plot& plot) {
   return text + curves + "\n";
 }
 
-Outcome<Figure> draw_plot(const Plot& plot) {
+base::Result<Figure> draw_plot(const Plot& plot) {
   Temporary folder;
   if (const auto error = make_temporary(folder)) return *error;
   const files::path script = folder.path / "plot.gnuplot";
@@ -206,19 +206,19 @@ Outcome<Figure> draw_plot(const Plot& plot) {
   const files::path said = folder.path / "said.txt";
   const auto written = base::write_file_atomically(
       script.string(), fmt::format("set output {}\n", in_quotes(drawing.string())) + gnuplot_script(plot));
-  if (!written) return ReportError{ErrorKind::file, written.error().message()};
+  if (!written) return base::Error{base::ErrorKind::io, written.error().message()};
   const int status = run_gnuplot(script.string(), said.string());
   if (status < 0) return not_run(errno);
   auto bytes = base::read_file(drawing.string());
   if (status != 0 || !bytes || bytes->empty())
-    return ReportError{ErrorKind::file, fmt::format("{}: gnuplot drew nothing: {}", plot.id, text_of(said))};
+    return base::Error{base::ErrorKind::io, fmt::format("{}: gnuplot drew nothing: {}", plot.id, text_of(said))};
   return Figure{plot.id, plot.title, plot.caption, plot.alternative, "image/svg+xml", std::move(*bytes)};
 }
 
-std::optional<ReportError> gnuplot_missing() {
+std::optional<base::Error> gnuplot_missing() {
   const int status = run_gnuplot("--version", "/dev/null");
   if (status < 0) return not_run(errno);
-  if (status != 0) return ReportError{ErrorKind::missing_tool, std::string(missing)};
+  if (status != 0) return base::Error{base::ErrorKind::io, std::string(missing)};
   return std::nullopt;
 }
 

@@ -53,9 +53,9 @@ struct Plot {
 [[nodiscard]] std::string gnuplot_script(const Plot& plot);
 
 // Error missing_tool: there is no gnuplot; file: it could not be run or did not draw, such as a plot without a point.
-[[nodiscard]] Outcome<Figure> draw_plot(const Plot& plot);
+[[nodiscard]] base::Result<Figure> draw_plot(const Plot& plot);
 
 // Nothing, if gnuplot can be run: ask before long measurements.
-[[nodiscard]] std::optional<ReportError> gnuplot_missing();
+[[nodiscard]] std::optional<base::Error> gnuplot_missing();
 
 }  // namespace sightline::report

@@ -20,8 +20,8 @@ namespace {
 
 namespace files = std::filesystem;
 
-ReportError file_error(const std::string& message) {
-  return {ErrorKind::file, message};
+base::Error file_error(const std::string& message) {
+  return {base::ErrorKind::io, message};
 }
 
 // Directories made, and gone again unless kept.
@@ -35,7 +35,7 @@ class MadeDirectories {
     for (auto path = made_.rbegin(); path != made_.rend(); ++path) files::remove(*path, ignored);
   }
 
-  std::optional<ReportError> make(const files::path& path) {
+  std::optional<base::Error> make(const files::path& path) {
     std::error_code error;
     for (files::path so_far; const files::path& name : path) {
       so_far /= name;
@@ -65,7 +65,7 @@ bool is_name(const std::string& text, std::string_view between) {
 // Checks a report by the rules of document.hpp.
 class Checker {
  public:
-  std::optional<ReportError> check(const Report& report) {
+  std::optional<base::Error> check(const Report& report) {
     for (const Section& section : report.sections) {
       id(section.id);
       for (const Block& block : section.blocks) {
@@ -108,17 +108,17 @@ class Checker {
   }
 
   void wrong(std::string message) {
-    if (!error_) error_ = ReportError{ErrorKind::bad_input, std::move(message)};
+    if (!error_) error_ = base::Error{base::ErrorKind::bad_input, std::move(message)};
   }
 
   std::set<std::string> ids_;
-  std::optional<ReportError> error_;
+  std::optional<base::Error> error_;
 };
 
 // Written beside their places, then put there in order.
 class FileSet {
  public:
-  std::optional<ReportError> add(const files::path& path, std::string_view text) {
+  std::optional<base::Error> add(const files::path& path, std::string_view text) {
     auto file = base::AtomicFile::create(path.string());
     if (!file) return file_error(file.error().message());
     file->write(text);
@@ -127,7 +127,7 @@ class FileSet {
     return std::nullopt;
   }
 
-  Outcome<std::vector<std::string>> commit() {
+  base::Result<std::vector<std::string>> commit() {
     for (auto& file : files_)
       if (const auto done = file.commit(); !done) return file_error(done.error().message());
     std::rotate(paths_.begin(), paths_.end() - 1, paths_.end());
@@ -150,14 +150,14 @@ std::vector<const Table*> tables_of(const Report& report) {
 constexpr std::string_view page_name = "index.html";
 constexpr std::string_view tables_name = "tables";
 
-std::optional<ReportError> make_directories(const std::string& directory, MadeDirectories& made) {
+std::optional<base::Error> make_directories(const std::string& directory, MadeDirectories& made) {
   if (auto error = made.make(directory)) return error;
   return made.make(files::path(directory) / tables_name);
 }
 
 }  // namespace
 
-Outcome<base::Done> prepare_directory(const std::string& directory) {
+base::Result<base::Done> prepare_directory(const std::string& directory) {
   MadeDirectories made;
   if (const auto error = make_directories(directory, made)) return *error;
   for (const files::path& path :
@@ -169,7 +169,7 @@ Outcome<base::Done> prepare_directory(const std::string& directory) {
   return base::Done{};
 }
 
-Outcome<std::vector<std::string>> write_report(const Report& report, const std::string& directory) {
+base::Result<std::vector<std::string>> write_report(const Report& report, const std::string& directory) {
   if (const auto error = Checker().check(report)) return *error;
   MadeDirectories made;
   if (const auto error = make_directories(directory, made)) return *error;

@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     disk.attach(std::move(*words), 1, 0);
     require(machines::disk_image(disk) == bytes);
   } else {
-    require(words.error().message.starts_with("disk: "));
+    require(words.error().message().starts_with("disk: "));
   }
   bytes.assign(bytes_of_disk, 0);
   return 0;

@@ -13,8 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool begins = machines::is_dump(*machine, input.bytes);
     const auto program = machines::read_dump(*machine, input);
     if (!program) {
-      const machines::Refusal& refusal = program.error();
-      if (refusal.kind != machines::Refusal::Kind::bad_input || !refusal.message.starts_with("fuzz: line ")) std::abort();
+      const base::Error& refusal = program.error();
+      if (refusal.kind != base::ErrorKind::bad_input || !refusal.message().starts_with("fuzz: line ")) std::abort();
       continue;
     }
     if (begins && program->words.size() < machine->words_a_line) std::abort();

@@ -35,9 +35,9 @@ live::MonitorHost host(int& patience) {
   };
   host.running.interrupted = [&patience] { return --patience < 0; };
   host.running.print = [](std::string_view) {};
-  host.read = [](const std::string& path) -> machines::Result<machines::Input> { return machines::Input{path, {}}; };
-  host.write = [](const std::string&, std::span<const std::uint8_t>) -> machines::Result<base::Done> { return base::Done{}; };
-  host.speed = [](const std::string&) -> machines::Result<base::Done> { return machines::usage("there is no console"); };
+  host.read = [](const std::string& path) -> base::Result<machines::Input> { return machines::Input{path, {}}; };
+  host.write = [](const std::string&, std::span<const std::uint8_t>) -> base::Result<base::Done> { return base::Done{}; };
+  host.speed = [](const std::string&) -> base::Result<base::Done> { return base::usage_error("there is no console"); };
   return host;
 }
 

@@ -16,8 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       return machines::Input{path, {data, data + size}};
     });
     if (machine) continue;
-    const machines::Refusal& refusal = machine.error();
-    if (refusal.kind != machines::Refusal::Kind::bad_input || !refusal.message.starts_with("fuzz:")) std::abort();
+    const base::Error& refusal = machine.error();
+    if (refusal.kind != base::ErrorKind::bad_input || !refusal.message().starts_with("fuzz:")) std::abort();
   }
   return 0;
 }

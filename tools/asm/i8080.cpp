@@ -86,15 +86,15 @@ base::Result<I8080Define> parse_i8080_define(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   if (name.empty() || end_of_name(name, 0) != name.size())
-    return base::fail("found " + quoted(name) + ", expected a name");
-  if (equals == std::string_view::npos) return base::fail("found no '=', expected NAME=VALUE");
+    return base::bad_input("found " + quoted(name) + ", expected a name");
+  if (equals == std::string_view::npos) return base::bad_input("found no '=', expected NAME=VALUE");
   const bool reserved = Vocabulary().find(folded(name)) != nullptr;
-  if (reserved) return base::fail("found " + quoted(name) + ", expected a name that is not reserved");
+  if (reserved) return base::bad_input("found " + quoted(name) + ", expected a name that is not reserved");
   const bool negative = text.substr(equals + 1).starts_with('-');
   I8080Lexer lexer(text, equals + (negative ? 2 : 1));
   const I8080Token number = lexer.next();
   if (number.kind != I8080TokenKind::number || number.wrapped || lexer.next().kind != I8080TokenKind::end) {
-    return base::fail(
+    return base::bad_input(
         "found " + quoted(text.substr(equals + 1)) + ", expected " +
         (number.kind == I8080TokenKind::bad ? number.value : "a number such as 10, 0AH or 0x0A, up to 65535"));
   }

@@ -115,14 +115,14 @@ base::Result<Define> parse_define(std::string_view text) {
   const std::string found = "found '" + std::string(text) + "', expected ";
   if (equals == std::string_view::npos || name.empty() || !letter(name[0]) ||
       !std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); })) {
-    return base::fail(found + "NAME=VALUE with a name of letters and digits");
+    return base::bad_input(found + "NAME=VALUE with a name of letters and digits");
   }
   std::string_view digits = text.substr(equals + 1);
   const bool negative = !digits.empty() && digits[0] == '-';
   if (negative) digits.remove_prefix(1);
   const bool octal = std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '7'; });
   if (digits.empty() || digits.size() > 6 || !octal)
-    return base::fail(found + "a value of one to six octal digits");
+    return base::bad_input(found + "a value of one to six octal digits");
   std::uint32_t value = 0;
   for (const char c : digits) value = value << 3 | static_cast<std::uint32_t>(c - '0');
   const core::Word18 word(value);

@@ -145,9 +145,9 @@ base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prep
     }
   }
   for (const scene::CellNumber cell : start.cells) waiting_.push_back({cell, 1, waiting_sides_.size(), 0});
-  if (!pass.walk()) return base::fail(no_complex);
+  if (!pass.walk()) return base::bad_input(no_complex);
   auto picture = fragments_.picture(prepared.complex(), pass.sight);
-  if (!picture) return base::fail(no_complex);
+  if (!picture) return base::bad_input(no_complex);
   pass.counts.number_bits = 8 * sizeof(Number);
   return View{std::move(*picture), pass.counts};
 }

@@ -63,11 +63,11 @@ Walker& Walker::operator=(Walker&&) noexcept = default;
 
 base::Result<View> Walker::visible_edges(const scene::PolyCamera& camera) {
   const PreparedComplex& prepared = *state_->prepared;
-  if (too_far(camera.eye)) return base::fail(eye_too_far);
+  if (too_far(camera.eye)) return base::bad_input(eye_too_far);
   const std::optional<Width> width = width_for(prepared, camera);
-  if (!width) return base::fail(plane_too_long);
+  if (!width) return base::bad_input(plane_too_long);
   const std::optional<Start> start = find_start(prepared, camera);
-  if (!start) return base::fail(eye_in_solid);
+  if (!start) return base::bad_input(eye_in_solid);
   switch (*width) {
     case Width::narrow: return state_->narrow.run(prepared, state_->met, camera, *start);
     case Width::medium: return state_->medium.run(prepared, state_->met, camera, *start);
@@ -78,10 +78,10 @@ base::Result<View> Walker::visible_edges(const scene::PolyCamera& camera) {
 
 base::Result<View> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera, Trace& trace) {
   const PreparedComplex prepared(complex);
-  if (too_far(camera.eye)) return base::fail(eye_too_far);
-  if (!width_for(prepared, camera)) return base::fail(plane_too_long);
+  if (too_far(camera.eye)) return base::bad_input(eye_too_far);
+  if (!width_for(prepared, camera)) return base::bad_input(plane_too_long);
   const std::optional<Start> start = find_start(prepared, camera);
-  if (!start) return base::fail(eye_in_solid);
+  if (!start) return base::bad_input(eye_in_solid);
   trace.start(start->cells, start->outside);
   Met met(complex);
   // The widest numbers do for every view, and give the same.

@@ -52,7 +52,7 @@ class Study {
   void give_up(const std::string& what, std::uint64_t limit) {
     given_up_ = true;
     if (stopped_) return;
-    stopped_ = base::fail("more than " + std::to_string(limit) + " " + what + " of edges: stopped after " +
+    stopped_ = base::bad_input("more than " + std::to_string(limit) + " " + what + " of edges: stopped after " +
                           std::to_string(done_) + " of " + std::to_string(histories_.size()) +
                           " edges with " + std::to_string(changes_) + " changes");
   }

@@ -38,7 +38,7 @@ bool are_one_file(const std::string& a, const std::string& b) {
   return !place.empty() && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
 }
 
-// Failure usage if two outputs are one file or both standard output, or if one of them is a source. What is
+// Error usage if two outputs are one file or both standard output, or if one of them is a source. What is
 // no regular file (/dev/null) may serve often.
 void refuse_clashing_files(const Arguments& arguments) {
   for (std::size_t i = 0; i < output_options.size(); ++i) {
@@ -48,13 +48,12 @@ void refuse_clashing_files(const Arguments& arguments) {
     for (std::size_t other = 0; other < i; ++other) {
       const std::string& before = arguments.text(output_options[other].second);
       if (!before.empty() && are_one_file(name, before))
-        throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected another file than that of {}",
+        throw base::usage_error(fmt::format("{}: found {}, expected another file than that of {}",
                                                    option, shown_name(name), output_options[other].first));
     }
     for (const std::string& source : arguments.list("SOURCE")) {
       if (name != "-" && are_one_file(name, source))
-        throw Failure(ExitCode::usage,
-                      fmt::format("{}: found {}, expected no file that is a source", option, name));
+        throw base::usage_error(fmt::format("{}: found {}, expected no file that is a source", option, name));
     }
   }
 }
@@ -85,13 +84,13 @@ std::string summary(const MachineDescription& machine, const Arguments& argument
   return text;
 }
 
-// All outputs appear or none. Failure io.
+// All outputs appear or none. Error io.
 void write_files(const MachineDescription& machine, const Arguments& arguments,
                  const machines::Assembled& assembled) {
   const std::string& path = arguments.text("--output");
   machines::Bytes program;
   if (!path.empty()) {
-    program = accepted(
+    program = value_of(
         output_format(machine, arguments).write(assembled.program, path == "-" ? "standard output" : path));
   }
   std::vector<Output> outputs;
@@ -109,12 +108,12 @@ ExitCode assemble(const MachineDescription& machine, const Arguments& arguments)
   for (const std::string& path : arguments.list("SOURCE"))
     sources.push_back({shown_name(path), read_input_text(path)});
   const machines::Assembled assembled =
-      accepted(machine.assembler.assemble(sources, arguments, read_include));
+      value_of(machine.assembler.assemble(sources, arguments, read_include));
   for (const auto& diagnostic : assembled.diagnostics)
     fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
   if (assembler::any_errors(assembled.diagnostics)) {
     say_whose_source(machine, sources, "asm", arguments.list("SOURCE"));
-    throw Failure(ExitCode::bad_input, "the source has errors; nothing was written");
+    throw base::bad_input("the source has errors; nothing was written");
   }
   write_files(machine, arguments, assembled);
   complain(summary(machine, arguments, assembled));

@@ -66,8 +66,7 @@ Eyes eyes_of(const AtlasArguments& arguments, const scene::CellScene& scene) {
   if (!arguments.lattice.empty()) {
     const auto steps = base::whole_numbers<int, 2>(arguments.lattice, ',', 1, compare::most_lattice_steps);
     if (!steps)
-      throw Failure(ExitCode::usage,
-                    fmt::format("--lattice: found \"{}\", expected NX,NZ, two whole numbers from 1 to {}",
+      throw base::usage_error(fmt::format("--lattice: found \"{}\", expected NX,NZ, two whole numbers from 1 to {}",
                                 arguments.lattice, compare::most_lattice_steps));
     lattice.columns = (*steps)[0];
     lattice.rows = (*steps)[1];

@@ -73,7 +73,7 @@ std::vector<std::string> every_builtin() {
 
 void refuse(bool given, const char* option, const std::string& name, std::string_view expected) {
   if (given)
-    throw Failure(ExitCode::usage, fmt::format("{}: found with {}, expected {}", option, name, expected));
+    throw base::usage_error(fmt::format("{}: found with {}, expected {}", option, name, expected));
 }
 
 // Of functions, which have no camera, and scenes of cells, which have only an eye.
@@ -200,7 +200,7 @@ void refuse_commands(const std::string& name) {
   if (kind.empty()) return;
   const std::string file = std::filesystem::path(name).filename().string();
   const bool known = !compare::hard_case_text(file).empty();
-  throw Failure(ExitCode::bad_input, fmt::format("{}: found {}, expected a scene or a grid; {}", name, kind,
+  throw base::bad_input(fmt::format("{}: found {}, expected a scene or a grid; {}", name, kind,
                                                  known ? fmt::format("`sightline hard {}` takes this file", std::filesystem::path(file).stem().string())
                                                        : "`sightline hard --list` shows the cases of such files"));
 }
@@ -225,7 +225,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   if (source.expression.empty()) refuse_commands(name);
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
-    throw Failure(ExitCode::bad_input, fmt::format("{}: {}; `sightline skala` draws it and compares it with its twin", name, *reason));
+    throw base::bad_input(fmt::format("{}: {}; `sightline skala` draws it and compares it with its twin", name, *reason));
   const auto compare_view = [&](const programs::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
     auto comparison = compare::compare_heights(function.grid, of, step, function.sampled, !arguments.no_host_times);
     comparison.devices = compare::compare_devices(function.grid, of, step);
@@ -234,7 +234,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   };
   const LeftOut left_out(arguments, compare::SceneKind::function);
   if (arguments.random.turn || arguments.random.level)
-    throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a scene", arguments.random.turn ? "--turn" : "--level", name));
+    throw base::usage_error(fmt::format("{}: found {}, expected a scene", arguments.random.turn ? "--turn" : "--level", name));
   if (arguments.views == 0) {
     if (arguments.only_view) view = compare::random_height_view(function.grid, view, arguments.random.seed, *arguments.only_view);
     const auto comparison = compare_view(view, arguments.only_view.value_or(0), progress);
@@ -349,7 +349,7 @@ void check_methods(const std::vector<std::string>& methods) {
   for (const std::string& method : methods) {
     if (std::find(known.begin(), known.end(), method) != known.end()) continue;
     const std::string meant = base::did_you_mean(method, known);
-    throw Failure(ExitCode::usage, fmt::format("--methods: found \"{}\", expected some of {}{}", method, base::joined(known, ", "),
+    throw base::usage_error(fmt::format("--methods: found \"{}\", expected some of {}{}", method, base::joined(known, ", "),
                                                meant.empty() ? "" : "; " + meant));
   }
 }
@@ -357,8 +357,8 @@ void check_methods(const std::vector<std::string>& methods) {
 // Empty if no plot is asked for.
 std::optional<Output> plot_output(const CompareArguments& arguments) {
   if (arguments.plot.empty()) return std::nullopt;
-  if (arguments.plot == "-") throw Failure(ExitCode::usage, "--plot: found -, expected a file: the table goes to standard output");
-  if (arguments.views != 0) throw Failure(ExitCode::usage, "--plot: found with --views, expected one view of each scene");
+  if (arguments.plot == "-") throw base::usage_error("--plot: found -, expected a file: the table goes to standard output");
+  if (arguments.views != 0) throw base::usage_error("--plot: found with --views, expected one view of each scene");
   return std::optional<Output>(std::in_place, arguments.plot);
 }
 
@@ -367,14 +367,14 @@ ExitCode run_compare(CompareArguments arguments) {
   if (arguments.picture == "contours") arguments.function_view.picture = programs::skala::PictureKind::contours;
   require_angles(arguments.function_view.rotation, arguments.function_view.elevation);
   if (arguments.levels && arguments.function_view.picture != programs::skala::PictureKind::contours)
-    throw Failure(ExitCode::usage, "--levels: found without --picture contours");
+    throw base::usage_error("--levels: found without --picture contours");
   const bool expression = !arguments.function.expression.empty();
   if (!expression && !arguments.function.domain.empty())
-    throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
+    throw base::usage_error("--domain: found without --function; names and grid files have their own");
   check_methods(arguments.methods);
-  if (arguments.views != 0 && arguments.only_view) throw Failure(ExitCode::usage, "--only-view: found with --views, expected one of them");
+  if (arguments.views != 0 && arguments.only_view) throw base::usage_error("--only-view: found with --views, expected one of them");
   if ((arguments.random.turn || arguments.random.level) && arguments.views == 0 && !arguments.only_view)
-    throw Failure(ExitCode::usage, fmt::format("{}: found without random views, expected --views or --only-view",
+    throw base::usage_error(fmt::format("{}: found without random views, expected --views or --only-view",
                                                arguments.random.turn ? "--turn" : "--level"));
   if (arguments.views != 0 || arguments.only_view)
     refuse_camera(arguments.camera, true, arguments.views != 0 ? "--views" : "--only-view", "random views, which have cameras of their own");
@@ -424,7 +424,7 @@ ExitCode run_compare(CompareArguments arguments) {
       if (path.ends_with(".png")) write_stdout(fmt::format("picture {}\n", path));
     pictures += compared.overlays.size();
   }
-  if (!compared_any) throw Failure(ExitCode::usage, nothing);
+  if (!compared_any) throw base::usage_error(nothing);
   write_stdout(text);
   document["agrees"] = agrees;
   if (plot) {

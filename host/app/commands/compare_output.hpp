@@ -23,7 +23,7 @@ namespace sightline::app {
 
 // DIRECTORY/NAME-compare-PICTURE.png and .svg for every picture that differs from the truth, or `all`, and NAME-compare-MACHINE_points.png, the points that a device lit
 // beside those that exact lines light; the directory is made. Returns the paths.
-// Failure io.
+// Error io.
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,
                                         const compare::SceneComparison& comparison, bool all);
 std::vector<std::string> write_overlays(const std::string& directory, const std::string& name,

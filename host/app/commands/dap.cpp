@@ -27,7 +27,7 @@ using machines::MachineDescription;
 using machines::OptionKind;
 
 [[noreturn]] void refuse(const std::string& complaint) {
-  throw Failure(ExitCode::usage, "launch: " + complaint);
+  throw base::usage_error("launch: " + complaint);
 }
 
 // A text or a number, as it would stand on the command line.
@@ -86,11 +86,11 @@ base::Result<live::Launched> launch(const Json& request) {
     MonitoredMachine made = make_monitored(machine, arguments);
     std::vector<std::string> warnings = made.prepared.warnings;
     std::optional<live::KeyCodes> keys;
-    if (arguments.given("--console")) keys = accepted(live::console_options(arguments, false)).codes;
+    if (arguments.given("--console")) keys = value_of(live::console_options(arguments, false)).codes;
     return live::Launched{&machine, std::move(made.prepared), std::move(made.symbols), std::move(warnings),
                           radix_of(arguments), keys, dialect_of(arguments)};
-  } catch (const Failure& failure) {
-    return base::fail(failure.what());
+  } catch (const base::Error& error) {
+    return base::bad_input(error.message());
   }
 }
 
@@ -108,13 +108,13 @@ ExitCode serve() {
   host.finish = [](const machines::Machine& machine) -> base::Result<base::Done> {
     try {
       write_media_back(machine);
-    } catch (const Failure& failure) {
-      return base::fail(failure.what());
+    } catch (const base::Error& error) {
+      return base::bad_input(error.message());
     }
     return base::Done{};
   };
   const auto done = live::serve_debug_adapter(host);
-  if (!done) throw Failure(ExitCode::bad_input, "dap: " + done.error().message());
+  if (!done) throw base::bad_input("dap: " + done.error().message());
   return base::EndSignals::received() == 0 ? ExitCode::ok : ExitCode::interrupted;
 }
 

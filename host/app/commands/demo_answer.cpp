@@ -29,7 +29,7 @@ constexpr const char* turned_view = "1,0,2";
 
 template <class Value>
 Value done(base::Result<Value> result, std::string_view name) {
-  return value_of(std::move(result), std::string(name), ExitCode::guest_failed);
+  return value_of(std::move(result), std::string(name), base::ErrorKind::program_failed);
 }
 
 void add_plotted(std::vector<compare::PlotPoint> points, DemoAnswer& answer) {

@@ -29,7 +29,7 @@ struct DemoAnswer {
   [[nodiscard]] bool agrees() const;
 };
 
-// Failure guest_failed: a scene cannot be compared.
+// Error program_failed: a scene cannot be compared.
 [[nodiscard]] DemoAnswer answer_for_demo(bool host_times);
 
 // Adds "table", "plot" and "compared".

@@ -34,7 +34,7 @@ struct DemoPage {
 [[nodiscard]] std::string demo_page(const DemoPage& page, const DemoAnswer& answer);
 
 // The pictures that were written, for the page. Writes SCENE-difference.png and FUNCTION-difference.png: what the devices lit
-// beside what exact lines light by the same rule. Failure io.
+// beside what exact lines light by the same rule. Error io.
 [[nodiscard]] std::vector<PageGallery> demo_galleries(const std::string& directory, const DemoResults& results);
 
 }  // namespace sightline::app

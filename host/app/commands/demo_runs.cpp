@@ -23,7 +23,7 @@ JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool 
   if (eae) options.photograph = photograph_time;  // the pictures are the same without
   const jones::CheckedRun checked = session.run(options);
   const jones::GuestRun& run = checked.guest;
-  if (run.timed_out) throw Failure(ExitCode::guest_failed, name + ": the program did not complete two views");
+  if (run.timed_out) throw base::program_failed(name + ": the program did not complete two views");
   require_twin(checked, name);
   if (eae) {
     write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), run);

@@ -20,32 +20,32 @@ using machines::MachineDescription;
 std::optional<std::uint32_t> address_argument(const MachineDescription& machine, const Arguments& arguments,
                                               const char* option) {
   if (!arguments.given(option)) return std::nullopt;
-  return accepted(machines::number_argument(option, arguments.text(option), machine.radix,
+  return value_of(machines::number_argument(option, arguments.text(option), machine.radix,
                                                (1U << machine.address_bits) - 1, "an address"));
 }
 
-// The words at `first` to `last`. Failure bad_input if there are none.
+// The words at `first` to `last`. Error bad_input if there are none.
 void keep_range(machines::Program& program, std::uint32_t first, std::uint32_t last) {
-  if (first > last) throw Failure(ExitCode::usage, "--end: found an address before --start, expected one behind it");
+  if (first > last) throw base::usage_error("--end: found an address before --start, expected one behind it");
   const bool any = !program.words.empty();
   std::erase_if(program.words, [&](const auto& word) { return word.first < first || word.first > last; });
   if (any && program.words.empty())
-    throw Failure(ExitCode::bad_input, "--start, --end: found no word of the program in this range, expected one");
+    throw base::bad_input("--start, --end: found no word of the program in this range, expected one");
 }
 
-// Failure bad_input if the dialect cannot say it.
+// Error bad_input if the dialect cannot say it.
 std::string source_of(const Disassembler& disassembler, const machines::Program& program, const Arguments& arguments,
                       const std::string& file) {
   for (const auto& [name, write] : disassembler.dialects.others)
-    if (arguments.text("--dialect") == name) return accepted(write(program, file));
+    if (arguments.text("--dialect") == name) return value_of(write(program, file));
   return disassembler.disassemble(program);
 }
 
 ExitCode disassemble(const MachineDescription& machine, const Disassembler& disassembler,
                      const Arguments& arguments) {
-  const auto file = accepted(file_argument(machine, "FILE", arguments.text("FILE")));
+  const auto file = value_of(file_argument(machine, "FILE", arguments.text("FILE")));
   const auto input = read_named(file.path);
-  auto program = accepted(read_program(machine, file, input, arguments.text("--format"), nullptr));
+  auto program = value_of(read_program(machine, file, input, arguments.text("--format"), nullptr));
   for (const std::string& warning : program.warnings) warn(warning);
   keep_range(program, address_argument(machine, arguments, "--start").value_or(0),
              address_argument(machine, arguments, "--end").value_or(UINT32_MAX));

@@ -113,7 +113,7 @@ std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& pr
   const picture::Image image = picture::shaded_image(seen.faces, picture::face_shades(picture.source.scene));
   const auto bytes = picture::encode_png(output.is_sheet() ? on_sheet(image, output) : image,
                                          {{"Title", picture.source.name}, {"Software", "sightline"}}, output.image.unit);
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  if (!bytes) throw base::io_error(bytes.error().message());
   file.write(std::span<const std::uint8_t>(*bytes));
   return seen.counts;
 }
@@ -147,7 +147,7 @@ void add_fill_options(const Command& command, FillArguments& arguments) {
 ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArguments& arguments,
                      const FilledPicture& picture, DrawingFormat format) {
   if (format != DrawingFormat::svg && format != DrawingFormat::png)
-    throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in .svg or .png with --fill",
+    throw base::usage_error(fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
   if (format == DrawingFormat::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
   registry::FaceOptions options;
@@ -215,30 +215,29 @@ double millimetres(std::string_view unit) {
   return found == units.end() ? 1 : found->millimetres;
 }
 
-// Millimetres on the paper of a step of the scene's grid; empty: the picture is fitted. Failure usage: a picture that has
+// Millimetres on the paper of a step of the scene's grid; empty: the picture is fitted. Error usage: a picture that has
 // no scale.
 std::optional<double> scale_of(const DrawOutput& output, const scene::LoadedScene& source, const scene::PolyCamera& camera) {
   if (output.scale.empty()) return std::nullopt;
   if (camera.perspective)
-    throw Failure(ExitCode::usage, fmt::format("--scale: found {} in perspective, which has no scale, expected --view or --orthographic",
+    throw base::usage_error(fmt::format("--scale: found {} in perspective, which has no scale, expected --view or --orthographic",
                                                output.scale));
   return scale_argument(output.scale) * millimetres(source.report.unit) * source.scene.step;
 }
 
-// Failure usage: a plotter's margin would be wider than the one that the field was meant for, and so the scale smaller.
+// Error usage: a plotter's margin would be wider than the one that the field was meant for, and so the scale smaller.
 void refuse_wider_margin(const DrawLinesArguments& arguments, const scene::PolyCamera& camera) {
   const picture::Paper& paper = arguments.output.paper;
   const double margin = arguments.output.margin;
   if (!arguments.field || camera.perspective || paper.margin <= margin || !arguments.output.scale.empty()) return;
   const double shorter = std::min(paper.width, paper.height);
-  throw Failure(ExitCode::usage,
-                fmt::format("--field: found {:g} with the usual margin of {:g} mm, where {} needs {:g}, expected --margin {:g} as well; "
+  throw base::usage_error(fmt::format("--field: found {:g} with the usual margin of {:g} mm, where {} needs {:g}, expected --margin {:g} as well; "
                             "--field {:g} then has the scale that was asked for",
                             *arguments.field, margin, arguments.output.plotter()->name, paper.margin, paper.margin,
                             *arguments.field * (shorter - 2 * paper.margin) / (shorter - 2 * margin)));
 }
 
-// Numbers with commas between them, as many as `count`. Failure usage.
+// Numbers with commas between them, as many as `count`. Error usage.
 std::vector<double> numbers_argument(std::string_view option, const std::string& text, std::size_t count,
                                      std::string_view expected) {
   std::vector<double> numbers;
@@ -247,29 +246,27 @@ std::vector<double> numbers_argument(std::string_view option, const std::string&
     const std::size_t comma = rest.find(',');
     const auto number = base::decimal_number(rest.substr(0, comma));
     if (!number || (comma == std::string_view::npos) != (numbers.size() + 1 == count))
-      throw Failure(ExitCode::usage, fmt::format("{}: found \"{}\", expected {}", option, text, expected));
+      throw base::usage_error(fmt::format("{}: found \"{}\", expected {}", option, text, expected));
     numbers.push_back(*number);
     rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
   }
   return numbers;
 }
 
-// Failure usage: no hatching like that.
+// Error usage: no hatching like that.
 void read_hatching(DrawLinesArguments& arguments) {
   if (arguments.hatch.empty()) return;
   const auto numbers = numbers_argument("--hatch", arguments.hatch, 2, "ANGLE,SPACING in degrees and mm, such as 45,1.5");
   constexpr double least_spacing = 0.05;
   if (std::abs(numbers[0]) > 360 || numbers[1] < least_spacing || numbers[1] > 1000)
-    throw Failure(
-        ExitCode::usage,
-        fmt::format("--hatch: found \"{}\", expected an angle up to 360 and a spacing from {} to 1000 mm",
+    throw base::usage_error(fmt::format("--hatch: found \"{}\", expected an angle up to 360 and a spacing from {} to 1000 mm",
                     arguments.hatch, least_spacing));
   LineViewOptions::Hatch hatch{numbers[0], numbers[1]};
   if (!arguments.light.empty()) {
     const auto light = numbers_argument("--light", arguments.light, 3, "X,Y,Z, the direction towards the light");
     hatch.light = {light[0], light[1], light[2]};
     if (*hatch.light == std::array<double, 3>{})
-      throw Failure(ExitCode::usage, "--light: found 0,0,0, expected a direction");
+      throw base::usage_error("--light: found 0,0,0, expected a direction");
   }
   arguments.view.hatch = hatch;
 }
@@ -332,17 +329,17 @@ std::optional<compare::MatterScene> matter_seen(const registry::LineAlgorithm& a
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
   const DrawingFormat format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
-    throw Failure(ExitCode::usage, fmt::format("--output: found - with {}, expected a file",
+    throw base::usage_error(fmt::format("--output: found - with {}, expected a file",
                                                arguments.json ? "--json" : "--turntable"));
   const bool on_paper = format != DrawingFormat::png || arguments.output.is_sheet();
   if (!on_paper)
     for (const char* option : {"--strokes", "--min-length"})
       refuse_option(arguments.output, option, "--size, or a name that does not end in .png");
   if (arguments.strokes == "-" && arguments.turntable > 1)
-    throw Failure(ExitCode::usage, "--strokes: found - with --turntable, expected a file");
+    throw base::usage_error("--strokes: found - with --turntable, expected a file");
   if (!arguments.strokes.empty()) arguments.view.strokes_margin = arguments.output.paper.margin;
   if (!arguments.output.scale.empty() && format == DrawingFormat::png && !arguments.output.is_sheet())
-    throw Failure(ExitCode::usage, "--scale: found without --size, or a name that does not end in .png");
+    throw base::usage_error("--scale: found without --size, or a name that does not end in .png");
   check_edges(arguments.view.edges);
   read_hatching(arguments);
   // The CalComp has one pen.
@@ -367,7 +364,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     cameras.push_back(turned_about(frame, source.scene, aimed.camera, i, arguments.turntable));
     if (auto error = scene::eye_error(source.scene, cameras.back())) {
       error->file = source.name;
-      throw Failure(ExitCode::bad_input, error->message());
+      throw base::bad_input(error->message());
     }
   }
   const std::optional<compare::MatterScene> matter = matter_seen(algorithm, source, cameras, arguments.view.edges);

@@ -54,22 +54,22 @@ struct DrawOutput {
 // --output, --format, of the paper, of the pen, of an image.
 void add_draw_output_options(const Command& command, DrawOutput& output);
 
-// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, .pdf, .dxf, .steps, in small or capital letters. Failure
+// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, .pdf, .dxf, .steps, in small or capital letters. Error
 // usage, also of an option that the format does not have, or of paper that the plotter does not take.
 [[nodiscard]] DrawingFormat read_draw_output(DrawOutput& output);
 
-// Failure usage if `option` was given: it means nothing without what `needed` names.
+// Error usage if `option` was given: it means nothing without what `needed` names.
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
 
 // "210 x 297 mm" of paper, "1024 x 1024 pixels" of an image; of settled options.
 [[nodiscard]] std::string size_text(const DrawOutput& output, DrawingFormat format);
 
-// "N:M", such as 1:50, as N / M. Failure usage.
+// "N:M", such as 1:50, as N / M. Error usage.
 [[nodiscard]] double scale_argument(const std::string& text);
-// Failure usage, with the paper that is needed: a drawing with a scale does not fit into output.room.
+// Error usage, with the paper that is needed: a drawing with a scale does not fit into output.room.
 void require_room(const picture::VectorDrawing& drawing, const DrawOutput& output);
 
-// Into output.file, opened before the drawing was made, in the order of a pen. It is there whole or not at all. Failure
+// Into output.file, opened before the drawing was made, in the order of a pen. It is there whole or not at all. Error
 // io. A drawing of nothing is warned about, and so are layers that share a pen. Result: of what is drawn with a pen, how far that
 // travels.
 std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,

@@ -41,7 +41,7 @@ struct DrawFacesArguments {
 std::pair<int, int> faces_size(const std::string& text) {
   if (const auto size = base::whole_numbers<int, 2>(text, 'x', 1, picture::png_size_limit))
     return {(*size)[0], (*size)[1]};
-  throw Failure(ExitCode::usage, fmt::format("--pixels: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}",
+  throw base::usage_error(fmt::format("--pixels: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}",
                                              text, picture::png_size_limit));
 }
 
@@ -115,16 +115,16 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
   for (int i = 0; i < arguments.frames; ++i) {
     const scene::PolyCamera camera = turned_about(frame, source.scene, start, i, arguments.frames);
     if (const auto error = scene::eye_error(source.scene, camera)) {
-      throw Failure(ExitCode::bad_input, fmt::format("{}: frame {} of the flight: {}; --eye says where the flight begins",
+      throw base::bad_input(fmt::format("{}: frame {} of the flight: {}; --eye says where the flight begins",
                                                      source.name, i, error->message()));
     }
     const auto view = value_of(prepared.view(camera, window), source.name);
     const auto added = writer.add(arguments.picture == "lines" ? outline_image(view.faces)
                                                                : picture::shaded_image(view.faces, shades));
-    if (!added) throw Failure(ExitCode::io, added.error().message());
+    if (!added) throw base::io_error(added.error().message());
   }
   auto bytes = writer.finish();
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  if (!bytes) throw base::io_error(bytes.error().message());
   return std::move(*bytes);
 }
 
@@ -134,7 +134,7 @@ base::Bytes draw_still(const DrawFacesArguments& arguments, const scene::LoadedS
       picture::encode_png(arguments.picture == "lines" ? outline_image(view.faces)
                                                        : picture::shaded_image(view.faces, picture::face_shades(source.scene)),
                           {{"Title", source.name}, {"Software", "sightline"}});
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  if (!bytes) throw base::io_error(bytes.error().message());
   return *bytes;
 }
 
@@ -157,9 +157,7 @@ void print_faces_summary(const registry::FaceAlgorithm& algorithm, const DrawFac
 ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFacesArguments& arguments) {
   const bool flight = arguments.output.ends_with(".apng");
   if (!flight && !arguments.output.ends_with(".png")) {
-    throw Failure(
-        ExitCode::usage,
-        fmt::format("{}: expected a name that ends in .png or, for a flight, .apng", arguments.output));
+    throw base::usage_error(fmt::format("{}: expected a name that ends in .png or, for a flight, .apng", arguments.output));
   }
   const auto [width, height] = faces_size(arguments.pixels);
   MeshArguments mesh = arguments.mesh;
@@ -170,7 +168,7 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   const std::optional<double> field = image_field(arguments.field, source.scene, camera);
   if (flight && !camera.perspective)
-    throw Failure(ExitCode::usage, fmt::format("{}: expected perspective for a flight", arguments.output));
+    throw base::usage_error(fmt::format("{}: expected perspective for a flight", arguments.output));
   if (flight) camera = start_of_flight(arguments.camera, source.scene, camera, arguments.frames);
   Output file(arguments.output);
   registry::FaceOptions options = arguments.options;

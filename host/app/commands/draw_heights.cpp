@@ -88,7 +88,7 @@ BoxSides sides_of(const std::string& aspect, const scene::HeightGrid& grid) {
   if (aspect == "free") return {};
   if (aspect != "equal" && aspect != "equal-xy") {
     if (const auto sides = sides_named(aspect)) return *sides;
-    throw Failure(ExitCode::usage, fmt::format("--aspect: found \"{}\", expected free, equal-xy, equal, or three sides X:Y:HEIGHT, each 0.001 to 1000", aspect));
+    throw base::usage_error(fmt::format("--aspect: found \"{}\", expected free, equal-xy, equal, or three sides X:Y:HEIGHT, each 0.001 to 1000", aspect));
   }
   const auto extent = [](scene::Interval interval) { return interval.high / 2 - interval.low / 2; };
   const double longer = std::max(extent(grid.domain_x), extent(grid.domain_z));
@@ -96,7 +96,7 @@ BoxSides sides_of(const std::string& aspect, const scene::HeightGrid& grid) {
   if (aspect == "equal") sides.height = extent(grid.range) / longer;
   constexpr double thinnest = 1e-3;
   if (std::min(sides.x, sides.z) < thinnest || sides.height > 1 / thinnest) {
-    throw Failure(ExitCode::usage, fmt::format("--aspect {}: one side of the box is more than 1000 times as long as another, expected free or sides of your own",
+    throw base::usage_error(fmt::format("--aspect {}: one side of the box is more than 1000 times as long as another, expected free or sides of your own",
                                                aspect));
   }
   return sides;
@@ -112,7 +112,7 @@ std::vector<double> levels_of(const DrawHeightsArguments& arguments, const scene
   if (arguments.contour_step) {
     auto levels = scene::multiples_within(grid.range, *arguments.contour_step, most_levels);
     if (levels.empty() && grid.range.high > grid.range.low)
-      throw Failure(ExitCode::usage, fmt::format("--contour-step: found {}, of which heights from {} to {} have none or more than {} multiples", *arguments.contour_step,
+      throw base::usage_error(fmt::format("--contour-step: found {}, of which heights from {} to {} have none or more than {} multiples", *arguments.contour_step,
                                                  scene::shortest_text(grid.range.low), scene::shortest_text(grid.range.high), most_levels));
     return levels;
   }
@@ -172,7 +172,7 @@ void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
   if (arguments.colours == "heights") view.colouring = algorithms::skala::Colouring::heights;
   const bool with_pens = format == DrawingFormat::hpgl || format == DrawingFormat::dxf || format == DrawingFormat::steps;
   if (with_pens && view.subject == Subject::surface)
-    throw Failure(ExitCode::usage, "--picture surface: a plotter draws lines only, expected .svg, .pdf or .png");
+    throw base::usage_error("--picture surface: a plotter draws lines only, expected .svg, .pdf or .png");
   const DrawOutput& output = arguments.output;
   const bool levels = view.subject == Subject::contours || arguments.figure.floor;
   if (!levels)
@@ -182,10 +182,10 @@ void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
     if (!arguments.figure.floor) refuse_option(output, "--colours", "--picture contours or --picture surface");
   }
   if (arguments.contour_step) require_finite("--contour-step", *arguments.contour_step);
-  if (arguments.contour_step && output.command->is_given("--levels")) throw Failure(ExitCode::usage, "--levels: found with --contour-step");
+  if (arguments.contour_step && output.command->is_given("--levels")) throw base::usage_error("--levels: found with --contour-step");
   require_finite("--text", arguments.figure.text);
   if (!arguments.axis_names.empty() && arguments.axis_names.size() != 3)
-    throw Failure(ExitCode::usage, fmt::format("--axis-names: found {}, expected three: of x, y and the height", arguments.axis_names.size()));
+    throw base::usage_error(fmt::format("--axis-names: found {}, expected three: of x, y and the height", arguments.axis_names.size()));
   if (!arguments.axis_names.empty()) refuse_without_axes(output, "--axis-names", arguments.figure.axes);
   arguments.figure.legend = view.colouring == algorithms::skala::Colouring::heights && !with_pens && !arguments.no_legend;
 }
@@ -243,8 +243,7 @@ SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene:
       all = each;
     } else {
       if (each.grid.x != grids[0].x || each.grid.z != grids[0].z || each.grid.domain_x != grids[0].domain_x || each.grid.domain_z != grids[0].domain_z) {
-        throw Failure(ExitCode::bad_input,
-                      fmt::format("{}: found {} slices of {} points over other places than those of {}, expected surfaces over the same places in one drawing", each.name,
+        throw base::bad_input(fmt::format("{}: found {} slices of {} points over other places than those of {}, expected surfaces over the same places in one drawing", each.name,
                                   each.grid.slices(), each.grid.points(), all.name));
       }
       all.name += ", " + each.name;
@@ -269,7 +268,7 @@ std::string drawing_text(const picture::VectorDrawing& drawing) {
 ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArguments arguments) {
   registry::HeightView& view = arguments.view;
   const DrawingFormat format = read_draw_output(arguments.output);
-  if (arguments.output.file == "-" && arguments.json) throw Failure(ExitCode::usage, "--output: found - with --json, expected a file");
+  if (arguments.output.file == "-" && arguments.json) throw base::usage_error("--output: found - with --json, expected a file");
   read_view(arguments, format);
   std::vector<scene::HeightGrid> grids;
   const SkalaFunction function = load_all(arguments, grids);
@@ -279,8 +278,7 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
   read_page(arguments, function, format);
   Output file(arguments.output.file);
   if (const auto reason = method.why_not(function.grid, view))
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
+    throw base::usage_error(fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
   algorithms::skala::Figure figure = method.figure(grids, view, arguments.figure);
   figure.drawing = picture::without_empty_layers(std::move(figure.drawing));
   if (format == DrawingFormat::hpgl) join_levels(figure.drawing, arguments.output);

@@ -31,8 +31,7 @@ constexpr double widest_paper = 10'000;  // millimetres
 
 std::pair<int, int> size_argument(const char* option, const std::string& text, int most) {
   if (const auto size = base::whole_numbers<int, 2>(text, 'x', 1, most)) return {(*size)[0], (*size)[1]};
-  throw Failure(ExitCode::usage,
-                fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
+  throw base::usage_error(fmt::format("{}: found \"{}\", expected WIDTHxHEIGHT, both 1 to {}", option, text, most));
 }
 
 constexpr std::string_view format_endings = ".svg, .png, .plt, .hpgl, .pdf, .dxf or .steps";
@@ -62,7 +61,7 @@ void refuse_options_of_others(const DrawOutput& output, DrawingFormat format) {
     for (const char* option : {"--pixels", "--dpi"}) refuse_option(output, option, "a name that ends in .png");
   } else if (output.is_sheet()) {
     if (output.command->is_given("--pixels"))
-      throw Failure(ExitCode::usage, "--pixels: found with --size, which --dpi makes pixels");
+      throw base::usage_error("--pixels: found with --size, which --dpi makes pixels");
   } else {
     for (const char* option : {"--margin", "--landscape", "--dpi"}) refuse_option(output, option, on_paper);
   }
@@ -125,9 +124,7 @@ void read_paper(DrawOutput& output) {
                           ? std::nullopt
                           : base::fixed_number(text.substr(cross + 1), 1, widest_paper);
   if (!width || !height) {
-    throw Failure(
-        ExitCode::usage,
-        fmt::format(
+    throw base::usage_error(fmt::format(
             "--size: found \"{}\", expected {}or WIDTHxHEIGHT in mm, both 1 to {}; 8x10in is in inches",
             output.size, names, widest_paper));
   }
@@ -155,22 +152,21 @@ void read_margin(DrawOutput& output) {
   paper.margin = output.margin;
   if (plotter != nullptr && output.scale.empty()) {
     const auto least = picture::least_margin(*plotter, paper);
-    if (!least) throw Failure(ExitCode::usage, least.error().message());
+    if (!least) throw base::usage_error(least.error().message());
     if (!output.command->is_given("--margin")) paper.margin = std::max(paper.margin, *least);
     if (paper.margin < *least)
-      throw Failure(ExitCode::usage,
-                    fmt::format("--margin: found {:g} mm, expected {:g} or more, where the {} can draw",
+      throw base::usage_error(fmt::format("--margin: found {:g} mm, expected {:g} or more, where the {} can draw",
                                 paper.margin, *least, plotter->name));
   }
   if (2 * paper.margin >= std::min(paper.width, paper.height)) {
-    throw Failure(ExitCode::usage, fmt::format("--margin: found {} mm on both sides of {}, expected less",
+    throw base::usage_error(fmt::format("--margin: found {} mm on both sides of {}, expected less",
                                                paper.margin, output.size));
   }
   if (output.scale.empty()) return;
   output.room = room_of(output, paper);
   if (plotter != nullptr) {
     const auto area = picture::plotting_area(*plotter, paper);
-    if (!area) throw Failure(ExitCode::usage, area.error().message());
+    if (!area) throw base::usage_error(area.error().message());
   }
   paper.margin = 0;
 }
@@ -250,18 +246,16 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
 
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
   if (output.command->is_given(option))
-    throw Failure(ExitCode::usage, fmt::format("{}: found without {}", option, needed));
+    throw base::usage_error(fmt::format("{}: found without {}", option, needed));
 }
 
 DrawingFormat read_draw_output(DrawOutput& output) {
   const auto format = format_of(output);
   if (!format)
-    throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in {}, or --format", output.file, format_endings));
+    throw base::usage_error(fmt::format("{}: expected a name that ends in {}, or --format", output.file, format_endings));
   if (*format == DrawingFormat::steps && output.device.empty()) output.device = calcomp;
   if ((output.device == calcomp) != (*format == DrawingFormat::steps)) {
-    throw Failure(
-        ExitCode::usage,
-        output.device == calcomp
+    throw base::usage_error(output.device == calcomp
             ? fmt::format("{}: expected a name that ends in .steps for the CalComp, or --format steps",
                           output.file)
             : fmt::format("--device: found {} with a step file, which is for calcomp", output.device));
@@ -276,7 +270,7 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   const int most_pens = output.plotter() != nullptr ? output.plotter()->pens : picture::most_hpgl_pens;
   for (const int pen : output.pens) {
     if (pen < 1 || pen > most_pens)
-      throw Failure(ExitCode::usage, fmt::format("--pens: found {}, expected 1 to {}", pen, most_pens));
+      throw base::usage_error(fmt::format("--pens: found {}, expected 1 to {}", pen, most_pens));
   }
   read_margin(output);
   const auto [columns, rows] = size_argument("--pixels", output.pixels, picture::png_size_limit);
@@ -288,9 +282,7 @@ DrawingFormat read_draw_output(DrawOutput& output) {
     const auto pixels = [&](double length) { return static_cast<int>(std::lround(length / inch * output.dpi)); };
     output.image = {pixels(paper.width), pixels(paper.height), paper.pen / inch * output.dpi, output.dpi / inch};
     if (std::max(output.image.width, output.image.height) > picture::png_size_limit)
-      throw Failure(
-          ExitCode::usage,
-          fmt::format("--dpi: found {}, which makes {} x {} pixels, expected at most {} a side", output.dpi,
+      throw base::usage_error(fmt::format("--dpi: found {}, which makes {} x {} pixels, expected at most {} a side", output.dpi,
                       output.image.width, output.image.height, picture::png_size_limit));
   }
   return *format;
@@ -311,8 +303,7 @@ double scale_argument(const std::string& text) {
     const auto real = base::fixed_number(std::string_view(text).substr(colon + 1), 1 / most, most);
     if (drawn && real) return *drawn / *real;
   }
-  throw Failure(ExitCode::usage,
-                fmt::format("--scale: found \"{}\", expected N:M, such as 1:50 or 2:1, both 0.000001 to 1000000", text));
+  throw base::usage_error(fmt::format("--scale: found \"{}\", expected N:M, such as 1:50 or 2:1, both 0.000001 to 1000000", text));
 }
 
 void require_room(const picture::VectorDrawing& drawing, const DrawOutput& output) {
@@ -356,7 +347,7 @@ void require_room(const picture::VectorDrawing& drawing, const DrawOutput& outpu
                                         std::ceil(needed[1] - rounding));
   const bool too_large = std::max(needed[0], needed[1]) > widest_paper ||
                          (plotter != nullptr && (plotter->carriage == 0 || size[1] > plotter->carriage));
-  throw Failure(ExitCode::usage, sheet.empty() && too_large
+  throw base::usage_error(sheet.empty() && too_large
                                      ? fmt::format("{}, expected a smaller scale: {} is larger than {}", found, paper,
                                                    plotter != nullptr ? fmt::format("what {} takes", plotter->name)
                                                                       : fmt::format("{:g} mm a side", widest_paper))
@@ -461,7 +452,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& with_empty
   if (format == DrawingFormat::png) {
     const auto bytes = picture::encode_png(image_on(with_dashes(found), output), {{"Title", title}, {"Software", "sightline"}},
                                            output.image.unit);
-    if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+    if (!bytes) throw base::io_error(bytes.error().message());
     file.write(std::span<const std::uint8_t>(*bytes));
     file.commit();
     return std::nullopt;

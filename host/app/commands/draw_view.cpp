@@ -115,7 +115,7 @@ class LineViews::Work {
       : algorithm_(algorithm), source_(source), options_(options), matter_(matter) {
     if (matter_ == nullptr) choose_edges();
     if (const auto reason = algorithm.why_not(scene()))
-      throw Failure(ExitCode::usage, fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
+      throw base::usage_error(fmt::format("{}: {} does not apply: {}", source.name, algorithm.name, *reason));
     prepared_ = source.decomposition && algorithm.prepare_cells != nullptr
                     ? algorithm.prepare_cells(source.decomposition->complex)
                     : prepared(scene());
@@ -123,7 +123,7 @@ class LineViews::Work {
 
   DrawnView at(const scene::PolyCamera& camera, const picture::DrawingField& field) {
     if (const auto reason = algorithm_.why_not_seen(source_.scene, camera)) {
-      throw Failure(ExitCode::bad_input, fmt::format("{}: camera: {} does not apply to this view: {}",
+      throw base::bad_input(fmt::format("{}: camera: {} does not apply to this view: {}",
                                                      source_.name, algorithm_.name, *reason));
     }
     DrawnView result;

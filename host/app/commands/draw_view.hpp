@@ -56,14 +56,14 @@ class LineViews {
  public:
   // The scene outlives this, and so does `matter`, which is null or the scene's: then its real lines are drawn, not the edges of faces.
   // A warning for bodies that pass through each other, if the algorithm cannot draw that.
-  // Failure usage: the algorithm does not apply.
+  // Error usage: the algorithm does not apply.
   LineViews(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source, const LineViewOptions& options,
             const compare::MatterScene* matter = nullptr);
   ~LineViews();
   LineViews(const LineViews&) = delete;
   LineViews& operator=(const LineViews&) = delete;
 
-  // Failure bad_input: the algorithm does not apply to the view.
+  // Error bad_input: the algorithm does not apply to the view.
   [[nodiscard]] DrawnView at(const scene::PolyCamera& camera, const picture::DrawingField& field);
 
  private:

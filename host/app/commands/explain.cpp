@@ -32,7 +32,7 @@ bool is_page(const std::string& file) { return file.ends_with(".html") || file.e
 
 void check_name(const std::string& file) {
   if (file != "-" && !is_page(file) && !file.ends_with(".json"))
-    throw Failure(ExitCode::usage, fmt::format("{}: expected a name that ends in .json or .html, or - for JSON on standard output", file));
+    throw base::usage_error(fmt::format("{}: expected a name that ends in .json or .html, or - for JSON on standard output", file));
 }
 
 void write_lesson(const explain::Lesson& lesson, const std::string& file, Output& output) {
@@ -45,9 +45,9 @@ void write_lesson(const explain::Lesson& lesson, const std::string& file, Output
 scene::LoadedScene load_scene_of(const explain::Explainer& explainer, const std::string& name, const MeshArguments& mesh) {
   try {
     return load_scene(name, mesh);
-  } catch (const Failure&) {
+  } catch (const base::Error&) {
     if (name == "-" || !scene::load_height_grid(name)) throw;
-    throw Failure(ExitCode::bad_input, fmt::format("{0}: found a grid of heights, expected a scene for {1}; `sightline explain skala {0}` takes it",
+    throw base::bad_input(fmt::format("{0}: found a grid of heights, expected a scene for {1}; `sightline explain skala {0}` takes it",
                                                    name, explainer.algorithm));
   }
 }

@@ -104,10 +104,10 @@ Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, con
   picture::ApngWriter apng({1, 25}, 0, {{"Title", title}, {"Software", "sightline"}});
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const auto added = apng.add(pictures[i], time_shown(made.run.frames, i));
-    if (!added) throw Failure(ExitCode::io, added.error().message());
+    if (!added) throw base::io_error(added.error().message());
   }
   const auto bytes = apng.finish();
-  if (!bytes) throw Failure(ExitCode::io, bytes.error().message());
+  if (!bytes) throw base::io_error(bytes.error().message());
   animation.write(*bytes);
   animation.commit();
   still.commit();

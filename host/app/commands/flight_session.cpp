@@ -18,7 +18,7 @@ T flight_value(base::Result<T>&& result, const std::string& source) {
   if (result) return std::move(*result);
   base::Error error = result.error();
   error.file = source;
-  throw Failure(ExitCode::bad_input, error.message());
+  throw base::bad_input(error.message());
 }
 
 }  // namespace
@@ -39,10 +39,9 @@ flight::FlightRun checked_flight(const flight::Session& session, const PlannedFl
                                  const std::string& source, const flight::FlightOptions& options) {
   flight::FlightRun run = session.run(planned.model, planned.path, packed, options);
   if (!run.difference.empty())
-    throw Failure(ExitCode::differs,
-                  fmt::format("{}: internal error: a priority on the 8080 is not the one its native twin computes: {}", source, run.difference));
+    throw base::difference(fmt::format("{}: internal error: a priority on the 8080 is not the one its native twin computes: {}", source, run.difference));
   if (run.guest.status != flight::Status::complete)
-    throw Failure(ExitCode::guest_failed, fmt::format("{}: the program stopped: {}", source, flight::text_of(run.guest.status)));
+    throw base::program_failed(fmt::format("{}: the program stopped: {}", source, flight::text_of(run.guest.status)));
   return run;
 }
 

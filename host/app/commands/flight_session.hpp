@@ -18,11 +18,11 @@ struct PlannedFlight {
   std::vector<scene::PolyCamera> path;
 };
 
-// `source` names the scene in errors. Failure bad_input: no such flight, or a model that does not fit, by how much.
+// `source` names the scene in errors. Error bad_input: no such flight, or a model that does not fit, by how much.
 [[nodiscard]] PlannedFlight planned_flight(const scene::PolyScene& scene, const std::string& source, bool plan, std::uint32_t frames,
                                            std::optional<std::size_t> pieces);
 
-// Failure differs: a priority is not the twin's; guest_failed: the program did not end as it should.
+// Error differs: a priority is not the twin's; guest_failed: the program did not end as it should.
 [[nodiscard]] programs::flight::FlightRun checked_flight(const programs::flight::Session& session, const PlannedFlight& flight,
                                                        const programs::flight::Packed& packed, const std::string& source,
                                                        const programs::flight::FlightOptions& options);

@@ -76,7 +76,7 @@ Chosen choose(const compare::Manifest& manifest, const std::vector<std::string>&
       ids.insert(name);
     } else if (std::none_of(chosen.cases.begin(), chosen.cases.end(), is_meant)) {
       const std::string nearest = base::did_you_mean(name, known);
-      throw Failure(ExitCode::usage, fmt::format("CASE: found \"{}\", expected a case of `sightline hard --list`{}{}", name,
+      throw base::usage_error(fmt::format("CASE: found \"{}\", expected a case of `sightline hard --list`{}{}", name,
                                                  nearest.empty() ? "" : "; ", nearest));
     }
   }

@@ -51,7 +51,7 @@ jones::GuestOptions guest_options(const JonesArguments& arguments) {
   options.views = arguments.views;
   options.photograph = photograph_time;
   if (!arguments.switches.empty()) {
-    static_cast<void>(accepted(machines::read_switches(read_named(arguments.switches), options.switches)));
+    static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), options.switches)));
     // The modes asked for on the command line stay up whatever else the script does.
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
     for (auto& setting : options.switches) setting.switches = setting.switches | modes;

@@ -17,15 +17,14 @@ programs::jones::Session session_of(const scene::CellScene& scene, const std::st
   auto session = programs::jones::Session::of(scene, options);
   if (!session) {
     session.error().file = source;
-    throw Failure(ExitCode::bad_input, session.error().message());
+    throw base::bad_input(session.error().message());
   }
   return std::move(*session);
 }
 
 void require_twin(const programs::jones::CheckedRun& run, const std::string& source) {
   if (run.difference.empty()) return;
-  throw Failure(ExitCode::differs,
-                fmt::format("{}: internal error: the view on the PDP-7 is not the one its native twin "
+  throw base::difference(fmt::format("{}: internal error: the view on the PDP-7 is not the one its native twin "
                             "computes: {}",
                             source, run.difference));
 }

@@ -10,12 +10,12 @@
 
 namespace sightline::app {
 
-// `source` names the scene in errors. Failure bad_input: the eye is nowhere, or the scene does not fit into
+// `source` names the scene in errors. Error bad_input: the eye is nowhere, or the scene does not fit into
 // core.
 [[nodiscard]] programs::jones::Session session_of(const scene::CellScene& scene, const std::string& source,
                                                 const programs::jones::ProgramOptions& options);
 
-// Failure differs: the last view is not its twin's, which is a defect of this program.
+// Error differs: the last view is not its twin's, which is a defect of this program.
 void require_twin(const programs::jones::CheckedRun& run, const std::string& source);
 
 // "house, Jones 1971 on the PDP-7 with EAE": the title of its pictures.
@@ -28,7 +28,7 @@ void require_twin(const programs::jones::CheckedRun& run, const std::string& sou
 // What the photograph needs: the shutter stands open this long.
 inline constexpr core::Duration photograph_time = core::milliseconds(200);
 
-// Writes DIRECTORY/STEM.png, -phosphor.png and .svg; makes the directory. Returns the paths. Failure io.
+// Writes DIRECTORY/STEM.png, -phosphor.png and .svg; makes the directory. Returns the paths. Error io.
 std::vector<std::string> write_jones_pictures(const std::string& directory, const std::string& stem,
                                               const std::string& title, const programs::jones::GuestRun& run);
 

@@ -57,11 +57,6 @@ void add_machine_command(const Command& parent, std::string_view name, const Hel
   command.run([arguments, work = std::move(work)] { return work(*arguments); });
 }
 
-Failure failure(const machines::Refusal& refusal) {
-  return {refusal.kind == machines::Refusal::Kind::usage ? ExitCode::usage : ExitCode::bad_input,
-          refusal.message};
-}
-
 machines::Input read_named(const std::string& path) {
   return {shown_name(path), read_input(path)};
 }
@@ -72,7 +67,7 @@ std::optional<std::string> read_include(const std::string& path) {
   if (path == "-") return std::nullopt;
   try {
     return read_input_text(path);
-  } catch (const Failure&) {
+  } catch (const base::Error&) {
     return std::nullopt;
   }
 }
@@ -82,13 +77,13 @@ void check_disk(const machines::Arguments& arguments) {
   if (path.empty() || arguments.given("--disk-read-only") || base::file_status(path).kind != base::FileStatus::Kind::file) return;
   const auto image = base::AtomicFile::create(path);
   if (!image)
-    throw Failure(ExitCode::io, image.error().message() + "; its changes could not be kept: --disk-read-only leaves it as it is");
+    throw base::io_error(image.error().message() + "; its changes could not be kept: --disk-read-only leaves it as it is");
 }
 
 void write_media_back(const machines::Machine& machine) {
   for (const auto& medium : machine.changed_media()) {
     const auto done = base::write_file_atomically(medium.path, medium.content);
-    if (!done) throw Failure(ExitCode::io, done.error().message());
+    if (!done) throw base::io_error(done.error().message());
   }
 }
 

@@ -19,24 +19,16 @@ void add_machine_command(const Command& parent, std::string_view name, const Hel
                          std::span<const machines::Option> options,
                          std::function<ExitCode(const machines::Arguments&)> work);
 
-[[nodiscard]] Failure failure(const machines::Refusal& refusal);
-// The value, or a Failure for what was refused.
-template <class T>
-[[nodiscard]] T accepted(machines::Result<T> result) {
-  if (!result) throw failure(result.error());
-  return std::move(*result);
-}
-
-// Reads a file whole; Failure io.
+// Reads a file whole; Error io.
 [[nodiscard]] machines::Input read_named(const std::string& path);
 
 // The text of a source that another includes; empty if it cannot be read.
 [[nodiscard]] std::optional<std::string> read_include(const std::string& path);
 
-// Failure io if the image of --disk could not be written back after the run, which is better known before it.
+// Error io if the image of --disk could not be written back after the run, which is better known before it.
 void check_disk(const machines::Arguments& arguments);
 
-// Puts what the program has changed on disks back into their files, each whole or not at all. Failure io.
+// Puts what the program has changed on disks back into their files, each whole or not at all. Error io.
 void write_media_back(const machines::Machine& machine);
 
 }  // namespace sightline::app

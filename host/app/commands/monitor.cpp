@@ -22,7 +22,7 @@ using machines::OptionKind;
 
 ExitCode monitor(const MachineDescription& description, const Arguments& arguments) {
   if (arguments.list("--load").empty() && !arguments.given("--restore")) {
-    throw Failure(ExitCode::usage, fmt::format("monitor {}: needs a PROGRAM or --load FILE: without a program there is nothing to look into",
+    throw base::usage_error(fmt::format("monitor {}: needs a PROGRAM or --load FILE: without a program there is nothing to look into",
                                                description.name));
   }
   MonitoredMachine made = make_monitored(description, arguments);
@@ -42,9 +42,9 @@ MonitoredMachine make_monitored(const MachineDescription& description, Arguments
   for (const std::string& path : arguments.list("--symbols"))
     static_cast<void>(value_of(programs.symbols.add_table(read_input_text(path)), path));
   for (const std::string& path : arguments.list("--listing")) programs.symbols.add_listing(read_input_text(path));
-  auto prepared = accepted(prepare(description, arguments, programs.reader()));
+  auto prepared = value_of(prepare(description, arguments, programs.reader()));
   if (prepared.machine->probe() == nullptr)
-    throw Failure(ExitCode::usage, fmt::format("the {} has no probe for a monitor or an editor; `sightline run {}` runs it",
+    throw base::usage_error(fmt::format("the {} has no probe for a monitor or an editor; `sightline run {}` runs it",
                                                description.name, description.name));
   return {std::move(prepared), std::move(programs.symbols)};
 }

@@ -223,18 +223,18 @@ std::string dialect_of(const Arguments& arguments) {
 
 live::MonitorHost files_of_commands() {
   live::MonitorHost host;
-  host.read = [](const std::string& path) -> machines::Result<machines::Input> {
+  host.read = [](const std::string& path) -> base::Result<machines::Input> {
     auto bytes = base::read_file(path);
-    if (!bytes) return machines::bad_input(bytes.error().message());
+    if (!bytes) return base::bad_input(bytes.error().message());
     return machines::Input{path, std::move(*bytes)};
   };
-  host.write = [](const std::string& path, std::span<const std::uint8_t> bytes) -> machines::Result<base::Done> {
+  host.write = [](const std::string& path, std::span<const std::uint8_t> bytes) -> base::Result<base::Done> {
     const auto done = base::write_file_atomically(path, bytes);
-    if (!done) return machines::bad_input(done.error().message());
+    if (!done) return base::bad_input(done.error().message());
     return base::Done{};
   };
-  host.speed = [](const std::string&) -> machines::Result<base::Done> {
-    return machines::usage("there is no console; begin with --console MODE");
+  host.speed = [](const std::string&) -> base::Result<base::Done> {
+    return base::usage_error("there is no console; begin with --console MODE");
   };
   return host;
 }
@@ -245,7 +245,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   const bool terminal = base::stdin_is_terminal();
   const bool console = arguments.given("--console");
   std::optional<live::ConsoleOptions> console_options;
-  if (console) console_options = accepted(live::console_options(arguments, terminal));
+  if (console) console_options = value_of(live::console_options(arguments, terminal));
 
   Printer printer;
   const base::EndSignals signals;
@@ -261,8 +261,8 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   host.running.nobody_types = !terminal;
   host.running.interrupted = [] { return base::EndSignals::received() != 0; };
   host.running.print = [&printer](std::string_view text) { static_cast<void>(printer.print(text)); };
-  host.speed = [&](const std::string& text) -> machines::Result<base::Done> {
-    if (!console_options) return machines::usage("there is no console; begin with --console MODE");
+  host.speed = [&](const std::string& text) -> base::Result<base::Done> {
+    if (!console_options) return base::usage_error("there is no console; begin with --console MODE");
     Arguments changed = arguments;
     changed.value("--speed").text = text;
     auto options = live::console_options(changed, terminal);

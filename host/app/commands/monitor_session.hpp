@@ -28,7 +28,7 @@ struct MonitoredMachine {
   machines::Prepared prepared;
   live::Symbols symbols;
 };
-// Failure usage, bad_input or io.
+// Error usage, bad_input or io.
 [[nodiscard]] MonitoredMachine make_monitored(const machines::MachineDescription& description,
                                               machines::Arguments arguments);
 

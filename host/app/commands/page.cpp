@@ -14,7 +14,7 @@ namespace {
 std::string unpacked(std::span<const std::uint8_t> packed) {
   constexpr int gzip = 16;
   z_stream stream{};
-  if (inflateInit2(&stream, MAX_WBITS + gzip) != Z_OK) throw Failure(ExitCode::io, "the page cannot be unpacked");
+  if (inflateInit2(&stream, MAX_WBITS + gzip) != Z_OK) throw base::io_error("the page cannot be unpacked");
   std::string text;
   std::string block(std::size_t{1} << 20, '\0');
   stream.next_in = const_cast<Bytef*>(packed.data());
@@ -27,15 +27,14 @@ std::string unpacked(std::span<const std::uint8_t> packed) {
     text.append(block, 0, block.size() - stream.avail_out);
   }
   static_cast<void>(inflateEnd(&stream));
-  if (state != Z_STREAM_END) throw Failure(ExitCode::io, "the page cannot be unpacked: this program is damaged");
+  if (state != Z_STREAM_END) throw base::io_error("the page cannot be unpacked: this program is damaged");
   return text;
 }
 
 ExitCode write_page(const std::string& file) {
   const auto packed = packed_page();
   if (packed.empty()) {
-    throw Failure(ExitCode::io,
-                  "this program was built without the page: clang 14 and wasi-libc were not there; `tools/dev page` in the source "
+    throw base::io_error("this program was built without the page: clang 14 and wasi-libc were not there; `tools/dev page` in the source "
                   "tree installs them and makes it");
   }
   Output output(file);

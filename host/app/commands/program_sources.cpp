@@ -66,19 +66,19 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
     Arguments options(machine.assembler.options);
     options.value("--listing").flag = true;
     if (dialect_option(machine) != nullptr) options.value("--dialect").text = arguments.text("--dialect");
-    const auto assembled = accepted(machine.assembler.assemble(sources, options, read_include));
+    const auto assembled = value_of(machine.assembler.assemble(sources, options, read_include));
     for (const auto& diagnostic : assembled.diagnostics)
       fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
     if (assembler::any_errors(assembled.diagnostics)) {
       say_whose_source(machine, sources, command, {first, last});
-      throw Failure(ExitCode::bad_input, fmt::format("{}: the source has errors: {}", *first, first_error(assembled.diagnostics)));
+      throw base::bad_input(fmt::format("{}: the source has errors: {}", *first, first_error(assembled.diagnostics)));
     }
     static_cast<void>(programs.symbols.add_table(assembled.symbol_table));
     programs.symbols.add_listing(assembled.listing);
     for (const machines::SourceLine& line : assembled.lines)
       programs.symbols.add_line(line.address, {line.file, line.line});
     *first += std::string(": ") + std::string(form->name);
-    programs.assembled[*first] = accepted(form->write(assembled.program, *first));
+    programs.assembled[*first] = value_of(form->write(assembled.program, *first));
     first = loads.erase(first + 1, last) - 1;
   }
   return programs;

@@ -29,7 +29,7 @@ void say_whose_source(const machines::MachineDescription& machine, std::span<con
                       std::string_view command, std::span<const std::string> names);
 
 // Replaces sources in --load by what they assemble to; sources side by side are one program. Diagnostics go to standard error.
-// `command`: that which was given. Failure bad_input or io.
+// `command`: that which was given. Error bad_input or io.
 [[nodiscard]] Programs assemble_sources(const machines::MachineDescription& machine, machines::Arguments& arguments,
                                         std::string_view command);
 

@@ -21,8 +21,7 @@ void add_random_view_options(const Command& command, RandomViewOptions& options)
 
 compare::Directions directions_of(const RandomViewOptions& options, const scene::LoadedScene& source) {
   if (options.turn && !source.cells)
-    throw Failure(ExitCode::usage,
-                  fmt::format("--turn: found {}, expected a scene of cells; random views of others look in all directions without it",
+    throw base::usage_error(fmt::format("--turn: found {}, expected a scene of cells; random views of others look in all directions without it",
                               source.name));
   if (options.turn) return compare::Directions::all;
   return options.level ? compare::Directions::level : compare::Directions::usual;

@@ -18,7 +18,7 @@ struct RandomViewOptions {
 // --seed, --turn and --level, of which the last two exclude each other.
 void add_random_view_options(const Command& command, RandomViewOptions& options);
 
-// Failure usage: --turn of a scene that is not of cells.
+// Error usage: --turn of a scene that is not of cells.
 [[nodiscard]] compare::Directions directions_of(const RandomViewOptions& options, const scene::LoadedScene& source);
 
 }  // namespace sightline::app

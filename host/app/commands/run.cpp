@@ -34,7 +34,7 @@ using machines::OptionKind;
 // The files a run writes: opened before it, filled during and after it, put in their places at the end.
 class RunOutputs {
  public:
-  // Failure usage if a path is named twice or more than one goes to standard output; Failure io if one cannot
+  // Error usage if a path is named twice or more than one goes to standard output; Error io if one cannot
   // be written.
   RunOutputs(const MachineDescription& description, const Arguments& arguments) {
     const bool json = arguments.given("--json");
@@ -44,7 +44,7 @@ class RunOutputs {
       std::string path = arguments.text(option.key());
       if (option.key() == "--vcd" && !path.empty()) {
         const std::string found = std::exchange(path, machines::vcd_target(path).file);
-        if (path.empty()) throw Failure(ExitCode::usage, fmt::format("--vcd: found \"{}\", expected FILE or FILE:SIGNALS", found));
+        if (path.empty()) throw base::usage_error(fmt::format("--vcd: found \"{}\", expected FILE or FILE:SIGNALS", found));
       }
       if (path.empty() && !json && !arguments.given("--console") && arguments.given(option.stdout_with)) {
         path = "-";
@@ -57,7 +57,7 @@ class RunOutputs {
     for (File& file : files_) named.push_back({&file.path, &file.output});
     uses_stdout_ = open_outputs(named, json, stdout_twice);
     if (uses_stdout_ && arguments.given("--console"))
-      throw Failure(ExitCode::usage, "--console needs standard output; an output cannot be `-`");
+      throw base::usage_error("--console needs standard output; an output cannot be `-`");
   }
 
   // The streams go to their files; this object outlives the run.
@@ -67,7 +67,7 @@ class RunOutputs {
       machine.take(file.option->key(), [&file](std::string_view text) { file.output->write(text); });
     }
   }
-  // Writes what the run left behind, and puts all files in their places. Failure io.
+  // Writes what the run left behind, and puts all files in their places. Error io.
   void write(const MachineDescription& description, Machine& machine) {
     for (File& file : files_) {
       if (file.option->kind != OptionKind::output) continue;
@@ -131,7 +131,7 @@ bool person_types(const Arguments& arguments) {
 // error.
 Ended run_on_console(const machines::Prepared& prepared, const Arguments& arguments) {
   const bool person = person_types(arguments);
-  const live::ConsoleOptions options = accepted(live::console_options(arguments, base::stdin_is_terminal()));
+  const live::ConsoleOptions options = value_of(live::console_options(arguments, base::stdin_is_terminal()));
   const base::EndSignals signals;
   std::optional<base::RawTerminal> raw;
   if (person) {
@@ -149,14 +149,14 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   const bool person = person_types(arguments);
   if (person) arguments.value("--monitor").flag = true;
   const auto restore = [&description](Machine& machine,
-                                      const machines::Input& snapshot) -> machines::Result<base::Done> {
+                                      const machines::Input& snapshot) -> base::Result<base::Done> {
     const auto done = live::restore_snapshot(description.name, machine, snapshot.bytes, snapshot.name);
-    if (!done) return machines::bad_input(done.error().message());
+    if (!done) return base::bad_input(done.error().message());
     return base::Done{};
   };
   check_disk(arguments);
   Programs programs = assemble_sources(description, arguments, "run");
-  const machines::Prepared prepared = accepted(prepare(description, arguments, programs.reader(), restore));
+  const machines::Prepared prepared = value_of(prepare(description, arguments, programs.reader(), restore));
   for (const std::string& warning : prepared.warnings) warn(warning);
   Machine& machine = *prepared.machine;
   RunOutputs outputs(description, arguments);
@@ -171,11 +171,11 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   }
   for (const std::string& warning : machine.warnings()) warn(warning);
   // A disk that cannot be written must not take the other files with it.
-  std::optional<Failure> disk_failure;
+  std::optional<base::Error> disk_failure;
   try {
     write_media_back(machine);
-  } catch (const Failure& failure) {
-    disk_failure = failure;
+  } catch (const base::Error& error) {
+    disk_failure = error;
   }
   outputs.write(description, machine);
   if (arguments.given("--json")) {
@@ -188,7 +188,7 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   } else {
     static_cast<void>(std::fputs(table_report(description, machine, stop).c_str(), stderr));
   }
-  if (disk_failure) throw Failure(*disk_failure);
+  if (disk_failure) throw *disk_failure;
   if (stop.name == machines::interrupted && ended.signal == 0) {
     complain("stopped: standard output takes no more; all outputs hold what was done so far");
     return ExitCode::io;

@@ -56,9 +56,7 @@ std::size_t sheet_count(const scene::PolyScene& scene) {
 void write_scene(const scene::PolyScene& scene, const std::string& name, const std::string& path) {
   const auto format = scene::poly_format_of(path);
   if (path != "-" && !(format && scene::can_be_written(*format))) {
-    throw Failure(
-        ExitCode::usage,
-        fmt::format("--output: found \"{}\", expected a name that ends in {}", path, scene::poly_endings));
+    throw base::usage_error(fmt::format("--output: found \"{}\", expected a name that ends in {}", path, scene::poly_endings));
   }
   const std::string text = value_of(scene::write_poly(scene, format.value_or(scene::PolyFormat::json)), name);
   Output output(path);
@@ -397,7 +395,7 @@ std::string families_help() {
 
 ExitCode generate(const GenerateArguments& arguments) {
   const auto scene = scene::generate_scene(arguments.family, arguments.size, arguments.seed);
-  if (!scene) throw Failure(ExitCode::usage, scene.error().message());
+  if (!scene) throw base::usage_error(scene.error().message());
   write_scene(*scene, arguments.family, arguments.output);
   return ExitCode::ok;
 }

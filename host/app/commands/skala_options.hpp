@@ -23,7 +23,7 @@ void add_function_options(const Command& command, SkalaSource& source, const std
 
 // --rotate and --elevate. The defaults are those the angles have.
 void add_angle_options(const Command& command, double& rotation, double& elevation);
-// Failure usage: an angle that is no number.
+// Error usage: an angle that is no number.
 void require_angles(double rotation, double elevation);
 
 // --both and --along, which exclude each other.

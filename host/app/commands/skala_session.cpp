@@ -26,8 +26,8 @@ struct Drawn {
   std::uint64_t points_walked = 0;
 };
 
-[[noreturn]] void fail(const SkalaRequest& order, ExitCode code, const std::string& what) {
-  throw Failure(code, fmt::format("{}: {}", order.name, what));
+[[noreturn]] void fail(const SkalaRequest& order, base::ErrorKind kind, const std::string& what) {
+  throw base::error_of(kind, fmt::format("{}: {}", order.name, what));
 }
 
 // Why a program may fail for want of the clock it is made for; nothing at that clock.
@@ -37,7 +37,7 @@ std::string_view clock_hint(const SkalaRequest& order) {
 
 void check(const SkalaRequest& order, const programs::skala::GuestPicture& picture) {
   if (!picture.ended) {
-    fail(order, ExitCode::guest_failed,
+    fail(order, base::ErrorKind::program_failed,
          fmt::format("the program did not end within {:.0f} emulated seconds",
                      core::in_seconds(picture.total, order.clock)));
   }
@@ -46,11 +46,11 @@ void check(const SkalaRequest& order, const programs::skala::GuestPicture& pictu
     for (const programs::skala::DeviceFault& fault : picture.faults)
       text +=
           fmt::format("{}{}: {}", &fault == &picture.faults.front() ? ": " : ", ", fault.what, fault.count);
-    fail(order, ExitCode::guest_failed, text.append(clock_hint(order)));
+    fail(order, base::ErrorKind::program_failed, text.append(clock_hint(order)));
   }
   if (picture.status != programs::skala::Status::complete) {
     const bool timing = picture.status == programs::skala::Status::link_error;
-    fail(order, ExitCode::guest_failed,
+    fail(order, base::ErrorKind::program_failed,
          fmt::format("the program stopped: {}{}", text_of(picture.status), timing ? clock_hint(order) : ""));
   }
 }
@@ -66,7 +66,7 @@ Drawn drawn(const programs::skala::Session& session, const SkalaRequest& order, 
   programs::skala::CheckedPicture run = session.run(stream, options);
   check(order, run.guest);
   if (!run.difference.empty()) {
-    fail(order, ExitCode::differs,
+    fail(order, base::ErrorKind::differs,
          "internal error: the 8080's picture is not the one its native twin makes; " + run.difference);
   }
   return {std::move(run.guest), stream.size(), run.twin.counts.points_walked};

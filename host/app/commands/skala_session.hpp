@@ -34,8 +34,8 @@ struct SkalaOutcome {
   std::optional<double> visibility_cost;
 };
 
-// Runs the program, and where asked again without the visibility test. Failure guest_failed: it did not
-// end, stopped with an error or did what a device does not allow. Failure differs: its picture is not its
+// Runs the program, and where asked again without the visibility test. Error program_failed: it did not
+// end, stopped with an error or did what a device does not allow. Error differs: its picture is not its
 // twin's, which is a defect of this program.
 [[nodiscard]] SkalaOutcome run_skala_request(const programs::skala::Session& session,
                                              const SkalaRequest& order);
@@ -56,7 +56,7 @@ struct SkalaFiles {
 };
 
 // DIRECTORY/STEM.png, for a plotter also .svg and .hpgl: none if one cannot be opened. Returns the paths.
-// Failure io.
+// Error io.
 std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaRequest& order,
                                               const SkalaOutcome& outcome);
 

@@ -25,8 +25,8 @@ namespace sightline::app {
 namespace {
 
 template <class Value>
-Value checked(base::Result<Value> result, ExitCode code) {
-  if (!result) throw Failure(code, result.error().message(base::MessageStyle::position));
+Value checked(base::Result<Value> result, base::ErrorKind kind) {
+  if (!result) throw base::error_of(kind, result.error().message(base::MessageStyle::position));
   return std::move(*result);
 }
 
@@ -37,7 +37,7 @@ scene::GridSize size_of(const SkalaSource& source, scene::GridSize usual) {
 // What of `usual` is not asked for otherwise.
 scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usual) {
   const auto read = [](const std::string& text, const char* option, scene::Interval otherwise) {
-    return text.empty() ? otherwise : checked(scene::read_domain(text, option), ExitCode::usage);
+    return text.empty() ? otherwise : checked(scene::read_domain(text, option), base::ErrorKind::usage);
   };
   const scene::Interval x = read(source.domain, "--domain", usual.x);
   const scene::Interval z = read(source.domain, "--domain", usual.z);
@@ -47,7 +47,7 @@ scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usu
 SkalaFunction from_expression(const SkalaSource& source, scene::GridSize size) {
   const scene::HeightDomain domain = domain_of(source, {scene::expression_domain, scene::expression_domain});
   const auto sampled = [expression = source.expression, domain](scene::GridSize at) {
-    return checked(scene::sample_expression(expression, domain, at), ExitCode::usage);
+    return checked(scene::sample_expression(expression, domain, at), base::ErrorKind::usage);
   };
   return {source.expression, "function", sampled(size), sampled};
 }
@@ -57,7 +57,7 @@ SkalaFunction from_name(const SkalaSource& source, const scene::HeightFunction& 
   const bool own_domain = source.x_range.empty() && source.y_range.empty();
   if (function.value == nullptr && own_domain) return {name, file_stem(name), scene::sample(function, size)};
   if (function.value == nullptr)
-    throw Failure(ExitCode::usage, fmt::format("--x-range: found with {}, which has no values between its points", name));
+    throw base::usage_error(fmt::format("--x-range: found with {}, which has no values between its points", name));
   const auto sampled = [function, domain = domain_of(source, {function.domain, function.domain})](scene::GridSize at) {
     return scene::sample(function, domain, at);
   };
@@ -81,33 +81,32 @@ SkalaFunction from_file(const SkalaSource& source) {
   if (file != "-" && !std::filesystem::exists(file, unknown)) {
     std::vector<std::string> names;
     for (const auto& function : scene::height_functions()) names.emplace_back(function.name);
-    throw Failure(ExitCode::io, base::Error{.file = file,
+    throw base::io_error(base::Error{.file = file,
                                             .found = "no such file, and no function of that name",
                                             .expected = "a grid file or one of " + scene::height_function_names(),
                                             .remedy = base::did_you_mean(file, names)}
                                     .message());
   }
   if (named_as_mesh(file)) {
-    throw Failure(ExitCode::bad_input, base::Error{.file = file,
+    throw base::bad_input(base::Error{.file = file,
                                                    .found = "found a mesh",
                                                    .expected = "a grid of heights",
                                                    .remedy = "draw it by: sightline draw exact " + file}
                                            .message());
   }
   if (source.points || source.slices)
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: a grid file has its own size; found --points or --slices", file));
+    throw base::usage_error(fmt::format("{}: a grid file has its own size; found --points or --slices", file));
   if (!source.x_range.empty() || !source.y_range.empty())
-    throw Failure(ExitCode::usage, fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", shown_name(file)));
+    throw base::usage_error(fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", shown_name(file)));
   const scene::GridFileOptions options{source.columns, layout_named(source.layout)};
   SkalaFunction function;
   function.name = shown_name(file);
   if (file == "-") {
     function.stem = "standard-input";
-    function.grid = checked(scene::read_height_grid(read_input_text(file), function.name, options), ExitCode::bad_input);
+    function.grid = checked(scene::read_height_grid(read_input_text(file), function.name, options), base::ErrorKind::bad_input);
   } else {
     function.stem = file_stem(std::filesystem::path(file).stem().string());
-    function.grid = checked(scene::load_height_grid(file, options), ExitCode::bad_input);
+    function.grid = checked(scene::load_height_grid(file, options), base::ErrorKind::bad_input);
   }
   if (!function.grid.note.empty()) complain(fmt::format("{}: {}", function.name, function.grid.note));
   return function;
@@ -117,24 +116,23 @@ SkalaFunction from_file(const SkalaSource& source) {
 
 SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual) {
   if (source.name_or_file.empty() == source.expression.empty()) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("found {}, expected one: a name ({}), a grid file, or --function EXPRESSION",
+    throw base::usage_error(fmt::format("found {}, expected one: a name ({}), a grid file, or --function EXPRESSION",
                               source.expression.empty() ? "no function to draw" : "two functions to draw",
                               scene::height_function_names()));
   }
   const scene::GridSize size = size_of(source, usual);
   if (!source.columns.empty() && source.columns.size() != 3)
-    throw Failure(ExitCode::usage, fmt::format("--xyz: found {} columns, expected three: x, y and height", source.columns.size()));
+    throw base::usage_error(fmt::format("--xyz: found {} columns, expected three: x, y and height", source.columns.size()));
   if (!source.columns.empty() && !source.layout.empty() && source.layout != "points")
-    throw Failure(ExitCode::usage, fmt::format("--xyz: found with --layout {}, expected it with a file of points", source.layout));
+    throw base::usage_error(fmt::format("--xyz: found with --layout {}, expected it with a file of points", source.layout));
   const auto function = scene::height_function(source.name_or_file);
   if (!source.expression.empty() || function) {
-    if (!source.columns.empty()) throw Failure(ExitCode::usage, "--xyz: found without a grid file");
-    if (!source.layout.empty()) throw Failure(ExitCode::usage, "--layout: found without a grid file");
+    if (!source.columns.empty()) throw base::usage_error("--xyz: found without a grid file");
+    if (!source.layout.empty()) throw base::usage_error("--layout: found without a grid file");
   }
   if (!source.expression.empty()) return from_expression(source, size);
   if (!source.domain.empty())
-    throw Failure(ExitCode::usage, "--domain: found without --function; names and grid files have their own");
+    throw base::usage_error("--domain: found without --function; names and grid files have their own");
   return function ? from_name(source, *function, size) : from_file(source);
 }
 

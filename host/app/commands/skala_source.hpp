@@ -32,8 +32,8 @@ struct SkalaFunction {
 };
 
 // One line on standard error if the layout of a file was guessed. A file "-" is standard input. Sampled at the size asked for, else
-// at `usual`; a file has its own size. Failure usage: no function, two, options that do not go with it, an expression or domain with
-// an error. Failure io: neither a name nor a file. Failure bad_input: the file is wrong.
+// at `usual`; a file has its own size. Error usage: no function, two, options that do not go with it, an expression or domain with
+// an error. Error io: neither a name nor a file. Error bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
 
 // Whether a name among scenes and functions is that of a function: its name, or a file whose ending is none of a scene.

@@ -86,7 +86,7 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   auto prepared = value_of(method.prepare(scene, turn), found ? options.events : options.scene);
   if (keeps && !found) {
     const auto kept = prepared.keep(options.events);
-    if (!kept) throw Failure(ExitCode::io, kept.error().message());
+    if (!kept) throw base::io_error(kept.error().message());
   }
   return prepared;
 }
@@ -135,8 +135,7 @@ class Sheet {
 
 void spin(const SpinOptions& options) {
   if (!options.out.ends_with(".apng") && !options.out.ends_with(".png")) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("{}: expected a name that ends in .apng or .png", options.out));
+    throw base::usage_error(fmt::format("{}: expected a name that ends in .apng or .png", options.out));
   }
   check_edges(options.edges);
   const scene::LoadedScene source = load_scene(options.scene, options.mesh);
@@ -146,10 +145,9 @@ void spin(const SpinOptions& options) {
   const registry::TurnMethod& method = method_of(options, scene);
   if (method.name == "exact") scene = scene::with_crossings(std::move(scene));
   if (const auto reason = method.why_not(scene))
-    throw Failure(ExitCode::bad_input,
-                  fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
+    throw base::bad_input(fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
   if (method.name == "exact" && !options.events.empty())
-    throw Failure(ExitCode::usage, "--events: found with --method exact, which finds none");
+    throw base::usage_error("--events: found with --method exact, which finds none");
   Output output(options.out);
   const registry::PreparedTurn turn = prepare_turn(method, scene, options);
   const Sheet sheet(scene, options.size);
@@ -162,10 +160,10 @@ void spin(const SpinOptions& options) {
     const double angle = options.step * i * degree;
     (options.wire ? turn.whole : turn.visible)(angle, lines);
     const auto added = apng.add(sheet.image_of(lines));
-    if (!added) throw Failure(ExitCode::usage, added.error().message());
+    if (!added) throw base::usage_error(added.error().message());
   }
   const auto bytes = apng.finish();
-  if (!bytes) throw Failure(ExitCode::usage, bytes.error().message());
+  if (!bytes) throw base::usage_error(bytes.error().message());
   output.write(*bytes);
   output.commit();
   std::string counts;

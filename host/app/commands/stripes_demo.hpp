@@ -15,7 +15,7 @@ struct StripesDemoRow {
   programs::stripes::DrawnScene drawn;
 };
 
-// Writes SCENE-stripes.png into `directory`. Failure as draw_stripes, or io.
+// Writes SCENE-stripes.png into `directory`. Error as draw_stripes, or io.
 [[nodiscard]] std::vector<StripesDemoRow> run_stripes_demo(const std::string& directory);
 [[nodiscard]] std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows);
 // Adds "stripes".

@@ -21,19 +21,17 @@ stripes::DrawnScene draw_stripes(const stripes::Session& session, const scene::P
   if (!drawn) {
     base::Error error = drawn.error();
     error.file = source;
-    throw Failure(ExitCode::bad_input, error.message());
+    throw base::bad_input(error.message());
   }
   const stripes::GuestPicture& guest = drawn->picture.guest;
-  if (!guest.ended) throw Failure(ExitCode::guest_failed, fmt::format("{}: the program on the 8080 did not end", source));
+  if (!guest.ended) throw base::program_failed(fmt::format("{}: the program on the 8080 did not end", source));
   if (!drawn->picture.difference.empty())
-    throw Failure(ExitCode::differs,
-                  fmt::format("{}: internal error: the picture on the 8080 is not the one its native twin computes: {}", source,
+    throw base::difference(fmt::format("{}: internal error: the picture on the 8080 is not the one its native twin computes: {}", source,
                               drawn->picture.difference));
   if (!guest.faults.empty())
-    throw Failure(ExitCode::guest_failed,
-                  fmt::format("{}: {}: {}", source, guest.faults.front().what, guest.faults.front().count));
+    throw base::program_failed(fmt::format("{}: {}: {}", source, guest.faults.front().what, guest.faults.front().count));
   if (guest.status != stripes::Status::complete)
-    throw Failure(ExitCode::guest_failed, fmt::format("{}: the program stopped: {}", source, text_of(guest.status)));
+    throw base::program_failed(fmt::format("{}: the program stopped: {}", source, text_of(guest.status)));
   return std::move(*drawn);
 }
 

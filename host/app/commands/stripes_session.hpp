@@ -13,7 +13,7 @@ namespace sightline::app {
 [[nodiscard]] programs::stripes::View stripes_view(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                                  std::optional<double> extent = {});
 
-// `source` names the scene in errors. Failure bad_input: the scene does not fit, which part and by how much, or its faces pass
+// `source` names the scene in errors. Error bad_input: the scene does not fit, which part and by how much, or its faces pass
 // through each other; differs: the picture is not the twin's; guest_failed: the program did not end, or a device complains.
 [[nodiscard]] programs::stripes::DrawnScene draw_stripes(const programs::stripes::Session& session, const scene::PolyScene& scene,
                                                        const std::string& source, const programs::stripes::View& view,

@@ -64,8 +64,7 @@ std::vector<std::string> known_methods() {
 compare::SweepShard shard_argument(const SweepArguments& arguments) {
   const auto parts = base::whole_numbers<std::uint64_t, 2>(arguments.shard, '/', 1, most_views);
   if (!parts || (*parts)[0] > (*parts)[1]) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--shard: found \"{}\", expected I/N, I from 1 to N", arguments.shard));
+    throw base::usage_error(fmt::format("--shard: found \"{}\", expected I/N, I from 1 to N", arguments.shard));
   }
   return compare::sweep_shard(arguments.views, (*parts)[0], (*parts)[1]);
 }
@@ -80,7 +79,7 @@ std::vector<std::string> methods_of(const SweepArguments& arguments, bool functi
   for (const std::string& name : arguments.algorithms) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string meant = base::did_you_mean(name, known);
-    throw Failure(ExitCode::usage, fmt::format("--algorithm: found \"{}\", expected some of {}{}", name, base::joined(known, ", "),
+    throw base::usage_error(fmt::format("--algorithm: found \"{}\", expected some of {}{}", name, base::joined(known, ", "),
                                                meant.empty() ? "" : "; " + meant));
   }
   std::vector<std::string> methods;
@@ -103,18 +102,17 @@ compare::SweepOptions options_of(const SweepArguments& arguments) {
   return options;
 }
 
-// Failure usage: a method that was asked for does not apply; bad_input: one of those by default cannot be prepared.
+// Error usage: a method that was asked for does not apply; bad_input: one of those by default cannot be prepared.
 compare::Sweep value_of(base::Result<compare::Sweep> sweep, const SweepArguments& arguments) {
   if (sweep) return std::move(*sweep);
-  throw Failure(arguments.algorithms.empty() && !arguments.guest ? ExitCode::bad_input : ExitCode::usage, sweep.error().message());
+  throw base::error_of(arguments.algorithms.empty() && !arguments.guest ? base::ErrorKind::bad_input : base::ErrorKind::usage, sweep.error().message());
 }
 
 compare::Sweep sweep_of(const SweepArguments& arguments, const scene::LoadedScene& source) {
   if (source.scene.vertices.empty())
-    throw Failure(ExitCode::bad_input, fmt::format("{}: nothing in it can be seen", source.name));
+    throw base::bad_input(fmt::format("{}: nothing in it can be seen", source.name));
   if (arguments.guest && !source.cells)
-    throw Failure(ExitCode::usage,
-                  fmt::format("--guest: found {}, expected a scene of cells, which Jones's program can be given", source.name));
+    throw base::usage_error(fmt::format("--guest: found {}, expected a scene of cells, which Jones's program can be given", source.name));
   compare::SweepOptions options = options_of(arguments);
   options.directions = directions_of(arguments.random, source);
   options.methods = methods_of(arguments, false);
@@ -124,11 +122,11 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const scene::LoadedScen
 compare::Sweep sweep_of(const SweepArguments& arguments, const SkalaFunction& function) {
   for (const auto& [given, option] : {std::pair{arguments.guest, "--guest"}, std::pair{arguments.faces, "--faces"},
                                       std::pair{arguments.random.turn, "--turn"}, std::pair{arguments.random.level, "--level"}})
-    if (given) throw Failure(ExitCode::usage, fmt::format("{}: found {}, expected a scene", option, arguments.scene));
+    if (given) throw base::usage_error(fmt::format("{}: found {}, expected a scene", option, arguments.scene));
   programs::skala::View view;
   view.family = family_of({});
   if (const auto reason = compare::why_not_comparable(function.grid, view))
-    throw Failure(ExitCode::bad_input, fmt::format("{}: {}", arguments.scene, *reason));
+    throw base::bad_input(fmt::format("{}: {}", arguments.scene, *reason));
   compare::SweepOptions options = options_of(arguments);
   options.methods = methods_of(arguments, true);
   return value_of(compare::Sweep::of(arguments.scene, function.grid, view, options), arguments);
@@ -141,7 +139,7 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const SkalaFunction& fu
 
 class SweepFile {
  public:
-  // "-" is standard output. Failure io: it cannot be read or written, or is just being written by another.
+  // "-" is standard output. Error io: it cannot be read or written, or is just being written by another.
   explicit SweepFile(const std::string& path);
   ~SweepFile();
   SweepFile(const SweepFile&) = delete;
@@ -152,7 +150,7 @@ class SweepFile {
   // refused, and the file is as it was.
   [[nodiscard]] std::int64_t keep_lines(const std::function<bool(std::string_view)>& keep);
 
-  // Failure io.
+  // Error io.
   void append(std::string_view line);
 
  private:
@@ -162,7 +160,7 @@ class SweepFile {
 };
 
 [[noreturn]] void fail_with_errno(const std::string& path, const char* doing = "cannot write") {
-  throw Failure(ExitCode::io, path + ": " + doing + ": " + std::strerror(errno));
+  throw base::io_error(path + ": " + doing + ": " + std::strerror(errno));
 }
 
 SweepFile::SweepFile(const std::string& path) : path_(path) {
@@ -182,7 +180,7 @@ SweepFile::SweepFile(const std::string& path) : path_(path) {
     close(file_);
     file_ = -1;
     errno = why;
-    if (why == EWOULDBLOCK) throw Failure(ExitCode::io, path + ": is being written by another sweep");
+    if (why == EWOULDBLOCK) throw base::io_error(path + ": is being written by another sweep");
     fail_with_errno(path);
   }
 }
@@ -245,9 +243,7 @@ std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const
     return true;
   });
   if (kept >= 0) return static_cast<std::uint64_t>(kept);
-  throw Failure(
-      ExitCode::bad_input,
-      fmt::format("{}: line {} is not {} of this sweep: found another scene, seed, choice or order; "
+  throw base::bad_input(fmt::format("{}: line {} is not {} of this sweep: found another scene, seed, choice or order; "
                   "expected a file that this sweep can resume, or none",
                   arguments.output, -kept,
                   next < shard.last ? fmt::format("view {}", next) : std::string("a view")));

@@ -54,10 +54,10 @@ void write_animation(const std::string& path, const std::string& title, const tu
     if (pass.picture + 2 >= run.pictures.size()) break;  // the turn's last pictures are its first again
     const auto tenths = static_cast<std::uint16_t>(std::min<std::int64_t>(run.pictures[pass.picture + 2].time.count() / 100'000, 60000));
     const auto added = apng.add(halved(picture::crisp_raster(pass.strokes)), {tenths, 10000});
-    if (!added) throw Failure(ExitCode::usage, added.error().message());
+    if (!added) throw base::usage_error(added.error().message());
   }
   const auto bytes = apng.finish();
-  if (!bytes) throw Failure(ExitCode::usage, bytes.error().message());
+  if (!bytes) throw base::usage_error(bytes.error().message());
   output.write(*bytes);
   output.commit();
 }

@@ -14,7 +14,7 @@ turn::Tape turn_tape(const scene::PolyScene& scene, const std::string& source, b
   if (tape) return std::move(*tape);
   base::Error error = tape.error();
   error.file = source;
-  throw Failure(ExitCode::bad_input, error.message());
+  throw base::bad_input(error.message());
 }
 
 void write_turn_tape(const scene::PolyScene& scene, const std::string& source, bool large, const std::string& path) {
@@ -28,10 +28,9 @@ TurnMeasure measure_turn(const turn::Session& session, const std::string& source
   TurnMeasure measure = turn::measure_turn(session, pictures, keep_strokes);
   for (const turn::TurnRun* run : {&measure.hidden, &measure.wire}) {
     if (!run->difference.empty())
-      throw Failure(ExitCode::differs,
-                    fmt::format("{}: internal error: a picture on the PDP-7 is not the one its native twin computes: {}",
+      throw base::difference(fmt::format("{}: internal error: a picture on the PDP-7 is not the one its native twin computes: {}",
                                 source, run->difference));
-    if (run->stopped) throw Failure(ExitCode::guest_failed, fmt::format("{}: the machine makes no more pictures", source));
+    if (run->stopped) throw base::program_failed(fmt::format("{}: the machine makes no more pictures", source));
   }
   return measure;
 }

@@ -11,14 +11,14 @@
 
 namespace sightline::app {
 
-// `source` names the scene in errors. Failure bad_input: the model does not fit, by how many words.
+// `source` names the scene in errors. Error bad_input: the model does not fit, by how many words.
 [[nodiscard]] programs::turn::Tape turn_tape(const scene::PolyScene& scene, const std::string& source, bool large,
                                            bool tilted = true);
-// As punched. Failure as turn_tape, or io.
+// As punched. Error as turn_tape, or io.
 void write_turn_tape(const scene::PolyScene& scene, const std::string& source, bool large, const std::string& path);
 
 using programs::turn::TurnMeasure;
-// One turn at the step that takes nearest to 8 s, or so many pictures of it. Failure differs: a picture is not its twin's;
+// One turn at the step that takes nearest to 8 s, or so many pictures of it. Error differs: a picture is not its twin's;
 // guest_failed: the machine stopped.
 [[nodiscard]] TurnMeasure measure_turn(const programs::turn::Session& session, const std::string& source,
                                        std::uint32_t pictures, bool keep_strokes);

@@ -40,7 +40,7 @@ Json ClientBreakpoints::add(Breakpoint breakpoint, const Json& request, std::vec
   return Json{{"id", number}, {"verified", true}};
 }
 
-// One for each element of `list`: `make` throws Refused where there is none to be.
+// One for each element of `list`: `make` throws base::Error where there is none to be.
 template <class Make>
 Json ClientBreakpoints::set_all(const Json& list, std::vector<int>& numbers, Make make) {
   forget(numbers);
@@ -48,8 +48,8 @@ Json ClientBreakpoints::set_all(const Json& list, std::vector<int>& numbers, Mak
   for (const Json& each : list.elements()) {
     try {
       answers.push_back(make(each));
-    } catch (const Refused& refused) {
-      answers.push_back(Json{{"verified", false}, {"message", refused.text}});
+    } catch (const base::Error& refused) {
+      answers.push_back(Json{{"verified", false}, {"message", refused.message()}});
     }
   }
   return Json{{"breakpoints", std::move(answers)}};
@@ -57,12 +57,12 @@ Json ClientBreakpoints::set_all(const Json& list, std::vector<int>& numbers, Mak
 
 // The first line from there on that makes a word, or the value of the name.
 ClientBreakpoints::Found ClientBreakpoints::place_for(const Wanted& wanted) const {
-  if (!wanted.name.empty()) return {accepted(debugger_->address_of(wanted.name)), 0};
+  if (!wanted.name.empty()) return {base::value_of(debugger_->address_of(wanted.name)), 0};
   const std::map<Symbols::Place, std::uint32_t>& lines = debugger_->symbols().lines();
   const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& known) {
     return static_cast<std::int64_t>(known.first.line) >= wanted.line && same_file(known.first.file, wanted.file);
   });
-  if (found == lines.end()) throw Refused{"no word is made by this line or one that follows"};
+  if (found == lines.end()) throw base::usage_error("no word is made by this line or one that follows");
   return {found->second, found->first.line};
 }
 
@@ -94,7 +94,7 @@ Json ClientBreakpoints::set_in_source(const Json& arguments) {
 Json ClientBreakpoints::set_at_functions(const Json& arguments) {
   return set_all(member(arguments, "breakpoints"), at_functions_, [&](const Json& each) {
     const std::string name = text_in(each, "name");
-    if (name.empty()) throw Refused{"found no name, expected a symbol or an expression"};
+    if (name.empty()) throw base::usage_error("found no name, expected a symbol or an expression");
     return add_at({{}, 0, name}, each, at_functions_);
   });
 }
@@ -109,9 +109,9 @@ std::vector<Json> ClientBreakpoints::find_places_again() {
       if (!debugger_->breakpoints().move(number, found.at)) return true;
       breakpoint["verified"] = true;
       tell_place(breakpoint, found);
-    } catch (const Refused& refused) {
+    } catch (const base::Error& refused) {
       static_cast<void>(debugger_->breakpoints().remove(number));
-      breakpoint["message"] = refused.text;
+      breakpoint["message"] = refused.message();
     }
     const bool lost = !flag_in(breakpoint, "verified");
     changed.push_back(Json{{"reason", "changed"}, {"breakpoint", std::move(breakpoint)}});

@@ -1,6 +1,6 @@
 // Where a client wants the program to stop: by lines of sources, names, addresses and words of memory. The debugger's breakpoints
 // have these numbers, and commands at the console may remove them; what the client asked for stays when the machine is made again.
-// Each request takes its arguments and gives the body of its answer; one that cannot be done throws Refused.
+// Each request takes its arguments and gives the body of its answer; one that cannot be done throws base::Error.
 #pragma once
 
 #include <cstdint>

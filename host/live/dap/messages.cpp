@@ -24,7 +24,7 @@ base::Result<std::optional<Json>> Framing::next() {
   const std::size_t end = buffer_.find(blank_line);
   if (end == std::string::npos) {
     if (buffer_.size() <= longest_header) return std::optional<Json>();
-    return base::fail(fmt::format("found {} bytes without an empty line, expected headers of at most {}", buffer_.size(),
+    return base::bad_input(fmt::format("found {} bytes without an empty line, expected headers of at most {}", buffer_.size(),
                                   longest_header));
   }
   std::optional<std::uint64_t> length;
@@ -37,14 +37,14 @@ base::Result<std::optional<Json>> Framing::next() {
   }
   constexpr std::uint64_t longest = 16U << 20;
   if (!length || *length > longest)
-    return base::fail(fmt::format("found no Content-Length, or one that is no number of at most {}, expected one in the headers of "
+    return base::bad_input(fmt::format("found no Content-Length, or one that is no number of at most {}, expected one in the headers of "
                                   "a message", longest));
   const std::size_t begin = end + blank_line.size();
   if (buffer_.size() - begin < *length) return std::optional<Json>();
   auto json = base::parse_json(std::string_view(buffer_).substr(begin, *length), "message");
   buffer_.erase(0, begin + *length);
   if (!json) return json.error();
-  if (!json->is_object()) return base::fail("found " + describe(*json) + ", expected an object as a message");
+  if (!json->is_object()) return base::bad_input("found " + describe(*json) + ", expected an object as a message");
   return std::optional<Json>(std::move(*json));
 }
 

@@ -11,6 +11,7 @@
 
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
+#include "host/base/value_of.hpp"
 
 namespace sightline::live::dap {
 
@@ -39,16 +40,5 @@ class Framing {
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 // nullopt: not base64.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> bytes_of_base64(std::string_view text);
-
-// A request that cannot be done; the text is for the person at the editor.
-struct Refused {
-  std::string text;
-};
-
-template <class T>
-T accepted(base::Result<T> result) {
-  if (!result) throw Refused{result.error().message()};
-  return std::move(*result);
-}
 
 }  // namespace sightline::live::dap

@@ -28,8 +28,8 @@ std::uint32_t place_of(const Debugger& debugger, std::string_view text, std::int
                                  ? static_cast<std::int64_t>(*at) + offset / static_cast<std::int64_t>(bytes_a_word(debugger))
                                  : -1;
   if (place < 0 || place >= words) {
-    throw Refused{fmt::format("found {} and {} bytes, expected an address in {}, 0x0 to 0x{:X}", text, offset,
-                              debugger.description().memory_name, words - 1)};
+    throw base::usage_error(fmt::format("found {} and {} bytes, expected an address in {}, 0x0 to 0x{:X}", text, offset,
+                              debugger.description().memory_name, words - 1));
   }
   return static_cast<std::uint32_t>(place);
 }

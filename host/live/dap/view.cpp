@@ -85,7 +85,7 @@ Json View::variables(const Json& arguments) {
       break;
     case of_devices: add_lines(debugger_.machine().device_lines()); break;
     case of_display: add_lines(debugger_.machine().display_lines()); break;
-    default: throw Refused{"found a variablesReference that no scope has"};
+    default: throw base::usage_error("found a variablesReference that no scope has");
   }
   return Json{{"variables", std::move(list)}};
 }
@@ -94,11 +94,11 @@ Json View::set_variable(const Json& arguments) {
   const std::string name = text_in(arguments, "name");
   const auto number = debugger_.register_named(name);
   if (integer_in(arguments, "variablesReference", 0) != of_registers || !number)
-    throw Refused{fmt::format("found {}, expected a register", name)};
-  const std::int64_t value = accepted(debugger_.evaluate(text_in(arguments, "value")));
+    throw base::usage_error(fmt::format("found {}, expected a register", name));
+  const std::int64_t value = base::value_of(debugger_.evaluate(text_in(arguments, "value")));
   const auto& each = debugger_.description().registers[*number];
   if (value < 0 || value >= std::int64_t{1} << each.bits)
-    throw Refused{fmt::format("found {}, expected {} of {} bits", text_in(arguments, "value"), each.what, each.bits)};
+    throw base::usage_error(fmt::format("found {}, expected {} of {} bits", text_in(arguments, "value"), each.what, each.bits));
   debugger_.set(*number, static_cast<std::uint32_t>(value));
   return Json{{"value", debugger_.register_text(*number).substr(name.size() + 1)}};
 }
@@ -113,11 +113,11 @@ Json View::set_expression(const Json& arguments) {
   }
   const std::string_view place = base::without_blanks(expression);
   if (place.size() < 3 || place.front() != '[' || place.back() != ']')
-    throw Refused{fmt::format("found {}, expected a register or a word as [ADDRESS]", expression)};
-  const std::uint32_t at = accepted(debugger_.address_of(place.substr(1, place.size() - 2)));
-  const std::int64_t value = accepted(debugger_.evaluate(text_in(arguments, "value")));
+    throw base::usage_error(fmt::format("found {}, expected a register or a word as [ADDRESS]", expression));
+  const std::uint32_t at = base::value_of(debugger_.address_of(place.substr(1, place.size() - 2)));
+  const std::int64_t value = base::value_of(debugger_.evaluate(text_in(arguments, "value")));
   if (value < 0 || value >= std::int64_t{1} << debugger_.description().word_bits)
-    throw Refused{fmt::format("found {}, expected a word of {} bits", text_in(arguments, "value"), debugger_.description().word_bits)};
+    throw base::usage_error(fmt::format("found {}, expected a word of {} bits", text_in(arguments, "value"), debugger_.description().word_bits));
   debugger_.put(at, static_cast<std::uint32_t>(value));
   return Json{{"value", debugger_.word(static_cast<std::uint32_t>(value))}};
 }
@@ -145,7 +145,7 @@ Json View::completions(const Json& arguments) {
 }
 
 Json View::value_of(const std::string& expression) const {
-  const std::int64_t value = accepted(debugger_.evaluate(expression));
+  const std::int64_t value = base::value_of(debugger_.evaluate(expression));
   const bool word = value >= 0 && value < std::int64_t{1} << debugger_.description().word_bits;
   std::string result = word ? debugger_.word(static_cast<std::uint32_t>(value)) : std::string();
   result += fmt::format("{}{}.", result.empty() ? "" : " = ", value);
@@ -172,10 +172,10 @@ Json View::read_memory(const Json& arguments) {
 Json View::write_memory(const Json& arguments) {
   const auto bytes = bytes_of_base64(text_in(arguments, "data"));
   if (!bytes || bytes->size() % bytes_a_word(debugger_) != 0)
-    throw Refused{fmt::format("found data that is not base64 of whole words, expected {} bytes a word", bytes_a_word(debugger_))};
+    throw base::usage_error(fmt::format("found data that is not base64 of whole words, expected {} bytes a word", bytes_a_word(debugger_)));
   const std::uint32_t first = place_of(debugger_, text_in(arguments, "memoryReference"), integer_in(arguments, "offset", 0));
   if (bytes->size() / bytes_a_word(debugger_) > debugger_.machine().words() - first)
-    throw Refused{"found more words than memory has behind that address"};
+    throw base::usage_error("found more words than memory has behind that address");
   const std::uint32_t most = (std::uint32_t{1} << debugger_.description().word_bits) - 1;
   for (std::size_t at = 0; at < bytes->size(); at += bytes_a_word(debugger_)) {
     std::uint32_t word = 0;

@@ -1,5 +1,5 @@
 // What a client is shown of a stopped machine, and what it changes there: the stack, registers and devices, expressions, memory,
-// disassembly. Each request takes its arguments and gives the body of its answer; one that cannot be done throws Refused.
+// disassembly. Each request takes its arguments and gives the body of its answer; one that cannot be done throws base::Error.
 #pragma once
 
 #include <cstdint>

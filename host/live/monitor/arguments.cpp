@@ -43,7 +43,7 @@ std::string_view without_comment(std::string_view line) {
 
 void refuse_open_quotes(std::string_view text) {
   if (std::count(text.begin(), text.end(), '"') % 2 != 0)
-    throw Wrong{fmt::format("found {} without a \" at its end, expected one; inside a text a quote is \\x22", text.substr(text.rfind('"')))};
+    throw base::usage_error(fmt::format("found {} without a \" at its end, expected one; inside a text a quote is \\x22", text.substr(text.rfind('"')))};
 }
 
 std::size_t end_of_command(std::string_view text) {
@@ -51,7 +51,7 @@ std::size_t end_of_command(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '"') quoted = !quoted;
     if (text[i] == ';' && !quoted) return i;
-  }
+  )
   return text.size();
 }
 
@@ -68,7 +68,7 @@ std::string_view take_part(std::string_view& text) {
 
 std::uint64_t Reader::count(std::string_view text) {
   const auto count = base::count_number(text);
-  if (!count) throw Wrong{fmt::format("found \"{}\", expected a count, decimal", text)};
+  if (!count) throw base::usage_error(fmt::format("found \"{}\", expected a count, decimal", text));
   return *count;
 }
 
@@ -80,7 +80,7 @@ std::pair<std::uint32_t, std::uint32_t> Reader::range(std::string_view text) con
     if (text[i] != '-' || depth != 0) continue;
     const std::uint32_t first = address(text.substr(0, i));
     const std::uint32_t last = address(text.substr(i + 1));
-    if (last < first) throw Wrong{fmt::format("found {}, expected FIRST-LAST with the smaller address first", text)};
+    if (last < first) throw base::usage_error(fmt::format("found {}, expected FIRST-LAST with the smaller address first", text));
     return {first, last};
   }
   const std::uint32_t at = address(text);
@@ -97,7 +97,7 @@ Goal Reader::goal(std::string_view arguments) const {
   std::string_view rest = arguments;
   const std::string word = base::lower_case(take_part(rest));
   if ((word != "until" && word != "for") || rest.empty())
-    throw Wrong{fmt::format("found \"{}\", expected until or for with a time, an expression or a count", arguments)};
+    throw base::usage_error(fmt::format("found \"{}\", expected until or for with a time, an expression or a count", arguments));
   // "0.5s", "20ms", "100us"
   const auto ticks = [&](std::string_view text) -> std::optional<std::int64_t> {
     double unit = 0;
@@ -122,7 +122,7 @@ Goal Reader::goal(std::string_view arguments) const {
   const std::string_view number = take_part(unit);
   if (unit == "cycles" || unit == "cycle") return {.until = debugger_.machine().ticks() + cycles(number)};
   if (unit == "instructions" || unit == "instruction") return {.instructions = count(number)};
-  throw Wrong{fmt::format("found \"{}\", expected a time such as 20ms, N cycles or N instructions", rest)};
+  throw base::usage_error(fmt::format("found \"{}\", expected a time such as 20ms, N cycles or N instructions", rest));
 }
 
 Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) const {
@@ -136,17 +136,17 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     return tail;
   };
   if (const auto number = take_tail("count")) breakpoint.count = count(*number);
-  if (breakpoint.count == 0) throw Wrong{"found count 0, expected 1 or more: the stop is at every so many times"};
+  if (breakpoint.count == 0) throw base::usage_error("found count 0, expected 1 or more: the stop is at every so many times");
   if (const auto condition = take_tail("if")) {
     breakpoint.condition = *condition;
-    if (breakpoint.condition.empty()) throw Wrong{"expected an expression behind `if`"};
+    if (breakpoint.condition.empty()) throw base::usage_error("expected an expression behind `if`");
   }
   if (const auto word = take_tail("value")) breakpoint.value = static_cast<std::uint32_t>(value(*word));
   if (!breakpoint.condition.empty()) static_cast<void>(value(breakpoint.condition));
   std::string_view what = rest;
   const std::string first = base::lower_case(take_part(what));
   if (breakpoint.kind == Breakpoint::Kind::memory) {
-    if (first.empty()) throw Wrong{"expected an address, FIRST-LAST or port N"};
+    if (first.empty()) throw base::usage_error("expected an address, FIRST-LAST or port N");
     std::string place = first;
     if (first == "port" || first == "iot") {
       breakpoint.kind = Breakpoint::Kind::port;
@@ -161,13 +161,13 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     } else if (how == "rw") {
       breakpoint.access = Probe::is_read | Probe::is_written;
     } else if (!how.empty()) {
-      throw Wrong{fmt::format("found \"{}\", expected r, w, rw, value, if or count", how)};
+      throw base::usage_error(fmt::format("found \"{}\", expected r, w, rw, value, if or count", how));
     }
     if (breakpoint.kind == Breakpoint::Kind::port) {
       const std::int64_t number = value(place);
       if (number < 0 || number >= static_cast<std::int64_t>(debugger_.machine().probe()->ports()))
-        throw Wrong{fmt::format("found {} {}, expected 0 to {}", debugger_.description().radix == 8 ? "device" : "port", place,
-                                debugger_.word(static_cast<std::uint32_t>(debugger_.machine().probe()->ports()) - 1))};
+        throw base::usage_error(fmt::format("found {} {}, expected 0 to {}", debugger_.description().radix == 8 ? "device" : "port", place,
+                                debugger_.word(static_cast<std::uint32_t>(debugger_.machine().probe()->ports()) - 1)));
       breakpoint.first = breakpoint.last = static_cast<std::uint32_t>(number);
       if (debugger_.description().radix == 8) breakpoint.access = Probe::executed;
     } else {
@@ -176,12 +176,12 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     return breakpoint;
   }
   if (first == "interrupt") {
-    if (!what.empty()) throw Wrong{fmt::format("found \"{}\" behind interrupt, expected if, count or nothing", what)};
+    if (!what.empty()) throw base::usage_error(fmt::format("found \"{}\" behind interrupt, expected if, count or nothing", what));
     breakpoint.kind = Breakpoint::Kind::interrupt;
   } else if (first == "when") {
     breakpoint.kind = Breakpoint::Kind::condition;
     breakpoint.condition = std::string(what);
-    if (breakpoint.condition.empty()) throw Wrong{"expected an expression behind `when`"};
+    if (breakpoint.condition.empty()) throw base::usage_error("expected an expression behind `when`");
     breakpoint.was_true = value(breakpoint.condition) != 0;
   } else if (first == "iot" || first == "port") {
     return parsed("port " + std::string(what), [&] {

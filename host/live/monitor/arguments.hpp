@@ -1,5 +1,5 @@
 // The words of a command, read as the verbs of the monitor want them: counts, addresses, values, goals of a run, breakpoints. What cannot
-// be read throws Wrong.
+// be read throws base::Error.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,10 @@
 #include <utility>
 
 #include "host/base/result.hpp"
+#include "host/base/value_of.hpp"
 #include "host/live/debugger.hpp"
 
 namespace sightline::live::monitor {
-
-// A line of the monitor that is wrong; the text is the complaint.
-struct Wrong {
-  std::string text;
-};
-
-template <class T>
-T taken(base::Result<T> result) {
-  if (!result) throw Wrong{result.error().message()};
-  return std::move(*result);
-}
 
 // The line up to a comment: a # outside quotes, at the beginning or behind a blank.
 [[nodiscard]] std::string_view without_comment(std::string_view line);
@@ -40,8 +30,8 @@ class Reader {
   // A count is decimal, whatever the radix of words is.
   [[nodiscard]] static std::uint64_t count(std::string_view text);
   // An expression.
-  [[nodiscard]] std::int64_t value(std::string_view text) const { return taken(debugger_.evaluate(text)); }
-  [[nodiscard]] std::uint32_t address(std::string_view text) const { return taken(debugger_.address_of(text)); }
+  [[nodiscard]] std::int64_t value(std::string_view text) const { return base::value_of(debugger_.evaluate(text)); }
+  [[nodiscard]] std::uint32_t address(std::string_view text) const { return base::value_of(debugger_.address_of(text)); }
   // FIRST-LAST or one address; at a - that is followed by an expression of its own.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> range(std::string_view text) const;
   // So many cycles, in the machine's unit; 1 if the text is empty.

@@ -26,7 +26,7 @@ std::string labelled(const std::vector<machines::ReportLine>& lines) {
 std::string memory(const Debugger& debugger, std::uint32_t first, std::uint32_t last) {
   std::string text;
   if (last - first >= most_listed)
-    throw Wrong{fmt::format("found {} words, expected at most {}", last - first + 1, most_listed)};
+    throw base::usage_error(fmt::format("found {} words, expected at most {}", last - first + 1, most_listed));
   if (debugger.description().radix == 8 || first == last) {
     for (std::uint32_t at = first; at <= last; ++at)
       text += fmt::format("{} {}  {}\n", debugger.address(at), debugger.word(debugger.machine().word(at)), debugger.instruction_text(at));
@@ -137,7 +137,7 @@ std::string state(Debugger& debugger, std::string_view arguments) {
     for (const auto& [name, value] : debugger.symbols().all()) text += fmt::format("{:<16} {}\n", name, debugger.address(value));
     if (text.empty()) text = "no symbols; begin with a source file or --symbols FILE\n";
   } else {
-    throw Wrong{fmt::format("found \"{}\", expected registers, devices, display, stack, time, breaks, conditions or symbols", arguments)};
+    throw base::usage_error(fmt::format("found \"{}\", expected registers, devices, display, stack, time, breaks, conditions or symbols", arguments));
   }
   return text;
 }

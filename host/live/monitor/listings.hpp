@@ -1,4 +1,4 @@
-// What the monitor shows of a stopped machine: whole lines. What is not to be shown throws Wrong.
+// What the monitor shows of a stopped machine: whole lines. What is not to be shown throws base::Error.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const s
   if (const Bytes* const bytes = workbench.file(name))
     return scene::load_scene({.name = name, .text = std::string(bytes->begin(), bytes->end())}, {.mend = true});
   auto found = scene::named_scene(name);
-  if (!found) return base::fail(fmt::format("{}: no scene of that name, and no such file on the page", name));
+  if (!found) return base::bad_input(fmt::format("{}: no scene of that name, and no such file on the page", name));
   if (!*found) return std::move(found->error());
   return scene::load_scene(std::move(**found));
 }
@@ -55,7 +55,7 @@ base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const J
       const Json* const value = given->find(key);
       if (value == nullptr) continue;
       const auto point = point_of(value);
-      if (!point) return base::fail(fmt::format("camera: {}: expected three whole numbers below 32768", key));
+      if (!point) return base::bad_input(fmt::format("camera: {}: expected three whole numbers below 32768", key));
       *part = *point;
     }
     const auto dot = [](const scene::PolyPoint& a, const scene::PolyPoint& b) {
@@ -63,7 +63,7 @@ base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const J
     };
     if (dot(camera.forward, camera.right) != 0 || dot(camera.forward, camera.up) != 0 || dot(camera.right, camera.up) != 0 ||
         dot(camera.forward, camera.forward) == 0 || dot(camera.right, camera.right) == 0 || dot(camera.up, camera.up) == 0)
-      return base::fail("camera: forward, right and up must be at right angles and not 0");
+      return base::bad_input("camera: forward, right and up must be at right angles and not 0");
   }
   if (camera.perspective) {
     if (const auto error = scene::eye_error(scene, camera)) return base::Error(*error);
@@ -75,7 +75,7 @@ Json make_pdp7(Workbench& workbench, const std::string& file, const CoreProgram&
   const auto& formats = machines::pdp7().formats;
   const auto octal = std::find_if(formats.begin(), formats.end(), [](const auto& each) { return each.name == "octal"; });
   auto written = octal->write(program.image, file);
-  if (!written) return refusal(written.error().message);
+  if (!written) return refusal(written.error().message());
   workbench.put_file(file, std::move(*written));
   Json options{{"--load", file}, {"--display", true}, {program.eae ? "--eae" : "--no-eae", true}};
   options.update(program.options);

@@ -100,9 +100,9 @@ base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& 
     const Json* const range = request.find("range");
     const double half = number_of(request, "domain", 1);
     scene::HeightGrid grid{scene::even_positions(wanted.points), scene::even_positions(wanted.slices), {}, {-half, half}, {-half, half}, {}};
-    if (heights->size() != wanted.points * wanted.slices) return base::fail("found another number of heights than points times slices");
+    if (heights->size() != wanted.points * wanted.slices) return base::bad_input("found another number of heights than points times slices");
     for (const Json& each : heights->elements()) grid.heights.push_back(each.number().value_or(std::nan("")));
-    if (!scene::anywhere_finite(grid.heights)) return base::fail("the expression has no value anywhere in its domain");
+    if (!scene::anywhere_finite(grid.heights)) return base::bad_input("the expression has no value anywhere in its domain");
     grid.range = scene::finite_range(grid.heights);
     if (range != nullptr && range->size() == 2 && (*range)[0].number() && (*range)[1].number())
       grid.range = {*(*range)[0].number(), *(*range)[1].number()};
@@ -110,7 +110,7 @@ base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& 
   }
   if (workbench.file(name) != nullptr) return scene::read_height_grid(grid_text(workbench, name), name);
   const auto function = scene::height_function(name);
-  if (!function) return base::fail(fmt::format("{}: no function of that name, expected one of {}", name, scene::height_function_names()));
+  if (!function) return base::bad_input(fmt::format("{}: no function of that name, expected one of {}", name, scene::height_function_names()));
   return scene::sample(*function, wanted);
 }
 
@@ -173,7 +173,7 @@ Json cost(Workbench& workbench, const Json& request) {
 base::Result<scene::CellScene> jones_scene(const Workbench& workbench, const std::string& name) {
   auto loaded = scene_named(workbench, name);
   if (!loaded) return std::move(loaded.error());
-  if (!loaded->cells) return base::fail(fmt::format("{}: not a scene of cells, which Jones's program needs", name));
+  if (!loaded->cells) return base::bad_input(fmt::format("{}: not a scene of cells, which Jones's program needs", name));
   return std::move(*loaded->cells);
 }
 
@@ -250,7 +250,7 @@ Json sight(Workbench& workbench, const Json& request) {
 Json explain(Workbench& workbench, const Json& request) {
   const explain::Explainer* const explainer = explain::find_explainer(text_of(request, "algorithm"));
   if (explainer == nullptr) return refusal("there is no lesson of that name");
-  base::Result<explain::Lesson> lesson = base::fail("");
+  base::Result<explain::Lesson> lesson = base::bad_input("");
   std::string name = text_of(request, "scene");
   if (explainer->heights != nullptr) {
     const auto grid = grid_of(workbench, request);

@@ -18,15 +18,15 @@ Result<Bytes> read_file(const std::string& path, std::size_t) {
 namespace sightline::picture {
 
 base::Result<base::Bytes> encode_png(const Image&, const TextEntries&, double) {
-  return base::fail("no PNG files are written here; the page saves its own pictures");
+  return base::bad_input("no PNG files are written here; the page saves its own pictures");
 }
 
 // Its private fields are libpng's business.
 #pragma clang diagnostic ignored "-Wunused-private-field"
 ApngWriter::ApngWriter(FrameTime time, std::uint32_t plays, TextEntries text)
     : time_(time), plays_(plays), text_(std::move(text)) {}
-base::Result<base::Done> ApngWriter::add(const Image&, FrameTime) { return base::fail("no movies are written here"); }
-base::Result<base::Bytes> ApngWriter::finish() const { return base::fail("no movies are written here"); }
+base::Result<base::Done> ApngWriter::add(const Image&, FrameTime) { return base::bad_input("no movies are written here"); }
+base::Result<base::Bytes> ApngWriter::finish() const { return base::bad_input("no movies are written here"); }
 
 }  // namespace sightline::picture
 

@@ -255,13 +255,13 @@ Json Workbench::make(const Json& request) {
     const Bytes* const bytes = file(path);
     if (bytes == nullptr) missing = path;
     return Input{path, bytes != nullptr ? *bytes : Bytes()};
-  }, [&](Machine& machine, const Input& input) -> machines::Result<machines::Done> {
+  }, [&](Machine& machine, const Input& input) -> base::Result<base::Done> {
     const auto done = restore_snapshot(description->name, machine, input.bytes, input.name);
-    if (!done) return machines::bad_input(done.error().message());
-    return machines::Done{};
+    if (!done) return base::bad_input(done.error().message());
+    return base::Done{};
   });
   if (!missing.empty()) return refusal(fmt::format("{}: no such file on the page; drop it first", missing));
-  if (!prepared) return refusal(prepared.error().message);
+  if (!prepared) return refusal(prepared.error().message());
   Symbols symbols(description->radix);
   if (const Json* const table = request.find("symbols"); table != nullptr && table->text() != nullptr)
     static_cast<void>(symbols.add_table(*table->text()));
@@ -299,7 +299,7 @@ Json Workbench::assemble(const Json& request) {
     if (bytes == nullptr) return std::nullopt;
     return std::string(bytes->begin(), bytes->end());
   });
-  if (!assembled) return refusal(assembled.error().message);
+  if (!assembled) return refusal(assembled.error().message());
   Json diagnostics = Json::array();
   for (const auto& each : assembled->diagnostics) {
     diagnostics.push_back(Json{{"severity", each.severity == assembler::Severity::error ? "error" : "warning"},
@@ -317,7 +317,7 @@ Json Workbench::assemble(const Json& request) {
     const auto form = std::find_if(description->formats.begin(), description->formats.end(),
                                    [&](const auto& each) { return each.name == description->assembler.format; });
     auto written = form->write(assembled->program, name);
-    if (!written) return refusal(written.error().message);
+    if (!written) return refusal(written.error().message());
     put_file(name, std::move(*written));
   }
   return Json{{"right", right},
@@ -339,7 +339,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
   const auto address = [&]() -> base::Result<std::uint32_t> {
     if (const Json* const at = request.find("at"); at != nullptr && at->text() != nullptr) return debugger.address_of(*at->text());
     const auto number = whole_of(request, "at", -1);
-    if (number < 0 || number >= std::int64_t{machine.words()}) return base::fail("found no address of this memory");
+    if (number < 0 || number >= std::int64_t{machine.words()}) return base::bad_input("found no address of this memory");
     return static_cast<std::uint32_t>(number);
   };
   if (what == "state") return state_json(desk);
@@ -487,14 +487,14 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
       return refusal(fmt::format("{}: no such file on the page; drop it first", name));
     }
     const auto done = machine.attach(text_of(request, "device"), input);
-    return done ? Json::object() : refusal(done.error().message);
+    return done ? Json::object() : refusal(done.error().message());
   }
   if (what == "load") {
     const std::string name = text_of(request, "file");
     const Bytes* const bytes = file(name);
     if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", name));
     const auto program = machines::read_program(desk.description(), {name, {}}, {name, *bytes}, {}, nullptr);
-    if (!program) return refusal(program.error().message);
+    if (!program) return refusal(program.error().message());
     for (const auto& [where, word] : program->words) {
       if (where >= machine.words()) return refusal(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));
       debugger.put(where, word);

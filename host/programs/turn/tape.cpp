@@ -122,11 +122,11 @@ std::optional<base::Error> Encoder::find_structures() {
   }
   for (EdgeIndex e = 0; e < edges; ++e) {
     if (tape_.partners[e].size() > most_partners)
-      return base::fail(fmt::format("edge {} meets {} others in the turn, expected at most {}", e,
+      return base::bad_input(fmt::format("edge {} meets {} others in the turn, expected at most {}", e,
                                     tape_.partners[e].size(), most_partners));
     for (const std::uint32_t bits : tape_.partners[e])
       if (End{bits}.kind() == EndKind::passage)
-        return base::fail(fmt::format(
+        return base::bad_input(fmt::format(
             "edge {} ends in the plane of a face, as solids do that touch; the program has no such ends: move the solids "
             "apart", e));
   }
@@ -181,7 +181,7 @@ std::optional<base::Error> Encoder::number_slots() {
     for (std::uint32_t piece = 1; piece < most_pieces_[edge]; ++piece) tape_.slot_of.push_back({edge, piece, reversed});
   tape_.slots = static_cast<std::uint32_t>(tape_.slot_of.size());
   if (tape_.slots <= most_slots) return std::nullopt;
-  return base::fail(fmt::format("the edges need {} slots, expected at most {}: {} too many; the edges themselves are {}",
+  return base::bad_input(fmt::format("the edges need {} slots, expected at most {}: {} too many; the edges themselves are {}",
                                 tape_.slots, most_slots, tape_.slots - most_slots, trail_.size()));
 }
 
@@ -384,7 +384,7 @@ base::Result<scene::PolyScene> stand_on_axis(const scene::PolyScene& scene, bool
       if (std::abs(q[a]) >= scene::poly_coordinate_limit) {
         // In the unit of the file: a tilted vertex has 13 times its coordinates.
         const double unit = scene.step / (tilted ? 13 : 1);
-        return base::fail(fmt::format("vertex {} is {:.6g} from the middle of the model along {}{}, expected less than {:.6g}{}",
+        return base::bad_input(fmt::format("vertex {} is {:.6g} from the middle of the model along {}{}, expected less than {:.6g}{}",
                                       scene::file_point_text(scene, vertex), std::abs(static_cast<double>(q[a])) * unit, "xyz"[a],
                                       tilted ? ", tilted" : "", scene::poly_coordinate_limit * unit,
                                       tilted ? "; `sightline turn --level` leaves the model upright" : ""));

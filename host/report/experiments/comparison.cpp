@@ -50,8 +50,8 @@ constexpr std::array<Generated, 9> polyhedra{{{"boxes", 8},
                                               {"rooms", 3}}};
 
 template <class Value>
-Value done(base::Result<Value> result, const std::string& scene, ErrorKind kind = ErrorKind::guest_failed) {
-  if (!result) throw Failure(kind, fmt::format("{}: {}", scene, result.error().message()));
+Value done(base::Result<Value> result, const std::string& scene, base::ErrorKind kind = base::ErrorKind::program_failed) {
+  if (!result) throw base::error_of(kind, fmt::format("{}: {}", scene, result.error().message()));
   return std::move(*result);
 }
 
@@ -351,7 +351,7 @@ Comparison compare_all(const Context& context) {
   Comparison made;
   Comparing comparing(context, made);
   for (const std::string_view name : scene::builtin_scene_names())
-    comparing.add(done(scene::load_cell_scene(std::string(name)), std::string(name), ErrorKind::bad_input),
+    comparing.add(done(scene::load_cell_scene(std::string(name)), std::string(name), base::ErrorKind::bad_input),
                   std::string(name), "built-in");
   for (const double of_wall : doors_a_wall) {
     const auto all =
@@ -361,7 +361,7 @@ Comparison compare_all(const Context& context) {
   }
   for (const Generated& of : polyhedra) {
     const std::string name = fmt::format("{}-{}", of.family, of.size);
-    comparing.add(done(scene::generate_scene(of.family, of.size), name, ErrorKind::bad_input), name);
+    comparing.add(done(scene::generate_scene(of.family, of.size), name, base::ErrorKind::bad_input), name);
   }
   comparing.finish();
   return made;

@@ -99,7 +99,7 @@ void add_pictures(std::vector<MethodPicture>& pictures, const compare::CommonSce
           add(name, ", " + compare::name_of(ink), compare::faces_image(ink.dots, compare::case_image_side));
     if (picture.faces) add(name, picture.lines ? " (faces)" : "", compare::faces_image(*picture.faces, compare::case_image_side));
   }
-  if (number == 0) throw Failure(ErrorKind::differs, fmt::format("{}: no method has a picture", scene.name));
+  if (number == 0) throw base::difference(fmt::format("{}: no method has a picture", scene.name));
 }
 
 }  // namespace

@@ -26,13 +26,11 @@ std::string name_of(const JonesOrder& order) {
 void check(const JonesOrder& order, const JonesRun& run, const std::string& difference) {
   const std::string name = name_of(order);
   if (run.guest.timed_out || run.guest.views.size() < 2)
-    throw Failure(ErrorKind::guest_failed, name + ": the program did not complete two views");
+    throw base::program_failed(name + ": the program did not complete two views");
   if (run.view().status != jones::Status::complete)
-    throw Failure(ErrorKind::guest_failed,
-                  fmt::format("{}: the view stopped: {}", name, jones::name(run.view().status)));
+    throw base::program_failed(fmt::format("{}: the view stopped: {}", name, jones::name(run.view().status)));
   if (!difference.empty())
-    throw Failure(ErrorKind::differs,
-                  name + ": internal error: the view on the PDP-7 is not the one its native twin computes: " +
+    throw base::difference(name + ": internal error: the view on the PDP-7 is not the one its native twin computes: " +
                       difference);
 }
 
@@ -51,13 +49,10 @@ void check(const SkalaOrder& order, const skala::CheckedPicture& run) {
     const std::string_view why = !guest.ended            ? "it did not end"
                                  : !guest.faults.empty() ? guest.faults.front().what
                                                          : text_of(guest.status);
-    throw Failure(ErrorKind::guest_failed,
-                  fmt::format("{}: the program on the 8080 failed: {}", order.function, why));
+    throw base::program_failed(fmt::format("{}: the program on the 8080 failed: {}", order.function, why));
   }
   if (!run.difference.empty())
-    throw Failure(
-        ErrorKind::differs,
-        fmt::format("{}: internal error: the 8080's picture is not the one its native twin makes; {}",
+    throw base::difference(fmt::format("{}: internal error: the 8080's picture is not the one its native twin makes; {}",
                     order.function, run.difference));
 }
 
@@ -70,13 +65,13 @@ core::TStates dot_time() {
 
 JonesRun run_jones(const JonesOrder& order) {
   auto scene = scene::load_cell_scene(order.scene);
-  if (!scene) throw Failure(ErrorKind::bad_input, scene.error().message());
+  if (!scene) throw base::bad_input(scene.error().message());
   jones::ProgramOptions program_options;
   program_options.eae = order.eae;
   auto session = jones::Session::of(*scene, program_options);
   if (!session) {
     session.error().file = order.scene;
-    throw Failure(ErrorKind::bad_input, session.error().message());
+    throw base::bad_input(session.error().message());
   }
   jones::GuestOptions options;
   options.stereo = order.stereo;
@@ -116,7 +111,7 @@ Picture phosphor_png(const JonesRun& run) {
 
 SkalaRun run_skala(const skala::Session& session, const SkalaOrder& order) {
   const auto function = scene::height_function(order.function);
-  if (!function) throw Failure(ErrorKind::bad_input, order.function + ": no such function");
+  if (!function) throw base::bad_input(order.function + ": no such function");
   const scene::HeightGrid grid = scene::sample(*function, order.size);
   const auto stream = skala::stream_of(grid, view_of(order, true));
   SkalaRun run;

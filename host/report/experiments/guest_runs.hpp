@@ -35,7 +35,7 @@ struct JonesRun {
   [[nodiscard]] const programs::jones::GuestView& view() const { return guest.views.back(); }
 };
 
-// Throws Failure: guest_failed, if the program stopped with a status or took too long; differs, if its display
+// Throws base::Error: guest_failed, if the program stopped with a status or took too long; differs, if its display
 // file is not its twin's.
 [[nodiscard]] JonesRun run_jones(const JonesOrder& order);
 

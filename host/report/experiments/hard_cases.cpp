@@ -28,7 +28,7 @@ constexpr std::string_view manifest_file = "manifest.json";
 
 Manifest manifest() {
   auto read = compare::read_manifest(hard_case_text(manifest_file), manifest_file);
-  if (!read) throw Failure(ErrorKind::bad_input, read.error().message());
+  if (!read) throw base::bad_input(read.error().message());
   return std::move(*read);
 }
 
@@ -58,7 +58,7 @@ std::string tried_text(const SearchResult& search) {
 
 void add_first_failures(std::vector<FirstFailure>& made, const Family& family) {
   const auto results = compare::run_family(family);
-  if (!results) throw Failure(ErrorKind::bad_input, results.error().message());
+  if (!results) throw base::bad_input(results.error().message());
   for (const FamilyResult& result : *results) {
     const SearchResult& search = result.search;
     FirstFailure row{family.id, family.parameter, family.input, result.build, {}, {}, tried_text(search)};

@@ -94,8 +94,7 @@ struct ExactScene {
     for (std::size_t view = 0; view < cameras.size(); ++view) {
       const picture::LinePicture reference = by_oracle(view);
       if (by_jones(view) != reference || by_edges(view) != reference)
-        throw Failure(ErrorKind::differs,
-                      fmt::format("{}, view {}: internal error: an exact algorithm does not draw what the oracle finds",
+        throw base::difference(fmt::format("{}, view {}: internal error: an exact algorithm does not draw what the oracle finds",
                                   name, view + 1));
     }
   }
@@ -166,7 +165,7 @@ void add_wrong_pieces(std::vector<JonesWrongPiece>& pieces, const SceneViews& vi
 
 void add_builds(JonesAccuracy& made, const SceneViews& views, const jones::SixViews& six) {
   const auto study = jones::PrecisionStudy::of(views.scene(), six.eyes);
-  if (!study) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", views.name(), study.error().message()));
+  if (!study) throw base::bad_input(fmt::format("{}: {}", views.name(), study.error().message()));
   for (const bool truncate : {false, true}) {
     for (int f = 0; f <= most_machine_fraction; ++f) {
       const jones::Precision precision{jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate};

@@ -37,11 +37,11 @@ GuestView run_guest(const SceneViews& views, std::size_t view, const jones::Prec
   options.truncate = build.truncate;
   options.tape.view = views.eye(view);
   const auto assembled = jones::assemble_program(views.scene(), options);
-  if (!assembled) throw Failure(ErrorKind::bad_input, views.name() + ": " + assembled.error().message());
+  if (!assembled) throw base::bad_input(views.name() + ": " + assembled.error().message());
   const jones::Program& program = *assembled;
   GuestView run{jones::run_for_pieces(program, eae), jones::lines_by_address(program.scene, program.core)};
   if (run.pieces.status != jones::Status::complete)
-    throw Failure(ErrorKind::guest_failed, fmt::format("{}, {}: the view stopped: {}", views.name(), name(build),
+    throw base::program_failed(fmt::format("{}, {}: the view stopped: {}", views.name(), name(build),
                                                        name(run.pieces.status)));
   return run;
 }
@@ -86,14 +86,14 @@ void add_guest(MachineBuild& build, const SceneViews& views, std::size_t view, c
 
 SceneViews::SceneViews(const jones::SixViews& views) : name_(views.scene) {
   auto scene = scene::load_cell_scene(name_);
-  if (!scene) throw Failure(ErrorKind::bad_input, scene.error().message());
+  if (!scene) throw base::bad_input(scene.error().message());
   scene_ = *std::move(scene);
   auto matter = compare::MatterScene::of(scene_);
-  if (!matter) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name_, matter.error().message()));
+  if (!matter) throw base::bad_input(fmt::format("{}: {}", name_, matter.error().message()));
   matter_ = std::make_unique<const compare::MatterScene>(std::move(*matter));
   for (const geometry::Point& eye : views.eyes) {
     auto in_core = jones::scene_in_core(scene_, eye);
-    if (!in_core) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name_, in_core.error().message()));
+    if (!in_core) throw base::bad_input(fmt::format("{}: {}", name_, in_core.error().message()));
     scene::PolyCamera camera;
     camera.eye = eye;
     const auto lines = matter_->lines_at(eye);
@@ -130,8 +130,7 @@ MachineBuild measure_build(const SceneViews& views, const jones::Precision& prec
     const GuestView eae = run_guest(views, view, precision, true);
     const GuestView plain = run_guest(views, view, precision, false);
     if (!same_pieces(eae, plain))
-      throw Failure(ErrorKind::differs,
-                    fmt::format("{}, {}: internal error: the program draws other pieces with the EAE than without",
+      throw base::difference(fmt::format("{}, {}: internal error: the program draws other pieces with the EAE than without",
                                 views.name(), name(precision)));
     add_guest(build, views, view, eae);
     build.eae_s += core::in_seconds(eae.pieces.time) / static_cast<double>(views.size());

@@ -34,7 +34,7 @@ struct PictureError {
 // The six views of a scene, and what is truly seen from each.
 class SceneViews {
  public:
-  // Throws Failure (bad_input): the scene is beyond the limits of the oracle or of the machine's core.
+  // Throws base::Error (bad_input): the scene is beyond the limits of the oracle or of the machine's core.
   explicit SceneViews(const programs::jones::SixViews& views);
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -71,7 +71,7 @@ struct MachineBuild {
   double plain_s = 0;  // without the EAE; the pieces are the same
 };
 
-// Throws Failure: differs, if the build without the EAE draws other pieces than that with it; guest_failed.
+// Throws base::Error: differs, if the build without the EAE draws other pieces than that with it; guest_failed.
 [[nodiscard]] MachineBuild measure_build(const SceneViews& views, const programs::jones::Precision& precision);
 
 // In C++.

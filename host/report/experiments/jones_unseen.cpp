@@ -35,7 +35,7 @@ double seconds_since(Clock::time_point begun) {
 
 scene::CellComplex decomposed(const scene::PolyScene& scene) {
   auto cut = scene::decompose(scene);
-  if (!cut) throw Failure(ErrorKind::bad_input, cut.error().message());
+  if (!cut) throw base::bad_input(cut.error().message());
   return *std::move(cut);
 }
 
@@ -57,8 +57,7 @@ struct Building {
   [[nodiscard]] View view(const scene::PolyCamera& from) {
     auto seen = walker.visible_edges(from);
     if (!seen)
-      throw Failure(ErrorKind::differs,
-                    fmt::format("a building of {0} by {0} rooms: {1}", side, seen.error().message()));
+      throw base::difference(fmt::format("a building of {0} by {0} rooms: {1}", side, seen.error().message()));
     return *std::move(seen);
   }
 
@@ -130,9 +129,7 @@ double median(std::vector<double> times) {
 JonesHouse seen_from_house(Building& smallest, const View& first, Building& building, bool host_times) {
   const View view = building.view(building.camera);
   if (view.picture != first.picture || view.counts != first.counts)
-    throw Failure(
-        ErrorKind::differs,
-        fmt::format("the view of the house beside {0} by {0} rooms is not the one beside {1} by {1}",
+    throw base::difference(fmt::format("the view of the house beside {0} by {0} rooms is not the one beside {1} by {1}",
                     building.side, smallest.side));
   JonesHouse made{building.side * building.side, building.complex.cells.size(), view.counts.cells, view.counts.visits,
                   view.picture.pieces.size(), {}, {}};

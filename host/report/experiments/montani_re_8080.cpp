@@ -35,10 +35,10 @@ stripes::View view_of(const scene::PolyScene& scene) {
 stripes::DrawnScene drawn(const stripes::Session& session, const scene::PolyScene& scene, const std::string& name,
                           const stripes::StreamOptions& options) {
   auto made = session.draw(scene, view_of(scene), options);
-  if (!made) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name, made.error().message()));
-  if (!made->picture.difference.empty()) throw Failure(ErrorKind::differs, fmt::format("{}: {}", name, made->picture.difference));
+  if (!made) throw base::bad_input(fmt::format("{}: {}", name, made.error().message()));
+  if (!made->picture.difference.empty()) throw base::difference(fmt::format("{}: {}", name, made->picture.difference));
   if (made->picture.guest.status != stripes::Status::complete)
-    throw Failure(ErrorKind::guest_failed, fmt::format("{}: {}", name, text_of(made->picture.guest.status)));
+    throw base::program_failed(fmt::format("{}: {}", name, text_of(made->picture.guest.status)));
   return std::move(*made);
 }
 
@@ -55,7 +55,7 @@ MontaniRe8080 montani_re_8080(const Context& context) {
     const std::string name(scene_name);
     context.progress(fmt::format("{} in stripes on the 8080", name));
     const auto loaded = scene::load_scene(**scene::named_scene(name));
-    if (!loaded) throw Failure(ErrorKind::bad_input, loaded.error().message());
+    if (!loaded) throw base::bad_input(loaded.error().message());
     using stripes::Computer;
     using stripes::Output;
     const auto raster = drawn(session, loaded->scene, name, {Output::raster, Computer::i8080, Computer::i8080});

@@ -33,7 +33,7 @@ std::vector<PrintedStripe> printed_stripes() {
   std::vector<PrintedStripe> rows;
   const auto pcs = native::lattice_pcs(figure_1);
   const auto stripes = pcs ? native::whole_stripes(*pcs) : std::nullopt;
-  if (!stripes) throw Failure(ErrorKind::bad_input, "Montani and Re, Figure 1: a chain does not close");
+  if (!stripes) throw base::bad_input("Montani and Re, Figure 1: a chain does not close");
   for (const native::LatticeStripe& stripe : *stripes) {
     std::string sides;
     for (const native::LatticeSide& side : stripe.sides)
@@ -63,7 +63,7 @@ scene::PolyScene sheets(const std::vector<Corners>& faces) {
 
 native::FaceSet faces_of(const scene::PolyScene& scene) {
   auto set = native::faces_of(scene, scene.camera);
-  if (!set) throw Failure(ErrorKind::bad_input, set.error().message());
+  if (!set) throw base::bad_input(set.error().message());
   return *std::move(set);
 }
 

@@ -35,8 +35,8 @@ constexpr std::string_view function_in_plot = "sinc";
 constexpr int rotation = 30;  // degrees, of functions
 
 template <class Value>
-Value done(base::Result<Value> result, ErrorKind kind = ErrorKind::guest_failed) {
-  if (!result) throw Failure(kind, result.error().message());
+Value done(base::Result<Value> result, base::ErrorKind kind = base::ErrorKind::program_failed) {
+  if (!result) throw base::error_of(kind, result.error().message());
   return std::move(*result);
 }
 
@@ -61,7 +61,7 @@ class Gathering {
 
 void add_cells(const compare::CompareOptions& options, Gathering& gathering, OpeningAnswer& answer) {
   for (const std::string_view name : scene::builtin_scene_names()) {
-    const scene::CellScene scene = done(scene::load_cell_scene(std::string(name)), ErrorKind::bad_input);
+    const scene::CellScene scene = done(scene::load_cell_scene(std::string(name)), base::ErrorKind::bad_input);
     const compare::SceneComparison comparison = done(compare::compare_cell_scene(scene, options));
     gathering.add(std::string(name), method_views(comparison));
     ++answer.scenes;
@@ -96,7 +96,7 @@ void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer)
   view.rotation = rotation;
   for (const std::string_view name : functions) {
     const auto function = scene::height_function(name);
-    if (!function) throw Failure(ErrorKind::bad_input, fmt::format("found no function {}", name));
+    if (!function) throw base::bad_input(fmt::format("found no function {}", name));
     const scene::HeightGrid grid = sample(*function, {33, 60});
     compare::HeightComparison comparison = compare::compare_heights(
         grid, view, [](std::string_view) {}, {}, host_times);

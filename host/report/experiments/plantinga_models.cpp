@@ -35,7 +35,7 @@ std::pair<native::EventList, double> study(const Context& context, std::string_v
   const auto begun = std::chrono::steady_clock::now();
   auto built = native::build_event_list(model, options);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-  if (!built) throw Failure(ErrorKind::differs, fmt::format("{}: {}", name, built.error().message()));
+  if (!built) throw base::difference(fmt::format("{}: {}", name, built.error().message()));
   return {std::move(*built), taken.count()};
 }
 
@@ -103,13 +103,13 @@ scene::PolyScene plantinga_scene(std::string_view name) {
   for (const auto& [known, text] : plantinga_model_files()) {
     if (known != file) continue;
     auto read = scene::read_poly(text, file, scene::PolyFormat::off);
-    if (!read) throw Failure(ErrorKind::bad_input, read.error().message());
+    if (!read) throw base::bad_input(read.error().message());
     auto scene = std::move(read->scene);
     if (const auto errors = scene::check_poly_scene(scene); !errors.empty())
-      throw Failure(ErrorKind::bad_input, errors.front().message());
+      throw base::bad_input(errors.front().message());
     return scene;
   }
-  throw Failure(ErrorKind::bad_input, fmt::format("{}: no such model", name));
+  throw base::bad_input(fmt::format("{}: no such model", name));
 }
 
 StudiedModel study_model(const Context& context, std::string_view name) {

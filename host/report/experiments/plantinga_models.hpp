@@ -30,7 +30,7 @@ inline constexpr std::array<std::string_view, 6> plantinga_models{"squares", "gr
 inline constexpr std::array plantinga_tolerances{0.0, 0.001, 0.01, 0.1, 1.0};
 inline constexpr std::array plantinga_steps{0.01, 0.1, 1.0, 3.0, 10.0, 30.0};
 
-// Throws Failure (bad_input) if there is no model of that name or it cannot be used.
+// Throws base::Error (bad_input) if there is no model of that name or it cannot be used.
 [[nodiscard]] scene::PolyScene plantinga_scene(std::string_view name);
 
 // Wall clock.
@@ -46,7 +46,7 @@ struct StudiedModel {
   std::optional<StudyTimes> times;  // none without Context::host_times
   bool from_cache = false;
 };
-// Throws the same, and Failure (differs) if the events are more than the limits.
+// Throws the same, and base::Error (differs) if the events are more than the limits.
 [[nodiscard]] StudiedModel study_model(const Context& context, std::string_view name);
 
 }  // namespace sightline::report

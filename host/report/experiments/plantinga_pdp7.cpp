@@ -26,9 +26,9 @@ namespace turn = programs::turn;
 turn::Tape tape_of(scene::SceneFile file) {
   const std::string name = file.name;
   const auto loaded = scene::load_scene(std::move(file));
-  if (!loaded) throw Failure(ErrorKind::bad_input, loaded.error().message());
+  if (!loaded) throw base::bad_input(loaded.error().message());
   auto tape = turn::make_tape(loaded->scene, turn::Memory::words_8k);
-  if (!tape) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name, tape.error().message()));
+  if (!tape) throw base::bad_input(fmt::format("{}: {}", name, tape.error().message()));
   return std::move(*tape);
 }
 
@@ -52,8 +52,8 @@ std::vector<Pdp7Turn> plantinga_pdp7(const Context& context) {
       const turn::Session session(tape, eae);
       const turn::TurnMeasure measure = turn::measure_turn(session, 0, eae);
       for (const turn::TurnRun* run : {&measure.hidden, &measure.wire}) {
-        if (!run->difference.empty()) throw Failure(ErrorKind::differs, fmt::format("{}: {}", model, run->difference));
-        if (run->stopped) throw Failure(ErrorKind::guest_failed, fmt::format("{}: the machine stopped", model));
+        if (!run->difference.empty()) throw base::difference(fmt::format("{}: {}", model, run->difference));
+        if (run->stopped) throw base::program_failed(fmt::format("{}: the machine stopped", model));
       }
       const turn::Summary& hidden = measure.hidden.summary;
       const turn::Layout& layout = tape.layout;

@@ -29,7 +29,7 @@ namespace {
 namespace native = algorithms::plantinga;
 using Job = std::function<void()>;
 
-constexpr int frames = 360;
+constexpr int frames_in_a_turn = 360;
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t side = 1024;  // pixels
 
@@ -90,7 +90,7 @@ class Turntable {
   // 360 times.
   [[nodiscard]] Job rotation(double step, void (Turntable::*frame)()) {
     return [this, step, frame] {
-      for (int i = 0; i < frames; ++i) {
+      for (int i = 0; i < frames_in_a_turn; ++i) {
         angle_ = std::remainder(angle_ + step * degree, 2 * std::numbers::pi);
         (this->*frame)();
       }
@@ -140,14 +140,14 @@ TurnFrames turn_frames(const StudiedModel& studied, int rounds) {
   const auto times = median_nanoseconds(work, rounds);
   TurnFrames row;
   row.model = studied.name;
-  for (std::size_t i = 0; i < jobs.size(); ++i) row.*jobs[i].first = times[i] / frames;
+  for (std::size_t i = 0; i < jobs.size(); ++i) row.*jobs[i].first = times[i] / frames_in_a_turn;
   return row;
 }
 
 double frame_nanoseconds(const native::RotationModel& model, const native::EventList& list, double step, int rounds) {
   Turntable table(model, list);
   const std::array jobs{table.rotation(step, &Turntable::image)};
-  return median_nanoseconds(jobs, rounds).front() / frames;
+  return median_nanoseconds(jobs, rounds).front() / frames_in_a_turn;
 }
 
 void add_tolerances(std::vector<ToleranceTimes>& rows, const StudiedModel& studied, int rounds) {
@@ -170,13 +170,13 @@ TurnBaseline baseline_of(const StudiedModel& studied) {
   native::FrameMaker frame(studied.model);
   std::vector<native::ImageLine> lines;
   const std::array<Job, 2> jobs{[&] {
-                                  for (int i = 0; i < frames; ++i) frame.wire(i * degree, lines);
+                                  for (int i = 0; i < frames_in_a_turn; ++i) frame.wire(i * degree, lines);
                                 },
                                 [&] {
                                   static_cast<void>(native::visible_edges(studied.model, {3, 5}));
                                 }};
   const auto times = median_nanoseconds(jobs, 9);
-  return {studied.name, times[0] / frames, times[1]};
+  return {studied.name, times[0] / frames_in_a_turn, times[1]};
 }
 
 // A row of the paper's Table 1.

@@ -7,7 +7,7 @@ namespace sightline::report {
 
 Picture png_picture(const picture::Image& image, bool pixelated) {
   auto bytes = picture::encode_png(image, {{"Software", "sightline"}});
-  if (!bytes) throw Failure(ErrorKind::file, bytes.error().message());
+  if (!bytes) throw base::io_error(bytes.error().message());
   return {"image/png", *std::move(bytes), pixelated};
 }
 

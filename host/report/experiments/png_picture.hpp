@@ -6,7 +6,7 @@
 
 namespace sightline::report {
 
-// Throws Failure (file) if it cannot be encoded.
+// Throws base::Error (file) if it cannot be encoded.
 [[nodiscard]] Picture png_picture(const picture::Image& image, bool pixelated = false);
 
 }  // namespace sightline::report

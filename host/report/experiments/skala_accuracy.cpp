@@ -97,10 +97,9 @@ skala::GuestPicture run_guest(const skala::Session& session, const std::vector<s
   options.link = order.link;
   skala::CheckedPicture run = session.run(stream, options);
   if (!run.guest.ended || run.guest.status != skala::Status::complete || !run.guest.faults.empty())
-    throw Failure(ErrorKind::guest_failed, "the program on the 8080 failed");
+    throw base::program_failed("the program on the 8080 failed");
   if (!run.difference.empty())
-    throw Failure(ErrorKind::differs,
-                  "internal error: the 8080's picture is not the one its native twin makes; " + run.difference);
+    throw base::difference("internal error: the 8080's picture is not the one its native twin makes; " + run.difference);
   return std::move(run.guest);
 }
 

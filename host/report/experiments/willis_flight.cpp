@@ -31,7 +31,7 @@ struct FlownScene {
 
 template <class T>
 T flown_value(base::Result<T>&& result, const char* name) {
-  if (!result) throw Failure(ErrorKind::bad_input, fmt::format("{}: {}", name, result.error().message()));
+  if (!result) throw base::bad_input(fmt::format("{}: {}", name, result.error().message()));
   return std::move(*result);
 }
 
@@ -130,7 +130,7 @@ std::vector<WillisFlight> willis_flight(const Context& context) {
           };
         }
         const guest::FlightRun run = session.run(model, path, packed, options);
-        if (!run.difference.empty()) throw Failure(ErrorKind::differs, fmt::format("{}: {}", flown.name, run.difference));
+        if (!run.difference.empty()) throw base::difference(fmt::format("{}: {}", flown.name, run.difference));
         const guest::FlightSummary& sum = run.summary;
         flights.push_back({.scene = flown.name,
                            .axes = packed.axes,
@@ -151,7 +151,7 @@ std::vector<WillisFlight> willis_flight(const Context& context) {
                            .screen = std::move(screen)});
         if (pieces != all) continue;
         const guest::FlightRun fast = session.run(model, fast_path, guest::pack(model, fast_path, precision), {});
-        if (!fast.difference.empty()) throw Failure(ErrorKind::differs, fmt::format("{}: {}", flown.name, fast.difference));
+        if (!fast.difference.empty()) throw base::difference(fmt::format("{}: {}", flown.name, fast.difference));
         flights.back().fast_frames_a_second = fast.summary.frames_per_second_mean;
         flights.back().fast_worst_frames_a_second = fast.summary.frames_per_second_worst;
       }

@@ -360,7 +360,7 @@ TEST_F(DapSteps, RestartOfABrokenSourceLeavesTheMachine) {
   request("disconnect");
   int launches = 0;
   hold_with([&launches](const json&) -> base::Result<live::Launched> {
-    if (launches++ != 0) return base::fail("p.s: the source has errors");
+    if (launches++ != 0) return base::bad_input("p.s: the source has errors");
     return pdp7_launched("100/\nbegin, hlt\n start begin\n");
   });
   EXPECT_EQ(answer("restart").at("success"), false);

@@ -152,16 +152,16 @@ class Session {
              [this](std::string_view text) { printed += text; },
              false,
              60},
-            [this](const std::string& path) -> machines::Result<machines::Input> {
+            [this](const std::string& path) -> base::Result<machines::Input> {
               const auto found = files.find(path);
-              if (found == files.end()) return machines::bad_input(path + ": no such file");
+              if (found == files.end()) return base::bad_input(path + ": no such file");
               return machines::Input{path, {found->second.begin(), found->second.end()}};
             },
-            [this](const std::string& path, std::span<const std::uint8_t> bytes) -> machines::Result<base::Done> {
+            [this](const std::string& path, std::span<const std::uint8_t> bytes) -> base::Result<base::Done> {
               files[path] = {bytes.begin(), bytes.end()};
               return base::Done{};
             },
-            [](const std::string&) -> machines::Result<base::Done> { return machines::usage("there is no console"); }};
+            [](const std::string&) -> base::Result<base::Done> { return base::usage_error("there is no console"); }};
   }
 
   std::optional<std::int64_t> patience_;

@@ -18,7 +18,7 @@ constexpr std::array devices{machines::ListedDevice{"drum", "the Type 24 serial 
 
 std::string refusal(const std::string& text) {
   const auto read = machines::read_devices(std::array{text}, devices);
-  return read ? "read" : read.error().message;
+  return read ? "read" : read.error().message();
 }
 
 TEST(DeviceOption, IsThereWithDevicesOnly) {

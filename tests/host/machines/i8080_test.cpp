@@ -236,7 +236,7 @@ TEST(RunI8080, WarnsOnceOfMemoryThatIsEmpty) {
     MachineRun setup = run_of("BEGIN: MVI C,2\n  MVI E,2AH\n  CALL 5\n  JMP BEGIN\n");
     if (cpm) setup.set("--cpm").set("--console-out");
     auto ready = setup.prepared();
-    if (!ready) return std::vector<std::string>{ready.error().message};
+    if (!ready) return std::vector<std::string>{ready.error().message()};
     std::vector<std::string> texts;
     for (int slice = 0; slice < 2; ++slice) {
       EXPECT_FALSE(ready->machine->run({}, true).has_value());

@@ -76,7 +76,7 @@ class MachineRun {
     return *this;
   }
 
-  [[nodiscard]] machines::Result<machines::Prepared> prepared() const {
+  [[nodiscard]] base::Result<machines::Prepared> prepared() const {
     return prepare(*machine_, arguments_, [this](const std::string& path) {
       const auto found = files_.find(path);
       return machines::Input{path, found == files_.end() ? machines::Bytes{} : found->second};
@@ -85,7 +85,7 @@ class MachineRun {
   // What the run is refused with.
   [[nodiscard]] std::string refusal() const {
     const auto ready = prepared();
-    return ready ? "nothing was refused" : ready.error().message;
+    return ready ? "nothing was refused" : ready.error().message();
   }
 
   [[nodiscard]] Left go() const {

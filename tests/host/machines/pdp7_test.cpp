@@ -76,7 +76,7 @@ TEST(RunPdp7, WarnsOnceOfMemoryThatIsEmpty) {
     MachineRun setup = run_of(core);
     if (!start.empty()) setup.set("--start", start);
     auto ready = setup.prepared();
-    if (!ready) return std::vector<std::string>{ready.error().message};
+    if (!ready) return std::vector<std::string>{ready.error().message()};
     std::vector<std::string> texts;
     for (int slice = 0; slice < 3; ++slice) {
       EXPECT_FALSE(ready->machine->run({}, true).has_value());

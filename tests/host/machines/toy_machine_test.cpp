@@ -79,32 +79,32 @@ class Toy final : public machines::Machine {
 };
 
 // "A=W B=W ...", hexadecimal.
-machines::Result<machines::Program> read_pairs(std::span<const std::uint8_t> bytes, const std::string& file,
+base::Result<machines::Program> read_pairs(std::span<const std::uint8_t> bytes, const std::string& file,
                                      std::optional<std::uint32_t> address) {
-  if (address) return machines::usage(file + ": found an address, expected none");
+  if (address) return base::usage_error(file + ": found an address, expected none");
   machines::Program program;
   std::istringstream text(std::string(bytes.begin(), bytes.end()));
   for (std::string pair; text >> pair;) {
     const std::size_t equals = pair.find('=');
-    if (equals == std::string::npos) return machines::bad_input(file + ": found " + pair + ", expected A=W");
+    if (equals == std::string::npos) return base::bad_input(file + ": found " + pair + ", expected A=W");
     program.words.emplace_back(std::stoul(pair.substr(0, equals), nullptr, 16),
                                std::stoul(pair.substr(equals + 1), nullptr, 16));
   }
   return program;
 }
 
-machines::Result<std::int64_t> microseconds(std::string_view option, std::string_view text) {
+base::Result<std::int64_t> microseconds(std::string_view option, std::string_view text) {
   const auto count = machines::count_argument(option, text);
   if (!count) return count.error();
   return static_cast<std::int64_t>(*count);
 }
 
-machines::Result<std::unique_ptr<machines::Machine>> make_toy(const machines::Arguments& arguments,
+base::Result<std::unique_ptr<machines::Machine>> make_toy(const machines::Arguments& arguments,
                                                     const machines::FileReader& read) {
   std::string device;
   if (arguments.given("--device")) {
     const machines::Input input = read(arguments.text("--device"));
-    if (input.bytes.empty()) return machines::bad_input(input.name + ": found nothing, expected bytes");
+    if (input.bytes.empty()) return base::bad_input(input.name + ": found nothing, expected bytes");
     device.assign(input.bytes.begin(), input.bytes.end());
   }
   return std::unique_ptr<machines::Machine>(std::make_unique<Toy>(device));

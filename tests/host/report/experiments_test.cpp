@@ -33,7 +33,7 @@ Context quiet() {
 const Results& results() {
   static const Results made = [] {
     auto outcome = run_experiments({}, quiet());
-    if (!outcome) ADD_FAILURE() << outcome.error().message;
+    if (!outcome) ADD_FAILURE() << outcome.error().message();
     return outcome ? *std::move(outcome) : Results();
   }();
   return made;
@@ -248,7 +248,7 @@ TEST(ReportPapers, HaveEveryNumber) {
 
 TEST(ReportRun, StatesNothingThatDoesNotHold) {
   const auto report = report_of({}, results(), quiet());
-  ASSERT_TRUE(report) << report.error().message;
+  ASSERT_TRUE(report) << report.error().message();
   const std::string page = html_page(*report);
   EXPECT_EQ(page.find("Not in this run"), std::string::npos) << page.substr(page.find("Not in this run"), 300);
   EXPECT_EQ(page.find("not in this run"), std::string::npos) << page.substr(page.find("not in this run"), 300);
@@ -383,8 +383,8 @@ TEST(ReportRun, IsTheSameTwice) {
   one.jobs = 1;
   const auto first = report_of(parts, results(), quiet());
   const auto second = make_report(parts, one);
-  ASSERT_TRUE(first) << first.error().message;
-  ASSERT_TRUE(second) << second.error().message;
+  ASSERT_TRUE(first) << first.error().message();
+  ASSERT_TRUE(second) << second.error().message();
   EXPECT_TRUE(html_page(*first) == html_page(*second));
 }
 

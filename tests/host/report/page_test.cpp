@@ -44,9 +44,9 @@ Block only(Write write, bool host_times = true) {
 std::string refused(const std::function<void()>& work) {
   try {
     work();
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.error().kind, ErrorKind::bad_input);
-    return failure.what();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(failure.error().kind, base::ErrorKind::bad_input);
+    return error.message();
   }
   return "nothing was refused";
 }

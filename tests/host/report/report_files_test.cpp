@@ -54,8 +54,8 @@ TEST_F(ReportFiles, AFileInTheWayIsAnErrorThatNamesIt) {
   const std::string directory = (folder_ / "taken").string();
   for (const auto& error :
        {prepare_directory(directory).error(), write_report(sample_report(), directory).error()}) {
-    EXPECT_EQ(error.kind, ErrorKind::file);
-    EXPECT_NE(error.message.find(directory), std::string::npos) << error.message;
+    EXPECT_EQ(error.kind, base::ErrorKind::io);
+    EXPECT_NE(error.message().find(directory), std::string::npos) << error.message();
   }
   EXPECT_EQ(found(), (std::set<std::string>{"taken"}));
 }
@@ -68,7 +68,7 @@ TEST_F(ReportFiles, NothingIsLeftWhenOneCannotBeWritten) {
   for (const char* const name : {"a", "b"}) {
     const auto written = write_report(sample_report(), (folder_ / name).string());
     ASSERT_FALSE(written) << name;
-    EXPECT_EQ(written.error().kind, ErrorKind::file);
+    EXPECT_EQ(written.error().kind, base::ErrorKind::io);
     EXPECT_EQ(found(), before) << name;
   }
   EXPECT_FALSE(prepare_directory((folder_ / "a").string()));
@@ -88,7 +88,7 @@ TEST_F(ReportFiles, WhatAPartGivesIsHeldAgainstTheRules) {
     Report report = sample_report();
     change(report.sections[0]);
     const auto written = write_report(report, folder_.string());
-    return written ? std::string("written") : written.error().message;
+    return written ? std::string("written") : written.error().message();
   };
   const auto table = [](Section& section) -> Table& { return std::get<Table>(section.blocks[2]); };
   EXPECT_EQ(refused([&](Section& section) { table(section).rows[1].pop_back(); }),

@@ -70,7 +70,7 @@ TEST(ReportPlot, LongNamesLeaveThePlotItsRoom) {
 TEST(ReportPlot, IsDrawnTheSameTwiceAndRunsNothingElse) {
   const auto first = draw_plot(sample_plot());
   const auto second = draw_plot(sample_plot());
-  ASSERT_TRUE(first) << first.error().message;
+  ASSERT_TRUE(first) << first.error().message();
   const auto& figure = *first;
   EXPECT_EQ(figure.media_type, "image/svg+xml");
   EXPECT_EQ(figure.bytes, second->bytes);
@@ -87,8 +87,8 @@ TEST(ReportPlot, WithoutAPointIsAnError) {
   plot.curves.erase(plot.curves.begin());
   const auto drawn = draw_plot(plot);
   ASSERT_FALSE(drawn);
-  EXPECT_EQ(drawn.error().kind, ErrorKind::file);
-  EXPECT_NE(drawn.error().message.find("plot: gnuplot drew nothing"), std::string::npos) << drawn.error().message;
+  EXPECT_EQ(drawn.error().kind, base::ErrorKind::io);
+  EXPECT_NE(drawn.error().message().find("plot: gnuplot drew nothing"), std::string::npos) << drawn.error().message();
 }
 
 TEST(ReportPlot, AMissingGnuplotIsSaid) {
@@ -99,8 +99,8 @@ TEST(ReportPlot, AMissingGnuplotIsSaid) {
   const auto drawn = draw_plot(sample_plot());
   ASSERT_EQ(setenv("PATH", kept.c_str(), 1), 0);
   ASSERT_TRUE(missing);
-  EXPECT_EQ(missing->kind, ErrorKind::missing_tool);
-  EXPECT_EQ(drawn.error().kind, ErrorKind::missing_tool);
+  EXPECT_EQ(missing->kind, base::ErrorKind::io);
+  EXPECT_EQ(drawn.error().kind, base::ErrorKind::io);
   EXPECT_NE(missing->message.find("gnuplot-nox"), std::string::npos);
   EXPECT_FALSE(gnuplot_missing());
 }

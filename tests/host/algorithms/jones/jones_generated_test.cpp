@@ -75,7 +75,7 @@ class GeneratedSet : public testing::TestWithParam<std::string_view> {
                              testing::PrintToString(camera.eye) + " forward " +
                              testing::PrintToString(camera.forward);
     if (!result) {
-      EXPECT_EQ(result.error(), base::fail(jones::eye_in_solid)) << what;
+      EXPECT_EQ(result.error(), base::bad_input(jones::eye_in_solid)) << what;
       return false;
     }
     ++compared_;

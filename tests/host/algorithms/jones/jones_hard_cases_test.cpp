@@ -156,9 +156,9 @@ TEST(JonesHardCases, AnEyeThatCannotBeIsAnError) {
   scene::PolyCamera camera = scene.camera;
   const geometry::Box box = scene::outer_box_of(scene);  // of the one solid, and 1 more
   camera.eye = {box.low[0] + 10, box.low[1] + 10, box.low[2] + 10};
-  EXPECT_EQ(jones::visible_edges(complex, camera).error(), base::fail(jones::eye_in_solid));
+  EXPECT_EQ(jones::visible_edges(complex, camera).error(), base::bad_input(jones::eye_in_solid));
   camera.eye[0] = 1 << 18;
-  EXPECT_EQ(jones::visible_edges(complex, camera).error(), base::fail(jones::eye_too_far));
+  EXPECT_EQ(jones::visible_edges(complex, camera).error(), base::bad_input(jones::eye_too_far));
 }
 
 }  // namespace
