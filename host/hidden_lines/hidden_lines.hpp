@@ -65,8 +65,8 @@ inline const LoadOptions mending{.mend = true};
 // Error bad_input: a coordinate that is no finite number, an index without a vertex, or what a file of them is refused for.
 [[nodiscard]] base::Result<Scene> load(scene::PolyMesh mesh, const LoadOptions& options = mending);
 
-// What was changed while the scene was read: rounding, and what was mended or passed over.
-[[nodiscard]] std::vector<std::string> notes_of(const Scene& scene);
+// What was changed while a scene was read: rounding, and what was mended or passed over.
+[[nodiscard]] std::vector<std::string> notes_of(const scene::PolyImportReport& report);
 
 // --- Views
 

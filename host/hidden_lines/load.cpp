@@ -93,8 +93,7 @@ base::Result<Scene> load(scene::PolyMesh mesh, const LoadOptions& options) {
   return scene::scene_or_error(std::move(reading));
 }
 
-std::vector<std::string> notes_of(const Scene& scene) {
-  const scene::PolyImportReport& report = scene.report;
+std::vector<std::string> notes_of(const scene::PolyImportReport& report) {
   std::vector<std::string> notes;
   const std::string unit = report.unit.empty() ? "" : " " + report.unit;
   if (report.quantised && report.largest_shift > 0)

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "host/base/text.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
 #include "host/picture/dxf.hpp"
 #include "host/picture/pdf.hpp"
@@ -46,9 +47,9 @@ std::optional<Format> format_named(std::string_view ending) {
                                                                         {"pdf", Format::pdf},
                                                                         {"dxf", Format::dxf},
                                                                         {"steps", Format::steps}}};
-  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  const std::string small = base::lower_case(ending);
   for (const auto& [name, format] : formats)
-    if (std::equal(name.begin(), name.end(), ending.begin(), ending.end(), [small](char a, char b) { return a == small(b); })) return format;
+    if (name == small) return format;
   return std::nullopt;
 }
 

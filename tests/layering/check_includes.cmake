@@ -19,6 +19,7 @@ set(RULES
   "host/picture=host/base,host/geometry,host/scene,emulators/core,emulators/devices/calcomp565.hpp"
   "host/algorithms/*=host/base,host/geometry,host/scene,host/picture"
   "host/algorithms/registry=host/base,host/algorithms,host/programs/skala,host/geometry,host/scene,host/picture,emulators/devices,emulators/core"
+  "host/hidden_lines=host/base,host/geometry,host/scene,host/picture,host/algorithms/registry,host/algorithms/oracle/matter_scene.hpp"
   "host/machines=host/base,host/picture,emulators,tools/image,tools/asm,tools/disasm"
   "host/programs/jones=host/base,host/machines,host/geometry,host/scene,emulators,tools/asm"
   "host/programs/jones/precision=host/base,host/geometry,host/scene,host/programs/jones,host/machines,host/algorithms/oracle,emulators/core,emulators/machines"
@@ -34,11 +35,11 @@ set(RULES
   "host/live=host/base,host/machines,emulators,tools/asm,tools/disasm,tools/image"
   "host/live/dap=host/base,host/machines,host/live/debugger.hpp,host/live/monitor.hpp"
   "host/live/monitor=host/base,host/machines,host/live/debugger.hpp"
-  "host/compare=host/base,host/geometry,host/scene,host/picture,host/algorithms,host/machines,host/programs,emulators"
+  "host/compare=host/base,host/hidden_lines,host/geometry,host/scene,host/picture,host/algorithms,host/machines,host/programs,emulators"
   "host/report=host/app/command.hpp,host/app/command_line.hpp,host/base,host/compare,host/machines,host/programs,host/geometry,host/scene,host/picture,host/algorithms,emulators"
-  "host/live/web=host/base,host/live,host/machines,host/programs,host/algorithms/registry,host/algorithms/oracle,host/geometry,host/explain,host/picture,host/scene,emulators"
+  "host/live/web=host/base,host/hidden_lines,host/live,host/machines,host/programs,host/algorithms/registry,host/algorithms/oracle,host/geometry,host/explain,host/picture,host/scene,emulators"
   "host/explain=host/base,host/geometry,host/scene,host/picture,host/algorithms"
-  "host/app=host/base,host/compare,host/explain,host/machines,host/programs,host/live,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
+  "host/app=host/base,host/hidden_lines,host/compare,host/explain,host/machines,host/programs,host/live,host/geometry,host/scene,host/picture,host/algorithms,emulators,tools/image,tools/asm,tools/disasm")
 
 # Libraries that may appear in one place only.
 set(LIBRARY_RULES
