@@ -53,11 +53,11 @@ std::string answer_of(const std::function<Result<std::string>()>& work, const Ap
     if (result) return value_mark + *result;
     error = std::move(result.error());
   } catch (const std::bad_alloc&) {
-    error = fail("needs more than " + memory_text(limits.memory));
+    error = bad_input("needs more than " + memory_text(limits.memory));
   } catch (const std::exception& thrown) {
-    error = fail(thrown.what());
+    error = bad_input(thrown.what());
   } catch (...) {
-    error = fail("an unknown failure");
+    error = bad_input("an unknown failure");
   }
   std::string text(1, error_mark);
   for (const std::string* field : {&error.file, &error.place, &error.found, &error.expected, &error.remedy}) {
@@ -100,13 +100,13 @@ Error error_in(std::string_view fields) {
 
 Result<std::string> run_apart(const std::function<Result<std::string>()>& work, const ApartLimits& limits) {
   std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) return fail(std::string("cannot make a pipe: ") + std::strerror(errno));
+  if (::pipe(ends.data()) != 0) return bad_input(std::string("cannot make a pipe: ") + std::strerror(errno));
   const pid_t child = ::fork();
   if (child < 0) {
     const int code = errno;
     ::close(ends[0]);
     ::close(ends[1]);
-    return fail(std::string("cannot start a process: ") + std::strerror(code));
+    return bad_input(std::string("cannot start a process: ") + std::strerror(code));
   }
   if (child == 0) {
     ::close(ends[0]);
@@ -128,10 +128,10 @@ Result<std::string> run_apart(const std::function<Result<std::string>()>& work, 
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     if (signal == SIGXCPU || signal == SIGKILL)
-      return fail("takes more than " + std::to_string(limits.seconds) + " seconds or more than " + memory_text(limits.memory));
-    return fail(std::string("crashed (") + ::strsignal(signal) + ")");
+      return bad_input("takes more than " + std::to_string(limits.seconds) + " seconds or more than " + memory_text(limits.memory));
+    return bad_input(std::string("crashed (") + ::strsignal(signal) + ")");
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty()) return fail("crashed");
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty()) return bad_input("crashed");
   if (answer[0] == value_mark) {
     answer.erase(0, 1);
     return answer;

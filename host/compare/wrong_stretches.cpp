@@ -32,8 +32,7 @@ std::optional<SightPlane> plane_of(const AxisLine& line, const geometry::Point& 
   plane[u] = -at_v / common;
   plane[v] = at_u / common;
   // The sign of the first number that is not 0 does not depend on the axis of the line.
-  const auto first = std::find_if(plane.begin(), plane.end(), [](std::int64_t n) { return n != 0; });
-  if (*first < 0)
+  if (plane < SightPlane{})
     for (std::int64_t& n : plane) n = -n;
   return plane;
 }

@@ -24,7 +24,6 @@ using machines::Limits;
 using machines::Machine;
 using base::Result;
 using machines::Stop;
-using machines::usage;
 
 // The program and its console exchange characters at the ends of slices of emulated time: a fifth of the time of a
 // teletype's character, so that no program notices, and long enough to cost nothing.

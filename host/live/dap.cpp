@@ -23,7 +23,6 @@ namespace sightline::live {
 namespace {
 
 using base::Json;
-using dap::accepted;
 using dap::flag_in;
 using dap::member;
 using dap::text_in;

@@ -27,7 +27,6 @@ using machines::Stop;
 using base::without_blanks;
 using monitor::Reader;
 using monitor::take_part;
-using monitor::taken;
 using Kind = Answer::Kind;
 
 }  // namespace

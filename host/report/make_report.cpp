@@ -19,7 +19,7 @@ auto caught(const Work& work) -> base::Result<decltype(work())> {
   try {
     return work();
   } catch (const base::Error& error) {
-    return failure.error();
+    return error;
   }
 }
 

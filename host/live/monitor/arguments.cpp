@@ -43,7 +43,7 @@ std::string_view without_comment(std::string_view line) {
 
 void refuse_open_quotes(std::string_view text) {
   if (std::count(text.begin(), text.end(), '"') % 2 != 0)
-    throw base::usage_error(fmt::format("found {} without a \" at its end, expected one; inside a text a quote is \\x22", text.substr(text.rfind('"')))};
+    throw base::usage_error(fmt::format("found {} without a \" at its end, expected one; inside a text a quote is \\x22", text.substr(text.rfind('"'))));
 }
 
 std::size_t end_of_command(std::string_view text) {
@@ -51,7 +51,7 @@ std::size_t end_of_command(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '"') quoted = !quoted;
     if (text[i] == ';' && !quoted) return i;
-  )
+  }
   return text.size();
 }
 
