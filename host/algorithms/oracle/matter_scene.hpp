@@ -28,7 +28,9 @@ struct AxisLine {
   std::size_t axis = 0;
   std::array<std::int32_t, 2> cross{};  // on other_axes(axis)
 
-  friend auto operator<=>(const AxisLine&, const AxisLine&) = default;
+  friend bool operator==(const AxisLine&, const AxisLine&) = default;
+  // Not <=>, which the arrays of libc++ 14 do not have.
+  friend bool operator<(const AxisLine& a, const AxisLine& b) { return a.axis != b.axis ? a.axis < b.axis : a.cross < b.cross; }
 };
 
 class MatterScene {
