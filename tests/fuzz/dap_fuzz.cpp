@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/live/dap.hpp"
+#include "host/live/dap/dap.hpp"
 #include "tests/host/live/small_pdp7.hpp"
 
 namespace {

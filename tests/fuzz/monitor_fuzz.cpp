@@ -9,7 +9,7 @@
 
 #include "host/machines/engine.hpp"
 #include "host/live/console.hpp"
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 #include "host/live/snapshot.hpp"
 #include "tests/host/live/small_pdp7.hpp"
 

@@ -1,6 +1,7 @@
-// The figures of README.md, section "The papers, and what we found", are what the commands named there print: each is compared to
-// its last place. A sentence stands here with # in the place of its figures, so that a figure is written in README.md alone. What
-// the papers say, and how a command is called, is not measured: EveryFigureIsTested lists it.
+// The figures in host/manual/findings.md, section "The papers, and what we found", are those that the commands named there print,
+// to the last place. README.md repeats some of them, and shows the table and the plot of `sightline demo`. The sentences below have
+// # in the place of figures: the texts alone contain the figures. What the papers say, and how a command is called, is not measured:
+// EveryFigureIsTested lists it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,26 +19,27 @@ namespace {
 using nlohmann::json;
 using Figures = std::vector<std::string>;
 
+constexpr const char* papers = "The papers, and what we found";
 constexpr std::string_view default_views = "the default views of five scenes take # to # s with the EAE and # to # s without it";
 constexpr std::string_view default_errors =
-    "on the screen # to # % of the visible length differs, none of it by more than a point";
+    "On the screen # to # % of the visible length differs, none of it by more than a point";
 constexpr std::string_view random_times =
-    "From 1,000 random eyes in street4 a view takes # s in the median and # s at most, without the EAE # and # s";
-constexpr std::string_view random_errors = "From 4,000 eyes # views are wrong by more than a point, the worst in # of # points";
+    "From 1,000 random camera positions in street4 a view takes # s in the median and # s at most, and without the EAE # and # s";
+constexpr std::string_view random_errors = "From 4,000 camera positions # views are wrong by more than a point; the worst is wrong in # of # points";
 constexpr std::string_view flight_8 =
     "orders # pieces of a town and loads their priorities, with coordinates of 8 bits, # times a second (worst frame #) on a "
     "flight of # "
-    "frames, and # times (worst #) if the same way is flown in 60 frames";
-constexpr std::string_view flight_16 = "with 16 bits # times (worst #), or # times (worst #) for the 92 nearest pieces";
+    "frames, and # times (worst #) if the same path takes 60 frames";
+constexpr std::string_view flight_16 = "With coordinates of 16 bits it reaches # times (worst #), or # times (worst #) for the 92 nearest pieces";
 constexpr std::string_view normals = "wrong: # of # pairs contradict it";
 constexpr std::string_view pairs = "that product grows with the power # to # of the number of faces";
-constexpr std::string_view stripes = "sixty visible faces, on a raster board in # s, twenty touching bricks in # s";
+constexpr std::string_view stripes = "which have sixty visible faces, on a raster board in # s, and twenty touching bricks in # s";
 constexpr std::string_view lines = "| lines, 60 slices of 33 points | # to # | # to # | # to # | # to # |";
 constexpr std::string_view long_lines = "| lines, 30 slices of 256 points | # to # | # to # | # to # | # to # |";
 constexpr std::string_view surfaces = "| surfaces, 60 slices of 33 points | # to # | # to # | # to # | # to # |";
 constexpr std::string_view contours = "| contours, 33 slices of 33 points | # to # | # to # | # to # | # to # |";
 constexpr std::string_view contour_dots = "of the # dots of sinc, # are more than a point from any visible contour";
-constexpr std::string_view events = "# to # in models made here";
+constexpr std::string_view events = "those made here after its description have # to #";
 constexpr std::string_view block = "| block of # edges | #, # | # | #, # | # |";
 constexpr std::string_view roberts = "| roberts, a notched block of # edges | #, # | # | #, # | # |";
 constexpr std::string_view star = "| star of # edges | #, # | # | #, # | # |";
@@ -49,13 +51,17 @@ std::string replaced(const std::string& text, const char* pattern, const char* b
   return std::regex_replace(text, std::regex(pattern), by);
 }
 
-// The section, every stretch of white space one blank.
-std::string section() {
-  std::ifstream file(std::string(SIGHTLINE_SOURCE_DIR) + "/README.md");
+std::string text_of(const std::string& file) {
+  std::ifstream stream(std::string(SIGHTLINE_SOURCE_DIR) + '/' + file);
   std::stringstream whole;
-  whole << file.rdbuf();
-  const std::string text = whole.str();
-  const std::size_t begin = text.find("## The papers, and what we found\n");
+  whole << stream.rdbuf();
+  return whole.str();
+}
+
+// The section of the file with this title, every stretch of white space one blank.
+std::string section(const std::string& file, const std::string& title) {
+  const std::string text = text_of(file);
+  const std::size_t begin = text.find("## " + title + '\n');
   const std::size_t end = text.find("\n## ", begin);
   if (begin == std::string::npos || end == std::string::npos) return {};
   return replaced(text.substr(begin, end - begin), "\\s+", " ");
@@ -78,7 +84,7 @@ std::string count(std::int64_t value) {  // 2,484
 
 class ReadmeFigures : public CommandLine {
  protected:
-  // What the command prints with --json. Each word is one that README.md shows as code, `unnamed` apart.
+  // What the command prints with --json. findings.md shows each word of `command` as code; `unnamed` are further arguments.
   json run(const std::string& command, const Arguments& unnamed = {}) {
     std::istringstream words(command);
     Arguments arguments;
@@ -100,13 +106,13 @@ class ReadmeFigures : public CommandLine {
 
   void expect_figures(std::string_view sentence, const Figures& measured) const {
     std::smatch found;
-    ASSERT_TRUE(std::regex_search(text_, found, pattern_of(sentence))) << "README.md does not say: " << sentence;
+    ASSERT_TRUE(std::regex_search(text_, found, pattern_of(sentence))) << "findings.md does not say: " << sentence;
     ASSERT_EQ(found.size(), measured.size() + 1) << sentence;
     for (std::size_t i = 0; i < measured.size(); ++i)
-      EXPECT_EQ(found[i + 1].str(), measured[i]) << "README.md, figure " << i + 1 << " of: " << sentence;
+      EXPECT_EQ(found[i + 1].str(), measured[i]) << "findings.md, figure " << i + 1 << " of: " << sentence;
   }
 
-  const std::string text_ = section();
+  const std::string text_ = section("host/manual/findings.md", papers);
 };
 
 // Least and greatest of what has been added.
@@ -269,18 +275,78 @@ TEST_F(ReadmeFigures, FromTheReport) {
   expect_figures(normals, {count(std::stoll(found[1].str())), count(std::stoll(found[2].str()))});
 }
 
-// What is left of the section without its commands, quotations, titles and the sentences above has no figure but these: settings,
-// the machines' names and what the papers say.
-TEST_F(ReadmeFigures, EveryFigureIsTested) {
-  std::string rest = text_;
-  for (const std::string_view sentence : sentences) rest = std::regex_replace(rest, pattern_of(sentence), "");
+// Without commands, quotations and titles the text has no figure but these: settings, the machines' names and what the papers say.
+void expect_no_figure(std::string rest) {
   for (const char* part : {"`[^`]*`", "\"[^\"]*\"", "\\*\\*[^*]*\\*\\*"}) rest = replaced(rest, part, "");
   for (const char* known : {"PDP-7", "8080", "3 MHz", "2\\.45 GHz", "EF9365", "ALT-256",                        // machines
                             "25 frames a second for hundreds", "within 90 degrees", "about 2 s", "costs 15 %",  // the papers
-                            "Fewer than 16\\.3 events"})
+                            "fewer than 16\\.3 events"})
     rest = replaced(rest, known, "");
   std::smatch found;
   EXPECT_FALSE(std::regex_search(rest, found, std::regex("[^.]*[0-9][^.]*"))) << "no test of: " << found.str();
+}
+
+// The table of README.md: for each method the least and the greatest emulated time and difference of the views of `sightline demo`, and
+// in how many of them something is wrong. The plot is that of the page which the command writes.
+TEST_F(ReadmeFigures, TableAndPlotOfTheDemo) {
+  const json demo = run(Arguments{"demo", "--no-host-times", "-o", "demo"}, {});
+  const std::string readme = section("README.md", "How fast, how wrong");
+  for (const auto& [title, method, picture] : {std::tuple("Jones 1971, PDP-7, lines", "jones-pdp7", "lines"),
+                                               std::tuple("Willis 1977, 8080, faces", "willis-8080", "faces"),
+                                               std::tuple("Montani and Re 1985, 8080, faces", "stripes-8080", "faces"),
+                                               std::tuple("Montani and Re 1985, 8080, pen plotter", "stripes-8080 pen", "lines"),
+                                               std::tuple("Skala 1985, 8080, dots", "skala-8080", "dots"),
+                                               std::tuple("Plantinga, Seales and Dyer 1990, PDP-7, lines", "turn-pdp7", "lines"),
+                                               std::tuple("exact, this computer, lines", "exact", "lines")}) {
+    Range seconds;
+    Range different;
+    int views = 0;
+    int wrong = 0;
+    for (const json& row : demo.at("table")) {
+      if (row.at("method") != method || row.at("picture") != picture) continue;
+      if (row.contains("emulated_s")) seconds.add(row.at("emulated_s").at("median"));
+      different.add(row.at("wrong_percent").at("median"));
+      views += row.at("views").get<int>();
+      wrong += row.at("views").get<int>() - row.at("right").get<int>();
+    }
+    ASSERT_GT(views, 0) << method;
+    std::string expected = fmt::format("| {} | ", title);
+    const auto add = [&expected](const Range& range, int places) {
+      Figures figures;
+      range.write(figures, places);
+      expected += fmt::format("{} to {} | ", figures[0], figures[1]);
+    };
+    if (seconds.values.empty()) expected += "depends on the computer | ";
+    else add(seconds, 3);
+    add(different, 2);
+    expected += std::string_view(picture) == "dots" ? "not counted |" : fmt::format("{} of {} |", wrong, views);
+    EXPECT_NE(readme.find(expected), std::string::npos) << "README.md has no row " << expected;
+  }
+  std::string plot = text_of("tests/data/report/time-error.svg");
+  ASSERT_TRUE(plot.ends_with("</svg>\n"));
+  plot.pop_back();
+  EXPECT_NE(read("demo/index.html").find(plot), std::string::npos) << "the plot is not that of demo/index.html";
+}
+
+// A figure of the papers' section in README.md is in a sentence of findings.md, which the tests above check.
+TEST_F(ReadmeFigures, TheReadmeRepeatsFindings) {
+  std::string rest = section("README.md", papers);
+  ASSERT_FALSE(rest.empty());
+  for (const std::string_view sentence : {default_views, normals}) {
+    std::smatch here;
+    std::smatch there;
+    ASSERT_TRUE(std::regex_search(rest, here, pattern_of(sentence))) << "README.md does not say: " << sentence;
+    ASSERT_TRUE(std::regex_search(text_, there, pattern_of(sentence))) << "findings.md does not say: " << sentence;
+    EXPECT_EQ(here.str(), there.str());
+    rest = std::regex_replace(rest, pattern_of(sentence), "");
+  }
+  expect_no_figure(rest);
+}
+
+TEST_F(ReadmeFigures, EveryFigureIsTested) {
+  std::string rest = text_;
+  for (const std::string_view sentence : sentences) rest = std::regex_replace(rest, pattern_of(sentence), "");
+  expect_no_figure(rest);
 }
 
 }  // namespace

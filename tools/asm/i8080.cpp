@@ -14,8 +14,6 @@ namespace {
 
 using image::hexadecimal;
 
-// Enough for chains of EQUs that refer forward; a longer one is refused as not settling.
-constexpr int most_layout_passes = 16;
 constexpr std::size_t symbols_a_row = 4;  // of the listing's table
 constexpr std::size_t symbol_width = 20;
 
@@ -29,6 +27,8 @@ void enter_defines(I8080Program& program, const I8080Options& options) {
 }
 
 void lay_out(I8080Program& program, const I8080Options& options, std::size_t sources, int& number) {
+  // Enough for chains of EQUs that refer forward; a longer one is refused as not settling.
+  constexpr int most_layout_passes = 16;
   std::size_t unknown = 0;
   program.modules.resize(sources);
   const auto declares = [](const I8080Module& module) { return module.declares; };

@@ -15,10 +15,6 @@
 namespace sightline::assembler {
 namespace {
 
-// Enough for a chain of forward references in literals that move one another; what takes longer does not
-// settle.
-constexpr int most_layout_passes = 12;
-
 void enter(SymbolTable& symbols, std::string_view name, std::uint32_t value, Form form, SymbolKind kind) {
   Symbol& symbol = symbols[name];
   symbol.kind = kind;
@@ -155,6 +151,8 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
     }
   };
   begin();
+  // Enough for a chain of forward references in literals that move one another; what takes longer does not settle.
+  constexpr int most_layout_passes = 12;
   int pass = 0;
   const auto read = [&](bool final = false) {
     if (bell) return BellPass(sources, program, pass, final).run();

@@ -33,9 +33,9 @@ std::string quoted(char c) {
   return "byte " + hexadecimal(static_cast<std::uint8_t>(c), 2);
 }
 
-class Reader {
+class IntelHexReader {
  public:
-  Reader(std::string_view text, std::string_view file) : text_(text), file_(file) {}
+  IntelHexReader(std::string_view text, std::string_view file) : text_(text), file_(file) {}
 
   base::Result<ByteImage> read() {
     while (next_line()) {
@@ -194,7 +194,7 @@ void add_record(std::string& text, std::uint16_t address, RecordType type,
 }  // namespace
 
 base::Result<ByteImage> read_intel_hex(std::string_view text, std::string_view file) {
-  return Reader(text, file).read();
+  return IntelHexReader(text, file).read();
 }
 
 std::string write_intel_hex(const ByteImage& image) {

@@ -28,9 +28,9 @@ std::string quoted(std::string_view token) {
   return text + (token.size() > 20 ? "...'" : "'");
 }
 
-class Reader {
+class OctalReader {
  public:
-  Reader(std::string_view text, std::string_view file, std::uint32_t address)
+  OctalReader(std::string_view text, std::string_view file, std::uint32_t address)
       : text_(text), file_(file), address_(address) {}
 
   base::Result<CoreImage> read() {
@@ -98,7 +98,7 @@ class Reader {
 }  // namespace
 
 base::Result<CoreImage> read_octal(std::string_view text, std::string_view file, std::uint32_t address) {
-  return Reader(text, file, address).read();
+  return OctalReader(text, file, address).read();
 }
 
 std::string write_octal(const CoreImage& image) {

@@ -79,7 +79,7 @@ base::Result<PreparedFaces> prepare_willis(const scene::PolyScene& scene, const 
   return prepared;
 }
 
-constexpr std::array rows{
+constexpr std::array face_rows{
     FaceAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985); filled",
                   prepare_montani_re_faces},
     FaceAlgorithm{"willis",
@@ -90,13 +90,13 @@ constexpr std::array rows{
 }  // namespace
 
 std::span<const FaceAlgorithm> face_algorithms() {
-  return rows;
+  return face_rows;
 }
 
 const FaceAlgorithm* find_face_algorithm(std::string_view name) {
-  const auto found = std::find_if(rows.begin(), rows.end(),
+  const auto found = std::find_if(face_rows.begin(), face_rows.end(),
                                   [name](const FaceAlgorithm& algorithm) { return algorithm.name == name; });
-  return found != rows.end() ? &*found : nullptr;
+  return found != face_rows.end() ? &*found : nullptr;
 }
 
 FaceWindow face_window(const scene::PolyScene& scene, const scene::PolyCamera& camera, int width, int height,

@@ -142,7 +142,7 @@ HeightPicture draw_oracle(const HeightGrid& grid, const HeightView& view) {
   return picture;
 }
 
-constexpr std::array rows{
+constexpr std::array height_rows{
     HeightMethod{"guest", "Skala's program (1985) on the emulated 8080 with its raster board", any_grid,
                  draw_guest},
     HeightMethod{"twin", "The same program in C++, dot for dot", any_grid, draw_twin},
@@ -200,20 +200,20 @@ PixelGrid oracle_dots(const HeightGrid& grid, const HeightView& view, bool outli
 }
 
 std::span<const HeightMethod> height_methods() {
-  return rows;
+  return height_rows;
 }
 
 const HeightMethod* find_height_method(std::string_view name) {
-  const auto found = std::find_if(rows.begin(), rows.end(),
+  const auto found = std::find_if(height_rows.begin(), height_rows.end(),
                                   [name](const HeightMethod& method) { return method.name == name; });
-  return found != rows.end() ? &*found : nullptr;
+  return found != height_rows.end() ? &*found : nullptr;
 }
 
 const HeightMethod* find_height_algorithm(std::string_view algorithm) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [algorithm](const HeightMethod& method) {
+  const auto found = std::find_if(height_rows.begin(), height_rows.end(), [algorithm](const HeightMethod& method) {
     return method.algorithm == algorithm && !algorithm.empty();
   });
-  return found != rows.end() ? &*found : nullptr;
+  return found != height_rows.end() ? &*found : nullptr;
 }
 
 }  // namespace sightline::registry

@@ -20,17 +20,17 @@ namespace sightline::registry {
 
 namespace {
 
-namespace native = algorithms::montani_re;
+namespace montani_re = algorithms::montani_re;
 
-native::StripeFrame frame_of(const scene::PolyCamera& camera, const FaceWindow& window) {
-  return {native::pixels_a_unit(camera, window.scale),
+montani_re::StripeFrame frame_of(const scene::PolyCamera& camera, const FaceWindow& window) {
+  return {montani_re::pixels_a_unit(camera, window.scale),
           {window.left, window.height - window.top},
           window.width,
           window.height};
 }
 
 // What the frame shows and `beyond` of its size more on all sides, rounded outwards.
-native::WindowBounds bounds_of(const native::StripeFrame& frame, bool perspective, double beyond) {
+montani_re::WindowBounds bounds_of(const montani_re::StripeFrame& frame, bool perspective, double beyond) {
   constexpr double limit = 0x1p36;
   const std::array<std::int32_t, 2> size{frame.width, frame.height};
   std::array<std::array<double, 2>, 2> places{};
@@ -40,7 +40,7 @@ native::WindowBounds bounds_of(const native::StripeFrame& frame, bool perspectiv
                  ((1 + beyond) * size[a] - frame.centre[a]) / frame.scale[a]};
     most = std::max({most, std::abs(places[a][0]), std::abs(places[a][1])});
   }
-  native::WindowBounds bounds;
+  montani_re::WindowBounds bounds;
   bounds.unit = 1;
   while (perspective && bounds.unit < (std::int64_t{1} << 30) &&
          most * 2 * static_cast<double>(bounds.unit) < limit)
@@ -55,7 +55,7 @@ native::WindowBounds bounds_of(const native::StripeFrame& frame, bool perspectiv
   return bounds;
 }
 
-base::Error passing_through(const native::FaceSet& set, std::uint32_t first, std::uint32_t second) {
+base::Error passing_through(const montani_re::FaceSet& set, std::uint32_t first, std::uint32_t second) {
   const auto name = [&set](std::uint32_t f) {
     return "face " + std::to_string(set.faces[f].index) + " of body " + std::to_string(set.faces[f].body);
   };
@@ -64,27 +64,27 @@ base::Error passing_through(const native::FaceSet& set, std::uint32_t first, std
 
 class MontaniReScene {
  public:
-  MontaniReScene(const scene::PolyScene& scene, std::int32_t units, native::Silhouette silhouette)
+  MontaniReScene(const scene::PolyScene& scene, std::int32_t units, montani_re::Silhouette silhouette)
       : scene_(scene),
         units_(units),
         silhouette_(silhouette),
         first_faces_(scene::first_face_numbers(scene)) {}
 
   [[nodiscard]] base::Result<FaceView> view(const scene::PolyCamera& camera, const FaceWindow& window) const {
-    const native::StripeFrame frame = frame_of(camera, window);
+    const montani_re::StripeFrame frame = frame_of(camera, window);
     // Corners are moved by up to four pixels: borders are kept well away from what is shown.
-    const native::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
-    const bool past_eye = native::face_past_eye(scene_, camera).has_value();
-    const native::FaceSet set = native::faces_seen(scene_, camera, {}, past_eye ? &bounds : nullptr);
-    const native::ListedFaces listed = native::listed_faces(set);
+    const montani_re::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
+    const bool past_eye = montani_re::face_past_eye(scene_, camera).has_value();
+    const montani_re::FaceSet set = montani_re::faces_seen(scene_, camera, {}, past_eye ? &bounds : nullptr);
+    const montani_re::ListedFaces listed = montani_re::listed_faces(set);
     if (listed.interpenetrating)
       return passing_through(set, listed.interpenetrating->first, listed.interpenetrating->second);
-    const native::StripeRaster raster =
-        native::raster_by_difference(set.image, listed.list, listed.faces, frame, units_);
+    const montani_re::StripeRaster raster =
+        montani_re::raster_by_difference(set.image, listed.list, listed.faces, frame, units_);
     FaceView view;
     view.faces = picture::PixelGrid(window.width, window.height);
     for (std::size_t i = 0; i < raster.faces.size(); ++i)
-      if (raster.faces[i] != native::none) view.faces.values[i] = number(set.faces[raster.faces[i]]);
+      if (raster.faces[i] != montani_re::none) view.faces.values[i] = number(set.faces[raster.faces[i]]);
     view.counts = {{"faces", set.faces.size()},
                    {"relations", listed.counts.relations},
                    {"cycles_cut", listed.counts.cuts},
@@ -94,10 +94,10 @@ class MontaniReScene {
 
   [[nodiscard]] base::Result<FaceRegions> regions(const scene::PolyCamera& camera,
                                                   const FaceWindow& window) const {
-    const native::StripeFrame frame = frame_of(camera, window);
-    const native::WindowBounds bounds = bounds_of(frame, camera.perspective, 0);
-    const native::FaceSet set = native::faces_seen(scene_, camera, {}, &bounds);
-    const native::VisibleRegions seen = native::visible_regions(set, silhouette_);
+    const montani_re::StripeFrame frame = frame_of(camera, window);
+    const montani_re::WindowBounds bounds = bounds_of(frame, camera.perspective, 0);
+    const montani_re::FaceSet set = montani_re::faces_seen(scene_, camera, {}, &bounds);
+    const montani_re::VisibleRegions seen = montani_re::visible_regions(set, silhouette_);
     if (seen.interpenetrating)
       return passing_through(set, seen.interpenetrating->first, seen.interpenetrating->second);
     FaceRegions regions;
@@ -105,8 +105,8 @@ class MontaniReScene {
     std::uint64_t holes = 0;
     for (std::size_t f = 0; f < set.faces.size(); ++f) {
       FaceRegion region{number(set.faces[f]), {}};
-      for (const native::RegionLoop& loop : native::boundary_of(set.image, seen.regions[f])) {
-        if (native::signed_area(set.image, loop) < 0) ++holes;
+      for (const montani_re::RegionLoop& loop : montani_re::boundary_of(set.image, seen.regions[f])) {
+        if (montani_re::signed_area(set.image, loop) < 0) ++holes;
         corners += loop.size();
         region.loops.push_back(placed(set.image, loop, frame));
       }
@@ -120,15 +120,15 @@ class MontaniReScene {
   }
 
  private:
-  [[nodiscard]] std::uint32_t number(const native::Face& face) const {
+  [[nodiscard]] std::uint32_t number(const montani_re::Face& face) const {
     return first_faces_[face.body] + face.index;
   }
 
-  static std::vector<picture::PixelPoint> placed(const native::Image& image, const native::RegionLoop& loop,
-                                                 const native::StripeFrame& frame) {
+  static std::vector<picture::PixelPoint> placed(const montani_re::Image& image, const montani_re::RegionLoop& loop,
+                                                 const montani_re::StripeFrame& frame) {
     std::vector<picture::PixelPoint> points;
-    for (const native::RegionCorner& corner : loop) {
-      const auto p = native::approximate_point(image, corner);
+    for (const montani_re::RegionCorner& corner : loop) {
+      const auto p = montani_re::approximate_point(image, corner);
       points.push_back({frame.centre[0] + frame.scale[0] * p[0], frame.centre[1] + frame.scale[1] * p[1]});
     }
     return points;
@@ -136,7 +136,7 @@ class MontaniReScene {
 
   const scene::PolyScene& scene_;
   std::int32_t units_;
-  native::Silhouette silhouette_;
+  montani_re::Silhouette silhouette_;
   std::vector<std::uint32_t> first_faces_;  // by body
 };
 
@@ -149,7 +149,7 @@ base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& sce
     return base::Error{"", "stripe", "there are stripes of 8, 4, 2, 1, 1/2 and 1/4 pixels"};
   const auto made = std::make_shared<const MontaniReScene>(
       scene, static_cast<std::int32_t>(16 / *found),
-      options.one_silhouette ? native::Silhouette::whole : native::Silhouette::neighbours);
+      options.one_silhouette ? montani_re::Silhouette::whole : montani_re::Silhouette::neighbours);
   PreparedFaces prepared;
   prepared.view = [made](const scene::PolyCamera& camera, const FaceWindow& window) {
     return made->view(camera, window);

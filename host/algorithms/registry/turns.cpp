@@ -199,7 +199,7 @@ base::Result<PreparedTurn> prepare_plantinga(const scene::PolyScene& scene, cons
   return prepared;
 }
 
-constexpr std::array rows{
+constexpr std::array turn_rows{
     TurnMethod{"plantinga", "Events of a full turn, after Plantinga, Seales and Dyer (1990), exact",
                plantinga::why_not, prepare_plantinga},
     TurnMethod{"exact", "Each view from nothing, exact",
@@ -209,13 +209,13 @@ constexpr std::array rows{
 }  // namespace
 
 std::span<const TurnMethod> turn_methods() {
-  return rows;
+  return turn_rows;
 }
 
 const TurnMethod* find_turn_method(std::string_view name) {
-  const auto found = std::find_if(rows.begin(), rows.end(),
+  const auto found = std::find_if(turn_rows.begin(), turn_rows.end(),
                                   [name](const TurnMethod& method) { return method.name == name; });
-  return found != rows.end() ? &*found : nullptr;
+  return found != turn_rows.end() ? &*found : nullptr;
 }
 
 }  // namespace sightline::registry

@@ -15,7 +15,7 @@
 #include "host/base/json.hpp"
 #include "host/base/terminal.hpp"
 #include "host/live/console.hpp"
-#include "host/live/dap.hpp"
+#include "host/live/dap/dap.hpp"
 
 namespace sightline::app {
 

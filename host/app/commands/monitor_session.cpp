@@ -24,7 +24,7 @@
 #include "host/app/outputs.hpp"
 #include "host/base/terminal.hpp"
 #include "host/live/console.hpp"
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 
 namespace sightline::app {
 

@@ -6,7 +6,7 @@
 
 #include "host/app/command.hpp"
 #include "host/machines/engine.hpp"
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::app {

@@ -9,7 +9,7 @@
 
 #include "host/base/text.hpp"
 #include "host/live/dap/messages.hpp"
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 
 namespace sightline::live::dap {
 

@@ -1,6 +1,6 @@
 // A session of an editor by the Debug Adapter Protocol: what a client sends is written down here as messages, and what must
 // come back follows from the programs: lines, addresses, registers. Then messages that are none.
-#include "host/live/dap.hpp"
+#include "host/live/dap/dap.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Each verb of the monitor on small programs of both machines. What a line answers follows from the program: addresses and
 // words from its source, times from the machine's cycle of 1.75 us and the 8080's T-states.
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

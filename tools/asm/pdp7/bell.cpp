@@ -6,6 +6,7 @@
 #include "emulators/core/word.hpp"
 #include "emulators/pdp7/isa.hpp"
 #include "host/base/number.hpp"
+#include "tools/asm/pdp7/characters.hpp"
 #include "tools/image/core_image.hpp"
 
 namespace sightline::assembler {
@@ -14,14 +15,6 @@ namespace {
 constexpr std::uint32_t last_location = image::field_mask;  // 017777 (assm2)
 constexpr std::string_view location_name = ".";
 constexpr std::string_view base_name = "..";
-
-bool blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f';
-}
-
-bool digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 }  // namespace
 
@@ -62,7 +55,7 @@ bool BellPass::at_end_of_statement() const {
 }
 
 void BellPass::skip_blanks() {
-  while (at_ < text_.size() && blank(text_[at_])) ++at_;
+  while (at_ < text_.size() && is_pdp7_blank(text_[at_])) ++at_;
 }
 
 void BellPass::skip_statement() {
@@ -71,7 +64,7 @@ void BellPass::skip_statement() {
 
 std::string_view BellPass::take_name() {
   const std::size_t start = at_;
-  while (at_ < text_.size() && (bell_letter(text_[at_]) || digit(text_[at_]))) ++at_;
+  while (at_ < text_.size() && (bell_letter(text_[at_]) || is_pdp7_digit(text_[at_]))) ++at_;
   return text_.substr(start, at_ - start);
 }
 
@@ -135,7 +128,7 @@ bool BellPass::label_or_assignment() {
   if (named) {
     name = take_name();
   } else {
-    while (digit(peek())) ++at_;
+    while (is_pdp7_digit(peek())) ++at_;
     name = text_.substr(start, at_ - start);
   }
   skip_blanks();

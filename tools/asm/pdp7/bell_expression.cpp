@@ -4,16 +4,13 @@
 #include "emulators/core/word.hpp"
 #include "host/base/number.hpp"
 #include "tools/asm/pdp7/bell.hpp"
+#include "tools/asm/pdp7/characters.hpp"
 
 namespace sightline::assembler {
 namespace {
 
 constexpr std::uint32_t left_half = 9;  // bits that a character in the left half of a word is shifted by
 constexpr std::string_view an_operand = "a name, a number, '.' or a character <a";
-
-bool numeral(char c) {
-  return c >= '0' && c <= '9';
-}
 
 std::uint32_t code_of(char c) {
   return static_cast<unsigned char>(c);
@@ -90,7 +87,7 @@ std::optional<BellPass::Number> BellPass::operand() {
     return std::nullopt;
   }
   if (peek() == '<' || peek() == '>' || peek(1) == '>') return character();
-  if (numeral(peek())) return number();
+  if (is_pdp7_digit(peek())) return number();
   if (bell_letter(peek())) return symbol(take_name(), at);
   error(at, found(), std::string(an_operand));
   return std::nullopt;
@@ -118,10 +115,10 @@ std::optional<BellPass::Number> BellPass::character() {
 std::optional<BellPass::Number> BellPass::number() {
   const Position at = position();
   const std::size_t start = at_;
-  while (numeral(peek())) ++at_;
+  while (is_pdp7_digit(peek())) ++at_;
   const std::string_view digits = text_.substr(start, at_ - start);
   const char next = peek();
-  if (digits.size() == 1 && (next == 'f' || next == 'b') && !bell_letter(peek(1)) && !numeral(peek(1))) {
+  if (digits.size() == 1 && (next == 'f' || next == 'b') && !bell_letter(peek(1)) && !is_pdp7_digit(peek(1))) {
     ++at_;
     return relative_label(at, static_cast<std::size_t>(digits[0] - '0'), next == 'f');
   }

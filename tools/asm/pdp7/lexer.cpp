@@ -1,16 +1,12 @@
 #include "tools/asm/pdp7/lexer.hpp"
 
+#include "tools/asm/pdp7/characters.hpp"
+
 namespace sightline::assembler {
 namespace {
 
 bool letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f';
 }
 
 TokenKind punctuation(char c) {
@@ -44,7 +40,7 @@ bool ends_a_term(TokenKind kind) {
 
 bool Pdp7Lexer::skip_blanks_and_comment() {
   const std::size_t start = at_;
-  while (at_ < text_.size() && blank(text_[at_])) ++at_;
+  while (at_ < text_.size() && is_pdp7_blank(text_[at_])) ++at_;
   if (peek() == '/' && (at_ != start || !after_term_)) skip_line();
   return at_ != start;
 }
@@ -68,14 +64,14 @@ Token Pdp7Lexer::next() {
   const bool after_blank = skip_blanks_and_comment();
   if (at_ == text_.size()) return take(TokenKind::end, 0, after_blank);
   const char first = text_[at_];
-  if (!letter(first) && !digit(first)) return take(punctuation(first), 1, after_blank);
+  if (!letter(first) && !is_pdp7_digit(first)) return take(punctuation(first), 1, after_blank);
   std::size_t length = 1;
-  while (at_ + length < text_.size() && (letter(text_[at_ + length]) || digit(text_[at_ + length]))) ++length;
+  while (at_ + length < text_.size() && (letter(text_[at_ + length]) || is_pdp7_digit(text_[at_ + length]))) ++length;
   return take(letter(first) ? TokenKind::name : TokenKind::number, length, after_blank);
 }
 
 Token Pdp7Lexer::delimited() {
-  while (at_ < text_.size() && blank(text_[at_])) ++at_;
+  while (at_ < text_.size() && is_pdp7_blank(text_[at_])) ++at_;
   const char delimiter = peek();
   const std::size_t line_end = std::min(text_.find('\n', at_), text_.size());
   const std::size_t closing = at_ < line_end ? text_.find(delimiter, at_ + 1) : std::string_view::npos;

@@ -12,7 +12,6 @@ using base::octal;
 using image::bank_mask;
 using image::field_mask;
 
-constexpr std::uint32_t word_mask = core::Word18::mask;
 constexpr std::uint32_t step_count_mask = 077;
 constexpr std::uint32_t skip_conditions = 0000700;
 constexpr std::uint32_t skip_inverted = 0001000;
@@ -66,11 +65,11 @@ Value from_symbol(std::uint32_t word, Form form) {
 
 std::uint32_t Arithmetic::add(std::uint32_t a, std::uint32_t b) const {
   const std::uint32_t total = a + b;
-  return (twos_complement_ || total <= word_mask ? total : total + 1) & word_mask;  // end-around carry
+  return (twos_complement_ || total <= core::Word18::mask ? total : total + 1) & core::Word18::mask;  // end-around carry
 }
 
 std::uint32_t Arithmetic::negate(std::uint32_t a) const {
-  return (~a + (twos_complement_ ? 1U : 0U)) & word_mask;
+  return (~a + (twos_complement_ ? 1U : 0U)) & core::Word18::mask;
 }
 
 std::uint32_t Arithmetic::subtract(std::uint32_t a, std::uint32_t b) const {
@@ -166,7 +165,7 @@ std::uint32_t Arithmetic::word(const Value& value, std::uint32_t location,
                                std::vector<Remark>& remarks) const {
   if (!value.known) return 0;
   const std::uint32_t operand =
-      value.operand == word_mask && !twos_complement_ ? 0 : value.operand;  // -0 adds nothing
+      value.operand == core::Word18::mask && !twos_complement_ ? 0 : value.operand;  // -0 adds nothing
   switch (value.form) {
     case Form::memory: return value.head | address_field(value, operand, location, remarks);
     case Form::law:

@@ -78,7 +78,7 @@ export class Files {
     const what = `${name} is ${title}${changes ? ` (${changes})` : ''}`;
     if (offers.length) return [`${what}.`, ...reasons].join(' ');
     const word = /^[\w.,+-]+$/.test(given) ? given : `'${given.replaceAll("'", "'\\''")}'`;
-    const why = faces > MOST_FACES ? [`${what}: too large for the rooms of this page.`] : [`${what}, which no room of this page can show.`, ...reasons];
+    const why = faces > MOST_FACES ? [`${what}: too large for the tabs of this page.`] : [`${what}, which no tab of this page can show.`, ...reasons];
     return [...why, `Draw it with: sightline draw exact ${word} -o picture.svg`].join(' ');
   }
 
@@ -109,7 +109,7 @@ export class Files {
       grid: () => [["Draw it with Skala's program on the 8080", 'skala']],
       source: () => [['Open it in the workbench', 'bench'], pdp7 && ['Run it on the PDP-7', 'jones']],
       program: () => [pdp7 ? ["Put it into the PDP-7's reader", 'jones'] : ['Load it in the workbench', 'bench']],
-      snapshot: () => [pdp7 ? ['Continue it in the PDP-7 room', 'jones'] : ['Continue it in the 8080 room', 'skala'], ['Continue it in the workbench', 'bench']],
+      snapshot: () => [pdp7 ? ['Continue it in the PDP-7 tab', 'jones'] : ['Continue it in the 8080 tab', 'skala'], ['Continue it in the workbench', 'bench']],
       lesson: () => [['Show it in the theatre', 'theatre']],
     }[kind];
     return (ways?.() ?? []).filter(each => each && (each[2] || each[1] !== this.page.shown)).map(([label, room, way]) => [label, () => this.give(file, room, way)]);

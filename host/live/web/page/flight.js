@@ -14,7 +14,7 @@ export class Flight {
     const o = this.options;
     const set = name => value => { o[name] = value; again(); };
     const number = name => value => { if (value !== '' && Number.isFinite(Number(value))) { o[name] = Number(value); again(); } };
-    this.scene = choice('Scene', SCENES, o.scene, set('scene'), 'The houses that are flown through');
+    this.scene = choice('Scene', SCENES, o.scene, set('scene'), 'The scene of the flight');
     this.bits = choice('Coordinates', [[8, '8 bits'], [12, '12 bits'], [16, '16 bits']], o.bits, number('bits'), 'Bits of a coordinate: with more, distances are more exact and frames slower');
     this.plan = check('Distances without the height', o.plan, set('plan'), 'Distances are measured in plan, seen from above, as in the paper');
     this.pieces = field('Most pieces', o.pieces, number('pieces'), {type: 'number', min: 1, max: 255},
@@ -67,7 +67,7 @@ export class Flight {
       ['Pairs in wrong order', `${count(frame.wrong_orders)} in this frame, ${count(state.wrong_orders)} of ${count(state.pairs)} so far`, 'Pairs of pieces that exact distances put in the other order'],
       ['Wrong pixels', `${count(frame.wrong_points)} in this picture, ${count(state.wrong_points)} in ${state.frames_with_wrong_points} pictures so far`, 'Pixels that show another face than the exact picture'],
       ['Precision', `one step of a coordinate is ${this.made.coordinate_step.toPrecision(3)} of the scene's units; distances that differ by more than ${this.made.distance_error.toPrecision(3)} are in the right order`],
-      ['Check', state.difference || 'the same priorities as the same algorithm on this computer', 'Every frame is also computed by the same algorithm as a program of this computer']];
+      ['Check', state.difference || 'the same priorities as the same algorithm on this computer', 'The same algorithm, as a native program, also computes every frame']];
   }
 
   // `local`: what a link has of a file of the person's.

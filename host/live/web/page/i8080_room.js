@@ -46,8 +46,8 @@ export class I8080Room {
     this.words = field('f(x, z)', 'sin(x) * cos(z)', value => { o.text = value; this.restart(); }, {spellcheck: false, size: 28}, 'Height of the surface: an expression in x and z, which go from -6 to 6');
     this.words.hidden = true;
     o.text = 'sin(x) * cos(z)';
-    this.turn = field('Rotation', o.rotation, number('rotation'), {type: 'number', step: 5}, 'Degrees by which the picture is turned about the upright axis');
-    this.tilt = field('Elevation', o.elevation, number('elevation'), {type: 'number', min: -90, max: 90, step: 5}, 'Degrees from which the picture is seen from above');
+    this.turn = field('Rotation', o.rotation, number('rotation'), {type: 'number', step: 5}, 'Rotation of the picture about the vertical axis, in degrees');
+    this.tilt = field('Elevation', o.elevation, number('elevation'), {type: 'number', min: -90, max: 90, step: 5}, 'Angle from which the picture is seen from above, in degrees');
     this.running = button('Pause', () => this.go(!this.on), 'Run or pause');
     const screen = this.screen = element('div', {className: 'screen board'}, this.canvas);
     this.drag();
@@ -61,8 +61,8 @@ export class I8080Room {
         fold('Options', ...this.flight.controls, ...this.ofSkala = [field('Zoom', o.zoom, number('zoom'), {type: 'number', min: 0.1, max: 10, step: 0.1}, 'Size of the picture; 1 fills the device'),
           field('Points along x', o.points, number('points'), {type: 'number', min: 2, max: 128}, 'Points of the grid in each slice; more are finer and slower'),
           field('Slices', o.slices, number('slices'), {type: 'number', min: 2, max: 128}, 'Rows of the grid, from the foreground to the background'),
-          field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}, 'How many heights have a line in a picture of contours'),
-          check('Hidden lines removed', o.visibility, again('visibility'), 'Otherwise all lines are drawn whole')],
+          field('Contour levels', o.levels, number('levels'), {type: 'number', min: 1, max: 60}, 'Number of heights in a picture of contours'),
+          check('Hidden lines removed', o.visibility, again('visibility'), 'If not set, all lines are drawn completely')],
           choice('Speed', [[1, 'real time, 3 MHz'], [10, '10 times'], [100, '100 times'], [0, 'as fast as possible'], [0.05, 'a twentieth']], o.speed, value => { o.speed = Number(value); }, 'How fast the machine runs, compared with an 8080 at 3 MHz')),
         this.cost8080 = fold('What visibility costs', element('p', {}, button('Measure', () => this.cost(), 'Draw the picture with and without its hidden lines, and compare the times')), this.costs = element('p', {role: 'status'})),
         fold('State', this.facts,

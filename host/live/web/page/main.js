@@ -55,7 +55,7 @@ export async function begin(wasm, shelf) {
     let complaint = '';
     try {
       const {room: name, part, query} = parseLink(location.hash.slice(1) || 'jones');
-      if (!Object.hasOwn(make, name)) throw new Error(`There is no room "${name}": expected ${Object.keys(make).join(', ')}.`);
+      if (!Object.hasOwn(make, name)) throw new Error(`There is no tab "${name}": expected ${Object.keys(make).join(', ')}.`);
       const fresh = !rooms[name];
       const room = visit(name);
       if ((part !== null || query.toString()) && (fresh || !sameLink(location.hash.slice(1), room.link()))) room.open(part ?? '', query);

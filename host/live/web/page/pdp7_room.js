@@ -105,7 +105,7 @@ export class Pdp7Room {
           this.redCyan = check('Pair as red and cyan', o.redCyan, value => this.showRedCyan(value), 'The two pictures of a stereo pair over each other, for red and cyan glasses'),
           this.immediate = check('Lines at once', o.immediate, set('immediate'), 'Each line is shown as soon as it is computed, not the whole view when it is complete'),
           this.scale = field('Scale at the start', o.scale, value => { o.scale = Math.max(64, Math.min(4096, Number(value) || 512)); this.restart(); }, {type: 'number', min: 64, max: 4096, step: 64}, 'Size of the picture when the walk begins, 64 to 4096; at 512 the field of view is 90 degrees'),
-          this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); }, 'Draws the visible lines as a program of today computes them over the picture, and marks where it differs')),
+          this.exact = check('Exact visible lines over the picture', o.exact, value => { o.exact = value; this.sight(); }, 'Draws the exact visible lines over the picture, and marks the differences')),
         fold('Panel', this.panel()),
         fold('Teletype', this.teletype()),
         fold('State', this.facts,
@@ -118,7 +118,7 @@ export class Pdp7Room {
     const {program} = this.options;
     this.intro.say(this.walks.has(program) ? "A PDP-7 of 1965[ with its Type 340 display] runs Jones's hidden-line program. Hold an arrow key or a switch of Walk[ and see from another place]."
       : this.turns ? 'A PDP-7 of 1965 turns a solid[ on its Type 340 display], its hidden lines removed. Press “wire frame”[: every edge is shown].'
-      : `A PDP-7 of 1965[ with its Type 340 display] ${this.example?.snapshot ? 'goes on from a snapshot' : this.example?.file ? 'runs a tape' : 'runs an example'}. ${TRY[program] ?? 'Under Panel, press STOP, then STEP[: one instruction is obeyed, and the lamps of the panel show what it does].'}`);
+      : `A PDP-7 of 1965[ with its Type 340 display] ${this.example?.snapshot ? 'continues from a snapshot' : this.example?.file ? 'runs a tape' : 'runs an example'}. ${TRY[program] ?? 'Under Panel, press STOP, then STEP[: one instruction is executed, and the lamps of the panel show what it does].'}`);
   }
 
   walkPad() {
@@ -185,8 +185,8 @@ export class Pdp7Room {
         button('STOP', () => this.go(false), 'STOP the machine'), button('CONTINUE', () => this.go(true), 'CONTINUE where it stopped'),
         button('STEP', () => { this.go(false); ask({do: 'step'}); }, 'One instruction'),
         button('BACK', () => { this.go(false); ask({do: 'back'}); }, 'One instruction back in time'),
-        button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE: show the word at the address, and go on to the next address'),
-        button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT: put the word of the switches into the address, and go on to the next address'),
+        button('EXAMINE', () => ask({do: 'memory', at: at(), count: 1}, answer => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); this.message.say(`${answer.address}: ${answer.words[0]}`); }), 'EXAMINE: show the word at the address, and advance to the next address'),
+        button('DEPOSIT', () => ask({do: 'put', at: at(), word: this.switchWord()}, () => { this.address.value = (at() + 1).toString(8).padStart(5, '0'); }), 'DEPOSIT: put the word of the switches into the address, and advance to the next address'),
         button('READ IN', () => this.tape ? ask({do: 'load', file: this.tape, start: true}, () => this.readIn()) : this.message.say('Open a tape first.', true), 'READ IN the tape that was opened')));
   }
 
@@ -207,7 +207,7 @@ export class Pdp7Room {
 
   get example() { return this.examples.find(each => each.name === this.options.program); }
 
-  // `restored`: a machine that goes on from a snapshot (openSnapshot).
+  // `restored`: a machine that continues from a snapshot (openSnapshot).
   restart(restored = null) {
     if (this.id) this.module.ask({do: 'drop', id: this.id});
     this.id = 0;

@@ -23,8 +23,8 @@ export class Theatre {
     this.pick = choice('Algorithm', lessons.map(each => [each.algorithm, each.algorithm]), o.algorithm, value => { o.algorithm = value; this.play(); }, 'The algorithm that is shown');
     this.scene = choice('Scene', SCENES, o.scene, value => { o.scene = value; this.play(); }, 'The solids that it draws');
     this.function = choice('Function', FUNCTIONS, o.function, value => { o.function = value; this.play(); }, 'The function of two variables that it draws');
-    this.view = choice('View', [['own', "the scene's own"], ['turned', 'parallel, turned']], o.view, value => { o.view = value; this.play(); }, 'From where the scene is seen: from its own eye, or turned, in parallel projection');
-    this.turn = field('Rotation', o.rotation, value => { o.rotation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: -180, max: 180, step: 5}, 'Turns the scene about the upright axis');
+    this.view = choice('View', [['own', "the scene's own"], ['turned', 'parallel, turned']], o.view, value => { o.view = value; this.play(); }, 'The camera of the scene, or a rotated view in parallel projection');
+    this.turn = field('Rotation', o.rotation, value => { o.rotation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: -180, max: 180, step: 5}, 'Turns the scene about the vertical axis');
     this.tilt = field('Elevation', o.elevation, value => { o.elevation = Number(value) || 0; o.view = 'turned'; this.view.select.value = 'turned'; this.play(); }, {type: 'range', min: 0, max: 60, step: 5}, 'Tilts the scene: how far it is seen from above');
     const intro = introduction();
     intro.say('Hidden-line algorithms at work[ on small scenes], one step at a time. Press Play, or > for the next step.');

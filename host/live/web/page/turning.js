@@ -57,7 +57,7 @@ export class Turning {
     this.event.addEventListener('keydown', event => { if (event.key === ' ' || event.key === 'Enter') { event.preventDefault(); this.hold(true); } });
     this.event.addEventListener('keyup', event => { if (event.key === ' ' || event.key === 'Enter') this.hold(false); });
     this.pace = choice('A turn in', [[2, '2 s'], [4, '4 s'], [8, '8 s'], [16, '16 s'], [60, 'a minute']], this.options.seconds, value => { this.options.seconds = Number(value); this.setSpeed(); }, 'The speed: AC switches 3 to 17, keys up and down');
-    this.upright = check('Upright', false, value => { this.options.level = value; this.room.options.switches = 0; this.room.restart(); }, 'The model stands upright; otherwise it is tilted, and its top is seen');
+    this.upright = check('Upright', false, value => { this.options.level = value; this.room.options.switches = 0; this.room.restart(); }, 'The model is upright; otherwise it is tilted to show its top');
     return group('Turn', element('div', {className: 'pad'}, this.backwards, this.wire, this.event, this.stop), this.pace, this.upright);
   }
 

@@ -926,7 +926,7 @@ in_rooms = [
     *[(f"tape.{form}", content, {"jones": taken, "skala": [READER], "bench": [READER], "theatre": [READER], "about": [READER]}) for form, content in [("rim", tape), ("hri", hri), ("oct", core), ("dat", tape)]],
     *[(f"program.{form}", content, {"jones": [LOAD], "skala": [LOAD], "bench": taken, "theatre": [LOAD], "about": [LOAD]}) for form, content in [("com", com), ("hex", hexadecimal)]],
     ("lesson.json", lesson, {"jones": [SHOW], "skala": [SHOW], "bench": [SHOW], "theatre": taken, "about": [SHOW]}),
-    ("other.snap", snapshot, {"skala": ["Continue it in the PDP-7 room", "Continue it in the workbench"], "theatre": ["Continue it in the PDP-7 room", "Continue it in the workbench"]}),
+    ("other.snap", snapshot, {"skala": ["Continue it in the PDP-7 tab", "Continue it in the workbench"], "theatre": ["Continue it in the PDP-7 tab", "Continue it in the workbench"]}),
     ("1200 faces.off", many, dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])),
     ("a.mtl", b"newmtl red\nKd 1 0 0\n", dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])),
     *[(name, content, dict.fromkeys(["jones", "skala", "bench", "theatre", "about"], [])) for name, content in [
@@ -971,7 +971,7 @@ for place in ["jones/house", "skala/sinc", "bench/square.s", "theatre/exact/boxe
     for name, content, faces in [("240 faces.off", some, 240), ("1200 faces.off", many, 1200), ("it's.off", huge, 2400)]:
         word = "'it'\\''s.off'" if "'" in name else f"'{name}'"
         opened(name, content)
-        check(notice() == f"{name} is a mesh of {faces} faces: too large for the rooms of this page. Draw it with: sightline draw exact {word} -o picture.svg", f"{name} in {place}: {notice()}")
+        check(notice() == f"{name} is a mesh of {faces} faces: too large for the tabs of this page. Draw it with: sightline draw exact {word} -o picture.svg", f"{name} in {place}: {notice()}")
 def prism(corners):
     # A right prism over a regular polygon.
     ring = [(round(1000 * math.cos(2 * math.pi * i / corners)), round(1000 * math.sin(2 * math.pi * i / corners))) for i in range(corners)]
@@ -1092,7 +1092,7 @@ choose("Program", "house")
 open_saved("clock.snap", "house.snap")
 check(program() == ["snapshot house.snap"] * 2 and not wrong(), f"a snapshot of another program is not the house, by its name: {program()} {said()}")
 check(js("const r = sightline.room; return !r.labels && !r.view && !r.lines && !r.walk.checkVisibility() && !r.exact.checkVisibility() && !r.lamp.checkVisibility()"), "it has no walk, no view, no exact lines")
-check("goes on from a snapshot" in intro() and "snapshot%20house.snap?" in driver.current_url and "file=1" in driver.current_url, f"the sentence and the address say so: {intro()} {driver.current_url}")
+check("continues from a snapshot" in intro() and "snapshot%20house.snap?" in driver.current_url and "file=1" in driver.current_url, f"the sentence and the address say so: {intro()} {driver.current_url}")
 at = ticks()
 wait(lambda: ticks() > at + 1e7, "it runs on")
 choose("Program", "house")

@@ -15,7 +15,7 @@
 #include "host/base/json.hpp"
 #include "host/base/result.hpp"
 #include "host/machines/engine.hpp"
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 #include "host/live/symbols.hpp"
 
 namespace sightline::live {

@@ -1,5 +1,5 @@
 // See monitor.hpp.
-#include "host/live/monitor.hpp"
+#include "host/live/monitor/monitor.hpp"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 // See dap.hpp.
-#include "host/live/dap.hpp"
+#include "host/live/dap/dap.hpp"
 
 #include <fmt/core.h>
 

@@ -1,1 +1,0 @@
-// Nothing: a library needs a source for its precompiled headers (CMakeLists.txt) to belong to.
