@@ -26,6 +26,7 @@ using picture::LinePiece;
 using picture::PixelPoint;
 using picture::PixelSegment;
 using picture::ReferenceLine;
+using picture::SeenPoint;
 
 constexpr double shortest_image = 1e-6;  // pixels: of what counts as a line
 constexpr LineId no_line = std::numeric_limits<LineId>::max();
@@ -263,21 +264,11 @@ std::vector<DrawnPiece> display_pieces(const programs::jones::TwinView& view, co
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 
-namespace {
-
-SeenPoint seen(const scene::PolyPoint& vertex, const scene::PolyCamera& camera) {
-  const geometry::Vector3 p = geometry::difference(vertex, camera.eye);
-  const auto along = [&](const scene::PolyPoint& axis) {
-    const geometry::Vector3 a = geometry::vector_of(axis);
-    return static_cast<double>(geometry::dot(a, p)) / std::sqrt(static_cast<double>(geometry::dot(a, a)));
-  };
-  return {along(camera.right), along(camera.up), camera.perspective ? along(camera.forward) : 1};
+SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera) {
+  const picture::CameraView view(camera);
+  from_ = view.at(from);
+  to_ = view.at(to);
 }
-
-}  // namespace
-
-SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera)
-    : from_(seen(from, camera)), to_(seen(to, camera)) {}
 
 SeenPoint SeenEdge::at(double s) const {
   SeenPoint point{};

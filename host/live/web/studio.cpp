@@ -11,6 +11,7 @@
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/explain/explain.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/programs/flight/program.hpp"
 #include "host/programs/jones/encode.hpp"
 #include "host/programs/jones/program.hpp"
@@ -67,15 +68,9 @@ Json pieces_json(const picture::LinePicture& picture) {
 Json draw(Workbench& workbench, const Json& request) {
   auto loaded = scene_named(workbench, text_of(request, "scene"));
   if (!loaded) return refusal(loaded.error().message());
-  const registry::LineAlgorithm* const algorithm = registry::find_line_algorithm(text_of(request, "algorithm"));
-  if (algorithm == nullptr) return refusal("there is no line algorithm of that name");
   const auto camera = camera_of(loaded->scene, request);
   if (!camera) return refusal(camera.error().message());
-  if (const auto reason = algorithm->why_not(loaded->scene)) return refusal(*reason);
-  if (const auto reason = algorithm->why_not_seen(loaded->scene, *camera)) return refusal(*reason);
-  auto prepared = algorithm->prepare(loaded->scene);
-  if (!prepared) return refusal(prepared.error().message());
-  const auto view = prepared->view(*camera);
+  const auto view = hidden_lines::visible_edges(loaded->scene, *camera, text_of(request, "algorithm"));
   if (!view) return refusal(view.error().message());
   Json counts = Json::object();
   for (const auto& count : view->counts) counts[std::string(count.name)] = count.value;

@@ -1,5 +1,5 @@
 // See matter_scene.hpp.
-#include "host/compare/matter_scene.hpp"
+#include "host/algorithms/oracle/matter_scene.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,10 +7,9 @@
 #include "host/geometry/interval_set.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
-namespace sightline::compare {
+namespace sightline::algorithms::oracle {
 namespace {
 
-namespace oracle = algorithms::oracle;
 using geometry::Rational;
 using picture::LineEdge;
 using picture::LinePicture;
@@ -74,7 +73,7 @@ class MatterScene::Parts {
 };
 
 base::Result<MatterScene> MatterScene::of(const scene::CellScene& cells) {
-  auto matter = oracle::Matter::of(cells);
+  auto matter = Matter::of(cells);
   if (!matter)
     return base::Error{"", "", "has more than 67,108,864 units between its coordinates, which the oracle of cells cannot hold"};
   MatterScene result(std::move(*matter));
@@ -91,7 +90,7 @@ base::Result<MatterScene> MatterScene::of(const scene::CellScene& cells) {
     return known->second;
   };
   for (std::size_t l = 0; l < result.lines_.size(); ++l) {
-    const oracle::RealLine& line = result.lines_[l];
+    const RealLine& line = result.lines_[l];
     result.scene_.wires.push_back({vertex(line.from), vertex(line.to)});
     result.on_[line_through(line.from, line.to)].push_back(l);
   }
@@ -106,7 +105,7 @@ LineEdge MatterScene::wire(std::size_t line) const {
 picture::ChosenEdges MatterScene::lines_at(const geometry::Point& eye) const {
   picture::ChosenEdges chosen;
   for (std::size_t l = 0; l < lines_.size(); ++l)
-    if (oracle::is_line_for(lines_[l], eye)) chosen.edges.push_back(wire(l));
+    if (is_line_for(lines_[l], eye)) chosen.edges.push_back(wire(l));
   std::sort(chosen.edges.begin(), chosen.edges.end());
   chosen.kinds.assign(chosen.edges.size(), picture::EdgeKind::wire);
   chosen.turned_away.assign(chosen.edges.size(), 0);
@@ -114,10 +113,10 @@ picture::ChosenEdges MatterScene::lines_at(const geometry::Point& eye) const {
   return chosen;
 }
 
-LinePicture MatterScene::visible(const geometry::Point& eye, const oracle::Window& window) const {
+LinePicture MatterScene::visible(const geometry::Point& eye, const Window& window) const {
   Parts parts;
   // Lines of one axis come in the order of the grid, as real_lines() has them, so each is found among those of its own line of space.
-  for (const oracle::VisibleLine& seen : oracle::visible_lines(matter_, lines_, eye, window)) {
+  for (const VisibleLine& seen : visible_lines(matter_, lines_, eye, window)) {
     const std::vector<std::size_t>& candidates = on_.at(line_through(seen.p, seen.q));
     const auto line = std::find_if(candidates.begin(), candidates.end(), [&](std::size_t l) { return lines_[l].from == seen.p; });
     for (const auto& [low, high] : seen.intervals.intervals()) parts.add(*line, low, high);
@@ -135,8 +134,8 @@ LinePicture MatterScene::on_lines(const LinePicture& drawn, const geometry::Poin
     const std::size_t axis = known->first.axis;
     const std::int64_t length = std::int64_t{q[axis]} - p[axis];
     for (const std::size_t l : known->second) {
-      const oracle::RealLine& line = lines_[l];
-      if (!oracle::is_line_for(line, eye)) continue;
+      const RealLine& line = lines_[l];
+      if (!is_line_for(line, eye)) continue;
       const std::int64_t start = std::int64_t{p[axis]} - line.from[axis];
       const std::int64_t of_line = std::int64_t{line.to[axis]} - line.from[axis];
       // The fractions are those of the oracle's crossings, of at most 36 bits in lowest terms, and lengths have 16.
@@ -157,4 +156,4 @@ std::optional<LineEdge> MatterScene::wire_on(const AxisLine& line) const {
   return wire(known->second.front());
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::algorithms::oracle

@@ -21,14 +21,16 @@
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
-namespace sightline::compare {
+namespace sightline::algorithms::oracle {
 
 // A line of space parallel to an axis.
 struct AxisLine {
   std::size_t axis = 0;
   std::array<std::int32_t, 2> cross{};  // on other_axes(axis)
 
-  friend auto operator<=>(const AxisLine&, const AxisLine&) = default;
+  friend bool operator==(const AxisLine&, const AxisLine&) = default;
+  // Not <=>, which the arrays of libc++ 14 do not have.
+  friend bool operator<(const AxisLine& a, const AxisLine& b) { return a.axis != b.axis ? a.axis < b.axis : a.cross < b.cross; }
 };
 
 class MatterScene {
@@ -44,7 +46,7 @@ class MatterScene {
   // Of the wires, those that are lines for this eye (oracle::is_line_for).
   [[nodiscard]] picture::ChosenEdges lines_at(const geometry::Point& eye) const;
   // What is truly seen of the wires in a window, by the oracle of cells. The eye is inside the outer box and in no solid (precondition).
-  [[nodiscard]] picture::LinePicture visible(const geometry::Point& eye, const algorithms::oracle::Window& window) const;
+  [[nodiscard]] picture::LinePicture visible(const geometry::Point& eye, const Window& window) const;
   // Pieces of edges of with_box() as pieces of the wires that are lines for this eye; what lies on none, such as the joint of two
   // solids, is left out.
   [[nodiscard]] picture::LinePicture on_lines(const picture::LinePicture& drawn, const geometry::Point& eye) const;
@@ -52,16 +54,16 @@ class MatterScene {
   [[nodiscard]] std::optional<picture::LineEdge> wire_on(const AxisLine& line) const;
 
  private:
-  MatterScene(algorithms::oracle::Matter matter) : matter_(std::move(matter)), lines_(matter_.real_lines()) {}
+  MatterScene(Matter matter) : matter_(std::move(matter)), lines_(matter_.real_lines()) {}
   [[nodiscard]] picture::LineEdge wire(std::size_t line) const;
   // Parts of wires, by the number of the line, as a picture.
   class Parts;
 
-  algorithms::oracle::Matter matter_;
-  std::vector<algorithms::oracle::RealLine> lines_;  // in the order of the wires
+  Matter matter_;
+  std::vector<RealLine> lines_;  // in the order of the wires
   std::map<AxisLine, std::vector<std::size_t>> on_;  // numbers of lines, ascending along the axis
   scene::PolyScene scene_;
   scene::PolyScene with_box_;
 };
 
-}  // namespace sightline::compare
+}  // namespace sightline::algorithms::oracle
