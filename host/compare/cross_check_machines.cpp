@@ -10,8 +10,9 @@
 #include <map>
 #include <utility>
 
-#include "host/algorithms/registry/heights.hpp"
+#include "host/compare/height_methods.hpp"
 #include "host/algorithms/registry/lines.hpp"
+#include "host/algorithms/skala/draw.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/lines.hpp"
 #include "host/compare/jones_precision/precision.hpp"
@@ -224,14 +225,14 @@ ViewVerdict compare_pictures(const NamedJones& a, const NamedJones& b) {
 }
 
 ViewVerdict compare_with_oracle(const CommonScene& scene, const NamedInk& a) {
-  const skala::View asked = program_view(scene);
-  std::map<skala::PictureKind, PixelGrid> oracle;
-  std::map<skala::PictureKind, std::vector<PixelSegment>> unrounded;
-  for (const skala::PictureKind kind : {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
-    skala::View view = asked;
-    view.picture = kind;
-    oracle[kind] = registry::oracle_dots(*scene.heights, registry::height_view(view), kind == skala::PictureKind::contours);
-    if (kind != skala::PictureKind::surface) unrounded[kind] = unrounded_ink(*scene.heights, asked, kind);
+  const algorithms::skala::View asked = program_view(scene);
+  std::map<algorithms::skala::Subject, PixelGrid> oracle;
+  std::map<algorithms::skala::Subject, std::vector<PixelSegment>> unrounded;
+  for (const algorithms::skala::Subject kind : {algorithms::skala::Subject::lines, algorithms::skala::Subject::surface, algorithms::skala::Subject::contours}) {
+    algorithms::skala::View view = asked;
+    view.subject = kind;
+    oracle[kind] = oracle_dots(*scene.heights, view, kind == algorithms::skala::Subject::contours);
+    if (kind != algorithms::skala::Subject::surface) unrounded[kind] = unrounded_ink(*scene.heights, asked, kind);
   }
   Distances distances;
   InkDistances measured;
@@ -241,7 +242,7 @@ ViewVerdict compare_with_oracle(const CommonScene& scene, const NamedInk& a) {
       distances.fail(name + ": other dots than the column oracle");
       continue;
     }
-    measured.add(distances, ink, unrounded[ink.kind == skala::PictureKind::contours ? ink.kind : skala::PictureKind::lines], 1);
+    measured.add(distances, ink, unrounded[ink.kind == algorithms::skala::Subject::contours ? ink.kind : algorithms::skala::Subject::lines], 1);
   }
   return distances.take();
 }
@@ -249,24 +250,20 @@ ViewVerdict compare_with_oracle(const CommonScene& scene, const NamedInk& a) {
 ViewVerdict compare_with_native(const CommonScene& scene, const NamedInk& a) {
   algorithms::skala::View view = scene.height_view;
   view.subject = algorithms::skala::Subject::lines;
-  registry::HeightView native;
-  static_cast<algorithms::skala::View&>(native) = view;
-  const auto lines = lines_of(*registry::find_height_method("native")->draw(*scene.heights, native).drawing);
+  const auto lines = lines_of(algorithms::skala::draw(*scene.heights, view));
   // Its masks have columns, too, but finer ones.
   const double finer = 1 + 256.0 / view.columns;
   Distances distances;
   InkDistances measured;
   for (const SkalaInk& ink : *a.pictures)
-    if (ink.kind != skala::PictureKind::contours) measured.add(distances, ink, lines, finer);
+    if (ink.kind != algorithms::skala::Subject::contours) measured.add(distances, ink, lines, finer);
   return distances.take();
 }
 
-programs::skala::View program_view(const CommonScene& scene) {
-  registry::HeightView view;
-  static_cast<algorithms::skala::View&>(view) = scene.height_view;
-  skala::View asked = registry::program_view(view);
-  asked.levels = 4;
-  return asked;
+algorithms::skala::View program_view(const CommonScene& scene) {
+  algorithms::skala::View view = scene.height_view;
+  view.levels = 4;
+  return view;
 }
 
 }  // namespace sightline::compare

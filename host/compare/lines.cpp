@@ -26,6 +26,7 @@ using picture::LinePiece;
 using picture::PixelPoint;
 using picture::PixelSegment;
 using picture::ReferenceLine;
+using picture::SeenPoint;
 
 constexpr double shortest_image = 1e-6;  // pixels: of what counts as a line
 constexpr LineId no_line = std::numeric_limits<LineId>::max();
@@ -97,15 +98,6 @@ std::vector<DrawnPiece> pieces_of(const programs::jones::TwinView& view, const s
     pieces.push_back({lines.at(piece.vector_address), image});
   }
   return pieces;
-}
-
-SeenPoint seen(const scene::PolyPoint& vertex, const scene::PolyCamera& camera) {
-  const geometry::Vector3 p = geometry::difference(vertex, camera.eye);
-  const auto along = [&](const scene::PolyPoint& axis) {
-    const geometry::Vector3 a = geometry::vector_of(axis);
-    return static_cast<double>(geometry::dot(a, p)) / std::sqrt(static_cast<double>(geometry::dot(a, a)));
-  };
-  return {along(camera.right), along(camera.up), camera.perspective ? along(camera.forward) : 1};
 }
 
 }  // namespace
@@ -268,8 +260,11 @@ std::vector<DrawnPiece> display_pieces(const programs::jones::TwinView& view, co
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 
-SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera)
-    : from_(seen(from, camera)), to_(seen(to, camera)) {}
+SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera) {
+  const picture::CameraView view(camera);
+  from_ = view.at(from);
+  to_ = view.at(to);
+}
 
 SeenPoint SeenEdge::at(double s) const {
   SeenPoint point{};

@@ -13,7 +13,6 @@
 #include "host/base/threads.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/lines.hpp"
-#include "host/compare/matter_scene.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/sweep_views.hpp"
 #include "host/compare/willis_8080.hpp"

@@ -16,7 +16,7 @@
 #include "host/algorithms/plantinga/event_list.hpp"
 #include "host/algorithms/plantinga/rotation_model.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
-#include "host/algorithms/registry/lines.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/programs/turn/precision.hpp"
 #include "host/programs/turn/screen_view.hpp"
@@ -308,11 +308,7 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
 base::Result<TurnCheck> check_turn(const Turning& turning, std::uint32_t angle) {
   const auto shown = turning.draw(angle);
   if (!shown) return shown.error();
-  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
-  if (const auto reason = exact.why_not(turning.standing())) return base::Error{.found = *reason};
-  const auto prepared = exact.prepare(turning.standing());
-  if (!prepared) return prepared.error();
-  const auto view = prepared->view(shown->camera);
+  const auto view = hidden_lines::visible_edges(turning.standing(), shown->camera);
   if (!view) return view.error();
   TurnCheck check{angle, shown->words, shown->time, shown->flashes, {}, shown->flash_bound, {}, shown->difference};
   if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);

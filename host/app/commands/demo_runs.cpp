@@ -106,11 +106,10 @@ void add_turns(Json& document, const std::vector<TurnRow>& rows) {
 std::vector<FlightRow> run_flights() {
   namespace flight = programs::flight;
   std::vector<FlightRow> rows;
-  const flight::Session session;
   for (const auto& [name, plan] : {std::pair("town-10", false), std::pair("prisms-25", true)}) {
-    const PlannedFlight planned = planned_flight(load_scene(name).scene, name, plan, 60, {});
+    const flight::Plan planned = value_of(flight::plan_flight(load_scene(name).scene, plan, 60), name);
     for (const auto& [precision, bits] : {std::pair(flight::Precision::bits_8, 8), std::pair(flight::Precision::bits_16, 16)}) {
-      const auto run = checked_flight(session, planned, flight::pack(planned.model, planned.path, precision), name, {});
+      const auto run = value_of(flight::run({.model = planned.model, .path = planned.path, .precision = precision, .check = true}), name);
       rows.push_back({name, bits, run.summary});
     }
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/app/commands/flight_session.hpp"
+#include "host/programs/flight/flight.hpp"
 #include "host/base/json.hpp"
 #include "host/programs/jones/jones.hpp"
 #include "host/programs/turn/turn.hpp"
@@ -44,7 +44,7 @@ void add_turns(base::Json& document, const std::vector<TurnRow>& rows);
 struct FlightRow {
   std::string scene;
   int bits = 8;
-  programs::flight::FlightSummary summary;
+  programs::flight::Summary summary;
 };
 [[nodiscard]] std::vector<FlightRow> run_flights();
 [[nodiscard]] std::string demo_flight_table(const std::vector<FlightRow>& rows);

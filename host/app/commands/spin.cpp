@@ -78,7 +78,7 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   base::ProgressLine line;
   registry::TurnOptions turn;
   turn.tolerance = options.tolerance * degree;
-  turn.edges = edge_choice_of(options.edges, scene);
+  turn.edges = hidden_lines::edge_choice(options.edges.options(), scene);
   if (found) turn.found = options.events;
   turn.progress = [&line](std::size_t done, std::size_t of) {
     line.show(fmt::format("events: {} of {} edges", done, of));

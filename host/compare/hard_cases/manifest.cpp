@@ -133,7 +133,7 @@ class Members {
         .may("dots", expect.dots)
         .may("lit", expect.lit);
   }
-  void read(const Json& json, const std::string& place, registry::HeightView& view) {
+  void read(const Json& json, const std::string& place, algorithms::skala::View& view) {
     static constexpr std::array families{"x", "z", "both", "auto"};
     static constexpr std::array subjects{"lines", "surface", "contours"};
     std::pair family{&view.family, &families};

@@ -22,7 +22,7 @@
 
 #include "host/algorithms/oracle/column_oracle.hpp"
 #include "host/algorithms/registry/faces.hpp"
-#include "host/algorithms/registry/heights.hpp"
+#include "host/compare/height_methods.hpp"
 #include "host/base/result.hpp"
 #include "host/compare/jones_precision/precision.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -37,7 +37,7 @@ struct MethodOptions {
   std::optional<jones_precision::Precision> precision;  // of its twin; none: the machine's
   registry::FaceOptions faces;
   std::vector<double> stripes{1};  // thicknesses of Montani and Re's, in pixels
-  registry::HeightView view;
+  algorithms::skala::View view;
 };
 
 // Dots of a picture of a height grid that must be lit: those of slices and of the lines across them, from and

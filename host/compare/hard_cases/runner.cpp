@@ -20,7 +20,8 @@
 #include "host/geometry/interval_set.hpp"
 #include "host/programs/jones/jones.hpp"
 #include "host/programs/skala/projection.hpp"
-#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/skala.hpp"
+#include "host/programs/skala/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/compare/hard_cases/case_images.hpp"
@@ -150,8 +151,8 @@ std::vector<oracle::RasterDot> dots_between(const std::vector<skala::Vertex>& ve
 }
 
 std::vector<oracle::RasterDot> dots_that_must_be_lit(const LitDots& lit, const scene::HeightGrid& grid,
-                                                     const registry::HeightView& view) {
-  const skala::Projection projection(grid, registry::program_view(view));
+                                                     const algorithms::skala::View& view) {
+  const skala::Projection projection(grid, view);
   std::vector<oracle::RasterDot> dots;
   const auto add = [&](const std::optional<std::array<std::size_t, 2>>& range, std::size_t across, auto at) {
     for (std::size_t line = range ? (*range)[0] : 1; line <= (range ? (*range)[1] : 0); ++line) {
@@ -174,7 +175,7 @@ std::vector<oracle::RasterDot> dots_that_must_be_lit(const LitDots& lit, const s
 }
 
 // reach: of vectors, which may be a dot away from where a raster rounds them to.
-void check_dots(const Expectation& expect, const scene::HeightGrid& grid, const registry::HeightView& view,
+void check_dots(const Expectation& expect, const scene::HeightGrid& grid, const algorithms::skala::View& view,
                 const PixelGrid& dots, int reach, Complaints& complaints) {
   const auto lit_dots = std::count(dots.values.begin(), dots.values.end(), 1U);
   if (expect.dots && reach == 0 && static_cast<std::size_t>(lit_dots) != *expect.dots)
@@ -309,7 +310,7 @@ SegmentSeen seen_of(const SceneSegment& segment, const LinePicture& picture, con
 
 bool is_method(std::string_view name) {
   return name == "willis" || name == "stripes" || registry::find_line_algorithm(name) != nullptr ||
-         registry::find_height_method(name) != nullptr;
+         find_height_method(name) != nullptr;
 }
 
 std::vector<PolyCamera> CaseRun::cameras() const {
@@ -546,21 +547,21 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
 }
 
 Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options) {
-  const registry::HeightMethod* const method = registry::find_height_method(name);
+  const HeightMethod* const method = find_height_method(name);
   if (method == nullptr) return {false, fmt::format("there is no method {}", name)};
   const scene::HeightGrid& grid = *input_->heights;
-  const registry::HeightView& view = options.view;
+  const algorithms::skala::View& view = options.view;
   if (const auto reason = method->why_not(grid, view)) return not_applicable(*reason);
-  const registry::HeightPicture picture = method->draw(grid, view);
+  const HeightPicture picture = method->draw(grid, view);
   Complaints complaints;
   if (!picture.fault.empty()) complaints.add(picture.fault);
   keep(image_, [&] { return dots_image(picture.dots); });
   const bool vectors = picture.drawing.has_value();
   check_dots(hard_.expect, grid, view, picture.dots, vectors ? 1 : 0, complaints);
-  const registry::HeightMethod& truth = *registry::find_height_method("oracle");
+  const HeightMethod& truth = *find_height_method("oracle");
   if (method == &truth || truth.why_not(grid, view)) return complaints.finding();
   if (vectors) {
-    compare_vectors(registry::oracle_dots(grid, view, false), picture.dots, std::fmod(view.rotation, 90) == 0,
+    compare_vectors(oracle_dots(grid, view, false), picture.dots, std::fmod(view.rotation, 90) == 0,
                     complaints);
   } else {
     compare_dots(truth.draw(grid, view).dots, picture.dots, complaints);
@@ -571,7 +572,6 @@ Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options
 Finding CaseRun::run_commands(std::string_view method) {
   if (method == "native") return not_applicable("draws grids, and lines instead of dots");
   Complaints complaints;
-  const skala::Session session;
   for (const CommandScreen& screen : input_->screens) {
     if (method == "oracle") {
       keep(image_, [&] { return dots_image(screen.truth); });
@@ -582,11 +582,12 @@ Finding CaseRun::run_commands(std::string_view method) {
     }
     PixelGrid dots;
     if (method == "guest") {
-      const skala::CheckedPicture run = session.run(screen.stream);
-      if (!run.guest.ended || run.guest.status != skala::Status::complete)
-        complaints.add(fmt::format("stops: {}", skala::text_of(run.guest.status)));
-      if (!run.difference.empty()) complaints.add("not its twin's picture: " + run.difference);
-      dots = points_of(run.guest.raster);
+      const auto run = skala::run(screen.stream, skala::Device::ef9365, true);
+      if (!run) {
+        complaints.add(run.error().message());
+        continue;
+      }
+      dots = points_of(run->picture.raster);
     } else {
       dots = points_of(skala::run_twin(screen.stream).raster(skala::Device::ef9365));
     }

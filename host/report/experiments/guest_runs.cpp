@@ -4,13 +4,10 @@
 
 #include <utility>
 
-#include "emulators/devices/ef9365_timing.hpp"
 #include "host/base/value_of.hpp"
-#include "host/programs/skala/stream.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/png_picture.hpp"
-#include "host/scene/heights/function.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
 namespace sightline::report {
@@ -18,37 +15,9 @@ namespace sightline::report {
 namespace {
 
 namespace jones = programs::jones;
-namespace skala = programs::skala;
 
 std::string name_of(const JonesOrder& order) {
   return fmt::format("{}, {} EAE", order.scene, order.eae ? "with" : "without");
-}
-
-skala::View view_of(const SkalaOrder& order, bool visibility) {
-  skala::View view;
-  view.picture = order.picture;
-  view.rotation = order.rotation;
-  view.visibility = visibility;
-  view.device = order.device;
-  return view;
-}
-
-void check(const SkalaOrder& order, const skala::CheckedPicture& run) {
-  const skala::GuestPicture& guest = run.guest;
-  if (!guest.ended || guest.status != skala::Status::complete || !guest.faults.empty()) {
-    const std::string_view why = !guest.ended            ? "it did not end"
-                                 : !guest.faults.empty() ? guest.faults.front().what
-                                                         : text_of(guest.status);
-    throw base::program_failed(fmt::format("{}: the program on the 8080 failed: {}", order.function, why));
-  }
-  if (!run.difference.empty())
-    throw base::difference(fmt::format("{}: internal error: the 8080's picture is not the one its native twin makes; {}",
-                    order.function, run.difference));
-}
-
-// The program on the 8080 makes every dot with a command of its own.
-core::TStates dot_time() {
-  return core::ClockRate{}.t_states_in(devices::ef9365::clocks(devices::ef9365::start_up_clocks + 1));
 }
 
 }  // namespace
@@ -93,44 +62,6 @@ Picture phosphor_png(const JonesRun& run) {
     image.pixels[i] = static_cast<std::uint8_t>(sum / 4);
   }
   return png_picture(image);
-}
-
-SkalaRun run_skala(const skala::Session& session, const SkalaOrder& order) {
-  const auto function = scene::height_function(order.function);
-  if (!function) throw base::bad_input(order.function + ": no such function");
-  const scene::HeightGrid grid = scene::sample(*function, order.size);
-  const auto stream = skala::stream_of(grid, view_of(order, true));
-  SkalaRun run;
-  run.stream_bytes = stream.size();
-  skala::GuestOptions machine;
-  machine.device = order.device;
-  skala::CheckedPicture checked = session.run(stream, machine);
-  check(order, checked);
-  run.twin = checked.twin.counts;
-  run.guest = std::move(checked.guest);
-  run.points_lit = skala::points_lit(run.guest);
-  run.dots_busy = dot_time() * static_cast<std::int64_t>(run.twin.points_plotted);
-  if (order.compare_plain) {
-    const auto plain = session.run(skala::stream_of(grid, view_of(order, false)), machine);
-    check(order, plain);
-    run.plain = plain.guest.drawing;
-  }
-  return run;
-}
-
-std::string_view name_of(skala::PictureKind picture) {
-  switch (picture) {
-    case skala::PictureKind::lines: return "lines";
-    case skala::PictureKind::surface: return "surface";
-    case skala::PictureKind::contours: return "contours";
-  }
-  return "";
-}
-
-Picture raster_png(const SkalaRun& run, const SkalaOrder& order) {
-  const bool surface = order.picture == skala::PictureKind::surface;
-  const auto palette = surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
-  return png_picture(picture::raster_image(run.guest.raster, palette, 1), true);
 }
 
 }  // namespace sightline::report

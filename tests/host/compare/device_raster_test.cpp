@@ -17,9 +17,8 @@
 #include "host/compare/turning.hpp"
 #include "host/programs/jones/jones.hpp"
 #include "host/programs/jones/twin/number.hpp"
-#include "host/programs/skala/session.hpp"
-#include "host/programs/skala/stream.hpp"
-#include "host/programs/stripes/session.hpp"
+#include "host/programs/skala/skala.hpp"
+#include "host/programs/stripes/stripes.hpp"
 #include "host/picture/raster_difference.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/heights/function.hpp"
@@ -196,19 +195,18 @@ TEST(SkalaPoints, OfOneLineByHand) {
 }
 
 TEST(SkalaPoints, AreTheProgramsWhereNothingIsHidden) {
-  const programs::skala::Session session;
   for (const double rotation : {0.0, 33.0}) {
-    programs::skala::View view;
+    algorithms::skala::View view;
     view.rotation = rotation;
     view.visibility = false;
     const scene::HeightGrid grid = scene::sample(*scene::height_function("sinc"), {17, 12});
     const auto lines = wholly_seen(HeightLines(grid, view).lines());
-    EXPECT_EQ(skala_points(lines), points_of(session.run(programs::skala::stream_of(grid, view)).guest.raster)) << rotation;
-    view.device = programs::skala::Device::calcomp;
-    programs::skala::GuestOptions on_plotter;
-    on_plotter.device = view.device;
-    const auto plotted = session.run(programs::skala::stream_of(grid, view), on_plotter);
-    EXPECT_EQ(skala_points(lines, SkalaDevice::plotter), points_of(programs::skala::pen_paths(plotted.guest.moves))) << rotation;
+    const auto on_board = programs::skala::run({.grid = grid, .view = view});
+    ASSERT_TRUE(on_board) << on_board.error().message();
+    EXPECT_EQ(skala_points(lines), points_of(on_board->picture.raster)) << rotation;
+    const auto plotted = programs::skala::run({.grid = grid, .view = view, .device = programs::skala::Device::calcomp});
+    ASSERT_TRUE(plotted) << plotted.error().message();
+    EXPECT_EQ(skala_points(lines, SkalaDevice::plotter), points_of(programs::skala::pen_paths(plotted->picture.moves))) << rotation;
   }
 }
 
@@ -226,16 +224,16 @@ TEST(LinesAsDrawn, TakesPiecesForWhatIsSeen) {
 }
 
 TEST(StripesPenPoints, AreThoseOfTheProgram) {
-  const programs::stripes::Session session;
   const scene::PolyScene scene = scene::poly_scene_of(scene::builtin_scene("roberts"));
   programs::stripes::View view;
   view.camera = scene.camera;
   constexpr auto host = programs::stripes::Computer::host;
-  const auto drawn = session.draw(scene, view, {programs::stripes::Output::vector, host, host});
+  const auto drawn = programs::stripes::run(
+      {.scene = scene, .view = view, .options = {programs::stripes::Output::vector, host, host}, .check = true});
   ASSERT_TRUE(drawn) << drawn.error().message();
-  const PixelGrid shown = points_of(programs::stripes::pen_paths(drawn->picture.guest.commands));
+  const PixelGrid shown = points_of(programs::stripes::pen_paths(drawn->picture.commands));
   EXPECT_GT(lit(shown).size(), 300U);
-  const PixelGrid expected = stripes_pen_points(drawn->faces());
+  const PixelGrid expected = stripes_pen_points(*drawn->faces);
   // The pen cuts corners: it may leave out the corner of two links, but goes nowhere else.
   EXPECT_EQ(united(expected, shown), expected);
   EXPECT_EQ(picture::raster_difference(expected, shown).missing.beyond_1, 0U);
