@@ -54,6 +54,95 @@ std::string names_of(const std::array<bool, jones::roundings>& finer) {
   return text;
 }
 
+// Every view's first view of its cluster.
+class Connected {
+ public:
+  explicit Connected(std::size_t count) : before_(count) {
+    for (std::size_t i = 0; i < count; ++i) before_[i] = i;
+  }
+  [[nodiscard]] std::size_t first(std::size_t i) const {
+    while (before_[i] != i) i = before_[i];
+    return i;
+  }
+  void connect(std::size_t i, std::size_t j) {
+    i = first(i);
+    j = first(j);
+    before_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::size_t> before_;
+};
+
+// The line that is wrong in most of the views; of several, the one with the greatest wrong length.
+std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers,
+                                const std::vector<AtlasView>& views) {
+  struct Wrong {
+    std::size_t views = 0;
+    double length = 0;
+  };
+  std::map<AxisLine, Wrong> lines;
+  for (const std::size_t number : numbers) {
+    std::map<AxisLine, double> of_view;
+    for (const ScreenStretch& stretch : views[number].wrong.stretches) of_view[stretch.line] += stretch.length;
+    for (const auto& [line, length] : of_view) {
+      lines[line].length += length;
+      ++lines[line].views;
+    }
+  }
+  std::optional<AxisLine> most;
+  Wrong most_wrong;
+  for (const auto& [line, wrong] : lines) {
+    if (most && std::tuple(wrong.views, wrong.length) <= std::tuple(most_wrong.views, most_wrong.length)) continue;
+    most = line;
+    most_wrong = wrong;
+  }
+  return most;
+}
+
+std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
+  Connected connected(views.size());
+  std::map<std::tuple<std::string, std::optional<AxisLine>>, std::size_t> seen;
+  for (std::size_t number = 0; number < views.size(); ++number) {
+    const AtlasView& view = views[number];
+    if (!view.is_wrong()) continue;
+    const std::string cause = view.cause->name();
+    if (view.cause->status != jones::Status::complete)
+      connected.connect(number, seen.emplace(std::tuple(cause, std::nullopt), number).first->second);
+    else
+      for (const ScreenStretch& stretch : view.wrong.stretches)
+        connected.connect(number,
+                          seen.emplace(std::tuple(cause, stretch.line), number).first->second);
+  }
+  std::map<std::size_t, AtlasCluster> found;
+  for (std::size_t number = 0; number < views.size(); ++number) {
+    const AtlasView& view = views[number];
+    if (!view.is_wrong()) continue;
+    AtlasCluster& cluster = found[connected.first(number)];
+    if (cluster.views.empty()) {
+      cluster.cause = view.cause->name();
+      cluster.worst = number;
+      cluster.right_from_bits = 0;
+    }
+    cluster.views.push_back(number);
+    const auto bits = view.cause->right_from_bits;
+    if (!bits || !cluster.right_from_bits)
+      cluster.right_from_bits.reset();
+    else
+      cluster.right_from_bits = std::max(*bits, *cluster.right_from_bits);
+    if (view.wrong.length() > views[cluster.worst].wrong.length()) cluster.worst = number;
+    cluster.most_wrong = views[cluster.worst].wrong.length();
+  }
+  std::vector<AtlasCluster> clusters;
+  for (auto& [first, cluster] : found) {
+    if (views[first].cause->status == jones::Status::complete) cluster.line = line_of(cluster.views, views);
+    clusters.push_back(std::move(cluster));
+  }
+  std::stable_sort(clusters.begin(), clusters.end(),
+                   [](const AtlasCluster& a, const AtlasCluster& b) { return a.most_wrong > b.most_wrong; });
+  return clusters;
+}
+
 }  // namespace
 
 AtlasLattice usual_lattice(const scene::CellScene& scene) {
@@ -197,99 +286,6 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
   }
   return cause;
 }
-
-namespace {
-
-// Every view's first view of its cluster.
-class Connected {
- public:
-  explicit Connected(std::size_t count) : before_(count) {
-    for (std::size_t i = 0; i < count; ++i) before_[i] = i;
-  }
-  [[nodiscard]] std::size_t first(std::size_t i) const {
-    while (before_[i] != i) i = before_[i];
-    return i;
-  }
-  void connect(std::size_t i, std::size_t j) {
-    i = first(i);
-    j = first(j);
-    before_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::size_t> before_;
-};
-
-// The line that is wrong in most of the views; of several, the one with the greatest wrong length.
-std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers,
-                                const std::vector<AtlasView>& views) {
-  struct Wrong {
-    std::size_t views = 0;
-    double length = 0;
-  };
-  std::map<AxisLine, Wrong> lines;
-  for (const std::size_t number : numbers) {
-    std::map<AxisLine, double> of_view;
-    for (const ScreenStretch& stretch : views[number].wrong.stretches) of_view[stretch.line] += stretch.length;
-    for (const auto& [line, length] : of_view) {
-      lines[line].length += length;
-      ++lines[line].views;
-    }
-  }
-  std::optional<AxisLine> most;
-  Wrong most_wrong;
-  for (const auto& [line, wrong] : lines) {
-    if (most && std::tuple(wrong.views, wrong.length) <= std::tuple(most_wrong.views, most_wrong.length)) continue;
-    most = line;
-    most_wrong = wrong;
-  }
-  return most;
-}
-
-std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
-  Connected connected(views.size());
-  std::map<std::tuple<std::string, std::optional<AxisLine>>, std::size_t> seen;
-  for (std::size_t number = 0; number < views.size(); ++number) {
-    const AtlasView& view = views[number];
-    if (!view.is_wrong()) continue;
-    const std::string cause = view.cause->name();
-    if (view.cause->status != jones::Status::complete)
-      connected.connect(number, seen.emplace(std::tuple(cause, std::nullopt), number).first->second);
-    else
-      for (const ScreenStretch& stretch : view.wrong.stretches)
-        connected.connect(number,
-                          seen.emplace(std::tuple(cause, stretch.line), number).first->second);
-  }
-  std::map<std::size_t, AtlasCluster> found;
-  for (std::size_t number = 0; number < views.size(); ++number) {
-    const AtlasView& view = views[number];
-    if (!view.is_wrong()) continue;
-    AtlasCluster& cluster = found[connected.first(number)];
-    if (cluster.views.empty()) {
-      cluster.cause = view.cause->name();
-      cluster.worst = number;
-      cluster.right_from_bits = 0;
-    }
-    cluster.views.push_back(number);
-    const auto bits = view.cause->right_from_bits;
-    if (!bits || !cluster.right_from_bits)
-      cluster.right_from_bits.reset();
-    else
-      cluster.right_from_bits = std::max(*bits, *cluster.right_from_bits);
-    if (view.wrong.length() > views[cluster.worst].wrong.length()) cluster.worst = number;
-    cluster.most_wrong = views[cluster.worst].wrong.length();
-  }
-  std::vector<AtlasCluster> clusters;
-  for (auto& [first, cluster] : found) {
-    if (views[first].cause->status == jones::Status::complete) cluster.line = line_of(cluster.views, views);
-    clusters.push_back(std::move(cluster));
-  }
-  std::stable_sort(clusters.begin(), clusters.end(),
-                   [](const AtlasCluster& a, const AtlasCluster& b) { return a.most_wrong > b.most_wrong; });
-  return clusters;
-}
-
-}  // namespace
 
 AtlasSummary summary_of(const std::vector<AtlasView>& views) {
   AtlasSummary summary;

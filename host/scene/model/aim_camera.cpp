@@ -145,6 +145,28 @@ geometry::Vector3 completed(const SceneFrame& frame, const geometry::Vector3& a,
   return frame.forward_is_z ? geometry::cross(a, b) : geometry::cross(b, a);
 }
 
+// The camera that has exactly these directions, if its vectors are below camera_vector_limit.
+std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
+                                       const std::array<double, 3>& up, bool perspective) {
+  const auto forward = whole_direction(direction);
+  const auto upwards = whole_direction(up);
+  if (!forward || !upwards) return std::nullopt;
+  using geometry::vector_of;
+  PolyCamera camera{perspective, eye, reduced(vector_of(*forward)), {}, {}};
+  const auto fits = [](const PolyPoint& p) {
+    return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
+  };
+  if (!fits(camera.forward)) return std::nullopt;
+  // Below 2^15 times 2^20, times 2 for the difference: below 2^36; and that product below 2^31.
+  const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
+  if (!right) return std::nullopt;
+  camera.right = *right;
+  const auto upright = small_vector(completed(frame, vector_of(camera.forward), vector_of(camera.right)));
+  if (!upright) return std::nullopt;
+  camera.up = *upright;
+  return camera;
+}
+
 }  // namespace
 
 SceneFrame frame_of(const PolyCamera& camera) {
@@ -188,32 +210,6 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   camera.up = reduced(up);
   return camera;
 }
-
-namespace {
-
-// The camera that has exactly these directions, if its vectors are below camera_vector_limit.
-std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
-                                       const std::array<double, 3>& up, bool perspective) {
-  const auto forward = whole_direction(direction);
-  const auto upwards = whole_direction(up);
-  if (!forward || !upwards) return std::nullopt;
-  using geometry::vector_of;
-  PolyCamera camera{perspective, eye, reduced(vector_of(*forward)), {}, {}};
-  const auto fits = [](const PolyPoint& p) {
-    return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
-  };
-  if (!fits(camera.forward)) return std::nullopt;
-  // Below 2^15 times 2^20, times 2 for the difference: below 2^36; and that product below 2^31.
-  const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
-  if (!right) return std::nullopt;
-  camera.right = *right;
-  const auto upright = small_vector(completed(frame, vector_of(camera.forward), vector_of(camera.right)));
-  if (!upright) return std::nullopt;
-  camera.up = *upright;
-  return camera;
-}
-
-}  // namespace
 
 PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
                          const std::array<double, 3>& up, bool perspective) {

@@ -5,7 +5,8 @@
 // A side runs through one stripe; it is of type 1 ("/"), 2 ("|") or 3 ("\"). Inside, everything is kept on
 // the doubled lattice (unit: half a lattice step): a "/" and a "\" in one square cross in its middle, which
 // is a lattice point only then. All diagonals keep an even x + y where they cross a line of the lattice, so
-// that no two sides ever cross inside a half stripe and the algebra is closed and exact.
+// that no two sides ever cross inside a half stripe and the algebra is closed and exact: stripes of a fixed thickness
+// (host/algorithms/montani_re/stripes.hpp) are compared with it.
 //
 // Laws: stripes ascend, sides in a stripe ascend by the sum of their two abscissas, their number is even and
 // never 0, no two are equal; two sets of the same points are therefore equal by ==.
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -80,15 +82,22 @@ struct LatticePcs {
 // Eight times the area in square steps.
 [[nodiscard]] std::int64_t eightfold_area(const LatticePcs& pcs);
 
-// Pixel (i, row) of a raster whose pixels are lattice squares is lit iff its centre is inside, on a west side
-// included, on an east side not; at a horizontal side what is above it counts. One byte a pixel, 1 or 0.
-struct LatticeRaster {
-  LatticePoint origin;  // the lower left square
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-  std::vector<std::uint8_t> pixels;  // rows from the bottom
+// Corners in half steps, the inside to the left: an outline has a positive area, a hole a negative one.
+struct LatticeLoop {
+  std::vector<LatticePoint> corners;  // lines that go straight on are joined
+
+  [[nodiscard]] std::int64_t eightfold_area() const;
 };
-[[nodiscard]] LatticeRaster rasterise(const LatticePcs& pcs, LatticePoint origin, std::int32_t width,
-                                      std::int32_t height);
+
+// Loops that only touch are apart. Horizontal pieces are where there is coverage above xor below; the lines
+// between stripes are never part of a boundary.
+[[nodiscard]] std::vector<LatticeLoop> boundary_of(const LatticePcs& pcs);
+
+struct OwnedChain {
+  LatticePoint start;
+  std::string links;
+};
+// In whole steps, from the first corner. Empty if a corner is not a lattice point.
+[[nodiscard]] std::optional<OwnedChain> chain_of(const LatticeLoop& loop);
 
 }  // namespace sightline::algorithms::montani_re
