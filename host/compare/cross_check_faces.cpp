@@ -134,8 +134,7 @@ PixelGrid nearest_faces(const CommonScene& scene, const CrossCheckView& view) {
 
 PixelGrid surface_faces(const registry::HeightAlgorithm& algorithm, const CommonScene& scene,
                         const CrossCheckView& view) {
-  const registry::HeightPicture picture = algorithm.draw(*scene.heights, {scene.height_view});
-  const picture::VectorDrawing& drawing = *picture.drawing;
+  const picture::VectorDrawing drawing = algorithm.draw(*scene.heights, scene.height_view);
   const FromSquare from_square(scene, view);
   const auto& faces = scene.scene.bodies.front().faces;
   std::vector<PixelPoint> places;

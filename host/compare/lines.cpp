@@ -100,15 +100,6 @@ std::vector<DrawnPiece> pieces_of(const programs::jones::TwinView& view, const s
   return pieces;
 }
 
-SeenPoint seen(const scene::PolyPoint& vertex, const scene::PolyCamera& camera) {
-  const geometry::Vector3 p = geometry::difference(vertex, camera.eye);
-  const auto along = [&](const scene::PolyPoint& axis) {
-    const geometry::Vector3 a = geometry::vector_of(axis);
-    return static_cast<double>(geometry::dot(a, p)) / std::sqrt(static_cast<double>(geometry::dot(a, a)));
-  };
-  return {along(camera.right), along(camera.up), camera.perspective ? along(camera.forward) : 1};
-}
-
 }  // namespace
 
 algorithms::oracle::Window type340_window(std::int32_t scale) {
