@@ -200,7 +200,7 @@ CommonScene prism_town() {
 // its words let them be, with any number of fraction bits.
 CommonScene cell_scene(std::string_view name, std::string_view built_in_name, std::string_view title, const PolyPoint& far_off) {
   CommonScene common{name, title, {}, {}, false, {}, {}, built_in(built_in_name), {}};
-  auto matter = MatterScene::of(*common.cells);
+  auto matter = algorithms::oracle::MatterScene::of(*common.cells);
   common.matter.emplace(std::move(*matter));
   common.scene = common.matter->scene();
   common.views = {own_view(common.scene), own_view(common.scene)};

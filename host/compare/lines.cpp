@@ -26,6 +26,7 @@ using picture::LinePiece;
 using picture::PixelPoint;
 using picture::PixelSegment;
 using picture::ReferenceLine;
+using picture::SeenPoint;
 
 constexpr double shortest_image = 1e-6;  // pixels: of what counts as a line
 constexpr LineId no_line = std::numeric_limits<LineId>::max();
@@ -226,7 +227,7 @@ programs::jones::ShortWords words_of(int fraction_bits) {
 }
 
 template <class ToPixel>
-std::vector<DrawnPiece> pieces_of(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
+std::vector<DrawnPiece> pieces_of(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
   std::vector<DrawnPiece> pieces;
   for (const auto& piece : view.pieces) {
     const PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)}, {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
@@ -255,29 +256,19 @@ std::map<std::uint32_t, LineId> lines_of_vectors(const programs::jones::EncodedS
   return result;
 }
 
-std::vector<DrawnPiece> twin_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> twin_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.points(at) + screen_centre; });
 }
 
-std::vector<DrawnPiece> display_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> display_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 
-namespace {
-
-SeenPoint seen(const scene::PolyPoint& vertex, const scene::PolyCamera& camera) {
-  const geometry::Vector3 p = geometry::difference(vertex, camera.eye);
-  const auto along = [&](const scene::PolyPoint& axis) {
-    const geometry::Vector3 a = geometry::vector_of(axis);
-    return static_cast<double>(geometry::dot(a, p)) / std::sqrt(static_cast<double>(geometry::dot(a, a)));
-  };
-  return {along(camera.right), along(camera.up), camera.perspective ? along(camera.forward) : 1};
+SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera) {
+  const picture::CameraView view(camera);
+  from_ = view.at(from);
+  to_ = view.at(to);
 }
-
-}  // namespace
-
-SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera)
-    : from_(seen(from, camera)), to_(seen(to, camera)) {}
 
 SeenPoint SeenEdge::at(double s) const {
   SeenPoint point{};

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -220,21 +221,14 @@ PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const st
   const auto upwards = whole_direction(up);
   if (upwards && geometry::vector_of(reduced(geometry::vector_of(*upwards))) == up_of(frame))
     return aimed_camera(frame, eye, direction_of(direction), perspective);
-  using Vector = std::array<double, 3>;
-  const auto product = [](const Vector& a, const Vector& b) {
-    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  };
-  const auto unit = [](Vector v) {
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (double& c : v) c /= length;
-    return v;
-  };
+  using geometry::RealVector;
+  using geometry::unit;
   // Rows right, up and right x up, which is forward or its opposite.
-  Vector third = unit(direction);
+  RealVector third = unit(direction);
   if (!frame.forward_is_z)
     for (double& c : third) c = -c;
-  const Vector right = unit(product(up, third));
-  const std::array<Vector, 3> rows{right, product(third, right), third};
+  const RealVector right = unit(geometry::cross(up, third));
+  const std::array<RealVector, 3> rows{right, geometry::cross(third, right), third};
   // The quaternion of a rotation from its largest part (Shepperd 1978).
   const double trace = rows[0][0] + rows[1][1] + rows[2][2];
   std::array<double, 4> q{1 + trace, 0, 0, 0};
