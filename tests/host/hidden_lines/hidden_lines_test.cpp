@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -61,7 +62,7 @@ TEST(HiddenLines, ViewsOfOnePreparationAreTheViewsOfEach) {
     Camera camera = oblique();
     camera.forward = forward;
     camera.right = {-forward[2], 0, forward[0]};
-    camera.up = {1 * forward[0], 2, 1 * forward[2]};
+    camera.up = {forward[0], 2, forward[2]};
     const auto one = views->at(camera);
     const auto alone = view(*scene, camera);
     ASSERT_TRUE(one && alone);
@@ -90,9 +91,9 @@ TEST(HiddenLines, ArraysThatAreNoMeshAreRefusedWithTheirPlace) {
   refused = load(mesh);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "line 0");
-  // Checked, not mended: one face turned the wrong way.
+  // A corner is moved, so that a face is not plane: an error, or mended.
   mesh = cube();
-  mesh.bodies[0].faces[0].outline = {0, 1, 2, 3};
+  mesh.vertices[6] = {10, 10, 13};
   EXPECT_FALSE(load(mesh, {}));
   const auto mended = load(mesh);
   ASSERT_TRUE(mended);
@@ -168,7 +169,9 @@ TEST(HiddenLines, FilesBeginAsTheirFormatsDo) {
     EXPECT_TRUE(file->notes.empty());
   }
   EXPECT_FALSE(format_named("gif"));
-  const auto empty = write({.width = 10, .height = 10});
+  picture::VectorDrawing nothing;
+  nothing.width = nothing.height = 10;
+  const auto empty = write(nothing);
   ASSERT_TRUE(empty);
   EXPECT_EQ(empty->notes.size(), 1U);
 }
