@@ -235,7 +235,7 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
   constexpr std::array<std::string_view, 3> pictures{"dots", "surface", "contours"};
   for (MethodView& view : views) {
     if (comparison.chord) view.chord = comparison.chord->greatest;
-    if (view.picture.empty()) view.picture = pictures[static_cast<std::size_t>(comparison.view.picture)];
+    if (view.picture.empty()) view.picture = pictures[static_cast<std::size_t>(comparison.view.subject)];
   }
   return views;
 }

@@ -22,7 +22,7 @@ std::size_t density(std::size_t samples, std::size_t largest) {
 }
 
 // Points of the screen that a height of 1, of which the grid's range has 2, makes in this view.
-double points_of_unit_height(const scene::HeightGrid& grid, const programs::skala::View& view,
+double points_of_unit_height(const scene::HeightGrid& grid, const algorithms::skala::View& view,
                              const programs::skala::Projection& projection) {
   // Screen y is a multiple of 0.6 h cos E + depth sin E, and something added; from the lowest and the highest sample.
   const auto elevation = programs::skala::sine_and_cosine(view.elevation);
@@ -50,7 +50,7 @@ double distance(const picture::PixelPoint& point, const picture::PixelSegment& c
 }  // namespace
 
 std::optional<ChordError> chord_error(const HeightLines& lines, const scene::HeightGrid& grid,
-                                      const programs::skala::View& view, const HeightSampler& sampler) {
+                                      const algorithms::skala::View& view, const HeightSampler& sampler) {
   if (!sampler || grid.points() < 2 || grid.slices() < 2) return std::nullopt;
   const std::size_t across = density(grid.points(), scene::largest_grid.points);
   const std::size_t deep = density(grid.slices(), scene::largest_grid.slices);

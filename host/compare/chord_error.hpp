@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "host/compare/height_truth.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::compare {
@@ -25,6 +25,6 @@ struct ChordError {
 // Nothing without a sampler, or of a grid too large to be sampled four times as densely (largest_grid). `lines` are those
 // of the grid and the view. Undefined heights in between are passed over.
 [[nodiscard]] std::optional<ChordError> chord_error(const HeightLines& lines, const scene::HeightGrid& grid,
-                                                    const programs::skala::View& view, const HeightSampler& sampler);
+                                                    const algorithms::skala::View& view, const HeightSampler& sampler);
 
 }  // namespace sightline::compare

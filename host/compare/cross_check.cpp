@@ -34,8 +34,7 @@ std::vector<Participant> find_participants() {
     at(algorithm.name).lines = true;
   for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms())
     at(algorithm.name).faces = true;
-  for (const registry::HeightMethod& method : registry::height_methods())
-    if (!method.algorithm.empty()) at(method.algorithm).faces = true;
+  for (const registry::HeightAlgorithm& algorithm : registry::height_algorithms()) at(algorithm.name).faces = true;
   at(stripes_name).faces = true;
   at(oracle).faces = true;
   at(willis_on_8080().name).faces = true;

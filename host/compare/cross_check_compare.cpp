@@ -423,10 +423,9 @@ PixelGrid nearest_faces(const CommonScene& scene, const CrossCheckView& view) {
   return grid;
 }
 
-PixelGrid surface_faces(const registry::HeightMethod& method, const CommonScene& scene,
+PixelGrid surface_faces(const registry::HeightAlgorithm& algorithm, const CommonScene& scene,
                         const CrossCheckView& view) {
-  const registry::HeightPicture picture = method.draw(*scene.heights, {scene.height_view});
-  const picture::VectorDrawing& drawing = *picture.drawing;
+  const picture::VectorDrawing drawing = algorithm.draw(*scene.heights, scene.height_view);
   const FromSquare from_square(scene, view);
   const auto& faces = scene.scene.bodies.front().faces;
   std::vector<PixelPoint> places;

@@ -64,6 +64,6 @@ struct NamedInk {
 [[nodiscard]] ViewVerdict compare_with_native(const CommonScene& scene, const NamedInk& a);
 
 // The view of a height scene as the program on the 8080 has it.
-[[nodiscard]] programs::skala::View program_view(const CommonScene& scene);
+[[nodiscard]] algorithms::skala::View program_view(const CommonScene& scene);
 
 }  // namespace sightline::compare

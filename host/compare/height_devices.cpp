@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <utility>
 
-#include "host/algorithms/registry/heights.hpp"
+#include "host/compare/height_methods.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
-#include "host/programs/skala/session.hpp"
-#include "host/programs/skala/stream.hpp"
+#include "host/programs/skala/projection.hpp"
+#include "host/programs/skala/skala.hpp"
 
 namespace sightline::compare {
 namespace {
@@ -24,26 +24,16 @@ constexpr std::array<std::pair<skala::Device, std::string_view>, 4> devices{{{sk
                                                                              {skala::Device::calcomp, "calcomp"},
                                                                              {skala::Device::minigraf, "minigraf"}}};
 
-// As registry::height_methods() has the program: of contours no silhouettes.
-std::vector<std::uint8_t> stream_without_silhouettes(const scene::HeightGrid& grid, const skala::View& view) {
-  constexpr std::size_t colour_of_silhouette = 4;
-  auto stream = skala::stream_of(grid, view);
-  if (view.picture == skala::PictureKind::contours) stream.at(colour_of_silhouette) = 0;
-  return stream;
-}
-
 }  // namespace
 
 std::vector<ComparedDevice> compare_devices(const scene::HeightGrid& grid, const skala::View& view,
                                             const std::function<void(std::string_view)>& progress, bool ef9365_alone) {
-  const skala::Session session;
   const HeightLines lines(grid, view);
   const auto seen = visible_segments(lines.lines());
   PixelGrid outline(skala::raster_side, skala::raster_side);
-  if (view.picture == skala::PictureKind::contours) {
-    const registry::HeightView asked = registry::height_view(view);
-    const PixelGrid with = registry::oracle_dots(grid, asked, true);
-    const PixelGrid without = registry::oracle_dots(grid, asked, false);
+  if (view.subject == skala::Subject::contours) {
+    const PixelGrid with = oracle_dots(grid, view, true);
+    const PixelGrid without = oracle_dots(grid, view, false);
     for (std::size_t i = 0; i < outline.values.size(); ++i)
       outline.values[i] = with.values[i] != 0 && without.values[i] == 0 ? 1 : 0;
   }
@@ -51,17 +41,17 @@ std::vector<ComparedDevice> compare_devices(const scene::HeightGrid& grid, const
   for (const auto& [device, name] : devices) {
     if (ef9365_alone && device != skala::Device::ef9365) continue;
     progress(name);
-    skala::View shown = view;
-    shown.device = device;
-    skala::GuestOptions options;
-    options.device = device;
-    const skala::CheckedPicture run = session.run(stream_without_silhouettes(grid, shown), options);
-    ComparedDevice row{device, name, run.difference, run.guest.drawing, {}, {}, {}, {}};
+    const auto run = skala::run({.grid = grid, .view = view, .device = device, .check = true});
+    ComparedDevice row{device, name, run ? "" : run.error().message(), {}, {}, {}, {}, {}};
     const bool board = skala::is_raster(device);
-    row.dots = board ? points_of(run.guest.raster) : points_of(skala::pen_paths(run.guest.moves), skala::raster_side);
+    row.dots = PixelGrid(skala::raster_side, skala::raster_side);
+    if (run) {
+      row.time = run->picture.drawing;
+      row.dots = board ? points_of(run->picture.raster) : points_of(skala::pen_paths(run->picture.moves), skala::raster_side);
+    }
     for (std::size_t i = 0; i < outline.values.size(); ++i)
       if (outline.values[i] != 0) row.dots.values[i] = 0;
-    const bool filled = board && view.picture == skala::PictureKind::surface;
+    const bool filled = board && view.subject == skala::Subject::surface;
     row.truth = filled ? nearest_cells(grid, view)
                        : skala_points(lines.lines(), board ? SkalaDevice::raster : SkalaDevice::plotter);
     // Boards show the same dots, plotters too.

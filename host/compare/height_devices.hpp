@@ -16,7 +16,8 @@
 #include <vector>
 
 #include "emulators/core/tstates.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
+#include "host/programs/skala/commands.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/raster_difference.hpp"
@@ -37,7 +38,7 @@ struct ComparedDevice {
 
 // The grid and the view can be compared (why_not_comparable: precondition).
 [[nodiscard]] std::vector<ComparedDevice> compare_devices(
-    const scene::HeightGrid& grid, const programs::skala::View& view,
+    const scene::HeightGrid& grid, const algorithms::skala::View& view,
     const std::function<void(std::string_view)>& progress = [](std::string_view) {}, bool ef9365_alone = false);
 
 }  // namespace sightline::compare

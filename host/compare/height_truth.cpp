@@ -63,9 +63,9 @@ LinePart both_positive(const LinePart& part, const std::array<double, 2>& f,
   return {part.low + low * length, part.low + high * length};
 }
 
-bool runs_along_x(programs::skala::Family family, const programs::skala::SineCosine& turn) {
-  if (family == programs::skala::Family::automatic) return std::abs(turn.cosine) >= std::abs(turn.sine);
-  return family != programs::skala::Family::along_z;
+bool runs_along_x(algorithms::skala::Family family, const programs::skala::SineCosine& turn) {
+  if (family == algorithms::skala::Family::automatic) return std::abs(turn.cosine) >= std::abs(turn.sine);
+  return family != algorithms::skala::Family::along_z;
 }
 
 double distance(const PixelPoint& p, const PixelSegment& segment) {
@@ -81,11 +81,11 @@ bool rising_diagonals(const programs::skala::SineCosine& turn) {
   return greater_x_nearer != greater_z_nearer;
 }
 
-HeightLines::HeightLines(const scene::HeightGrid& grid, const programs::skala::View& view, double grazing)
+HeightLines::HeightLines(const scene::HeightGrid& grid, const algorithms::skala::View& view, double grazing)
     : grazing_(std::max(grazing, rounding)), hiding_in_(columns), lines_in_(columns) {
   const programs::skala::Projection projection(grid, view);
   std::vector<LevelEdge> inked = add_sides(projection, view);
-  if (view.picture == programs::skala::PictureKind::contours) {
+  if (view.subject == algorithms::skala::Subject::contours) {
     const auto contours =
         add_halves(grid, projection, programs::skala::contour_levels(grid.range, view.levels));
     inked.insert(inked.end(), contours.begin(), contours.end());
@@ -102,9 +102,9 @@ HeightLines::Ends HeightLines::ends_of(const programs::skala::Vertex& vertex) {
 }
 
 std::vector<HeightLines::LevelEdge> HeightLines::add_sides(const programs::skala::Projection& projection,
-                                                           const programs::skala::View& view) {
-  const bool contours = view.picture == programs::skala::PictureKind::contours;
-  const bool both = contours || view.family == programs::skala::Family::both;
+                                                           const algorithms::skala::View& view) {
+  const bool contours = view.subject == algorithms::skala::Subject::contours;
+  const bool both = contours || view.family == algorithms::skala::Family::both;
   const bool along_x = runs_along_x(view.family, projection.rotation());
   const std::size_t last_point = projection.points() - 1;
   const std::size_t last_slice = projection.slices() - 1;
@@ -370,7 +370,7 @@ class CellsByMiddle {
 
 }  // namespace
 
-PixelGrid nearest_cells(const scene::HeightGrid& grid, const programs::skala::View& view) {
+PixelGrid nearest_cells(const scene::HeightGrid& grid, const algorithms::skala::View& view) {
   const programs::skala::Projection projection(grid, view);
   const bool rising = rising_diagonals(projection.rotation());
   PixelGrid cells(programs::skala::raster_side, programs::skala::raster_side);
@@ -392,7 +392,7 @@ PixelGrid nearest_cells(const scene::HeightGrid& grid, const programs::skala::Vi
   return cells;
 }
 
-PixelGrid painted_cells(const scene::HeightGrid& grid, const programs::skala::View& view,
+PixelGrid painted_cells(const scene::HeightGrid& grid, const algorithms::skala::View& view,
                         const picture::VectorDrawing& drawing) {
   const programs::skala::Projection projection(grid, view);
   const CellsByMiddle cells(projection, rising_diagonals(projection.rotation()));

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "host/programs/skala/projection.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/picture/vector_drawing.hpp"
@@ -33,7 +33,7 @@ class HeightLines {
  public:
   // The grid is a whole one of at least two by two, the view without zoom (preconditions).
   // What lies behind something nearer by no more than `grazing` units of the screen counts as seen.
-  HeightLines(const scene::HeightGrid& grid, const programs::skala::View& view, double grazing = 0);
+  HeightLines(const scene::HeightGrid& grid, const algorithms::skala::View& view, double grazing = 0);
 
   [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
   // The samples that lines() join, by their numbers; none of a contour.
@@ -64,7 +64,7 @@ class HeightLines {
   // Sides of cells, and halves of cells with the contours on them: occluders are kept, what is inked
   // returned.
   std::vector<LevelEdge> add_sides(const programs::skala::Projection& projection,
-                                   const programs::skala::View& view);
+                                   const algorithms::skala::View& view);
   std::vector<LevelEdge> add_halves(const scene::HeightGrid& grid,
                                     const programs::skala::Projection& projection,
                                     const std::vector<double>& levels);
@@ -92,10 +92,10 @@ inline constexpr double same_place = 0.02;
 
 // The grid is a whole one of at least two by two, the view without zoom (preconditions of both).
 [[nodiscard]] picture::PixelGrid nearest_cells(const scene::HeightGrid& grid,
-                                               const programs::skala::View& view);
+                                               const algorithms::skala::View& view);
 // The topmost facet of a native drawing of the same view, by the cell it lies on; a facet that lies on none
 // is numbered behind all cells.
-[[nodiscard]] picture::PixelGrid painted_cells(const scene::HeightGrid& grid, const programs::skala::View& view,
+[[nodiscard]] picture::PixelGrid painted_cells(const scene::HeightGrid& grid, const algorithms::skala::View& view,
                                                const picture::VectorDrawing& drawing);
 
 }  // namespace sightline::compare

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "host/algorithms/registry/heights.hpp"
+#include "host/compare/height_methods.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
 #include "host/compare/host_time.hpp"
@@ -34,7 +34,7 @@ PixelGrid without_outline(PixelGrid dots, const PixelGrid& with, const PixelGrid
 }
 
 // All sides of all cells, hidden or not.
-std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const programs::skala::View& view) {
+std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const algorithms::skala::View& view) {
   const programs::skala::Projection projection(grid, view);
   const auto at = [&](std::size_t point, std::size_t slice) {
     const programs::skala::Vertex& vertex = projection.at(point, slice);
@@ -53,21 +53,20 @@ std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const p
 }  // namespace
 
 std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
-                                              const programs::skala::View& view) {
+                                              const algorithms::skala::View& view) {
   if (const std::size_t points = grid.points() * grid.slices(); points > most_grid_points)
     return fmt::format("{} points of the grid are too many for the truth of its lines, which takes {}", points, most_grid_points);
-  return registry::find_height_method(oracle)->why_not(grid, registry::height_view(view));
+  return find_height_method(oracle)->why_not(grid, view);
 }
 
-HeightComparison compare_heights(const scene::HeightGrid& grid, const programs::skala::View& asked,
+HeightComparison compare_heights(const scene::HeightGrid& grid, const algorithms::skala::View& asked,
                                  const std::function<void(std::string_view)>& progress, const HeightSampler& sampler, bool host_times) {
   HeightComparison comparison;
   comparison.view = asked;
-  comparison.view.device = programs::skala::Device::ef9365;
-  const registry::HeightView view = registry::height_view(asked);
+  const algorithms::skala::View& view = comparison.view;
   progress("column oracle");
   const bool contours = view.subject == algorithms::skala::Subject::contours;
-  comparison.truth = registry::oracle_dots(grid, view, contours);
+  comparison.truth = oracle_dots(grid, view, contours);
   const auto edges = projected_edges(grid, comparison.view);
   const auto add = [&](std::string_view name, PixelGrid raster) {
     const auto metrics = picture::pixel_metrics(comparison.truth, raster, edges);
@@ -81,7 +80,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const programs::
   const bool surface = view.subject == algorithms::skala::Subject::surface;
   std::optional<HeightLines> lines;
   if (!surface) lines.emplace(grid, comparison.view);
-  const auto add_drawing = [&](const std::string& name, registry::HeightPicture drawn) {
+  const auto add_drawing = [&](const std::string& name, HeightPicture drawn) {
     if (surface) {
       PixelGrid cells = painted_cells(grid, comparison.view, *drawn.drawing);
       comparison.native_dots = lit_where_painted(cells);
@@ -91,7 +90,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const programs::
       return;
     }
     if (contours)
-      add_against(name, std::move(drawn.dots), registry::oracle_dots(grid, view, false),
+      add_against(name, std::move(drawn.dots), oracle_dots(grid, view, false),
                   "the column oracle, without the outline");
     else
       add(name, std::move(drawn.dots));
@@ -100,10 +99,10 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const programs::
     comparison.vectors.push_back({name + " lines", picture::line_metrics(lines->lines(), pieces),
                                   picture::line_difference(lines->lines(), pieces, 1)});
   };
-  for (const registry::HeightMethod& method : registry::height_methods()) {
+  for (const HeightMethod& method : height_methods()) {
     if (method.name == oracle || method.why_not(grid, view)) continue;
     progress(method.name);
-    registry::HeightPicture drawn = method.draw(grid, view);
+    HeightPicture drawn = method.draw(grid, view);
     if (drawn.drawing) {
       if (host_times) comparison.native_seconds = median_seconds([&] { static_cast<void>(method.draw(grid, view)); });
       add_drawing(std::string(method.name), std::move(drawn));
@@ -117,7 +116,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const programs::
   }
   progress("unrounded lines");
   const std::vector<PixelSegment> seen = surface ? std::vector<PixelSegment>{} : visible_segments(lines->lines());
-  const PixelGrid without = contours ? registry::oracle_dots(grid, view, false) : comparison.truth;
+  const PixelGrid without = contours ? oracle_dots(grid, view, false) : comparison.truth;
   for (ComparedRaster& row : comparison.rasters) {
     const bool program = row.name == "guest" || row.name == "twin";
     row.rounding = program ? "ends of lines to the nearest dot, then a dot a step" : "to the nearest dots, to be compared";

@@ -25,7 +25,7 @@
 #include "emulators/core/tstates.hpp"
 #include "host/compare/chord_error.hpp"
 #include "host/compare/height_devices.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
@@ -54,7 +54,7 @@ struct ComparedVectors {
 };
 
 struct HeightComparison {
-  programs::skala::View view;
+  algorithms::skala::View view;
   picture::PixelGrid truth;
   std::vector<ComparedRaster> rasters;
   std::vector<ComparedVectors> vectors;
@@ -73,12 +73,12 @@ struct HeightComparison {
 
 // Empty if it can be compared.
 [[nodiscard]] std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
-                                                            const programs::skala::View& view);
+                                                            const algorithms::skala::View& view);
 
 // On the EF9365 board, whatever the view asks for. The grid and the view can be compared (precondition). The sampler is of
 // the grid's function.
 [[nodiscard]] HeightComparison compare_heights(
-    const scene::HeightGrid& grid, const programs::skala::View& view,
+    const scene::HeightGrid& grid, const algorithms::skala::View& view,
     const std::function<void(std::string_view)>& progress = [](std::string_view) {},
     const HeightSampler& sampler = {}, bool host_times = false);
 

@@ -227,7 +227,7 @@ programs::jones::ShortWords words_of(int fraction_bits) {
 }
 
 template <class ToPixel>
-std::vector<DrawnPiece> pieces_of(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
+std::vector<DrawnPiece> pieces_of(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
   std::vector<DrawnPiece> pieces;
   for (const auto& piece : view.pieces) {
     const PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)}, {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
@@ -256,11 +256,11 @@ std::map<std::uint32_t, LineId> lines_of_vectors(const programs::jones::EncodedS
   return result;
 }
 
-std::vector<DrawnPiece> twin_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> twin_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.points(at) + screen_centre; });
 }
 
-std::vector<DrawnPiece> display_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> display_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 

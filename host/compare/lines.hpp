@@ -74,10 +74,10 @@ class ImageLines {
 
 // Pieces of a mono view, in pixels, before and after the rounding to points of the screen; those that become a single point then are
 // not drawn.
-[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const programs::jones::View& view,
+[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const programs::jones::TwinView& view,
                                                            const std::map<std::uint32_t, picture::LineId>& lines,
                                                            int fraction_bits = programs::jones::machine_fraction_bits);
-[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(const programs::jones::View& view,
+[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(const programs::jones::TwinView& view,
                                                               const std::map<std::uint32_t, picture::LineId>& lines,
                                                               int fraction_bits = programs::jones::machine_fraction_bits);
 

@@ -14,8 +14,7 @@
 #include "host/compare/device_raster.hpp"
 #include "host/compare/height_truth.hpp"
 #include "host/programs/skala/projection.hpp"
-#include "host/programs/skala/session.hpp"
-#include "host/programs/skala/stream.hpp"
+#include "host/programs/skala/skala.hpp"
 #include "host/picture/dots_and_lines.hpp"
 
 namespace sightline::compare {
@@ -90,37 +89,31 @@ std::string name_of(const SkalaInk& ink) {
 }
 
 bool shows_lines(const SkalaInk& ink) {
-  return ink.kind != skala::PictureKind::surface || !skala::is_raster(ink.device);
+  return ink.kind != skala::Subject::surface || !skala::is_raster(ink.device);
 }
 
 std::vector<SkalaInk> skala_pictures(const scene::HeightGrid& grid, const skala::View& asked) {
-  static const skala::Session session;
   std::vector<SkalaInk> pictures;
-  for (const skala::PictureKind kind : {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
+  for (const skala::Subject kind : {skala::Subject::lines, skala::Subject::surface, skala::Subject::contours}) {
     for (const skala::Device device : ink_devices) {
       skala::View view = asked;
-      view.picture = kind;
-      view.device = device;
-      std::vector<std::uint8_t> stream = skala::stream_of(grid, view);
-      constexpr std::size_t colour_of_silhouette = 4;
-      if (kind == skala::PictureKind::contours) stream.at(colour_of_silhouette) = 0;
-      skala::GuestOptions options;
-      options.device = device;
-      const skala::CheckedPicture run = session.run(stream, options);
-      SkalaInk& made = pictures.emplace_back(SkalaInk{kind, device, {}, {}, run.difference});
-      if (made.difference.empty() && run.guest.status != skala::Status::complete) made.difference = text_of(run.guest.status);
-      const auto paths = skala::pen_paths(run.guest.moves);
-      made.dots = skala::is_raster(device) ? points_of(run.guest.raster) : points_of(paths);
+      view.subject = kind;
+      view.silhouette = false;
+      const auto run = skala::run({.grid = grid, .view = view, .device = device, .check = true});
+      SkalaInk& made = pictures.emplace_back(SkalaInk{kind, device, {}, {}, run ? "" : run.error().message()});
+      if (!run) continue;
+      const auto paths = skala::pen_paths(run->picture.moves);
+      made.dots = skala::is_raster(device) ? points_of(run->picture.raster) : points_of(paths);
       made.ink = skala::is_raster(device) ? picture::dot_segments(made.dots) : ink_of(paths);
     }
   }
   return pictures;
 }
 
-std::vector<PixelSegment> unrounded_ink(const scene::HeightGrid& grid, skala::View view, skala::PictureKind kind) {
-  view.picture = kind;
+std::vector<PixelSegment> unrounded_ink(const scene::HeightGrid& grid, skala::View view, skala::Subject kind) {
+  view.subject = kind;
   const HeightLines lines(grid, view);
-  if (kind != skala::PictureKind::contours) return visible_segments(lines.lines());
+  if (kind != skala::Subject::contours) return visible_segments(lines.lines());
   std::vector<PixelSegment> ink = outline_of(skala::Projection(grid, view));
   for (const picture::ReferenceLine& line : lines.lines()) ink.push_back(line.image);
   return ink;
@@ -129,7 +122,7 @@ std::vector<PixelSegment> unrounded_ink(const scene::HeightGrid& grid, skala::Vi
 InkBounds ink_bounds(const SkalaInk& ink) {
   constexpr double of_outline = 2;
   if (!shows_lines(ink)) return {of_outline, std::hypot(1, 1.5)};
-  if (ink.kind == skala::PictureKind::contours) return {of_outline, std::nullopt};
+  if (ink.kind == skala::Subject::contours) return {of_outline, std::nullopt};
   return {std::numbers::sqrt2, std::hypot(1.5, 3) + (skala::is_raster(ink.device) ? 0 : std::numbers::sqrt2)};
 }
 

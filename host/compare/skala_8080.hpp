@@ -10,7 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
+#include "host/programs/skala/commands.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/pixel_metrics.hpp"
 #include "host/scene/heights/grid.hpp"
@@ -20,7 +21,7 @@ namespace sightline::compare {
 inline constexpr std::string_view skala_8080_name = "skala-8080";
 
 struct SkalaInk {
-  programs::skala::PictureKind kind{};
+  algorithms::skala::Subject kind{};
   programs::skala::Device device{};
   picture::PixelGrid dots;                 // 1 where there is ink
   std::vector<picture::PixelSegment> ink;  // a dot is a segment of no length
@@ -34,12 +35,12 @@ struct SkalaInk {
 
 // Every picture on every device; a surface is shaded on the raster boards, and its lines again on the plotters. Contours are
 // without silhouette. The grid is a whole one of at least two by two, the view without zoom.
-[[nodiscard]] std::vector<SkalaInk> skala_pictures(const scene::HeightGrid& grid, const programs::skala::View& view);
+[[nodiscard]] std::vector<SkalaInk> skala_pictures(const scene::HeightGrid& grid, const algorithms::skala::View& view);
 
 // The unrounded lines of such a picture: of lines what is seen of them; of contours all of them, hidden or not, and the outline
 // of the whole surface. `kind`: lines or contours.
-[[nodiscard]] std::vector<picture::PixelSegment> unrounded_ink(const scene::HeightGrid& grid, programs::skala::View view,
-                                                               programs::skala::PictureKind kind);
+[[nodiscard]] std::vector<picture::PixelSegment> unrounded_ink(const scene::HeightGrid& grid, algorithms::skala::View view,
+                                                               algorithms::skala::Subject kind);
 
 // How far, in dots, ink may be from the unrounded lines or the surface, and these from ink.
 //

@@ -2,25 +2,18 @@
 
 #include "emulators/core/tstates.hpp"
 #include "host/compare/device_raster.hpp"
-#include "host/programs/stripes/session.hpp"
+#include "host/programs/stripes/stripes.hpp"
 
 namespace sightline::compare {
-namespace {
 
-const programs::stripes::Session& session() {
-  static const programs::stripes::Session once;
-  return once;
-}
-
-}  // namespace
+namespace stripes = programs::stripes;
 
 base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                          const registry::FaceWindow& window) {
-  namespace stripes = programs::stripes;
   constexpr int size = stripes::picture_size;
   StripesFaces result;
   result.faces = picture::PixelGrid(window.width, window.height);
-  const stripes::View view{camera, window.scale, window.left, window.height - window.top};
+  const stripes::View view = stripes::view_of(camera, window);
   const auto listed = stripes::project_scene(scene, view, true);
   if (!listed) return listed.error();
   result.not_solved = listed->mutual_parts;
@@ -29,14 +22,17 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
       stripes::View moved = view;
       moved.left -= right;
       moved.bottom -= up;
-      const auto drawn = session().draw(scene, moved, {stripes::Output::raster, stripes::Computer::i8080, stripes::Computer::i8080});
+      const auto drawn = stripes::run({.scene = scene, .view = moved, .check = true});
+      if (!drawn && drawn.error().kind == base::ErrorKind::differs) {
+        if (result.difference.empty()) result.difference = drawn.error().message();
+        continue;
+      }
       if (!drawn) return drawn.error();
-      if (result.difference.empty()) result.difference = drawn->picture.difference;
       if (result.seconds == 0) {
-        result.seconds = core::in_seconds(drawn->picture.guest.working());
+        result.seconds = core::in_seconds(drawn->picture.working());
         result.faces_listed = drawn->scene.faces.size();
       }
-      const picture::PixelGrid faces = drawn->faces();
+      const picture::PixelGrid& faces = *drawn->faces;
       for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) result.faces.set(x + right, y + up, faces.at(x, y));
     }
@@ -46,19 +42,19 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
 
 base::Result<StripesPen> stripes_pen(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                      const registry::FaceWindow& window, const picture::PixelGrid& nearest) {
-  namespace stripes = programs::stripes;
   constexpr int size = stripes::picture_size;
-  const stripes::View view{camera, window.scale, window.left, window.height - window.top};
-  const auto drawn = session().draw(scene, view, {stripes::Output::vector, stripes::Computer::i8080, stripes::Computer::i8080});
-  if (!drawn) return drawn.error();
+  const stripes::View view = stripes::view_of(camera, window);
+  const auto drawn = stripes::run({.scene = scene, .view = view, .options = {.output = stripes::Output::vector}, .check = true});
+  const bool differs = !drawn && drawn.error().kind == base::ErrorKind::differs;
+  if (!drawn && !differs) return drawn.error();
   picture::PixelGrid faces(size, size);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) faces.set(x, y, nearest.at(x, y));
   StripesPen pen{stripes_pen_points(faces),
-                 points_of(stripes::pen_paths(drawn->picture.guest.commands), size + 1),
+                 differs ? picture::PixelGrid(size + 1, size + 1) : points_of(stripes::pen_paths(drawn->picture.commands), size + 1),
                  {},
-                 drawn->picture.guest.working(),
-                 drawn->picture.difference};
+                 differs ? core::TStates{} : drawn->picture.working(),
+                 differs ? drawn.error().message() : std::string()};
   pen.raster = picture::raster_difference(pen.truth, pen.shown);
   return pen;
 }

@@ -167,7 +167,7 @@ base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene&
   return sweep;
 }
 
-base::Result<Sweep> Sweep::of(const std::string& source, scene::HeightGrid grid, const programs::skala::View& view,
+base::Result<Sweep> Sweep::of(const std::string& source, scene::HeightGrid grid, const algorithms::skala::View& view,
                               const SweepOptions& options) {
   Sweep sweep;
   sweep.source_ = source;
@@ -192,7 +192,7 @@ scene::PolyCamera Sweep::camera(std::uint64_t number) const {
   return random_camera(*scene_, cells_, options_.directions, options_.seed, number);
 }
 
-programs::skala::View Sweep::height_view(std::uint64_t number) const {
+algorithms::skala::View Sweep::height_view(std::uint64_t number) const {
   return random_height_view(*grid_, view_, options_.seed, number);
 }
 
@@ -206,7 +206,7 @@ std::string Sweep::head(std::uint64_t number) const {
   if (is_asked(options_, jones_pdp7_name) || is_asked(options_, jones_twin_name)) document["eae"] = options_.eae;
   if (options_.directions != Directions::usual) document["directions"] = options_.directions == Directions::all ? "all" : "level";
   if (grid_) {
-    const programs::skala::View view = height_view(number);
+    const algorithms::skala::View view = height_view(number);
     document["angles"] = {{"rotate", view.rotation}, {"elevate", view.elevation}};
   } else {
     const scene::PolyCamera seen = camera(number);

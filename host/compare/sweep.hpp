@@ -51,7 +51,7 @@ class Sweep {
                                               const SweepOptions& options);
   // A function, drawn as the view says but from random angles. The grid can be compared (why_not_comparable finds nothing:
   // precondition). Error: a method does not draw functions.
-  [[nodiscard]] static base::Result<Sweep> of(const std::string& source, scene::HeightGrid grid, const programs::skala::View& view,
+  [[nodiscard]] static base::Result<Sweep> of(const std::string& source, scene::HeightGrid grid, const algorithms::skala::View& view,
                                               const SweepOptions& options);
 
   // The line of a view, with its line feed. Several threads may ask at once.
@@ -65,7 +65,7 @@ class Sweep {
   [[nodiscard]] bool with_faces() const;
   [[nodiscard]] std::string head(std::uint64_t number) const;
   [[nodiscard]] scene::PolyCamera camera(std::uint64_t number) const;
-  [[nodiscard]] programs::skala::View height_view(std::uint64_t number) const;
+  [[nodiscard]] algorithms::skala::View height_view(std::uint64_t number) const;
   [[nodiscard]] base::Json scene_results(std::uint64_t number) const;
   [[nodiscard]] base::Json height_results(std::uint64_t number) const;
 
@@ -75,7 +75,7 @@ class Sweep {
   const scene::PolyScene* scene_ = nullptr;
   const scene::CellScene* cells_ = nullptr;
   std::shared_ptr<const scene::HeightGrid> grid_;  // of a function, which has no scene
-  programs::skala::View view_;                       // of a function
+  algorithms::skala::View view_;                       // of a function
   SweepOptions options_;
   std::shared_ptr<const SceneMethods> methods_;
 };

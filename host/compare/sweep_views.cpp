@@ -133,9 +133,9 @@ scene::PolyCamera random_camera(const scene::PolyScene& scene, const scene::Cell
   return scene::aimed_camera(frame, scene::bounds_of(scene).middle(), {x, 0, z}, false);
 }
 
-programs::skala::View random_height_view(const scene::HeightGrid& grid, programs::skala::View view, std::uint64_t seed, std::uint64_t number) {
+algorithms::skala::View random_height_view(const scene::HeightGrid& grid, algorithms::skala::View view, std::uint64_t seed, std::uint64_t number) {
   ViewRandom random(seed, number);
-  const programs::skala::View asked = view;
+  const algorithms::skala::View asked = view;
   for (int i = 0; i < most_tries; ++i) {
     view.rotation = random.between(0, 359);
     view.elevation = random.between(10, 80);

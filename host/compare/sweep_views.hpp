@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -33,7 +33,7 @@ enum class Directions { usual, all, level };
 
 // The picture asked for, rotated by any whole angle and seen from 10 to 80 degrees: the first such that can be compared. View number k
 // depends on the seed and k alone.
-[[nodiscard]] programs::skala::View random_height_view(const scene::HeightGrid& grid, programs::skala::View view, std::uint64_t seed,
+[[nodiscard]] algorithms::skala::View random_height_view(const scene::HeightGrid& grid, algorithms::skala::View view, std::uint64_t seed,
                                                      std::uint64_t number);
 
 }  // namespace sightline::compare

@@ -1,14 +1,12 @@
 #include "host/compare/willis_8080.hpp"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <cstdint>
 
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/compare/faces.hpp"
-#include "host/programs/flight/session.hpp"
+#include "host/programs/flight/flight.hpp"
 
 namespace sightline::compare {
 
@@ -22,22 +20,19 @@ base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, con
   const auto model = flight::view_model(scene, options, camera);
   if (!model) return model.error();
   if (auto error = willis::plan_error(*model, camera)) return base::bad_input(*error);
-  static const flight::Session session;
   // Shown twice, for the time: the first frame begins with the pieces sent to the machine.
   const std::array path{camera, camera};
-  const flight::Packed packed = flight::pack(*model, path, flight::Precision::bits_16);
-  const flight::GuestFlight guest = flight::run_guest(session.program(), packed.stream);
-  if (const std::string difference = flight::difference_of(guest, flight::run_twin(packed.stream)); !difference.empty())
-    base::give_up(fmt::format("a priority on the 8080 is not the one its native twin computes: {}", difference));
+  const auto run = flight::run({.model = *model, .path = path, .precision = flight::Precision::bits_16, .check = true});
+  if (!run) base::give_up(run.error().message());
   willis::Frames frames(*model);
-  const flight::ShownOrder order = flight::shown_order(*model, camera, frames.order(camera), guest.frames.at(0).priorities);
+  const flight::ShownOrder order = flight::shown_order(*model, camera, frames.order(camera), run->flight.frames.at(0).priorities);
   const willis::ImageWindow window{shown.width, shown.height, shown.scale, shown.left, shown.top};
   willis::FrameSpans spans;
   willis::make_spans(*model, order.pieces, camera, window, spans);
   registry::FaceView view;
   view.faces = willis::resolved(spans, window);
   view.counts = {{"pieces", model->pieces.size()}, {"facing", order.pieces.size()}, {wrong_orders_name, order.wrong},
-                 {t_states_name, static_cast<std::uint64_t>((guest.frames.at(1).told - guest.frames.at(0).told - guest.frames.at(1).waiting).count())}};
+                 {t_states_name, static_cast<std::uint64_t>(run->frames.at(1).computing.count())}};
   return view;
 }
 

@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "host/programs/flight/session.hpp"
+#include "host/programs/flight/check.hpp"
+#include "host/programs/flight/packing.hpp"
 
 namespace {
 
@@ -38,10 +39,9 @@ std::vector<std::uint32_t> point_of(Input& input, flight::Precision precision, s
 }
 
 void expect_twin(const std::vector<std::uint8_t>& stream, std::optional<bool> complete = {}) {
-  static const flight::Program program = flight::assemble_program();
-  const flight::GuestFlight guest = flight::run_guest(program, stream);
-  if (!flight::difference_of(guest, flight::run_twin(stream)).empty()) std::abort();
-  if (complete && *complete != (guest.status == flight::Status::complete)) std::abort();
+  const flight::MachineFlight machine = flight::run_machine(flight::resident_program(), stream);
+  if (!flight::difference_from_twin(machine, flight::run_twin(stream)).empty()) std::abort();
+  if (complete && *complete != (machine.status == flight::Status::complete)) std::abort();
 }
 
 }  // namespace

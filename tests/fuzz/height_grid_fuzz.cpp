@@ -20,12 +20,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto result = scene::read_height_grid(text, "fuzz");
   if (!result) return 0;
-  programs::skala::View view;
+  algorithms::skala::View view;
   view.rotation = static_cast<double>(size % 48) * 7.5;
   view.zoom = size % 3 == 0 ? 4.0 : 1.0;
-  for (const auto picture : {programs::skala::PictureKind::lines, programs::skala::PictureKind::surface,
-                             programs::skala::PictureKind::contours}) {
-    view.picture = picture;
+  for (const auto picture : {algorithms::skala::Subject::lines, algorithms::skala::Subject::surface,
+                             algorithms::skala::Subject::contours}) {
+    view.subject = picture;
     static_cast<void>(programs::skala::stream_of(*result, view));
   }
   constexpr std::size_t many = 400;

@@ -1,4 +1,5 @@
-// What is wanted of a drawing of a height grid, and seen from where.
+// What is wanted of a drawing of a height grid, and seen from where: for the native algorithm and for the program on the 8080
+// (host/programs/skala), which always has rims and leaves out what says so.
 #pragma once
 
 #include <vector>
@@ -31,6 +32,7 @@ struct View {
   Family family = Family::automatic;
   double rotation = 0;    // degrees about the vertical; a quarter turn brings x = -1 to the front; finite
   double elevation = 30;  // degrees of the eye above the horizon; negative: seen from below; finite
+  double zoom = 1;        // > 0, about the middle of the picture; of pictures of dots only
   int levels = 8;         // contour levels, 0 .. 255, at equal distances inside the range of the heights
   std::vector<double> level_heights = {};  // contour levels themselves, ascending, at most 255; empty: as `levels` says
   BoxSides sides = {};

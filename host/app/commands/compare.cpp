@@ -38,7 +38,7 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using programs::skala::PictureKind;
+using algorithms::skala::Subject;
 
 struct CompareArguments {
   std::vector<std::string> scenes;
@@ -47,7 +47,7 @@ struct CompareArguments {
   std::optional<int> scale;
   bool no_eae = false;
   SkalaSource function;  // without a name: names are among the scenes
-  programs::skala::View function_view;
+  algorithms::skala::View function_view;
   std::string picture;  // as --picture names it
   SkalaSlices slices;
   std::optional<int> levels;
@@ -219,14 +219,14 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
   refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
   refuse(arguments.fraction.has_value(), "--fraction", name, "a scene of cells");
-  programs::skala::View view = arguments.function_view;
+  algorithms::skala::View view = arguments.function_view;
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
   if (source.expression.empty()) refuse_commands(name);
-  const SkalaFunction function = load_skala_function(source, usual_grid_size(view.picture));
+  const SkalaFunction function = load_skala_function(source, usual_grid_size(view.subject));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
-    throw base::bad_input(fmt::format("{}: {}; `sightline skala` draws it and compares it with its twin", name, *reason));
-  const auto compare_view = [&](const programs::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
+    throw base::bad_input(fmt::format("{}: {}; `sightline skala --check` draws it and compares it with its twin", name, *reason));
+  const auto compare_view = [&](const algorithms::skala::View& of, std::uint64_t number, const compare::CompareProgress& step) {
     auto comparison = compare::compare_heights(function.grid, of, step, function.sampled, !arguments.no_host_times);
     comparison.devices = compare::compare_devices(function.grid, of, step);
     answer.add(function.name, number, chosen_rows(arguments, comparison));
@@ -363,10 +363,10 @@ std::optional<Output> plot_output(const CompareArguments& arguments) {
 }
 
 ExitCode run_compare(CompareArguments arguments) {
-  if (arguments.picture == "surface") arguments.function_view.picture = programs::skala::PictureKind::surface;
-  if (arguments.picture == "contours") arguments.function_view.picture = programs::skala::PictureKind::contours;
+  if (arguments.picture == "surface") arguments.function_view.subject = algorithms::skala::Subject::surface;
+  if (arguments.picture == "contours") arguments.function_view.subject = algorithms::skala::Subject::contours;
   require_angles(arguments.function_view.rotation, arguments.function_view.elevation);
-  if (arguments.levels && arguments.function_view.picture != programs::skala::PictureKind::contours)
+  if (arguments.levels && arguments.function_view.subject != algorithms::skala::Subject::contours)
     throw base::usage_error("--levels: found without --picture contours");
   const bool expression = !arguments.function.expression.empty();
   if (!expression && !arguments.function.domain.empty())
@@ -451,9 +451,9 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
       .range(64, 4096);
   add_mesh_options(command, arguments.mesh);
   add_eae_options(command, arguments.no_eae);
-  programs::skala::View& view = arguments.function_view;
-  constexpr scene::GridSize usual = usual_grid_size(programs::skala::PictureKind::lines);
-  constexpr scene::GridSize of_contours = usual_grid_size(programs::skala::PictureKind::contours);
+  algorithms::skala::View& view = arguments.function_view;
+  constexpr scene::GridSize usual = usual_grid_size(algorithms::skala::Subject::lines);
+  constexpr scene::GridSize of_contours = usual_grid_size(algorithms::skala::Subject::contours);
   add_function_options(command, arguments.function,
                        fmt::format("{}, of contours {}", usual.slices, of_contours.slices),
                        std::to_string(usual.points));

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/json.hpp"
@@ -189,11 +188,11 @@ std::string compare_heading(const SceneComparison& comparison) {
 }
 
 std::string compare_heading(const std::string& name, const HeightComparison& comparison) {
-  const programs::skala::View& view = comparison.view;
+  const algorithms::skala::View& view = comparison.view;
   std::string text =
-      fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name, picture_name(view.picture),
+      fmt::format("{}, {}, {}, rotated {}, seen from {} degrees", name, picture_name(view.subject),
                   compared_families[static_cast<std::size_t>(view.family)], view.rotation, view.elevation);
-  if (view.picture == programs::skala::PictureKind::contours) text += fmt::format(", {} levels", view.levels);
+  if (view.subject == algorithms::skala::Subject::contours) text += fmt::format(", {} levels", view.levels);
   if (!comparison.vectors.empty())
     text += fmt::format(": {:.1f} pixels (px) of lines are visible", comparison.vectors.front().metrics.true_length);
   return text + "\n";
@@ -260,7 +259,7 @@ Json compare_json(const SceneComparison& comparison) {
 
 Json compare_json(const std::string& name, const HeightComparison& comparison) {
   Json document{{"function", name},
-                {"picture", picture_name(comparison.view.picture)},
+                {"picture", picture_name(comparison.view.subject)},
                 {"rotation", comparison.view.rotation},
                 {"elevation", comparison.view.elevation},
                 {"agrees", comparison.agrees()},
@@ -339,7 +338,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
     const PixelMetrics& m = compared.metrics;
     if (!all && m.different() == 0) continue;
     const std::string title =
-        fmt::format("{}, {}: {} against {}", name, picture_name(comparison.view.picture), compared.name,
+        fmt::format("{}, {}: {} against {}", name, picture_name(comparison.view.subject), compared.name,
                     compared.against);
     const picture::OverlayCaption caption = points_caption(title, m);
     write_overlay(overlay_base(directory, name, compare::height_method_name(compared.name)),
@@ -355,7 +354,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
     const picture::RasterDifference& d = device.raster;
     if (!all && d.same()) continue;
     const std::string title = fmt::format("{}, {}: dots of the guest, {}, against exact lines by its rule", name,
-                                          picture_name(comparison.view.picture), device.name);
+                                          picture_name(comparison.view.subject), device.name);
     const picture::OverlayCaption caption{title, fmt::format("agreed {} points", d.lit_in_truth - d.missing.all),
                                           fmt::format("missing {}", d.missing.all), fmt::format("extra {}", d.extra.all)};
     write_overlay(overlay_base(directory, name, std::string(device.name) + " dots"),
@@ -364,7 +363,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
   for (const ComparedVectors& vectors : comparison.vectors) {
     if (!all && !differs(vectors.metrics)) continue;
     const std::string title = fmt::format("{}, {}: {} against what is truly seen of them", name,
-                                          picture_name(comparison.view.picture), vectors.name);
+                                          picture_name(comparison.view.subject), vectors.name);
     write_overlay(
         overlay_base(directory, name, compare::height_method_name(vectors.name)),
         picture::overlay_of(vectors.difference, {0, 0}, {255, 255}, lines_caption(title, vectors.metrics)),

@@ -62,7 +62,7 @@ void compare_polyhedra(const compare::CompareOptions& options, DemoAnswer& answe
 }
 
 void compare_functions(bool host_times, DemoAnswer& answer) {
-  programs::skala::View view;
+  algorithms::skala::View view;
   view.rotation = 30;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const scene::HeightGrid grid = sample(function, {33, 60});

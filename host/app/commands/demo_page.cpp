@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "host/app/commands/answer_output.hpp"
-#include "host/app/commands/jones_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/text.hpp"
 #include "host/picture/raster_difference.hpp"
@@ -290,7 +289,7 @@ PageGallery skala_gallery(const std::string& directory, const DemoResults& resul
       "that exact lines light by the program's own rule, grey in both: the 128 by 128 of the 256 by 256 in which most differ.",
       {}};
   for (const SkalaDemoRow& row : results.skala.rows) {
-    const auto add = [&](const char* suffix, const char* what, const SkalaOutcome& outcome) {
+    const auto add = [&](const char* suffix, const char* what, const programs::skala::Outcome& outcome) {
       gallery.figures.push_back(
           {fmt::format("{}-{}.png", row.function, suffix),
            fmt::format("{}, {}: {:.2f} s", row.function, what, core::in_seconds(outcome.picture.drawing)), true});
@@ -319,7 +318,7 @@ PageGallery stripes_gallery(const DemoResults& results) {
   PageGallery gallery{"Montani and Re 1985: faces in stripes on the 8080", 3, "A grey a face, on the EF9365 board.", {}};
   for (const StripesDemoRow& row : results.stripes) {
     if (row.plotter) continue;
-    const auto& guest = row.drawn.picture.guest;
+    const auto& guest = row.drawn.picture;
     gallery.figures.push_back({row.scene + "-stripes.png",
                                fmt::format("{}: {} faces in {:.2f} s", row.scene, row.drawn.scene.faces.size(),
                                            core::in_seconds(guest.receiving + guest.working())),

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "host/app/commands/flight_session.hpp"
-#include "host/app/commands/jones_session.hpp"
-#include "host/app/commands/turn_session.hpp"
+#include "host/programs/flight/flight.hpp"
 #include "host/base/json.hpp"
+#include "host/programs/jones/jones.hpp"
+#include "host/programs/turn/turn.hpp"
 
 namespace sightline::app {
 
@@ -19,7 +19,7 @@ struct JonesRow {
   bool eae = false;
   std::size_t cells = 0;
   std::uint32_t words = 0;
-  programs::jones::GuestView view;
+  programs::jones::View view;
   double refreshes = 0;
 };
 // Writes SCENE.png, -phosphor.png and .svg into `directory`. Error as the session's.
@@ -33,7 +33,7 @@ struct TurnRow {
   std::string model;
   bool eae = false;
   std::uint32_t edges = 0;
-  TurnMeasure measure;
+  programs::turn::Outcome outcome;
 };
 [[nodiscard]] std::vector<TurnRow> run_turns();
 [[nodiscard]] std::string turn_table(const std::vector<TurnRow>& rows);
@@ -44,7 +44,7 @@ void add_turns(base::Json& document, const std::vector<TurnRow>& rows);
 struct FlightRow {
   std::string scene;
   int bits = 8;
-  programs::flight::FlightSummary summary;
+  programs::flight::Summary summary;
 };
 [[nodiscard]] std::vector<FlightRow> run_flights();
 [[nodiscard]] std::string demo_flight_table(const std::vector<FlightRow>& rows);

@@ -89,7 +89,7 @@ std::string verdict_text(const MethodRange& range, const std::string& also = "")
   return text;
 }
 
-double drawing_seconds(const SkalaOutcome& outcome) {
+double drawing_seconds(const programs::skala::Outcome& outcome) {
   return core::in_seconds(outcome.picture.drawing);
 }
 
@@ -115,8 +115,8 @@ Verdict turn_verdict(const DemoResults& results) {
   Range with;
   Range without;
   for (const TurnRow& row : results.turns) {
-    frames.add(row.measure.hidden.summary.frames_per_second_mean);
-    (row.eae ? with : without).add(row.measure.cost_against_wire_frame());
+    frames.add(row.outcome.hidden.summary.frames_per_second_mean);
+    (row.eae ? with : without).add(row.outcome.cost_against_wire_frame());
   }
   const MethodRange range = range_of(results.answer, "turn-pdp7", "lines");
   const bool holds_with = with.high() <= 1;
@@ -155,7 +155,7 @@ Verdict flight_verdict(const DemoResults& results) {
 Verdict stripes_verdict(const DemoResults& results) {
   Range drawing;
   for (const StripesDemoRow& row : results.stripes) {
-    const auto& guest = row.drawn.picture.guest;
+    const auto& guest = row.drawn.picture;
     if (!row.plotter) drawing.add(core::in_seconds(guest.receiving + guest.working()));
   }
   const MethodRange range = range_of(results.answer, compare::stripes_name, "faces");
@@ -170,7 +170,7 @@ Verdict stripes_verdict(const DemoResults& results) {
 // Lines on a device: no difference from the twin, and nothing farther off than dots or steps explain.
 bool within_dots(const MethodRange& range, programs::skala::Device device) {
   compare::SkalaInk ink;
-  ink.kind = programs::skala::PictureKind::lines;
+  ink.kind = algorithms::skala::Subject::lines;
   ink.device = device;
   const compare::InkBounds bounds = compare::ink_bounds(ink);
   return !range.defect && range.farthest <= std::max(bounds.of_ink, bounds.of_lines.value_or(0));
@@ -198,9 +198,9 @@ Verdict visibility_verdict(const DemoResults& results) {
   bool more = false;
   Range cost;
   for (const SkalaDemoRow& row : results.skala.rows) {
-    if (!row.lines.visibility_cost) continue;
-    cost.add(*row.lines.visibility_cost);
-    more = more || *row.lines.visibility_cost > of_paper;
+    if (!row.lines.visibility_cost()) continue;
+    cost.add(*row.lines.visibility_cost());
+    more = more || *row.lines.visibility_cost() > of_paper;
   }
   return {"Its visibility test", fmt::format("costs {} % of the time of lines (paper: about 15 %)", cost.text(0)),
           more ? "dearer than the paper says" : "no dearer than the paper says"};
@@ -305,10 +305,10 @@ std::string visibility_line(const SkalaDemo& demo) {
   };
   std::vector<Cost> costs;
   for (const SkalaDemoRow& row : demo.rows) {
-    if (!row.lines.visibility_cost || row.lines.points_walked == 0) continue;
+    if (!row.lines.visibility_cost() || row.lines.points_walked == 0) continue;
     const auto points = static_cast<double>(row.lines.points_walked);
     const double with = static_cast<double>(row.lines.picture.drawing.count()) / points;
-    const double plain = with / (1 + *row.lines.visibility_cost / 100);
+    const double plain = with / (1 + *row.lines.visibility_cost() / 100);
     costs.push_back({row.function, plain, with - plain, 100 - 100 * static_cast<double>(row.lines.points_lit) / points});
   }
   if (costs.empty()) return {};

@@ -507,8 +507,7 @@ void add_draw_command(const Command& program) {
   for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms())
     if (registry::find_line_algorithm(algorithm.name) == nullptr)
       methods += std::string(algorithm.name) + ", ";
-  for (const registry::HeightMethod& method : registry::height_methods())
-    if (!method.algorithm.empty()) methods += std::string(method.algorithm) + ", ";
+  for (const registry::HeightAlgorithm& algorithm : registry::height_algorithms()) methods += std::string(algorithm.name) + ", ";
   methods.resize(methods.size() - 2);
   const Command command = program.add_command("draw", help_page("draw", {{"methods", methods}}));
   const auto add_method = [&command](const auto& algorithm, std::string_view page) {
@@ -524,10 +523,9 @@ void add_draw_command(const Command& program) {
   for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms())
     if (registry::find_line_algorithm(algorithm.name) == nullptr)
       add_draw_faces(add_method(algorithm, "draw_faces"), algorithm);
-  for (const registry::HeightMethod& method : registry::height_methods()) {
-    if (method.algorithm.empty()) continue;
-    const std::string name(method.algorithm);
-    add_draw_heights(command.add_command(name, help_page("draw_" + name)), method);
+  for (const registry::HeightAlgorithm& algorithm : registry::height_algorithms()) {
+    const std::string name(algorithm.name);
+    add_draw_heights(command.add_command(name, help_page("draw_" + name)), algorithm);
   }
   command.list_shared_options();
 }

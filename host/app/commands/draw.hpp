@@ -21,7 +21,7 @@ namespace sightline::app {
 void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algorithm);
 // `draw METHOD GRID` for a method that draws a surface over a grid of heights as vectors. The method is one of
 // the registry's, which does not end.
-void add_draw_heights(const Command& command, const registry::HeightMethod& method);
+void add_draw_heights(const Command& command, const registry::HeightAlgorithm& algorithm);
 
 // --- where to
 

@@ -31,7 +31,7 @@ using algorithms::skala::Subject;
 struct DrawHeightsArguments {
   std::vector<std::string> grids;
   SkalaSource source;  // of each of them
-  registry::HeightView view;
+  algorithms::skala::View view;
   std::string picture;
   std::string along;
   std::string colours;
@@ -128,14 +128,14 @@ base::Json numbers(const std::vector<double>& values) {
   return array;
 }
 
-void print_drawing(const registry::HeightMethod& method, const DrawHeightsArguments& arguments,
+void print_drawing(const registry::HeightAlgorithm& algorithm, const DrawHeightsArguments& arguments,
                    const SkalaFunction& function, const algorithms::skala::Figure& figure,
                    const std::optional<base::Json>& plot) {
   using base::Json;
   const picture::VectorDrawing& drawing = figure.drawing;
   const bool equal = figure.scale[0] == figure.scale[1];
   Json document{{"schema", "sightline/draw/1"},
-                      {"algorithm", method.algorithm},
+                      {"algorithm", algorithm.name},
                       {"scene", function.name},
                       {"output", arguments.output.file},
                       {"picture", arguments.picture.empty() ? "lines" : arguments.picture},
@@ -160,7 +160,7 @@ void print_drawing(const registry::HeightMethod& method, const DrawHeightsArgume
 // --- what is drawn
 
 void read_view(DrawHeightsArguments& arguments, hidden_lines::Format format) {
-  registry::HeightView& view = arguments.view;
+  algorithms::skala::View& view = arguments.view;
   view.subject = subject_named(arguments.picture);
   view.family = slices_named(arguments.along);
   require_angles(view.rotation, view.elevation);
@@ -265,8 +265,8 @@ std::string drawing_text(const picture::VectorDrawing& drawing) {
   return text;
 }
 
-ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArguments arguments) {
-  registry::HeightView& view = arguments.view;
+ExitCode run_draw_heights(const registry::HeightAlgorithm& algorithm, DrawHeightsArguments arguments) {
+  algorithms::skala::View& view = arguments.view;
   const hidden_lines::Format format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && arguments.json) throw base::usage_error("--output: found - with --json, expected a file");
   read_view(arguments, format);
@@ -277,14 +277,14 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
   if (view.subject == Subject::contours || arguments.figure.floor) view.level_heights = levels_of(arguments, function.grid);
   read_page(arguments, function, format);
   Output file(arguments.output.file);
-  if (const auto reason = method.why_not(function.grid, view))
-    throw base::usage_error(fmt::format("{}: {} does not apply: {}", function.name, method.algorithm, *reason));
-  algorithms::skala::Figure figure = method.figure(grids, view, arguments.figure);
+  if (const auto reason = algorithm.why_not(function.grid, view))
+    throw base::usage_error(fmt::format("{}: {} does not apply: {}", function.name, algorithm.name, *reason));
+  algorithms::skala::Figure figure = algorithm.figure(grids, view, arguments.figure);
   figure.drawing = picture::without_empty_layers(std::move(figure.drawing));
   if (format == hidden_lines::Format::hpgl) join_levels(figure.drawing, arguments.output);
   const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);
   if (arguments.json) {
-    print_drawing(method, arguments, function, figure, plot);
+    print_drawing(algorithm, arguments, function, figure, plot);
   } else {
     say_written(arguments.output.file, fmt::format("{}, {}", drawing_text(figure.drawing), size_text(arguments.output, format)));
   }
@@ -292,7 +292,7 @@ ExitCode run_draw_heights(const registry::HeightMethod& method, DrawHeightsArgum
 }
 
 void add_view_options(const Command& command, DrawHeightsArguments& arguments) {
-  registry::HeightView& view = arguments.view;
+  algorithms::skala::View& view = arguments.view;
   add_picture_option(command, arguments.picture, "What is drawn");
   command.option("--along", arguments.along, "Slices along x, along z or both")
       .one_of({"x", "z", "both"})
@@ -330,7 +330,7 @@ void add_figure_options(const Command& command, DrawHeightsArguments& arguments)
 
 }  // namespace
 
-void add_draw_heights(const Command& command, const registry::HeightMethod& method) {
+void add_draw_heights(const Command& command, const registry::HeightAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawHeightsArguments>();
   arguments->view.rotation = 30;
   command.option("GRID", arguments->grids, "Functions by name, files of heights, - for standard input; several are surfaces over the same places");
@@ -339,7 +339,7 @@ void add_draw_heights(const Command& command, const registry::HeightMethod& meth
   add_figure_options(command, *arguments);
   add_draw_output_options(command, arguments->output);
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
-  command.run([arguments, &method] { return run_draw_heights(method, *arguments); });
+  command.run([arguments, &algorithm] { return run_draw_heights(algorithm, *arguments); });
 }
 
 }  // namespace sightline::app

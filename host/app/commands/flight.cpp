@@ -10,13 +10,12 @@
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/flight_session.hpp"
-#include "host/app/commands/jones_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/face_shades.hpp"
+#include "host/programs/flight/flight.hpp"
 
 namespace sightline::app {
 
@@ -33,6 +32,7 @@ struct FlightArguments {
   std::uint32_t pieces = 0;
   std::uint32_t frames = 100;
   std::string directory = "out";
+  bool check = false;
   bool json = false;
 };
 
@@ -61,15 +61,15 @@ picture::PixelGrid whole_shown(std::span<const std::uint32_t> shown) {
 }
 
 // Each picture for as long as the display showed it: until the next.
-picture::FrameTime time_shown(const std::vector<flight::FlightFrame>& frames, std::size_t number) {
+picture::FrameTime time_shown(const std::vector<flight::Frame>& frames, std::size_t number) {
   const core::Duration shown = number + 1 < frames.size() ? frames[number + 1].shown - frames[number].shown : display::frame;
   return {static_cast<std::uint16_t>(std::min<std::int64_t>(shown.count() / 1'000'000, 65'535)), 1000};
 }
 
-std::string frame_table(const std::vector<flight::FlightFrame>& frames) {
+std::string frame_table(const std::vector<flight::Frame>& frames) {
   std::string text = "frame,shown_ms,t_states,waiting_t_states,pieces_moved,pairs_exchanged,pieces_facing,wrong_orders,wrong_points\n";
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const flight::FlightFrame& frame = frames[i];
+    const flight::Frame& frame = frames[i];
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", i, frame.shown.time_since_epoch().count() / 1'000'000, frame.computing.count(),
                         frame.waiting.count(), frame.moved, frame.exchanges, frame.facing, frame.wrong_orders, frame.wrong_points);
   }
@@ -77,12 +77,11 @@ std::string frame_table(const std::vector<flight::FlightFrame>& frames) {
 }
 
 struct Made {
-  flight::FlightRun run;
+  flight::Outcome run;
   std::vector<std::string> files;
 };
 
-Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, const PlannedFlight& planned, const flight::Packed& packed,
-         const flight::Session& session) {
+Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, const flight::Plan& planned) {
   make_directory(arguments.directory);
   const std::string stem = file_stem(std::filesystem::path(arguments.scene).stem().string());
   const std::string base = (std::filesystem::path(arguments.directory) / (stem + "-flight")).string();
@@ -94,13 +93,12 @@ Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, con
   Output table(made.files[2]);
   const auto shades = picture::face_shades(source.scene);
   std::vector<picture::Image> pictures;
-  flight::FlightOptions options;
-  options.count_points = true;
-  options.picture = [&](std::uint32_t frame, std::span<const std::uint32_t> shown) {
+  flight::Order order{.model = planned.model, .path = planned.path, .precision = precision_of(arguments.bits), .count_points = true, .check = arguments.check};
+  order.picture = [&](std::uint32_t frame, std::span<const std::uint32_t> shown) {
     pictures.push_back(picture::shaded_image(faces_shown(shown), shades));
     if (frame == arguments.frames / 3) write_png(still, picture::shaded_image(whole_shown(shown), shades), {{"Title", title}, {"Software", "sightline"}});
   };
-  made.run = checked_flight(session, planned, packed, arguments.scene, options);
+  made.run = value_of(flight::run(order), arguments.scene);
   picture::ApngWriter apng({1, 25}, 0, {{"Title", title}, {"Software", "sightline"}});
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const auto added = apng.add(pictures[i], time_shown(made.run.frames, i));
@@ -116,8 +114,9 @@ Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, con
   return made;
 }
 
-Json flight_document(const FlightArguments& arguments, const PlannedFlight& planned, const flight::Packed& packed, const Made& made) {
-  const flight::FlightSummary& sum = made.run.summary;
+Json flight_document(const FlightArguments& arguments, const flight::Plan& planned, const Made& made) {
+  const flight::Packed& packed = made.run.packed;
+  const flight::Summary& sum = made.run.summary;
   return Json{{"schema", "sightline/flight/1"},
               {"scene", arguments.scene},
               {"plan", arguments.plan},
@@ -145,8 +144,9 @@ Json flight_document(const FlightArguments& arguments, const PlannedFlight& plan
 }
 
 // `unit`: of the scene's coordinates, in that of its file.
-std::string flight_text(const FlightArguments& arguments, const PlannedFlight& planned, const flight::Packed& packed, const Made& made, double unit) {
-  const flight::FlightSummary& sum = made.run.summary;
+std::string flight_text(const FlightArguments& arguments, const flight::Plan& planned, const Made& made, double unit) {
+  const flight::Packed& packed = made.run.packed;
+  const flight::Summary& sum = made.run.summary;
   std::string text = fmt::format("{}: a flight on an 8080 at 3 MHz with the priority display{}\n", arguments.scene, arguments.plan ? ", in plan" : "");
   text += fmt::format("pieces           {}, of {} surfaces{}; {} pairs left in clusters\n", sum.pieces, planned.model.surfaces,
                       packed.planes > 0 ? fmt::format(", parted by {} planes", packed.planes) : std::string(), planned.model.residual.size());
@@ -170,14 +170,12 @@ std::string flight_text(const FlightArguments& arguments, const PlannedFlight& p
 ExitCode run_flight(const FlightArguments& arguments) {
   const scene::LoadedScene source = load_scene(arguments.scene);
   const std::optional<std::size_t> pieces = arguments.pieces > 0 ? std::optional<std::size_t>(arguments.pieces) : std::nullopt;
-  const PlannedFlight planned = planned_flight(source.scene, arguments.scene, arguments.plan, arguments.frames, pieces);
-  const flight::Packed packed = flight::pack(planned.model, planned.path, precision_of(arguments.bits));
-  const flight::Session session;
-  const Made made = fly(arguments, source, planned, packed, session);
+  const flight::Plan planned = value_of(flight::plan_flight(source.scene, arguments.plan, arguments.frames, pieces), arguments.scene);
+  const Made made = fly(arguments, source, planned);
   if (arguments.json) {
-    print_json(flight_document(arguments, planned, packed, made));
+    print_json(flight_document(arguments, planned, made));
   } else {
-    write_stdout(flight_text(arguments, planned, packed, made, source.scene.step));
+    write_stdout(flight_text(arguments, planned, made, source.scene.step));
   }
   return ExitCode::ok;
 }
@@ -195,6 +193,7 @@ void add_flight_command(const Command& program) {
       .default_value("all")
       .range(1, static_cast<int>(flight::most_pieces));
   command.option("--frames", arguments->frames, "Frames of the flight").default_value().range(2, 2000);
+  command.flag("--check", arguments->check, "Compare every priority with that of the same program in C++");
   command.option("-o,--output", arguments->directory, "Folder for the pictures and the table").default_value().value("DIR");
   command.flag("--json", arguments->json, "One JSON document instead of the table");
   command.run([arguments] { return run_flight(*arguments); });

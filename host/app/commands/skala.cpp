@@ -2,11 +2,12 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "host/app/commands/commands.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/commands/skala_report.hpp"
-#include "host/app/commands/skala_session.hpp"
+#include "host/app/commands/skala_pictures.hpp"
 #include "host/app/commands/skala_source.hpp"
 #include "host/scene/heights/function.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 using programs::skala::Device;
 using programs::skala::Link;
-using programs::skala::PictureKind;
+using algorithms::skala::Subject;
 using picture::RasterPalette;
 
 HelpPage skala_help() {
@@ -25,7 +26,7 @@ HelpPage skala_help() {
 
 struct SkalaArguments {
   SkalaSource source;
-  SkalaRequest order;
+  programs::skala::Order order;
   std::string device = "raster";
   std::string link = "parallel";
   std::string palette;  // empty: the usual one
@@ -45,44 +46,46 @@ programs::skala::Device device_named(const std::string& name) {
 }
 
 ExitCode run_skala(SkalaArguments arguments) {
-  SkalaRequest& order = arguments.order;
+  programs::skala::Order& order = arguments.order;
   require_angles(order.view.rotation, order.view.elevation);
   require_finite("--zoom", order.view.zoom);
-  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.picture));
-  order.name = function.name;
+  SkalaFunction function = load_skala_function(arguments.source, usual_grid_size(order.view.subject));
   order.grid = std::move(function.grid);
   order.clock.hertz = arguments.clock;
   order.view.visibility = !arguments.no_visibility;
   order.view.family = family_of(arguments.slices);
-  order.view.device = device_named(arguments.device);
+  order.device = device_named(arguments.device);
   if (arguments.link == "serial") order.link = programs::skala::Link::serial;
-  const SkalaOutcome outcome = run_skala_request(programs::skala::Session(), order);
-  SkalaFiles files{arguments.directory, function.stem, usual_palette(order.view.picture), arguments.scale};
+  order.time_plain = true;
+  order.view.silhouette = order.view.subject == Subject::contours;
+  const SkalaRequest request{function.name, std::move(order)};
+  const programs::skala::Outcome outcome = value_of(programs::skala::run(request.order), request.name);
+  SkalaFiles files{arguments.directory, function.stem, usual_palette(request.order.view.subject), arguments.scale};
   if (!arguments.palette.empty())
     files.palette = arguments.palette == "grey" ? RasterPalette::grey : RasterPalette::colour;
-  const auto pictures = write_skala_pictures(files, order, outcome);
-  write_stdout(arguments.json ? skala_document(order, outcome, pictures)
-                              : skala_summary(order, outcome, pictures));
+  const auto pictures = write_skala_pictures(files, request, outcome);
+  write_stdout(arguments.json ? skala_document(request, outcome, pictures)
+                              : skala_summary(request, outcome, pictures));
   return ExitCode::ok;
 }
 
 void add_skala_source_options(const Command& command, SkalaArguments& arguments) {
   command.option("FUNCTION", arguments.source.name_or_file, "A function by name, or a grid file");
-  const scene::GridSize usual = usual_grid_size(arguments.order.view.picture);
+  const scene::GridSize usual = usual_grid_size(arguments.order.view.subject);
   add_function_options(command, arguments.source, std::to_string(usual.slices), std::to_string(usual.points));
 }
 
 void add_view_options(const Command& command, SkalaArguments& arguments) {
-  programs::skala::View& view = arguments.order.view;
+  algorithms::skala::View& view = arguments.order.view;
   add_angle_options(command, view.rotation, view.elevation);
   command.option("--zoom", view.zoom, "Enlarge about the middle")
       .default_value()
       .range(0.01, 100.0)
       .value("F");
-  if (view.picture != PictureKind::contours) {
+  if (view.subject != Subject::contours) {
     add_slices_options(command, arguments.slices);
     // Accepted, since one command line may serve all pictures; of no effect, and so without a help.
-    if (view.picture == PictureKind::surface) command.added("--both").hidden();
+    if (view.subject == Subject::surface) command.added("--both").hidden();
     return;
   }
   command.flag("--both", arguments.slices.both, "");
@@ -96,6 +99,7 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
       .one_of({"raster", "alt256", "calcomp", "minigraf"})
       .value("NAME");
   command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its visibility test");
+  command.flag("--check", arguments.order.check, "Compare the picture with that of the same program in C++");
   command.option("--link", arguments.link, "From the host computer; serial is 9600 baud")
       .default_value()
       .one_of({"parallel", "serial"})
@@ -116,10 +120,10 @@ void add_output_options(const Command& command, SkalaArguments& arguments) {
   command.flag("--json", arguments.json, "One JSON document instead of the summary");
 }
 
-void add_picture(const Command& parent, const char* name, const char* description, PictureKind picture) {
+void add_picture(const Command& parent, const char* name, const char* description, Subject picture) {
   const Command command = parent.add_command(name, HelpPage{description, skala_help().text});
   const auto arguments = std::make_shared<SkalaArguments>();
-  arguments->order.view.picture = picture;
+  arguments->order.view.subject = picture;
   arguments->order.view.rotation = 30;
   add_skala_source_options(command, *arguments);
   add_view_options(command, *arguments);
@@ -132,10 +136,10 @@ void add_picture(const Command& parent, const char* name, const char* descriptio
 
 void add_skala_command(const Command& program) {
   const Command command = program.add_command("skala", skala_help());
-  add_picture(command, "lines", "Slices of a surface with hidden lines removed", PictureKind::lines);
-  add_picture(command, "surface", "A shaded surface with hidden parts removed", PictureKind::surface);
+  add_picture(command, "lines", "Slices of a surface with hidden lines removed", Subject::lines);
+  add_picture(command, "surface", "A shaded surface with hidden parts removed", Subject::surface);
   add_picture(command, "contours", "Contour lines on a surface with hidden parts removed",
-              PictureKind::contours);
+              Subject::contours);
 }
 
 }  // namespace sightline::app

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "host/app/command.hpp"
 #include "host/base/json.hpp"
 #include "host/scene/heights/function.hpp"
 
@@ -10,37 +11,35 @@ namespace sightline::app {
 namespace {
 
 using base::Json;
-using programs::skala::PictureKind;
+using algorithms::skala::Subject;
 
 constexpr std::string_view plotted_function = "rogers";
 
-SkalaOutcome drawn(const programs::skala::Session& session, const scene::HeightFunction& function,
-                   programs::skala::PictureKind picture, programs::skala::Device device,
-                   const std::string& directory, std::string_view suffix) {
-  SkalaRequest order;
-  order.name = function.name;
-  order.grid =
-      scene::sample(function, picture == programs::skala::PictureKind::contours ? scene::GridSize{33, 33}
-                                                                              : scene::GridSize{33, 60});
-  order.view.picture = picture;
-  order.view.device = device;
+programs::skala::Outcome drawn(const scene::HeightFunction& function, Subject subject, programs::skala::Device device,
+                               const std::string& directory, std::string_view suffix) {
+  SkalaRequest request;
+  request.name = function.name;
+  programs::skala::Order& order = request.order;
+  order.grid = scene::sample(function, subject == Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60});
+  order.view.subject = subject;
+  order.view.silhouette = subject == Subject::contours;
   order.view.rotation = 30;
-  order.measure_visibility =
-      picture == programs::skala::PictureKind::lines && device == programs::skala::Device::ef9365;
-  const SkalaOutcome outcome = run_skala_request(session, order);
-  write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(picture)},
-                       order, outcome);
+  order.device = device;
+  order.time_plain = subject == Subject::lines && device == programs::skala::Device::ef9365;
+  order.check = true;
+  programs::skala::Outcome outcome = value_of(programs::skala::run(order), request.name);
+  write_skala_pictures({directory, fmt::format("{}-{}", function.name, suffix), usual_palette(subject)}, request, outcome);
   return outcome;
 }
 
-double seconds(const SkalaOutcome& outcome) {
+double seconds(const programs::skala::Outcome& outcome) {
   return core::in_seconds(outcome.picture.drawing);
 }
 
-Json json_of(const SkalaOutcome& outcome) {
+Json json_of(const programs::skala::Outcome& outcome) {
   return {{"t_states", outcome.picture.drawing.count()},
           {"seconds", seconds(outcome)},
-          {"visibility_cost_per_cent", outcome.visibility_cost},
+          {"visibility_cost_per_cent", outcome.visibility_cost()},
           {"points_walked", outcome.points_walked},
           {"points_lit", outcome.points_lit}};
 }
@@ -48,18 +47,17 @@ Json json_of(const SkalaOutcome& outcome) {
 }  // namespace
 
 SkalaDemo run_skala_demo(const std::string& directory) {
-  const programs::skala::Session session;
   SkalaDemo demo;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
-    const auto raster = [&](programs::skala::PictureKind picture, std::string_view suffix) {
-      return drawn(session, function, picture, programs::skala::Device::ef9365, directory, suffix);
+    const auto raster = [&](Subject picture, std::string_view suffix) {
+      return drawn(function, picture, programs::skala::Device::ef9365, directory, suffix);
     };
-    demo.rows.push_back({std::string(function.name), raster(programs::skala::PictureKind::lines, "lines"),
-                         raster(programs::skala::PictureKind::surface, "surface"),
-                         raster(programs::skala::PictureKind::contours, "contours")});
+    demo.rows.push_back({std::string(function.name), raster(Subject::lines, "lines"),
+                         raster(Subject::surface, "surface"),
+                         raster(Subject::contours, "contours")});
   }
   demo.plotted = plotted_function;
-  demo.plot = drawn(session, *scene::height_function(plotted_function), programs::skala::PictureKind::lines,
+  demo.plot = drawn(*scene::height_function(plotted_function), Subject::lines,
                     programs::skala::Device::calcomp, directory, "calcomp");
   return demo;
 }
@@ -70,7 +68,7 @@ std::string skala_demo_table(const SkalaDemo& demo) {
   for (const SkalaDemoRow& row : demo.rows) {
     text += fmt::format(
         "{:<11}{:>10.3f}{:>13}{:>10}{:>10}{:>12.3f}{:>12.3f}\n", row.function, seconds(row.lines),
-        row.lines.visibility_cost ? fmt::format("{:+.1f} %", *row.lines.visibility_cost) : "none",
+        row.lines.visibility_cost() ? fmt::format("{:+.1f} %", *row.lines.visibility_cost()) : "none",
         row.lines.points_walked, row.lines.points_lit, seconds(row.surface), seconds(row.contours));
   }
   text +=

@@ -5,26 +5,26 @@
 #include <string>
 #include <vector>
 
-#include "host/app/commands/skala_session.hpp"
+#include "host/app/commands/skala_pictures.hpp"
 #include "host/base/json.hpp"
 
 namespace sightline::app {
 
 struct SkalaDemoRow {
   std::string function;
-  SkalaOutcome lines;
-  SkalaOutcome surface;
-  SkalaOutcome contours;
+  programs::skala::Outcome lines;
+  programs::skala::Outcome surface;
+  programs::skala::Outcome contours;
 };
 
 struct SkalaDemo {
   std::vector<SkalaDemoRow> rows;
   std::string plotted;  // the function on the CalComp
-  SkalaOutcome plot;
+  programs::skala::Outcome plot;
 };
 
-// Writes FUNCTION-lines.png, -surface.png, -contours.png and the plotter's files into `directory`. Fails as
-// run_skala_order does.
+// Writes FUNCTION-lines.png, -surface.png, -contours.png and the plotter's files into `directory`. Error as
+// programs::skala::run, or io.
 [[nodiscard]] SkalaDemo run_skala_demo(const std::string& directory);
 
 [[nodiscard]] std::string skala_demo_table(const SkalaDemo& demo);

@@ -63,7 +63,7 @@ void add_slices_options(const Command& command, SkalaSlices& slices) {
       .excludes(both);
 }
 
-std::string_view picture_name(programs::skala::PictureKind picture) {
+std::string_view picture_name(algorithms::skala::Subject picture) {
   constexpr std::array<std::string_view, 3> names{"lines", "surface", "contours"};
   return names[static_cast<std::size_t>(picture)];
 }
@@ -72,10 +72,10 @@ void add_picture_option(const Command& command, std::string& picture, const std:
   command.option("--picture", picture, help).one_of({"lines", "surface", "contours"}).default_value("lines");
 }
 
-programs::skala::Family family_of(const SkalaSlices& slices) {
-  if (slices.both) return programs::skala::Family::both;
-  if (slices.along.empty()) return programs::skala::Family::automatic;
-  return slices.along == "x" ? programs::skala::Family::along_x : programs::skala::Family::along_z;
+algorithms::skala::Family family_of(const SkalaSlices& slices) {
+  if (slices.both) return algorithms::skala::Family::both;
+  if (slices.along.empty()) return algorithms::skala::Family::automatic;
+  return slices.along == "x" ? algorithms::skala::Family::along_x : algorithms::skala::Family::along_z;
 }
 
 void add_levels_option(const Command& command, int& levels) {
@@ -85,7 +85,7 @@ void add_levels_option(const Command& command, int& levels) {
 void add_levels_option(const Command& command, std::optional<int>& levels) {
   command.option("--levels", levels, levels_help)
       .range(1, 255)
-      .default_value(std::to_string(programs::skala::View{}.levels));
+      .default_value(std::to_string(algorithms::skala::View{}.levels));
 }
 
 }  // namespace sightline::app

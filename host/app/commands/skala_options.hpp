@@ -8,13 +8,13 @@
 
 #include "host/app/command_line.hpp"
 #include "host/app/commands/skala_source.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 
 namespace sightline::app {
 
 // How finely a function is sampled unless the options say so: as in the figures of the paper.
-[[nodiscard]] constexpr scene::GridSize usual_grid_size(programs::skala::PictureKind picture) {
-  return picture == programs::skala::PictureKind::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+[[nodiscard]] constexpr scene::GridSize usual_grid_size(algorithms::skala::Subject picture) {
+  return picture == algorithms::skala::Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
 }
 
 // --function, --domain, --x-range, --y-range, --xyz, --slices and --points. `slices` and `points` are what help says is usual.
@@ -32,10 +32,10 @@ struct SkalaSlices {
   std::string along;  // "x" or "z"; empty: the less end-on
 };
 void add_slices_options(const Command& command, SkalaSlices& slices);
-[[nodiscard]] programs::skala::Family family_of(const SkalaSlices& slices);
+[[nodiscard]] algorithms::skala::Family family_of(const SkalaSlices& slices);
 
 // "lines", "surface" or "contours"
-[[nodiscard]] std::string_view picture_name(programs::skala::PictureKind picture);
+[[nodiscard]] std::string_view picture_name(algorithms::skala::Subject picture);
 
 // --picture: "lines", "surface" or "contours"; empty: not given, lines.
 void add_picture_option(const Command& command, std::string& picture, const std::string& help);

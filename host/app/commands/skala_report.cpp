@@ -19,12 +19,12 @@ std::string_view link_name(programs::skala::Link link) {
 }
 
 // The paper gives both figures for its pictures on a raster display, lines, surfaces and contours alike, and no number of slices.
-bool in_the_paper(const SkalaRequest& order) {
-  return is_raster(order.view.device) && order.view.visibility;
+bool in_the_paper(const programs::skala::Order& order) {
+  return is_raster(order.device) && order.view.visibility;
 }
 
-std::string plotter_lines(const SkalaRequest& order, const SkalaOutcome& outcome) {
-  if (is_raster(order.view.device)) return {};
+std::string plotter_lines(const programs::skala::Order& order, const programs::skala::Outcome& outcome) {
+  if (is_raster(order.device)) return {};
   const programs::skala::PlotterWork& work = outcome.plotter;
   return fmt::format(
       "pen lifts        {}\nplotter          {:.1f} s: {} steps with the pen down, {} with the pen up\n",
@@ -37,7 +37,7 @@ bool is_the_look_for_a_board(const programs::skala::Unanswered& port) {
   return port.port == ef9365_status && port.reads == 1 && port.writes == 0;
 }
 
-std::string port_lines(const SkalaOutcome& outcome) {
+std::string port_lines(const programs::skala::Outcome& outcome) {
   std::string text;
   for (const programs::skala::Unanswered& port : outcome.picture.unanswered)
     if (!is_the_look_for_a_board(port))
@@ -46,8 +46,8 @@ std::string port_lines(const SkalaOutcome& outcome) {
   return text;
 }
 
-Json machine_of(const SkalaRequest& order, const SkalaOutcome& outcome) {
-  Json machine{{"device", std::string(name_of(order.view.device))},
+Json machine_of(const programs::skala::Order& order, const programs::skala::Outcome& outcome) {
+  Json machine{{"device", std::string(name_of(order.device))},
                {"link", std::string(link_name(order.link))},
                {"clock_hz", order.clock.hertz}};
   machine["unanswered_ports"] = Json::array();
@@ -59,15 +59,16 @@ Json machine_of(const SkalaRequest& order, const SkalaOutcome& outcome) {
 
 }  // namespace
 
-std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome,
+std::string skala_summary(const SkalaRequest& request, const programs::skala::Outcome& outcome,
                           const std::vector<std::string>& pictures) {
-  const programs::skala::GuestPicture& picture = outcome.picture;
+  const programs::skala::Order& order = request.order;
+  const programs::skala::MachinePicture& picture = outcome.picture;
   std::string text = fmt::format(
       "{}, {}{}: {} slices of {} points, rotated {:g}, elevation {:g}\n"
       "machine          8080 at {}, {}, {} link\n",
-      order.name, name_of(order.view.picture), order.view.visibility ? "" : " without the visibility test",
+      request.name, name_of(order.view.subject), order.view.visibility ? "" : " without the visibility test",
       order.grid.slices(), order.grid.points(), order.view.rotation, order.view.elevation,
-      megahertz(order.clock), name_of(order.view.device), link_name(order.link));
+      megahertz(order.clock), name_of(order.device), link_name(order.link));
   const auto seconds_of = [&](core::TStates time) { return core::in_seconds(time, order.clock); };
   text += fmt::format("drawing          {} T-states, {:.3f} s at {}{}\n", picture.drawing.count(),
                       seconds_of(picture.drawing), megahertz(order.clock),
@@ -75,8 +76,8 @@ std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome
   text += fmt::format("with receipt     {} T-states, {:.3f} s: {} bytes of commands in {} block{}\n",
                       picture.total.count(), seconds_of(picture.total), outcome.bytes, picture.blocks,
                       picture.blocks == 1 ? "" : "s");
-  if (outcome.visibility_cost) {
-    text += fmt::format("visibility       {:+.1f} per cent of the time without{}\n", *outcome.visibility_cost,
+  if (const auto cost = outcome.visibility_cost()) {
+    text += fmt::format("visibility       {:+.1f} per cent of the time without{}\n", *cost,
                         in_the_paper(order) ? " (the paper: about 15)" : "");
   }
   text +=
@@ -88,12 +89,13 @@ std::string skala_summary(const SkalaRequest& order, const SkalaOutcome& outcome
   return text;
 }
 
-std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcome,
+std::string skala_document(const SkalaRequest& request, const programs::skala::Outcome& outcome,
                            const std::vector<std::string>& pictures) {
-  const programs::skala::GuestPicture& picture = outcome.picture;
+  const programs::skala::Order& order = request.order;
+  const programs::skala::MachinePicture& picture = outcome.picture;
   Json document{{"schema", "sightline/skala/1"},
-                {"function", order.name},
-                {"picture", std::string(name_of(order.view.picture))},
+                {"function", request.name},
+                {"picture", std::string(name_of(order.view.subject))},
                 {"slices", order.grid.slices()},
                 {"points", order.grid.points()},
                 {"rotation", order.view.rotation},
@@ -111,8 +113,8 @@ std::string skala_document(const SkalaRequest& order, const SkalaOutcome& outcom
                 {"points_walked", outcome.points_walked},
                 {"points_lit", outcome.points_lit},
                 {"dots_not_shown", picture.dots_not_shown}};
-  document["visibility_cost_per_cent"] = outcome.visibility_cost;
-  if (!is_raster(order.view.device)) {
+  document["visibility_cost_per_cent"] = outcome.visibility_cost();
+  if (!is_raster(order.device)) {
     document["plotter"] = {{"seconds", core::in_seconds(outcome.plotter.time)},
                            {"pen_lifts", outcome.plotter.pen_lifts},
                            {"steps_pen_down", outcome.plotter.steps_pen_down},

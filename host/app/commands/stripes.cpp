@@ -9,13 +9,13 @@
 
 #include "host/app/camera_options.hpp"
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/jones_session.hpp"
-#include "host/app/commands/stripes_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
+#include "host/programs/stripes/program.hpp"
+#include "host/programs/stripes/stripes.hpp"
 
 namespace sightline::app {
 
@@ -35,6 +35,7 @@ struct StripesArguments {
   std::string palette = "grey";
   int scale = 3;
   std::string directory = "out";
+  bool check = false;
   bool json = false;
 };
 
@@ -48,7 +49,7 @@ stripes::StreamOptions options_of(const StripesArguments& arguments) {
 }
 
 std::vector<std::string> write_pictures(const StripesArguments& arguments, const std::string& name,
-                                        const stripes::GuestPicture& guest) {
+                                        const stripes::MachinePicture& picture) {
   make_directory(arguments.directory);
   const bool vector = arguments.device == "calcomp";
   const std::string base =
@@ -59,11 +60,11 @@ std::vector<std::string> write_pictures(const StripesArguments& arguments, const
   Output png(paths[0]);
   if (!vector) {
     const auto palette = arguments.palette == "grey" ? picture::RasterPalette::grey : picture::RasterPalette::colour;
-    write_png(png, picture::raster_image(guest.raster, palette, arguments.scale), text);
+    write_png(png, picture::raster_image(picture.raster, palette, arguments.scale), text);
     png.commit();
     return paths;
   }
-  const auto pen = stripes::pen_paths(guest.commands);
+  const auto pen = stripes::pen_paths(picture.commands);
   paths.push_back(base + ".svg");
   paths.push_back(base + ".hpgl");
   Output svg(paths[1]);
@@ -77,35 +78,14 @@ std::vector<std::string> write_pictures(const StripesArguments& arguments, const
   return paths;
 }
 
-// The plotter's commands by kind.
-struct PenWork {
-  std::uint64_t steps_down = 0;
-  std::uint64_t steps_up = 0;
-  std::uint64_t lifts = 0;
-};
-PenWork pen_work(const std::vector<std::uint8_t>& commands) {
-  constexpr std::uint8_t pen_up = 8;
-  PenWork work;
-  bool down = false;
-  for (const std::uint8_t command : commands) {
-    if (command < pen_up) {
-      ++(down ? work.steps_down : work.steps_up);
-      continue;
-    }
-    work.lifts += command == pen_up ? 1 : 0;
-    down = command > pen_up;
-  }
-  return work;
-}
-
-std::string summary_of(const StripesArguments& arguments, const stripes::Session& session, const stripes::DrawnScene& drawn) {
-  const stripes::GuestPicture& guest = drawn.picture.guest;
-  const stripes::TwinCounts& counts = drawn.picture.twin.counts;
+std::string summary_of(const StripesArguments& arguments, const stripes::Outcome& drawn) {
+  const stripes::MachinePicture& picture = drawn.picture;
+  const stripes::Counts& counts = picture.counts;
   const bool vector = arguments.device == "calcomp";
   std::string text = fmt::format("{} in stripes on the 8080 at 3 MHz, {}\n", arguments.scene, vector ? "CalComp 565" : "EF9365 board");
   const auto row = [&text](std::string_view name, const std::string& value) { text += fmt::format("{:<17}{}\n", name, value); };
   row("faces", fmt::format("{} turned to the eye{}", drawn.scene.faces.size(), drawn.scene.clipped ? ", clipped to the picture" : ""));
-  row("bytes", fmt::format("program {} of {}; scene {}: polygons {}, stripes {}", session.program().memory.size(),
+  row("bytes", fmt::format("program {} of {}; scene {}: polygons {}, stripes {}", stripes::resident_program().memory.size(),
                            stripes::program_room, drawn.stream.bytes.size(), drawn.stream.polygon_bytes, drawn.stream.stripe_bytes));
   row("stripes", fmt::format("made by the {}; at most {} ends in a line of a face, {} of the silhouette", arguments.made_by,
                              counts.face_most, counts.silhouette_most));
@@ -113,16 +93,16 @@ std::string summary_of(const StripesArguments& arguments, const stripes::Session
     std::string tests;
     for (std::size_t k = 1; k < counts.decided_by.size(); ++k) tests += fmt::format("{}{}", k > 1 ? ", " : "", counts.decided_by[k]);
     row("priority", fmt::format("by the 8080: {} relations; pairs decided by tests 1 to 6: {}", counts.relations, tests));
-    row("cycles", fmt::format("{} relations without overlap deleted, {} cuts", counts.deleted, drawn.picture.twin.cuts.size()));
+    row("cycles", fmt::format("{} relations without overlap deleted, {} cuts", counts.deleted, counts.cuts));
   } else {
     row("priority", fmt::format("by the host, {} cuts", drawn.scene.cuts));
   }
-  row("receiving", fmt::format("{:.2f} s", core::in_seconds(guest.receiving)));
-  row("priority list", fmt::format("{:.2f} s, with the check of the records", core::in_seconds(guest.ranking)));
-  row("drawing", fmt::format("{:.2f} s{}", core::in_seconds(guest.drawing),
-                             vector ? fmt::format(", of which the plotter moves for {:.2f} s", core::in_seconds(guest.device)) : ""));
+  row("receiving", fmt::format("{:.2f} s", core::in_seconds(picture.receiving)));
+  row("priority list", fmt::format("{:.2f} s, with the check of the records", core::in_seconds(picture.ranking)));
+  row("drawing", fmt::format("{:.2f} s{}", core::in_seconds(picture.drawing),
+                             vector ? fmt::format(", of which the plotter moves for {:.2f} s", core::in_seconds(picture.device)) : ""));
   if (vector) {
-    const PenWork work = pen_work(guest.commands);
+    const stripes::PenWork work = stripes::pen_work(picture.commands);
     row("pen", fmt::format("{} steps down, {} up, {} lifts", work.steps_down, work.steps_up, work.lifts));
   } else {
     row("dots", std::to_string(counts.dots));
@@ -130,27 +110,26 @@ std::string summary_of(const StripesArguments& arguments, const stripes::Session
   return text;
 }
 
-Json document_of(const StripesArguments& arguments, const stripes::Session& session, const stripes::DrawnScene& drawn,
-                 const std::vector<std::string>& pictures) {
-  const stripes::GuestPicture& guest = drawn.picture.guest;
-  const stripes::TwinCounts& counts = drawn.picture.twin.counts;
+Json document_of(const StripesArguments& arguments, const stripes::Outcome& drawn, const std::vector<std::string>& pictures) {
+  const stripes::MachinePicture& picture = drawn.picture;
+  const stripes::Counts& counts = picture.counts;
   Json document{{"schema", "sightline/stripes/1"},
                 {"scene", arguments.scene},
                 {"device", arguments.device},
                 {"stripes_by", arguments.made_by},
                 {"priority_by", arguments.priority},
                 {"faces", drawn.scene.faces.size()},
-                {"program_bytes", session.program().memory.size()},
+                {"program_bytes", stripes::resident_program().memory.size()},
                 {"scene_bytes", drawn.stream.bytes.size()},
                 {"polygon_bytes", drawn.stream.polygon_bytes},
                 {"stripe_bytes", drawn.stream.stripe_bytes},
-                {"receiving_seconds", core::in_seconds(guest.receiving)},
-                {"priority_seconds", core::in_seconds(guest.ranking)},
-                {"drawing_seconds", core::in_seconds(guest.drawing)},
-                {"plotter_seconds", core::in_seconds(guest.device)},
+                {"receiving_seconds", core::in_seconds(picture.receiving)},
+                {"priority_seconds", core::in_seconds(picture.ranking)},
+                {"drawing_seconds", core::in_seconds(picture.drawing)},
+                {"plotter_seconds", core::in_seconds(picture.device)},
                 {"relations", counts.relations},
                 {"relations_deleted", counts.deleted},
-                {"cuts", arguments.priority == "8080" ? drawn.picture.twin.cuts.size() : drawn.scene.cuts},
+                {"cuts", arguments.priority == "8080" ? counts.cuts : drawn.scene.cuts},
                 {"silhouette_ends_most", counts.silhouette_most},
                 {"dots", counts.dots},
                 {"links", counts.links},
@@ -165,15 +144,15 @@ ExitCode run_stripes(const StripesArguments& arguments) {
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
-  const stripes::Session session;
-  const stripes::DrawnScene drawn = draw_stripes(session, source.scene, arguments.scene,
-                                                 stripes_view(source.scene, camera, image_field(arguments.field, source.scene, camera)), options_of(arguments));
+  const stripes::View view = stripes::view_of(source.scene, camera, image_field(arguments.field, source.scene, camera));
+  const stripes::Outcome drawn = value_of(
+      stripes::run({.scene = source.scene, .view = view, .options = options_of(arguments), .check = arguments.check}), arguments.scene);
   const auto pictures =
-      write_pictures(arguments, std::filesystem::path(arguments.scene).stem().string(), drawn.picture.guest);
+      write_pictures(arguments, std::filesystem::path(arguments.scene).stem().string(), drawn.picture);
   if (arguments.json) {
-    print_json(document_of(arguments, session, drawn, pictures));
+    print_json(document_of(arguments, drawn, pictures));
   } else {
-    write_stdout(summary_of(arguments, session, drawn));
+    write_stdout(summary_of(arguments, drawn));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
   }
   return ExitCode::ok;
@@ -200,6 +179,7 @@ void add_stripes_command(const Command& program) {
       .default_value()
       .one_of({"8080", "host"})
       .value("NAME");
+  command.flag("--check", arguments->check, "Compare the picture with that of the same program in C++");
   command.option("--palette", arguments->palette, "Colours of the PNG").default_value().one_of({"grey", "colour"}).value("NAME");
   command.option("--scale", arguments->scale, "Pixels per dot in the PNG").default_value().range(1, 32);
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");

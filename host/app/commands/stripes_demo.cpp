@@ -14,7 +14,6 @@ namespace sightline::app {
 namespace stripes = programs::stripes;
 
 std::vector<StripesDemoRow> run_stripes_demo(const std::string& directory) {
-  const stripes::Session session;
   std::vector<StripesDemoRow> rows;
   make_directory(directory);
   for (const auto& [name, plotter] : {std::pair("roberts", false), std::pair("house", false), std::pair("boxes-20", false),
@@ -22,11 +21,13 @@ std::vector<StripesDemoRow> run_stripes_demo(const std::string& directory) {
     const scene::PolyScene scene = load_scene(name).scene;
     stripes::StreamOptions options;
     options.output = plotter ? stripes::Output::vector : stripes::Output::raster;
-    rows.push_back({name, plotter, draw_stripes(session, scene, name, stripes_view(scene, scene.camera), options)});
+    rows.push_back({name, plotter,
+                    value_of(stripes::run({.scene = scene, .view = stripes::view_of(scene, scene.camera), .options = options, .check = true}),
+                             name)});
     if (plotter) continue;
     constexpr int scale = 3;
     Output png((std::filesystem::path(directory) / (std::string(name) + "-stripes.png")).string());
-    write_png(png, picture::raster_image(rows.back().drawn.picture.guest.raster, picture::RasterPalette::grey, scale),
+    write_png(png, picture::raster_image(rows.back().drawn.picture.raster, picture::RasterPalette::grey, scale),
               {{"Title", fmt::format("{}, Montani and Re 1985 on the 8080, EF9365 board", name)}, {"Software", "sightline"}});
     png.commit();
   }
@@ -37,7 +38,7 @@ std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows) {
   std::string text = fmt::format("{:<11}{:>9}{:>7}{:>13}{:>15}{:>12}{:>10}\n", "scene", "device", "faces", "bytes sent",
                                  "priority list", "drawing", "seconds");
   for (const StripesDemoRow& row : rows) {
-    const stripes::GuestPicture& guest = row.drawn.picture.guest;
+    const stripes::MachinePicture& guest = row.drawn.picture;
     text += fmt::format("{:<11}{:>9}{:>7}{:>13}{:>15.2f}{:>12.2f}{:>10.2f}\n", row.scene, row.plotter ? "plotter" : "raster",
                         row.drawn.scene.faces.size(), row.drawn.stream.bytes.size(), core::in_seconds(guest.ranking),
                         core::in_seconds(guest.drawing), core::in_seconds(guest.receiving + guest.working()));
@@ -49,7 +50,7 @@ std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows) {
 void add_stripes_demo(base::Json& document, const std::vector<StripesDemoRow>& rows) {
   document["stripes"] = base::Json::array();
   for (const StripesDemoRow& row : rows) {
-    const stripes::GuestPicture& guest = row.drawn.picture.guest;
+    const stripes::MachinePicture& guest = row.drawn.picture;
     document["stripes"].push_back({{"scene", row.scene},
                                    {"device", row.plotter ? "calcomp" : "raster"},
                                    {"faces", row.drawn.scene.faces.size()},

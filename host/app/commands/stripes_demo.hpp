@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "host/app/commands/stripes_session.hpp"
 #include "host/base/json.hpp"
+#include "host/programs/stripes/stripes.hpp"
 
 namespace sightline::app {
 
 struct StripesDemoRow {
   std::string scene;
   bool plotter = false;
-  programs::stripes::DrawnScene drawn;
+  programs::stripes::Outcome drawn;
 };
 
-// Writes SCENE-stripes.png into `directory`. Error as draw_stripes, or io.
+// Writes SCENE-stripes.png into `directory`. Error as programs::stripes::run, or io.
 [[nodiscard]] std::vector<StripesDemoRow> run_stripes_demo(const std::string& directory);
 [[nodiscard]] std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows);
 // Adds "stripes".

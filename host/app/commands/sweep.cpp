@@ -123,7 +123,7 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const SkalaFunction& fu
   for (const auto& [given, option] : {std::pair{arguments.guest, "--guest"}, std::pair{arguments.faces, "--faces"},
                                       std::pair{arguments.random.turn, "--turn"}, std::pair{arguments.random.level, "--level"}})
     if (given) throw base::usage_error(fmt::format("{}: found {}, expected a scene", option, arguments.scene));
-  programs::skala::View view;
+  algorithms::skala::View view;
   view.family = family_of({});
   if (const auto reason = compare::why_not_comparable(function.grid, view))
     throw base::bad_input(fmt::format("{}: {}", arguments.scene, *reason));
@@ -311,7 +311,7 @@ ExitCode run_sweep(const SweepArguments& arguments) {
   if (is_height_function(arguments.scene)) {
     SkalaSource source;
     source.name_or_file = arguments.scene;
-    return run_sweep(arguments, sweep_of(arguments, load_skala_function(source, usual_grid_size(programs::skala::PictureKind::lines))));
+    return run_sweep(arguments, sweep_of(arguments, load_skala_function(source, usual_grid_size(algorithms::skala::Subject::lines))));
   }
   const scene::LoadedScene source = load_scene(arguments.scene, arguments.mesh);
   return run_sweep(arguments, sweep_of(arguments, source));

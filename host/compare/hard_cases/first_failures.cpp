@@ -300,7 +300,7 @@ double near_height(double x) {
 }
 
 // The first column where something is seen above the nearer line and below the ceiling.
-double first_above(const registry::HeightPicture& picture) {
+double first_above(const HeightPicture& picture) {
   if (!picture.drawing) {
     for (int x = 0; x <= static_cast<int>(last_column); ++x) {
       const int row = static_cast<int>(std::floor(near_height(x) + 0.5));
@@ -320,9 +320,9 @@ double first_above(const registry::HeightPicture& picture) {
 }
 
 Trial place_crossing(CaseRun& run, const FamilyBuild& build, double d, double limit) {
-  registry::HeightView view = run.hard().options.view;
+  algorithms::skala::View view = run.hard().options.view;
   view.columns = build.options.view.columns;
-  const auto picture = registry::find_height_method(build.method)->draw(*run.input().heights, view);
+  const auto picture = find_height_method(build.method)->draw(*run.input().heights, view);
   Trial trial;
   trial.measure = std::abs(first_above(picture) - d);
   if (*trial.measure > limit) trial.fault = fmt::format("off by {:.2f} columns", *trial.measure);
@@ -519,7 +519,7 @@ bool knows(Attempt attempt, std::string_view method) {
 
 std::string name_of(const FamilyBuild& build) {
   const MethodOptions& options = build.options;
-  if (options.precision) return fmt::format("{}, {}", build.method, programs::jones::name(*options.precision));
+  if (options.precision) return fmt::format("{}, {}", build.method, jones_precision::name(*options.precision));
   if (build.method == "stripes")
     return fmt::format("stripes of {} pixel{}", options.stripes.front(),
                        options.stripes.front() > 1 ? "s" : "");

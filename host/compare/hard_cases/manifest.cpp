@@ -133,7 +133,7 @@ class Members {
         .may("dots", expect.dots)
         .may("lit", expect.lit);
   }
-  void read(const Json& json, const std::string& place, registry::HeightView& view) {
+  void read(const Json& json, const std::string& place, algorithms::skala::View& view) {
     static constexpr std::array families{"x", "z", "both", "auto"};
     static constexpr std::array subjects{"lines", "surface", "contours"};
     std::pair family{&view.family, &families};
@@ -185,7 +185,7 @@ class Members {
         .may("float", single_float)
         .may("double", double_float);
     if (stripe) options.stripes = {*stripe};
-    using programs::jones::NumberKind;
+    using jones_precision::NumberKind;
     if (bits) options.precision = {NumberKind::fixed_point, *bits, fraction, truncate};
     if (single_float) options.precision = {NumberKind::single_float, 0, 0, false};
     if (double_float) options.precision = {NumberKind::double_float, 0, 0, false};

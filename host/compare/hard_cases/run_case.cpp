@@ -53,8 +53,8 @@ void choose_pictures(CaseOutcome& outcome, std::vector<Drawn>& drawn) {
 std::string command_of_grid(const std::string& command, const HardCase& hard) {
   const auto input = load_input(hard);
   if (!input) return command;
-  const auto& why_not = registry::find_height_method("oracle")->why_not;
-  registry::HeightView view = hard.options.view;
+  const auto& why_not = find_height_method("oracle")->why_not;
+  algorithms::skala::View view = hard.options.view;
   view.zoom = 1;
   if (why_not(*input->heights, view)) return why_not(*input->heights, {}) ? "" : command;
   constexpr std::array families{" --along x", " --along z", " --both", ""};
@@ -91,7 +91,7 @@ CaseOutcome run_case(const HardCase& hard, int image_side) {
 }
 
 std::string options_of(const HardCase& hard) {
-  const registry::HeightView& view = hard.options.view;
+  const algorithms::skala::View& view = hard.options.view;
   std::vector<std::string> options;
   if (is_grid(hard)) {
     constexpr std::array families{"x", "z", "both", "auto"};

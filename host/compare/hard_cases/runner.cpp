@@ -18,9 +18,10 @@
 #include "host/compare/lines.hpp"
 #include "host/geometry/box.hpp"
 #include "host/geometry/interval_set.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/programs/skala/projection.hpp"
-#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/skala.hpp"
+#include "host/programs/skala/twin/twin.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 #include "host/compare/hard_cases/case_images.hpp"
@@ -150,8 +151,8 @@ std::vector<oracle::RasterDot> dots_between(const std::vector<skala::Vertex>& ve
 }
 
 std::vector<oracle::RasterDot> dots_that_must_be_lit(const LitDots& lit, const scene::HeightGrid& grid,
-                                                     const registry::HeightView& view) {
-  const skala::Projection projection(grid, registry::program_view(view));
+                                                     const algorithms::skala::View& view) {
+  const skala::Projection projection(grid, view);
   std::vector<oracle::RasterDot> dots;
   const auto add = [&](const std::optional<std::array<std::size_t, 2>>& range, std::size_t across, auto at) {
     for (std::size_t line = range ? (*range)[0] : 1; line <= (range ? (*range)[1] : 0); ++line) {
@@ -174,7 +175,7 @@ std::vector<oracle::RasterDot> dots_that_must_be_lit(const LitDots& lit, const s
 }
 
 // reach: of vectors, which may be a dot away from where a raster rounds them to.
-void check_dots(const Expectation& expect, const scene::HeightGrid& grid, const registry::HeightView& view,
+void check_dots(const Expectation& expect, const scene::HeightGrid& grid, const algorithms::skala::View& view,
                 const PixelGrid& dots, int reach, Complaints& complaints) {
   const auto lit_dots = std::count(dots.values.begin(), dots.values.end(), 1U);
   if (expect.dots && reach == 0 && static_cast<std::size_t>(lit_dots) != *expect.dots)
@@ -242,11 +243,11 @@ struct ProgramCount {
 };
 
 Finding run_in_arithmetic(const Expectation& expect, const scene::CellScene& scene,
-                          const jones::Precision& precision) {
-  const auto made = jones::scene_in_core(scene, scene.default_view);
+                          const jones_precision::Precision& precision) {
+  const auto made = jones_precision::scene_in_core(scene, scene.default_view);
   if (!made) return {false, made.error().message()};
   const auto& core = made->core;
-  const auto view = jones::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
+  const auto view = jones_precision::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
   Complaints complaints;
   if (view.status != jones::Status::complete)
     complaints.add(std::string(jones::name(view.status)));
@@ -309,7 +310,7 @@ SegmentSeen seen_of(const SceneSegment& segment, const LinePicture& picture, con
 
 bool is_method(std::string_view name) {
   return name == "willis" || name == "stripes" || registry::find_line_algorithm(name) != nullptr ||
-         registry::find_height_method(name) != nullptr;
+         find_height_method(name) != nullptr;
 }
 
 std::vector<PolyCamera> CaseRun::cameras() const {
@@ -494,31 +495,27 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
   const scene::CellScene& scene = *input_->cells;
   const Expectation& expect = hard_.expect;
   if (options.precision) return run_in_arithmetic(expect, scene, *options.precision);
-  const auto session = jones::Session::of(scene, {});
-  if (!session) return {expect.program_refuses, (pictures_ ? "refuses: " : "") + session.error().message()};
+  jones::Order order;
+  order.scale = options.scale;
+  order.views = 1;
+  order.display = false;
+  const auto prepared = jones::Prepared::of(scene);
+  const auto twin = prepared ? prepared->twin(order) : base::Result<jones::TwinView>(prepared.error());
+  if (!twin) return {expect.program_refuses, (pictures_ ? "refuses: " : "") + twin.error().message()};
   if (expect.program_refuses) return {false, "accepted"};
-  const jones::Program& program = session->program();
+  const jones::Program& program = prepared->program();
 
-  jones::GuestOptions of_program;
-  of_program.scale = options.scale;
-  of_program.views = 1;
-  of_program.display = false;
-  jones::View twin;
-  jones::Status status{};
-  std::vector<ProgramCount> counts;
+  std::vector<ProgramCount> counts{{"cells", twin->counts.distinct_cells}, {"visits", twin->counts.visits}};
   Complaints complaints;
   if (method == "guest") {
-    jones::CheckedRun run = session->run(of_program);
-    if (!run.difference.empty()) return {false, "differs: not its twin's view: " + run.difference};
-    const jones::GuestView& guest = run.guest.views.front();
-    status = guest.status;
-    counts = {{"cells", guest.distinct_cells}, {"visits", guest.visits}};
-    twin = std::move(run.twin);
-  } else {
-    twin = session->twin(program.core, of_program);
-    status = twin.status;
-    counts = {{"cells", twin.counts.distinct_cells}, {"visits", twin.counts.visits}};
+    const auto outcome = prepared->run(order);
+    if (!outcome) return {false, outcome.error().message()};
+    const jones::View& view = outcome->view();
+    if (const std::string difference = jones::difference_of(view, *twin); !difference.empty())
+      return {false, "differs: not its twin's view: " + difference};
+    counts = {{"cells", view.distinct_cells}, {"visits", view.visits}};
   }
+  const jones::Status status = twin->status;
   if (status != jones::Status::complete)
     complaints.add(fmt::format("stops with \"{}\"", jones::name(status)));
   if (pictures_) {
@@ -530,7 +527,7 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
     const compare::ImageLines reference(matter->visible(camera.eye, type340_window(options.scale)), matter->scene(), camera,
                                         type340_frame(options.scale), &chosen);
     const auto vectors = compare::lines_of_vectors(program.scene, *matter, reference);
-    const auto pieces = method == "guest" ? compare::display_pieces(twin, vectors) : compare::twin_pieces(twin, vectors);
+    const auto pieces = method == "guest" ? compare::display_pieces(*twin, vectors) : compare::twin_pieces(*twin, vectors);
         keep(image_, [&] { return screen_image(pieces, image_side_); });
     keep(truth_, [&] {
       std::vector<picture::DrawnPiece> seen;
@@ -550,21 +547,21 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
 }
 
 Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options) {
-  const registry::HeightMethod* const method = registry::find_height_method(name);
+  const HeightMethod* const method = find_height_method(name);
   if (method == nullptr) return {false, fmt::format("there is no method {}", name)};
   const scene::HeightGrid& grid = *input_->heights;
-  const registry::HeightView& view = options.view;
+  const algorithms::skala::View& view = options.view;
   if (const auto reason = method->why_not(grid, view)) return not_applicable(*reason);
-  const registry::HeightPicture picture = method->draw(grid, view);
+  const HeightPicture picture = method->draw(grid, view);
   Complaints complaints;
   if (!picture.fault.empty()) complaints.add(picture.fault);
   keep(image_, [&] { return dots_image(picture.dots); });
   const bool vectors = picture.drawing.has_value();
   check_dots(hard_.expect, grid, view, picture.dots, vectors ? 1 : 0, complaints);
-  const registry::HeightMethod& truth = *registry::find_height_method("oracle");
+  const HeightMethod& truth = *find_height_method("oracle");
   if (method == &truth || truth.why_not(grid, view)) return complaints.finding();
   if (vectors) {
-    compare_vectors(registry::oracle_dots(grid, view, false), picture.dots, std::fmod(view.rotation, 90) == 0,
+    compare_vectors(oracle_dots(grid, view, false), picture.dots, std::fmod(view.rotation, 90) == 0,
                     complaints);
   } else {
     compare_dots(truth.draw(grid, view).dots, picture.dots, complaints);
@@ -575,7 +572,6 @@ Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options
 Finding CaseRun::run_commands(std::string_view method) {
   if (method == "native") return not_applicable("draws grids, and lines instead of dots");
   Complaints complaints;
-  const skala::Session session;
   for (const CommandScreen& screen : input_->screens) {
     if (method == "oracle") {
       keep(image_, [&] { return dots_image(screen.truth); });
@@ -586,11 +582,12 @@ Finding CaseRun::run_commands(std::string_view method) {
     }
     PixelGrid dots;
     if (method == "guest") {
-      const skala::CheckedPicture run = session.run(screen.stream);
-      if (!run.guest.ended || run.guest.status != skala::Status::complete)
-        complaints.add(fmt::format("stops: {}", skala::text_of(run.guest.status)));
-      if (!run.difference.empty()) complaints.add("not its twin's picture: " + run.difference);
-      dots = points_of(run.guest.raster);
+      const auto run = skala::run(screen.stream, skala::Device::ef9365, true);
+      if (!run) {
+        complaints.add(run.error().message());
+        continue;
+      }
+      dots = points_of(run->picture.raster);
     } else {
       dots = points_of(skala::run_twin(screen.stream).raster(skala::Device::ef9365));
     }

@@ -5,9 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/programs/flight/packing.hpp"
-#include "host/programs/flight/path.hpp"
-#include "host/programs/flight/session.hpp"
+#include "host/programs/flight/flight.hpp"
 #include "host/live/web/requests.hpp"
 #include "host/picture/face_shades.hpp"
 
@@ -16,14 +14,11 @@ namespace sightline::live::web {
 namespace flight = programs::flight;
 
 struct Flying::Journey {
-  Journey(const flight::Program& program, algorithms::willis::Model&& a_model, std::vector<scene::PolyCamera>&& a_path, flight::Precision precision)
-      : model(std::move(a_model)), path(std::move(a_path)), packed(flight::pack(model, path, precision)), end(flight::latest_end(packed.stream)),
-        run(program, model, path, packed, {.count_points = true, .shown = true}) {}
+  Journey(flight::Plan&& planned, flight::Precision precision)
+      : plan(std::move(planned)),
+        run({.model = plan.model, .path = plan.path, .precision = precision, .count_points = true, .shown = true, .check = true}) {}
 
-  algorithms::willis::Model model;
-  std::vector<scene::PolyCamera> path;
-  flight::Packed packed;
-  core::TStateInstant end;  // whatever the program does
+  flight::Plan plan;
   flight::FlightInProgress run;
 };
 
@@ -34,45 +29,38 @@ Json Flying::make(const Workbench& workbench, const Json& request) {
   journey_.reset();
   const auto loaded = scene_named(workbench, text_of(request, "scene"));
   if (!loaded) return refusal(loaded.error().message());
-  const bool plan = flag_of(request, "plan");
   const auto frames = static_cast<std::uint32_t>(std::clamp(number_of(request, "frames", 100), 2.0, 2000.0));
   const auto pieces = static_cast<std::size_t>(std::clamp(number_of(request, "pieces", flight::most_pieces), 1.0, double{flight::most_pieces}));
-  const scene::SceneFrame frame = scene::frame_of(loaded->scene.camera);
-  auto path = flight::path_through(loaded->scene, frame, frames, plan);
-  if (!path) return refusal(path.error().message());
-  algorithms::willis::ModelOptions options;
-  options.plan = plan;
-  options.vertical = frame.vertical;
-  auto model = flight::flight_model(loaded->scene, options, path->front().eye, pieces);
-  if (!model) return refusal(model.error().message());
+  auto planned = flight::plan_flight(loaded->scene, flag_of(request, "plan"), frames, pieces);
+  if (!planned) return refusal(planned.error().message());
   const double bits = number_of(request, "bits", 8);
   const auto precision = bits > 12 ? flight::Precision::bits_16 : bits > 8 ? flight::Precision::bits_12 : flight::Precision::bits_8;
-  static const flight::Program program = flight::assemble_program();
-  journey_ = std::make_unique<Journey>(program, std::move(*model), std::move(*path), precision);
+  journey_ = std::make_unique<Journey>(std::move(*planned), precision);
 
   Json shades = Json::array();
   const auto number = [](const picture::Shade& shade) { return shade[0] << 16 | shade[1] << 8 | shade[2]; };
   shades.push_back(number(picture::sky));
   for (const picture::Shade& shade : picture::face_shades(loaded->scene)) shades.push_back(number(shade));
-  const Journey& made = *journey_;
+  const flight::Plan& made = journey_->plan;
+  const flight::Packed& packed = journey_->run.so_far().packed;
   return Json{{"pieces", made.model.pieces.size()},
               {"surfaces", made.model.surfaces},
               {"frames", made.path.size()},
-              {"stream", made.packed.stream.size()},
-              {"coordinate_step", made.packed.step_in_units},
-              {"distance_error", made.packed.error_in_units},
+              {"stream", packed.stream.size()},
+              {"coordinate_step", packed.step_in_units},
+              {"distance_error", packed.error_in_units},
               {"shades", std::move(shades)}};
 }
 
 // Counts of all frames so far, and of the last one.
 Json Flying::state() const {
   if (journey_ == nullptr) return refusal("nothing flies");
-  const flight::FlightRun& run = journey_->run.so_far();
-  const flight::FlightSummary& sum = run.summary;
-  Json state{{"ended", run.guest.ended},
-             {"status", flight::text_of(run.guest.status)},
-             {"difference", run.difference},
-             {"t_states", run.guest.total.count()},
+  const flight::Outcome& run = journey_->run.so_far();
+  const flight::Summary& sum = run.summary;
+  Json state{{"ended", run.flight.ended},
+             {"status", flight::text_of(run.flight.status)},
+             {"difference", journey_->run.difference()},
+             {"t_states", run.flight.total.count()},
              {"frames", run.frames.size()},
              {"frames_per_second_mean", sum.frames_per_second_mean},
              {"frames_per_second_worst", sum.frames_per_second_worst},
@@ -84,7 +72,7 @@ Json Flying::state() const {
              {"wrong_points", sum.wrong_points},
              {"frames_with_wrong_points", sum.frames_wrong}};
   if (!run.frames.empty()) {
-    const flight::FlightFrame& frame = run.frames.back();
+    const flight::Frame& frame = run.frames.back();
     state["frame"] = Json{{"shown_ms", frame.shown.time_since_epoch().count() / 1'000'000}, {"t_states", frame.computing.count()},
                           {"waiting", frame.waiting.count()},   {"moved", frame.moved},
                           {"exchanges", frame.exchanges},       {"facing", frame.facing},
@@ -101,9 +89,9 @@ Json Flying::answer(const Workbench& workbench, std::string_view what, const Jso
 
 bool Flying::run(std::int64_t t_states) {
   if (journey_ == nullptr) return false;
-  const auto until = std::min(core::at_t_state(t_states), journey_->end);
-  journey_->run.run(until);
-  return !journey_->run.ended() && journey_->run.now() < journey_->end;
+  flight::FlightInProgress& flight = journey_->run;
+  flight.run(std::min(core::at_t_state(t_states), flight.latest_end()));
+  return !flight.ended() && flight.now() < flight.latest_end();
 }
 
 std::int64_t Flying::t_states() const { return journey_ != nullptr ? journey_->run.now().time_since_epoch().count() : 0; }

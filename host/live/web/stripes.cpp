@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "host/algorithms/registry/faces.hpp"
 #include "host/programs/stripes/program.hpp"
 #include "host/programs/stripes/scene.hpp"
 #include "host/programs/stripes/status.hpp"
@@ -26,13 +25,11 @@ Json make_stripes(Workbench& workbench, const Json& request) {
   stripes::StreamOptions options;
   options.output = plotter ? stripes::Output::vector : stripes::Output::raster;
   if (flag_of(request, "priority_by_host")) options.priority = stripes::Computer::host;
-  const auto window = registry::face_window(loaded->scene, *camera, stripes::picture_size, stripes::picture_size, std::nullopt);
-  const auto scene = stripes::project_scene(loaded->scene, {*camera, window.scale, window.left, window.height - window.top},
-                                            options.priority == stripes::Computer::host);
+  const auto scene = stripes::project_scene(loaded->scene, stripes::view_of(loaded->scene, *camera), options.priority == stripes::Computer::host);
   if (!scene) return refusal(scene.error().message());
   const auto stream = stripes::encode(*scene, options);
   if (!stream) return refusal(stream.error().message());
-  static const stripes::Program program = stripes::assemble_program();
+  const stripes::Program& program = stripes::resident_program();
   workbench.put_file(".stripes.stream", stream->bytes);
   workbench.put_file(".stripes.bin", program.memory);
   Json made = workbench.answer(Json{{"do", "make"},

@@ -9,16 +9,15 @@
 #include <utility>
 
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/algorithms/registry/heights.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/explain/explain.hpp"
 #include "host/hidden_lines/hidden_lines.hpp"
 #include "host/programs/flight/program.hpp"
 #include "host/programs/jones/encode.hpp"
 #include "host/programs/jones/program.hpp"
-#include "host/programs/jones/twin/arithmetic.hpp"
-#include "host/programs/skala/guest.hpp"
+#include "host/programs/jones/specification.hpp"
 #include "host/programs/skala/program.hpp"
+#include "host/programs/skala/skala.hpp"
 #include "host/programs/skala/stream.hpp"
 #include "host/programs/stripes/program.hpp"
 #include "host/programs/turn/program.hpp"
@@ -112,35 +111,34 @@ base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& 
 skala::View view_of(const Json& request) {
   skala::View view;
   const std::string picture = text_of(request, "picture");
-  view.picture = picture == "surface" ? skala::PictureKind::surface : picture == "contours" ? skala::PictureKind::contours : skala::PictureKind::lines;
+  view.subject = picture == "surface" ? skala::Subject::surface : picture == "contours" ? skala::Subject::contours : skala::Subject::lines;
   const std::string along = text_of(request, "along");
   view.family = along == "x" ? skala::Family::along_x : along == "z" ? skala::Family::along_z : along == "both" ? skala::Family::both : skala::Family::automatic;
-  const std::string device = text_of(request, "device");
-  view.device = device == "alt256" ? skala::Device::alt256 : device == "calcomp" ? skala::Device::calcomp : device == "minigraf" ? skala::Device::minigraf : skala::Device::ef9365;
   view.rotation = number_of(request, "rotation", 30);
   view.elevation = std::clamp(number_of(request, "elevation", 30), -90.0, 90.0);
   view.zoom = std::clamp(number_of(request, "zoom", 1), 0.05, 20.0);
   view.levels = static_cast<int>(std::clamp(number_of(request, "levels", 8), 1.0, 255.0));
   view.visibility = flag_of(request, "visibility", true);
+  view.silhouette = view.subject == skala::Subject::contours;
   return view;
 }
 
-const skala::Program& skala_program() {
-  static const skala::Program program = skala::assemble_program();
-  return program;
+skala::Device device_of(const Json& request) {
+  const std::string device = text_of(request, "device");
+  return device == "alt256" ? skala::Device::alt256 : device == "calcomp" ? skala::Device::calcomp : device == "minigraf" ? skala::Device::minigraf : skala::Device::ef9365;
 }
 
 // Skala's program on an 8080 whose host computer sends the picture.
 Json make_skala(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
   if (!grid) return refusal(grid.error().message());
-  const skala::View view = view_of(request);
-  const skala::Program& program = skala_program();
-  workbench.put_file(".skala.stream", skala::stream_of(*grid, view));
+  const skala::Device device = device_of(request);
+  const skala::Program& program = skala::resident_program();
+  workbench.put_file(".skala.stream", skala::stream_of(*grid, view_of(request), {device}));
   workbench.put_file(".skala.bin", program.memory);
   Json options{{"--load", Json::array({".skala.bin"})}, {"--parallel", ".skala.stream"}, {"--start", fmt::format("{:04X}", program.labels.start)}};
-  if (skala::is_raster(view.device)) options["--board"] = view.device == skala::Device::ef9365 ? "ef9365" : "alt256";
-  else options["--plotter"] = view.device == skala::Device::calcomp ? "calcomp" : "minigraf";
+  if (skala::is_raster(device)) options["--board"] = device == skala::Device::ef9365 ? "ef9365" : "alt256";
+  else options["--plotter"] = device == skala::Device::calcomp ? "calcomp" : "minigraf";
   Json made = workbench.answer(Json{{"do", "make"}, {"machine", "i8080"}, {"options", std::move(options)}});
   made["stream"] = workbench.file(".skala.stream")->size();
   made["start"] = program.labels.start;
@@ -154,13 +152,10 @@ Json cost(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
   if (!grid) return refusal(grid.error().message());
   skala::View view = view_of(request);
-  skala::GuestOptions options;
-  options.device = view.device;
-  const auto states = [&](bool visibility) {
-    view.visibility = visibility;
-    return skala::run_guest(skala_program(), skala::stream_of(*grid, view), options).drawing.count();
-  };
-  return Json{{"with", states(true)}, {"without", states(false)}};
+  view.visibility = true;
+  const auto run = skala::run({.grid = *grid, .view = view, .device = device_of(request), .time_plain = true});
+  if (!run) return refusal(run.error().message());
+  return Json{{"with", run->picture.drawing.count()}, {"without", run->plain_drawing->count()}};
 }
 
 // --- Jones
@@ -175,16 +170,14 @@ base::Result<scene::CellScene> jones_scene(const Workbench& workbench, const std
 Json make_jones(Workbench& workbench, const Json& request) {
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return refusal(scene.error().message());
-  programs::jones::ProgramOptions options;
-  options.eae = flag_of(request, "eae", true);
-  if (const auto eye = point_of(request.find("eye"))) options.tape.view = *eye;
-  const auto program = programs::jones::assemble_program(*scene, options);
+  const bool eae = flag_of(request, "eae", true);
+  const auto program = programs::jones::assemble_program(*scene, {.eae = eae}, point_of(request.find("eye")));
   if (!program) return refusal(program.error().message());
   machines::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
   std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
   if (request.find("switches") != nullptr) switches |= static_cast<std::uint32_t>(number_of(request, "switches", 0)) & 0777777U;
-  Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), options.eae, Json::object(), program->symbols}, switches);
+  Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), eae, Json::object(), program->symbols}, switches);
   Desk* const desk = desk_of(workbench, made);
   if (desk == nullptr) return made;
   if (request.find("scale") != nullptr)

@@ -12,7 +12,6 @@
 #include "host/hidden_lines/hidden_lines.hpp"
 #include "host/programs/turn/program.hpp"
 #include "host/programs/turn/screen_view.hpp"
-#include "host/programs/turn/session.hpp"
 #include "host/programs/turn/tape.hpp"
 #include "host/live/web/requests.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "host/algorithms/willis/model.hpp"
 #include "host/base/result.hpp"
-#include "host/programs/flight/twin/twin.hpp"
+#include "host/programs/flight/status.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::programs::flight {

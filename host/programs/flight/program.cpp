@@ -8,10 +8,16 @@ Program assemble_program() {
   const machines::I8080Program assembled(embedded_sources(), "flight.asm", "the flight program");
   Program program;
   program.memory = assembled.memory();
-  for (const auto& symbol : assembled.assembly().symbols) program.symbols.emplace(symbol.name, symbol.value);
   program.start = assembled.at("START");
   program.status = assembled.at("STATUS");
+  program.count = assembled.at("COUNT");
+  program.list_end = static_cast<i8080::Address>(assembled.at("LIST") + 0x100U);
   if (assembled.at("CODEND") > assembled.at("SQL")) base::give_up("the flight program reaches into its tables");
+  return program;
+}
+
+const Program& resident_program() {
+  static const Program program = assemble_program();
   return program;
 }
 

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <span>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,10 +18,13 @@ struct Program {
   std::vector<std::uint8_t> memory;  // from 0000 on
   i8080::Address start = 0;
   i8080::Address status = 0;  // STATUS: why the program stopped
-  std::map<std::string, i8080::Address, std::less<>> symbols;
+  i8080::Address count = 0;   // COUNT: pieces
+  i8080::Address list_end = 0;  // behind LIST: the pieces' numbers by distance, the nearest first
 };
 
 // The embedded program; it is part of this build, and gives up with the assembler's messages if it has an error.
 [[nodiscard]] Program assemble_program();
+// The same, assembled at the first call.
+[[nodiscard]] const Program& resident_program();
 
 }  // namespace sightline::programs::flight

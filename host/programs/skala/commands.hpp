@@ -72,6 +72,12 @@ inline constexpr std::uint8_t no_visibility = 0x80;  // added to the argument of
   return device == Device::ef9365 || device == Device::alt256;
 }
 
+// What a stream is drawn on.
+struct Output {
+  Device device = Device::ef9365;
+  bool serpentine = true;  // plotters: chains are drawn from the end nearer to the pen
+};
+
 enum class Status : std::uint8_t {
   running,
   complete,

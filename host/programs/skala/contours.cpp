@@ -40,11 +40,11 @@ Vertex crossing_of_edge(const scene::HeightGrid& grid, const Projection& project
 
 class Contours {
  public:
-  Contours(const scene::HeightGrid& grid, const View& view)
+  Contours(const scene::HeightGrid& grid, const View& view, const Output& output)
       : grid_(grid),
         projection_(grid, view),
         cells_(projection_),
-        writer_(view, margin_colour, margin_colour),
+        writer_(view, output, margin_colour, view.silhouette ? margin_colour : 0),
         levels_(contour_levels(grid.range, view.levels)),
         inner_margin_(view.net ? ChainStep::draw : ChainStep::mask) {}
 
@@ -120,8 +120,8 @@ ContourCrossing contour_crossing(const scene::HeightGrid& grid, const Projection
   return {true, {edge((alone + 2) % 3), edge((alone + 1) % 3)}};
 }
 
-std::vector<std::uint8_t> contour_stream(const scene::HeightGrid& grid, const View& view) {
-  return Contours(grid, view).stream();
+std::vector<std::uint8_t> contour_stream(const scene::HeightGrid& grid, const View& view, const Output& output) {
+  return Contours(grid, view, output).stream();
 }
 
 }  // namespace sightline::programs::skala

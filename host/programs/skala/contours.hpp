@@ -12,7 +12,8 @@
 
 #include "host/programs/skala/projection.hpp"
 #include "host/programs/skala/stream_chain.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
+#include "host/programs/skala/commands.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::programs::skala {
@@ -39,6 +40,6 @@ struct ContourCrossing {
 [[nodiscard]] ContourCrossing contour_crossing(const scene::HeightGrid& grid, const Projection& projection,
                                                const std::array<GridIndex, 3>& triangle, double level);
 
-[[nodiscard]] std::vector<std::uint8_t> contour_stream(const scene::HeightGrid& grid, const View& view);
+[[nodiscard]] std::vector<std::uint8_t> contour_stream(const scene::HeightGrid& grid, const View& view, const Output& output = {});
 
 }  // namespace sightline::programs::skala

@@ -18,4 +18,9 @@ Program assemble_program() {
   return {assembled.memory(), labels};
 }
 
+const Program& resident_program() {
+  static const Program program = assemble_program();
+  return program;
+}
+
 }  // namespace sightline::programs::skala

@@ -1,8 +1,7 @@
 // Skala's resident program for the 8080, assembled from its source: the bytes for memory, and where its
 // labels are.
 //
-// The source (firmware/i8080/skala) is embedded, so that the command needs no files. One program draws every
-// picture; assemble it once.
+// The source (firmware/i8080/skala) is embedded: commands need no files. One program draws every picture.
 #pragma once
 
 #include <cstdint>
@@ -40,5 +39,7 @@ struct Program {
 // The embedded program. std::logic_error with the assembler's messages if it has an error: it is part of this
 // build.
 [[nodiscard]] Program assemble_program();
+// The same, assembled at the first call.
+[[nodiscard]] const Program& resident_program();
 
 }  // namespace sightline::programs::skala

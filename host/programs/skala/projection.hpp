@@ -11,10 +11,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::programs::skala {
+
+using algorithms::skala::Family;
+using algorithms::skala::Subject;
+using algorithms::skala::View;
 
 struct SineCosine {
   double sine = 0;

@@ -14,11 +14,11 @@ namespace {
 // One family of slices, as lines or as a shaded surface.
 class Slices {
  public:
-  Slices(const scene::HeightGrid& grid, const View& view)
-      : shaded_(view.picture == PictureKind::surface),
+  Slices(const scene::HeightGrid& grid, const View& view, const Output& output)
+      : shaded_(view.subject == Subject::surface),
         projection_(grid, view),
         order_(slice_order(projection_, family(view))),
-        writer_(view, line_colour) {
+        writer_(view, output, line_colour) {
     if (shaded_) shades_ = shades(grid);
   }
 
@@ -118,10 +118,10 @@ class Slices {
 };
 
 // Both families: one pass, the far margins of a cell tested before they hide anything.
-std::vector<std::uint8_t> cell_lines(const scene::HeightGrid& grid, const View& view) {
+std::vector<std::uint8_t> cell_lines(const scene::HeightGrid& grid, const View& view, const Output& output) {
   const Projection projection(grid, view);
   const Cells cells(projection);
-  StreamWriter writer(view, line_colour);
+  StreamWriter writer(view, output, line_colour);
   writer.chain_and_commit(cells.near_margins(ChainStep::draw));
   for (std::size_t row = 0; row + 1 < cells.rows(); ++row) {
     for (std::size_t column = 0; column + 1 < cells.columns(); ++column) {
@@ -174,10 +174,10 @@ std::vector<int> shades(const scene::HeightGrid& grid) {
   return shades;
 }
 
-std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const View& view) {
-  if (view.picture == PictureKind::contours) return contour_stream(grid, view);
-  if (view.picture == PictureKind::lines && view.family == Family::both) return cell_lines(grid, view);
-  return Slices(grid, view).stream();
+std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const View& view, const Output& output) {
+  if (view.subject == Subject::contours) return contour_stream(grid, view, output);
+  if (view.subject == Subject::lines && view.family == Family::both) return cell_lines(grid, view, output);
+  return Slices(grid, view, output).stream();
 }
 
 }  // namespace sightline::programs::skala

@@ -11,14 +11,16 @@
 #include <vector>
 
 #include "host/programs/skala/projection.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
+#include "host/programs/skala/commands.hpp"
 #include "host/scene/heights/grid.hpp"
 
 namespace sightline::programs::skala {
 
 // From DEVICE to END. The grid may have any size from one point up and any undefined heights; the view must
-// be as its comments say.
-[[nodiscard]] std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const View& view);
+// be as its comments say, with 1 to 255 levels. A surface is always one family of slices (both counts as automatic); contours go by
+// cells, and theirs alone are the silhouettes and the net.
+[[nodiscard]] std::vector<std::uint8_t> stream_of(const scene::HeightGrid& grid, const View& view, const Output& output = {});
 
 // Levels 1..7 of a shaded surface, in the order of the grid's heights: from the x component of the unit
 // normal of the normalised surface (h at 0.6), by central differences, one-sided at the border and beside an

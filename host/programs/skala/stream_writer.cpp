@@ -35,14 +35,14 @@ std::size_t end_of_curve(const std::vector<ChainNode>& nodes, std::size_t begin,
 
 }  // namespace
 
-StreamWriter::StreamWriter(const View& view, int colour, int silhouette)
-    : nearer_end_first_(view.serpentine && !is_raster(view.device)), colour_(colour) {
+StreamWriter::StreamWriter(const View& view, const Output& output, int colour, std::optional<int> silhouette)
+    : nearer_end_first_(output.serpentine && !is_raster(output.device)), colour_(colour) {
   command(Command::device);
-  byte(static_cast<int>(view.device) | (view.visibility ? 0 : no_visibility));
+  byte(static_cast<int>(output.device) | (view.visibility ? 0 : no_visibility));
   command(Command::reset);
-  if (silhouette != 0) {
+  if (silhouette) {
     command(Command::silhouette);
-    byte(silhouette);
+    byte(*silhouette);
   }
   command(Command::colour);
   byte(colour);

@@ -5,11 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/programs/skala/commands.hpp"
 #include "host/programs/skala/stream_chain.hpp"
-#include "host/programs/skala/view.hpp"
+#include "host/algorithms/skala/view.hpp"
 
 namespace sightline::programs::skala {
 
@@ -20,15 +21,15 @@ struct ColouredChain {
 
 class StreamWriter {
  public:
-  // DEVICE, RESET; then SILHOUETTE unless 0; then COLOUR.
-  StreamWriter(const View& view, int colour, int silhouette = 0);
+  // DEVICE, RESET; then SILHOUETTE with that colour, 0 for none; then COLOUR.
+  StreamWriter(const View& view, const Output& output, int colour, std::optional<int> silhouette = {});
 
   void colour(int colour);
-  // On a plotter, if the view is serpentine, from the end nearer to the pen. Nothing for an empty chain.
+  // On a plotter, if the output is serpentine, from the end nearer to the pen. Nothing for an empty chain.
   void chain(const RasterChain& chain);
   void chain_and_commit(const RasterChain& chain);
   // Chains of test-only lines, which hide nothing from each other. On a raster in their order, of which the
-  // last colours a dot; on a plotter, if the view is serpentine, always the one nearest to the pen.
+  // last colours a dot; on a plotter, if the output is serpentine, always the one nearest to the pen.
   void test_chains(std::vector<ColouredChain> chains);
   // The slice just sent is undefined in these columns; cut to the raster, no effect if none are left.
   void gap(int first_column, int last_column);

@@ -22,6 +22,21 @@ struct Labels {
   i8080::Address check = 0;    // CHECK: the stream is in memory
   i8080::Address drawing = 0;  // DRAWIT: the priority list is complete
   i8080::Address order = 0;    // ORDER: that list
+  // By which the work is counted: of a pair of faces, tests 2 to 6, those with planes, the common stripes of test 6, "the first hides
+  // the second" and the other way without test 6, and a relation; the end of all pairs; a relation deleted or cut; a line drawn.
+  i8080::Address tests = 0;
+  i8080::Address sides = 0;
+  i8080::Address common = 0;
+  i8080::Address first_hides = 0;
+  i8080::Address second_hides = 0;
+  i8080::Address hides = 0;
+  i8080::Address classes = 0;
+  i8080::Address deleted = 0;
+  i8080::Address line_done = 0;
+  i8080::Address cuts = 0;        // NCUT
+  i8080::Address face_line = 0;   // FPTR: where the list of the line of the face is
+  i8080::Address shadow_line = 0; // SPTR: that of the silhouette
+  i8080::Address difference = 0;  // VTOP: below it the list of what is seen, downwards, two bytes each, the upper one the toggle
 };
 
 struct Program {
@@ -35,5 +50,7 @@ inline constexpr std::size_t data_room = 0xC000;
 
 // std::logic_error with the assembler's messages if it has an error: it is part of this build.
 [[nodiscard]] Program assemble_program();
+// The same, assembled at the first call.
+[[nodiscard]] const Program& resident_program();
 
 }  // namespace sightline::programs::stripes

@@ -12,6 +12,7 @@
 #include "host/algorithms/montani_re/region_boundary.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
+#include "host/programs/stripes/status.hpp"
 
 namespace sightline::programs::stripes {
 
@@ -224,6 +225,14 @@ base::Error passing_through(const native::FaceSet& set, std::uint32_t first, std
 }
 
 }  // namespace
+
+View view_of(const scene::PolyCamera& camera, const registry::FaceWindow& window) {
+  return {camera, window.scale, window.left, window.height - window.top};
+}
+
+View view_of(const scene::PolyScene& scene, const scene::PolyCamera& camera, std::optional<double> extent) {
+  return view_of(camera, registry::face_window(scene, camera, picture_size, picture_size, extent));
+}
 
 base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool with_priority) {
   const Projection projection(scene, view);

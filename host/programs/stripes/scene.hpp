@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "host/algorithms/registry/faces.hpp"
 #include "host/base/result.hpp"
-#include "host/programs/stripes/twin/twin.hpp"
+#include "host/programs/stripes/face_stripes.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::programs::stripes {
@@ -19,6 +21,11 @@ struct View {
   double left = 127.5;
   double bottom = 127.5;
 };
+
+// `window` has 255 columns and lines, or more, of which the picture is the lower left.
+[[nodiscard]] View view_of(const scene::PolyCamera& camera, const registry::FaceWindow& window);
+// All of the scene before the camera, or `extent` across (as registry::face_window has it).
+[[nodiscard]] View view_of(const scene::PolyScene& scene, const scene::PolyCamera& camera, std::optional<double> extent = {});
 
 struct SceneFace {
   std::uint32_t number = 0;  // over all bodies, from 1

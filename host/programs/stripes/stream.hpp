@@ -7,6 +7,7 @@
 
 #include "host/base/result.hpp"
 #include "host/programs/stripes/scene.hpp"
+#include "host/programs/stripes/status.hpp"
 
 namespace sightline::programs::stripes {
 

@@ -8,8 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "host/algorithms/registry/faces.hpp"
-#include "host/programs/stripes/session.hpp"
+#include "host/base/value_of.hpp"
+#include "host/programs/stripes/program.hpp"
+#include "host/programs/stripes/stripes.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/guest_runs.hpp"
@@ -26,31 +27,18 @@ namespace stripes = programs::stripes;
 
 constexpr std::array<std::string_view, 6> stripe_scenes{"roberts", "house", "street4", "boxes-8", "boxes-20", "bricks-20"};
 
-stripes::View view_of(const scene::PolyScene& scene) {
-  const registry::FaceWindow window =
-      registry::face_window(scene, scene.camera, stripes::picture_size, stripes::picture_size, std::nullopt);
-  return {scene.camera, window.scale, window.left, window.height - window.top};
+stripes::Outcome drawn(const scene::PolyScene& scene, const std::string& name, const stripes::StreamOptions& options) {
+  return base::value_of(stripes::run({.scene = scene, .view = stripes::view_of(scene, scene.camera), .options = options, .check = true}), name);
 }
 
-stripes::DrawnScene drawn(const stripes::Session& session, const scene::PolyScene& scene, const std::string& name,
-                          const stripes::StreamOptions& options) {
-  auto made = session.draw(scene, view_of(scene), options);
-  if (!made) throw base::bad_input(fmt::format("{}: {}", name, made.error().message()));
-  if (!made->picture.difference.empty()) throw base::difference(fmt::format("{}: {}", name, made->picture.difference));
-  if (made->picture.guest.status != stripes::Status::complete)
-    throw base::program_failed(fmt::format("{}: {}", name, text_of(made->picture.guest.status)));
-  return std::move(*made);
-}
-
-double whole_time(const stripes::GuestPicture& guest) {
-  return core::in_seconds(guest.receiving + guest.working());
+double whole_time(const stripes::MachinePicture& picture) {
+  return core::in_seconds(picture.receiving + picture.working());
 }
 
 }  // namespace
 
 MontaniRe8080 montani_re_8080(const Context& context) {
   MontaniRe8080 measured;
-  const stripes::Session session;
   for (const std::string_view scene_name : stripe_scenes) {
     const std::string name(scene_name);
     context.progress(fmt::format("{} in stripes on the 8080", name));
@@ -58,32 +46,32 @@ MontaniRe8080 montani_re_8080(const Context& context) {
     if (!loaded) throw base::bad_input(loaded.error().message());
     using stripes::Computer;
     using stripes::Output;
-    const auto raster = drawn(session, loaded->scene, name, {Output::raster, Computer::i8080, Computer::i8080});
-    const auto by_host = drawn(session, loaded->scene, name, {Output::raster, Computer::host, Computer::host});
-    const auto plotter = drawn(session, loaded->scene, name, {Output::vector, Computer::i8080, Computer::i8080});
-    const stripes::GuestPicture& guest = raster.picture.guest;
-    const stripes::TwinCounts& counts = raster.picture.twin.counts;
-    const auto pen = stripes::pen_paths(plotter.picture.guest.commands);
+    const auto raster = drawn(loaded->scene, name, {Output::raster, Computer::i8080, Computer::i8080});
+    const auto by_host = drawn(loaded->scene, name, {Output::raster, Computer::host, Computer::host});
+    const auto plotter = drawn(loaded->scene, name, {Output::vector, Computer::i8080, Computer::i8080});
+    const stripes::MachinePicture& machine = raster.picture;
+    const stripes::Counts& counts = machine.counts;
+    const auto pen = stripes::pen_paths(plotter.picture.commands);
     StripesScene& row = measured.scenes.emplace_back();
     row.scene = name;
     row.faces = raster.scene.faces.size();
     row.polygon_bytes = raster.stream.bytes.size();
     row.stripe_bytes = by_host.stream.bytes.size();
-    row.receipt_s = core::in_seconds(guest.receiving);
-    row.priority_s = core::in_seconds(guest.ranking);
-    row.drawing_s = core::in_seconds(guest.drawing);
-    row.whole_s = whole_time(guest);
-    row.by_host_s = whole_time(by_host.picture.guest);
-    row.plotter_s = whole_time(plotter.picture.guest);
-    row.plotter_moves_s = core::in_seconds(plotter.picture.guest.device);
-    row.raster = png_picture(picture::raster_image(guest.raster, picture::RasterPalette::grey, 1), true);
+    row.receipt_s = core::in_seconds(machine.receiving);
+    row.priority_s = core::in_seconds(machine.ranking);
+    row.drawing_s = core::in_seconds(machine.drawing);
+    row.whole_s = whole_time(machine);
+    row.by_host_s = whole_time(by_host.picture);
+    row.plotter_s = whole_time(plotter.picture);
+    row.plotter_moves_s = core::in_seconds(plotter.picture.device);
+    row.raster = png_picture(picture::raster_image(machine.raster, picture::RasterPalette::grey, 1), true);
     row.drawing = png_picture(picture::pen_image(pen, picture::calcomp_paper, 1), true);
     std::copy(counts.decided_by.begin() + 1, counts.decided_by.end(), row.decided_by.begin());
     row.relations = counts.relations;
     row.deleted = counts.deleted;
-    row.cuts = raster.picture.twin.cuts.size();
+    row.cuts = counts.cuts;
   }
-  measured.program_bytes = session.program().memory.size();
+  measured.program_bytes = stripes::resident_program().memory.size();
   measured.program_room = stripes::program_room;
   measured.data_room = stripes::data_room;
   measured.scene_room = stripes::most_body_bytes;

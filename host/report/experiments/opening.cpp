@@ -92,7 +92,7 @@ void add_polyhedra(const compare::CompareOptions& options, Gathering& gathering,
 }
 
 void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer) {
-  programs::skala::View view;
+  algorithms::skala::View view;
   view.rotation = rotation;
   for (const std::string_view name : functions) {
     const auto function = scene::height_function(name);

@@ -12,9 +12,11 @@
 
 #include "emulators/core/tstates.hpp"
 #include "host/algorithms/skala/draw.hpp"
+#include "host/base/value_of.hpp"
 #include "host/programs/skala/projection.hpp"
-#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/skala.hpp"
 #include "host/programs/skala/stream.hpp"
+#include "host/programs/skala/twin/twin.hpp"
 #include "host/report/experiments/clock.hpp"
 #include "host/scene/heights/function.hpp"
 
@@ -50,7 +52,7 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
 
 // One picture in both programs' words.
 struct Order {
-  skala::PictureKind picture = skala::PictureKind::lines;
+  skala::Subject picture = skala::Subject::lines;
   int levels = 8;
   int raster = skala::raster_side;  // dots a side; the program on the 8080 has up to 256
   skala::Device device = skala::Device::ef9365;
@@ -59,18 +61,18 @@ struct Order {
 
 skala::View view_of(const Order& order) {
   skala::View view;
-  view.picture = order.picture;
+  view.subject = order.picture;
   view.family = skala::Family::along_x;
-  view.device = order.device;
   view.rotation = rotation;
   view.levels = order.levels;
+  view.silhouette = order.picture == skala::Subject::contours;
   view.zoom = static_cast<double>(order.raster) / skala::raster_side;
   return view;
 }
 
 native::View native_view(const Order& order, int columns) {
   native::View view;
-  const bool contours = order.picture == skala::PictureKind::contours;
+  const bool contours = order.picture == skala::Subject::contours;
   view.subject = contours ? native::Subject::contours : native::Subject::lines;
   view.silhouette = contours;  // the program draws the outline of the surface with its contours
   view.family = native::Family::along_x;
@@ -90,24 +92,14 @@ skala::TwinPicture twin_of(std::span<const std::uint8_t> stream) {
   return skala::run_twin(stream, equipment);
 }
 
-skala::GuestPicture run_guest(const skala::Session& session, const std::vector<std::uint8_t>& stream,
-                              const Order& order) {
-  skala::GuestOptions options;
-  options.device = order.device;
-  options.link = order.link;
-  skala::CheckedPicture run = session.run(stream, options);
-  if (!run.guest.ended || run.guest.status != skala::Status::complete || !run.guest.faults.empty())
-    throw base::program_failed("the program on the 8080 failed");
-  if (!run.difference.empty())
-    throw base::difference("internal error: the 8080's picture is not the one its native twin makes; " + run.difference);
-  return std::move(run.guest);
+skala::MachinePicture checked_picture(const scene::HeightGrid& grid, const Order& order) {
+  return base::value_of(skala::run({.grid = grid, .view = view_of(order), .device = order.device, .link = order.link, .check = true})).picture;
 }
 
 // Measures pictures, and keeps what is to be timed when all are measured.
 class Study {
  public:
-  Study(const skala::Session& session, std::vector<SkalaPoint>& points, bool host_times)
-      : session_(session), points_(points), host_times_(host_times) {}
+  Study(std::vector<SkalaPoint>& points, bool host_times) : points_(points), host_times_(host_times) {}
 
   void on_rasters(std::string_view function) {
     begin("raster", function);
@@ -134,7 +126,7 @@ class Study {
     const auto grid = grid_of(function, contour_grid);
     const auto finest = grid_of(function, finest_contour_grid);
     for (const int levels : level_counts) {
-      const Order order{.picture = skala::PictureKind::contours, .levels = levels};
+      const Order order{.picture = skala::Subject::contours, .levels = levels};
       add_both(levels, grid, order, fine_picture(finest, order));
     }
   }
@@ -162,10 +154,9 @@ class Study {
   }
 
   void add_program(int setting, const scene::HeightGrid& grid, const Order& order, const FinePicture& fine) {
-    auto stream = skala::stream_of(grid, view_of(order));
-    const auto guest = run_guest(session_, stream, order);
-    add(setting, order.raster, fine.error_of(dots_of(guest.raster, order.raster)), guest.drawing);
-    later([stream = std::move(stream)] { (void)twin_of(stream); });
+    const auto picture = checked_picture(grid, order);
+    add(setting, order.raster, fine.error_of(dots_of(picture.raster, order.raster)), picture.drawing);
+    later([stream = skala::stream_of(grid, view_of(order))] { (void)twin_of(stream); });
   }
 
   // And the native program's picture as vectors.
@@ -182,7 +173,6 @@ class Study {
     jobs_.push_back(std::move(job));
   }
 
-  const skala::Session& session_;  // of measuring, not of what is timed
   std::vector<SkalaPoint>& points_;
   bool host_times_;
   std::string study_;
@@ -191,19 +181,19 @@ class Study {
   std::vector<std::size_t> timed_;  // rows
 };
 
-void add_boards(std::vector<SkalaBoard>& boards, const skala::Session& session, std::string_view function) {
+void add_boards(std::vector<SkalaBoard>& boards, std::string_view function) {
   const auto grid = grid_of(function, board_grid);
   const FinePicture fine = fine_picture(grid, {});
   for (const skala::Device device : {skala::Device::ef9365, skala::Device::alt256}) {
     for (const skala::Link link : {skala::Link::parallel, skala::Link::serial}) {
       const Order order{.device = device, .link = link};
-      const auto guest = run_guest(session, skala::stream_of(grid, view_of(order)), order);
+      const auto picture = checked_picture(grid, order);
       boards.push_back({std::string(function),
                         fmt::format("{}, {} link", device == skala::Device::ef9365 ? "EF9365" : "ALT-256",
                                     link == skala::Link::serial ? "serial" : "parallel"),
-                        fine.error_of(dots_of(guest.raster, skala::raster_side)),
-                        static_cast<std::uint64_t>(guest.drawing.count()), core::in_seconds(guest.drawing),
-                        static_cast<std::uint64_t>(guest.total.count()), core::in_seconds(guest.total), guest.dots_not_shown});
+                        fine.error_of(dots_of(picture.raster, skala::raster_side)),
+                        static_cast<std::uint64_t>(picture.drawing.count()), core::in_seconds(picture.drawing),
+                        static_cast<std::uint64_t>(picture.total.count()), core::in_seconds(picture.total), picture.dots_not_shown});
     }
   }
 }
@@ -388,15 +378,14 @@ double SkalaPoint::dots_off() const {
 }
 
 void skala_accuracy(const Context& context, SkalaAccuracy& made) {
-  const skala::Session session;
-  const auto study = std::make_shared<Study>(session, made.points, context.host_times);
+  const auto study = std::make_shared<Study>(made.points, context.host_times);
   for (const auto measure : {&Study::on_rasters, &Study::on_grids, &Study::with_levels}) {
     for (const char* const function : functions) {
       context.progress(fmt::format("{} on the 8080, of every size", function));
       ((*study).*measure)(function);
     }
   }
-  for (const char* const function : functions) add_boards(made.boards, session, function);
+  for (const char* const function : functions) add_boards(made.boards, function);
   if (context.host_times)
     context.when_alone([study, progress = context.progress, rounds = context.full ? 31 : 5] {
       progress("Skala in C++, timed");

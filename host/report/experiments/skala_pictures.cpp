@@ -7,8 +7,12 @@
 
 #include "emulators/core/raster.hpp"
 #include "emulators/core/tstates.hpp"
-#include "host/programs/skala/commands.hpp"
-#include "host/report/experiments/guest_runs.hpp"
+#include "emulators/devices/ef9365_timing.hpp"
+#include "host/base/value_of.hpp"
+#include "host/picture/raster_image.hpp"
+#include "host/programs/skala/program.hpp"
+#include "host/programs/skala/skala.hpp"
+#include "host/report/experiments/png_picture.hpp"
 #include "host/scene/heights/function.hpp"
 
 namespace sightline::report {
@@ -16,6 +20,7 @@ namespace sightline::report {
 namespace {
 
 namespace skala = programs::skala;
+using algorithms::skala::Subject;
 
 std::size_t colours_of(const core::Raster& raster) {
   return std::set(raster.points().begin(), raster.points().end()).size();
@@ -25,24 +30,48 @@ double clock_mhz() {
   return static_cast<double>(core::ClockRate{}.hertz) / 1e6;
 }
 
-SkalaPicture picture_of(const skala::Session& session, const SkalaOrder& order) {
-  const SkalaRun run = run_skala(session, order);
+std::string_view name_of(Subject subject) {
+  switch (subject) {
+    case Subject::lines: return "lines";
+    case Subject::surface: return "surface";
+    case Subject::contours: return "contours";
+  }
+  return "";
+}
+
+// The program on the 8080 makes every dot of the EF9365 with a command of its own.
+core::TStates dot_time() {
+  return core::ClockRate{}.t_states_in(devices::ef9365::clocks(devices::ef9365::start_up_clocks + 1));
+}
+
+SkalaPicture picture_of(const std::string& function, Subject subject, scene::GridSize size, double rotation,
+                        skala::Device board) {
+  skala::Order order;
+  order.grid = scene::sample(*scene::height_function(function), size);
+  order.view.subject = subject;
+  order.view.silhouette = subject == Subject::contours;
+  order.view.rotation = rotation;
+  order.device = board;
+  order.time_plain = true;
+  order.check = true;
+  const skala::Outcome run = base::value_of(skala::run(order), function);
   SkalaPicture made;
-  made.function = order.function;
-  made.picture = name_of(order.picture);
-  made.drawing_s = core::in_seconds(run.guest.drawing);
-  made.drawing_t_states = static_cast<std::uint64_t>(run.guest.drawing.count());
-  if (run.plain) made.plain_t_states = static_cast<std::uint64_t>(run.plain->count());
-  made.walked = run.twin.points_walked;
-  made.dots = run.twin.points_plotted;
+  made.function = function;
+  made.picture = name_of(subject);
+  made.drawing_s = core::in_seconds(run.picture.drawing);
+  made.drawing_t_states = static_cast<std::uint64_t>(run.picture.drawing.count());
+  if (run.plain_drawing) made.plain_t_states = static_cast<std::uint64_t>(run.plain_drawing->count());
+  made.walked = run.points_walked;
+  made.dots = run.counts->points_plotted;
   made.lit = run.points_lit;
-  made.receipt_s = core::in_seconds(run.guest.total - run.guest.drawing);
-  made.command_bytes = run.stream_bytes;
-  made.blocks = run.guest.blocks;
-  made.instructions = run.guest.instructions;
-  made.dots_busy_t_states = static_cast<std::uint64_t>(run.dots_busy.count());
-  made.colours = colours_of(run.guest.raster);
-  made.raster = raster_png(run, order);
+  made.receipt_s = core::in_seconds(run.picture.total - run.picture.drawing);
+  made.command_bytes = run.bytes;
+  made.blocks = run.picture.blocks;
+  made.instructions = run.picture.instructions;
+  made.dots_busy_t_states = static_cast<std::uint64_t>((dot_time() * static_cast<std::int64_t>(made.dots)).count());
+  made.colours = colours_of(run.picture.raster);
+  const auto palette = subject == Subject::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+  made.raster = png_picture(picture::raster_image(run.picture.raster, palette, 1), true);
   return made;
 }
 
@@ -145,17 +174,15 @@ std::vector<SkalaCost> costs_on(const SkalaPictures& skala, const std::string& b
 }
 
 // The eight functions as all kinds of picture.
-SkalaPictures pictures_on(const skala::Session& session, skala::Device board) {
+SkalaPictures pictures_on(skala::Device board) {
   SkalaPictures made;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const std::string name(function.name);
-    for (const skala::PictureKind picture :
-         {skala::PictureKind::lines, skala::PictureKind::surface, skala::PictureKind::contours}) {
-      SkalaOrder order{.function = name, .picture = picture, .compare_plain = true, .device = board};
-      if (picture == skala::PictureKind::contours) order.size = {33, 33};
-      made.pictures.push_back(picture_of(session, order));
+    for (const Subject subject : {Subject::lines, Subject::surface, Subject::contours}) {
+      const scene::GridSize size = subject == Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+      made.pictures.push_back(picture_of(name, subject, size, 30, board));
     }
-    made.curves.push_back(picture_of(session, {name, skala::PictureKind::lines, {256, 30}, 0, true, board}));
+    made.curves.push_back(picture_of(name, Subject::lines, {256, 30}, 0, board));
   }
   return made;
 }
@@ -180,13 +207,12 @@ std::optional<double> SkalaPicture::cost_percent() const {
 }
 
 SkalaPictures skala_pictures(const Context& context) {
-  const skala::Session session;
   context.progress("eight functions on the 8080 with the EF9365 board");
-  SkalaPictures made = pictures_on(session, skala::Device::ef9365);
+  SkalaPictures made = pictures_on(skala::Device::ef9365);
   made.costs = costs_on(made, "EF9365");
   context.progress("eight functions on the 8080 with the ALT-256 board");
-  for (SkalaCost& cost : costs_on(pictures_on(session, skala::Device::alt256), "ALT-256")) made.costs.push_back(std::move(cost));
-  made.memory = memory_of(session.program());
+  for (SkalaCost& cost : costs_on(pictures_on(skala::Device::alt256), "ALT-256")) made.costs.push_back(std::move(cost));
+  made.memory = memory_of(skala::resident_program());
   return made;
 }
 

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "host/base/value_of.hpp"
 #include "host/programs/flight/path.hpp"
-#include "host/programs/flight/session.hpp"
+#include "host/programs/flight/flight.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/page.hpp"
 #include "host/scene/generate/scene.hpp"
@@ -100,38 +101,36 @@ void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
 }  // namespace
 
 std::vector<WillisFlight> willis_flight(const Context& context) {
-  namespace guest = programs::flight;
+  namespace flight = programs::flight;
   constexpr std::size_t all = 200;
   std::vector<WillisFlight> flights;
-  const guest::Session session;
   std::vector<FlownScene> scenes;
   scenes.push_back({"town-20", scene::generate_town(20), false});
   scenes.push_back({"prisms-25", scene::generate_prisms(25), true});
   for (const FlownScene& flown : scenes) {
     context.progress(fmt::format("{} flown through on the 8080", flown.name));
     const scene::SceneFrame frame = scene::frame_of(flown.scene.camera);
-    const auto path = flown_value(guest::path_through(flown.scene, frame, usual_frames, flown.plan), flown.name);
-    const auto fast_path = flown_value(guest::path_through(flown.scene, frame, fast_frames, flown.plan), flown.name);
+    const auto path = flown_value(flight::path_through(flown.scene, frame, usual_frames, flown.plan), flown.name);
+    const auto fast_path = flown_value(flight::path_through(flown.scene, frame, fast_frames, flown.plan), flown.name);
     algorithms::willis::ModelOptions model_options;
     model_options.plan = flown.plan;
     model_options.vertical = frame.vertical;
     for (const std::size_t pieces :
          {std::size_t{10}, std::size_t{20}, std::size_t{50}, std::size_t{100}, std::size_t{150}, all}) {
-      const auto model = flown_value(guest::flight_model(flown.scene, model_options, path.front().eye, pieces), flown.name);
-      for (const auto& [precision, bits] : {std::pair(guest::Precision::bits_8, 8), std::pair(guest::Precision::bits_12, 12),
-                                            std::pair(guest::Precision::bits_16, 16)}) {
-        const guest::Packed packed = guest::pack(model, path, precision);
-        guest::FlightOptions options;
+      const auto model = flown_value(flight::flight_model(flown.scene, model_options, path.front().eye, pieces), flown.name);
+      for (const auto& [precision, bits] : {std::pair(flight::Precision::bits_8, 8), std::pair(flight::Precision::bits_12, 12),
+                                            std::pair(flight::Precision::bits_16, 16)}) {
+        flight::Order order{.model = model, .path = path, .precision = precision, .check = true};
         std::optional<Picture> screen;
-        options.count_points = pieces == all && bits == 8;
-        if (options.count_points) {
-          options.picture = [&screen](std::uint32_t number, std::span<const std::uint32_t> shown) {
+        order.count_points = pieces == all && bits == 8;
+        if (order.count_points) {
+          order.picture = [&screen](std::uint32_t number, std::span<const std::uint32_t> shown) {
             if (number == usual_frames / 3) screen = png_picture(greys_of(shown));
           };
         }
-        const guest::FlightRun run = session.run(model, path, packed, options);
-        if (!run.difference.empty()) throw base::difference(fmt::format("{}: {}", flown.name, run.difference));
-        const guest::FlightSummary& sum = run.summary;
+        const flight::Outcome run = base::value_of(flight::run(order), flown.name);
+        const flight::Packed& packed = run.packed;
+        const flight::Summary& sum = run.summary;
         flights.push_back({.scene = flown.name,
                            .axes = packed.axes,
                            .pieces = sum.pieces,
@@ -147,11 +146,11 @@ std::vector<WillisFlight> willis_flight(const Context& context) {
                            .pairs = sum.pairs,
                            .wrong_orders = sum.wrong_orders,
                            .distance_error = packed.error_in_units,
-                           .wrong_points = options.count_points ? std::optional(sum.wrong_points) : std::nullopt,
+                           .wrong_points = order.count_points ? std::optional(sum.wrong_points) : std::nullopt,
                            .screen = std::move(screen)});
         if (pieces != all) continue;
-        const guest::FlightRun fast = session.run(model, fast_path, guest::pack(model, fast_path, precision), {});
-        if (!fast.difference.empty()) throw base::difference(fmt::format("{}: {}", flown.name, fast.difference));
+        const flight::Outcome fast =
+            base::value_of(flight::run({.model = model, .path = fast_path, .precision = precision, .check = true}), flown.name);
         flights.back().fast_frames_a_second = fast.summary.frames_per_second_mean;
         flights.back().fast_worst_frames_a_second = fast.summary.frames_per_second_worst;
       }

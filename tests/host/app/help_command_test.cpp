@@ -183,7 +183,7 @@ TEST_F(HelpCommand, ACommandOfMethodsListsThemALineEach) {
   };
   for (const auto& algorithm : sightline::registry::line_algorithms()) add(algorithm.name);
   for (const auto& algorithm : sightline::registry::face_algorithms()) add(algorithm.name);
-  for (const auto& method : sightline::registry::height_methods()) add(method.algorithm);
+  for (const auto& algorithm : sightline::registry::height_algorithms()) add(algorithm.name);
   EXPECT_EQ(methods, registered);
   const std::string all = sightline({"--help"}).out;
   const std::string line =

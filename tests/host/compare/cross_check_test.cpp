@@ -113,8 +113,7 @@ std::set<std::string_view> registered() {
   std::set<std::string_view> names;
   for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) names.insert(algorithm.name);
   for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) names.insert(algorithm.name);
-  for (const registry::HeightMethod& method : registry::height_methods())
-    if (!method.algorithm.empty()) names.insert(method.algorithm);
+  for (const registry::HeightAlgorithm& algorithm : registry::height_algorithms()) names.insert(algorithm.name);
   names.insert(stripes_name);
   names.insert(willis_on_8080().name);
   names.insert(turn_name);

@@ -22,9 +22,9 @@ scene::HeightGrid sampled(const char* name, scene::GridSize size) {
   return scene::sample(*scene::height_function(name), size);
 }
 
-programs::skala::View view_of(programs::skala::PictureKind picture, double rotation, double elevation = 30) {
-  programs::skala::View view;
-  view.picture = picture;
+algorithms::skala::View view_of(algorithms::skala::Subject picture, double rotation, double elevation = 30) {
+  algorithms::skala::View view;
+  view.subject = picture;
   view.rotation = rotation;
   view.elevation = elevation;
   return view;
@@ -38,14 +38,14 @@ double seen_length(const HeightLines& lines) {
 }
 
 TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
-  const HeightLines plane(sampled("flat", {5, 5}), view_of(programs::skala::PictureKind::lines, 20));
+  const HeightLines plane(sampled("flat", {5, 5}), view_of(algorithms::skala::Subject::lines, 20));
   for (const auto& line : plane.lines()) EXPECT_NEAR(picture::total(line.visible), 1, 1e-9);
   // A ridge across the view, seen from the horizon: of the three slices, only the first and the ridge.
   scene::HeightGrid ridge = sampled("flat", {3, 3});
   for (std::size_t i = 0; i < 9; ++i) ridge.heights[i] = i / 3 == 1 ? 1 : 0;
   ridge.range = {0, 1};
-  programs::skala::View level = view_of(programs::skala::PictureKind::lines, 0, 10);
-  level.family = programs::skala::Family::along_x;
+  algorithms::skala::View level = view_of(algorithms::skala::Subject::lines, 0, 10);
+  level.family = algorithms::skala::Family::along_x;
   double back = 0;
   double front = 0;
   const HeightLines ridges(ridge, level);
@@ -60,7 +60,7 @@ TEST(HeightLines, NothingOfAPlaneIsHiddenAndHalfOfARidgeIs) {
 
 TEST(HeightLines, APieceLeftOutIsMissing) {
   const auto grid = sampled("peaks", {21, 21});
-  const programs::skala::View view = view_of(programs::skala::PictureKind::contours, 30);
+  const algorithms::skala::View view = view_of(algorithms::skala::Subject::contours, 30);
   const HeightLines lines(grid, view);
   algorithms::skala::View native;
   native.subject = algorithms::skala::Subject::contours;
@@ -88,16 +88,16 @@ TEST(HeightLines, APieceLeftOutIsMissing) {
 
 TEST(CompareHeights, NativeLinesAndContoursAreWhatIsSeen) {
   for (const char* name : {"sinc", "peaks", "saddle"}) {
-    for (const auto picture : {programs::skala::PictureKind::lines, programs::skala::PictureKind::contours}) {
+    for (const auto picture : {algorithms::skala::Subject::lines, algorithms::skala::Subject::contours}) {
       for (const double rotation : {0.0, 30.0, 180.0, 257.0}) {
         SCOPED_TRACE(std::string(name) +
-                     (picture == programs::skala::PictureKind::lines ? " lines " : " contours ") +
+                     (picture == algorithms::skala::Subject::lines ? " lines " : " contours ") +
                      std::to_string(rotation));
         const auto grid = sampled(name, {21, 25});
-        const programs::skala::View view = view_of(picture, rotation);
+        const algorithms::skala::View view = view_of(picture, rotation);
         const HeightLines lines(grid, view);
         algorithms::skala::View native;
-        native.subject = picture == programs::skala::PictureKind::lines ? algorithms::skala::Subject::lines
+        native.subject = picture == algorithms::skala::Subject::lines ? algorithms::skala::Subject::lines
                                                                       : algorithms::skala::Subject::contours;
         native.rotation = rotation;
         const auto metrics =
@@ -122,7 +122,7 @@ TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
   for (const double rotation : {30.0, 200.0}) {
     const auto grid = sampled("peaks", {17, 17});
     const HeightComparison comparison =
-        compare_heights(grid, view_of(programs::skala::PictureKind::surface, rotation));
+        compare_heights(grid, view_of(algorithms::skala::Subject::surface, rotation));
     EXPECT_TRUE(comparison.agrees());
     ASSERT_EQ(comparison.rasters.size(), 4U);
     EXPECT_EQ(comparison.rasters[2].name, "native");
@@ -133,12 +133,12 @@ TEST(CompareHeights, ASurfaceShowsTheNearestCell) {
     EXPECT_GT(cells.metrics.lit, 20'000U);
     // All facets lie on a cell, and many cells are hidden in part: the truth without order has others.
     EXPECT_LT(*std::max_element(cells.grid.values.begin(), cells.grid.values.end()), 257U);
-    EXPECT_EQ(nearest_cells(grid, view_of(programs::skala::PictureKind::surface, rotation)), cells.truth);
+    EXPECT_EQ(nearest_cells(grid, view_of(algorithms::skala::Subject::surface, rotation)), cells.truth);
   }
 }
 
 TEST(CompareHeights, AProgramsRoundingIsSeen) {
-  const HeightComparison comparison = compare_heights(sampled("sinc", {33, 30}), view_of(programs::skala::PictureKind::lines, 30));
+  const HeightComparison comparison = compare_heights(sampled("sinc", {33, 30}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(comparison.rasters.size(), 3U);
   for (const std::size_t program : {0U, 1U}) {
     const ComparedRaster& row = comparison.rasters[program];
@@ -162,7 +162,7 @@ TEST(CompareHeights, AProgramsRoundingIsSeen) {
 }
 
 TEST(CompareDevices, DrawExactLinesButForRounding) {
-  const auto devices = compare_devices(sampled("peaks", {21, 25}), view_of(programs::skala::PictureKind::lines, 30));
+  const auto devices = compare_devices(sampled("peaks", {21, 25}), view_of(algorithms::skala::Subject::lines, 30));
   ASSERT_EQ(devices.size(), 4U);
   for (const ComparedDevice& device : devices) {
     SCOPED_TRACE(std::string(device.name));
@@ -180,8 +180,8 @@ TEST(CompareDevices, DrawExactLinesButForRounding) {
 
 TEST(CompareDevices, ABoardFillsASurfaceAndAPlotterDrawsItsSlices) {
   const auto grid = sampled("peaks", {21, 25});
-  const auto surface = compare_devices(grid, view_of(programs::skala::PictureKind::surface, 30));
-  const auto lines = compare_devices(grid, view_of(programs::skala::PictureKind::lines, 30));
+  const auto surface = compare_devices(grid, view_of(algorithms::skala::Subject::surface, 30));
+  const auto lines = compare_devices(grid, view_of(algorithms::skala::Subject::lines, 30));
   EXPECT_FALSE(surface[0].unrounded);
   EXPECT_GT(surface[0].raster.lit_in_truth, 20'000U);
   EXPECT_LT(surface[0].raster.extra.all, surface[0].raster.lit_in_truth * 3 / 100);
@@ -196,8 +196,8 @@ TEST(ChordError, OfAParabola) {
     return scene::sample_values([](double x, double) { return x * x; }, {{-1, 1}, {-1, 1}}, size);
   };
   const scene::HeightGrid grid = parabola({5, 4});
-  programs::skala::View view = view_of(programs::skala::PictureKind::lines, 0, 0);
-  view.family = programs::skala::Family::along_x;
+  algorithms::skala::View view = view_of(algorithms::skala::Subject::lines, 0, 0);
+  view.family = algorithms::skala::Family::along_x;
   const auto error = chord_error(HeightLines(grid, view), grid, view, parabola);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->between, 15U);
@@ -219,8 +219,8 @@ TEST(ChordError, IsThatOfWhatIsSeen) {
           {{-1, 1}, {-1, 1}}, size);
     };
   };
-  programs::skala::View view = view_of(programs::skala::PictureKind::lines, 0, 10);
-  view.family = programs::skala::Family::along_x;
+  algorithms::skala::View view = view_of(algorithms::skala::Subject::lines, 0, 10);
+  view.family = algorithms::skala::Family::along_x;
   const HeightSampler sampler = function(0.5);
   const scene::HeightGrid grid = sampler({5, 5});
   const HeightLines lines(grid, view);
@@ -232,13 +232,13 @@ TEST(ChordError, IsThatOfWhatIsSeen) {
   ASSERT_EQ(behind, 0) << "the last slice is behind the wall";
   const auto error = chord_error(lines, grid, view, sampler);
   ASSERT_TRUE(error);
-  EXPECT_LT(error->greatest, chord_error(HeightLines(grid, view_of(programs::skala::PictureKind::lines, 0, 60)), grid,
-                                         view_of(programs::skala::PictureKind::lines, 0, 60), sampler)
+  EXPECT_LT(error->greatest, chord_error(HeightLines(grid, view_of(algorithms::skala::Subject::lines, 0, 60)), grid,
+                                         view_of(algorithms::skala::Subject::lines, 0, 60), sampler)
                                  ->greatest);
 }
 
 TEST(CompareHeights, ContoursHaveRasterAndVectors) {
-  programs::skala::View view = view_of(programs::skala::PictureKind::contours, 30);
+  algorithms::skala::View view = view_of(algorithms::skala::Subject::contours, 30);
   view.levels = 5;
   const HeightComparison comparison = compare_heights(sampled("sinc", {25, 25}), view);
   EXPECT_TRUE(comparison.agrees()) << comparison.guest_difference;

@@ -406,7 +406,7 @@ TEST(SceneComparison, DoesNotAgreeIfAnyoneIsWrong) {
 
 TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
   const auto grid = scene::sample(*scene::height_function("sinc"), {33, 60});
-  programs::skala::View view;
+  algorithms::skala::View view;
   view.rotation = 30;
   const HeightComparison comparison = compare_heights(grid, view);
   EXPECT_TRUE(comparison.agrees()) << comparison.guest_difference;
@@ -422,18 +422,18 @@ TEST(CompareHeights, TwinAndGuestAreTheOraclesPictureAndNativeIsNear) {
 
 TEST(CompareHeights, SaysWhatItCannotCompare) {
   auto grid = scene::sample(*scene::height_function("sinc"), {9, 9});
-  programs::skala::View view;
+  algorithms::skala::View view;
   EXPECT_FALSE(why_not_comparable(grid, view));
   view.zoom = 2;
   EXPECT_TRUE(why_not_comparable(grid, view));
   view.zoom = 1;
-  view.family = programs::skala::Family::along_z;
+  view.family = algorithms::skala::Family::along_z;
   EXPECT_TRUE(why_not_comparable(grid, view)) << "seen end-on";
   view.rotation = 80;
   EXPECT_FALSE(why_not_comparable(grid, view));
-  view.family = programs::skala::Family::along_x;
+  view.family = algorithms::skala::Family::along_x;
   EXPECT_TRUE(why_not_comparable(grid, view));
-  view.picture = programs::skala::PictureKind::contours;
+  view.subject = algorithms::skala::Subject::contours;
   EXPECT_FALSE(why_not_comparable(grid, view)) << "contours go by cells";
   grid.heights[5] = std::nan("");
   EXPECT_TRUE(why_not_comparable(grid, view));

@@ -1,26 +1,12 @@
 #include "host/programs/flight/twin/twin.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <optional>
 
 namespace sightline::programs::flight {
-
-std::string_view text_of(Status status) {
-  switch (status) {
-    case Status::running: return "running";
-    case Status::complete: return "complete";
-    case Status::not_a_flight: return "the stream does not begin with FL";
-    case Status::out_of_range: return "a precision, a number of axes, pieces or planes, a coordinate, a place or a cell out of range";
-    case Status::wrong_sum_of_pieces: return "the check of the pieces is wrong";
-    case Status::wrong_sum_of_packet: return "the check of a packet is wrong";
-    case Status::unknown_packet: return "a packet of no known kind";
-    case Status::host_silent: return "the host has gone silent";
-    case Status::no_display: return "there is no priority display";
-  }
-  return "a status that is none of the program's";
-}
 
 namespace {
 

@@ -18,7 +18,7 @@ namespace sightline::programs::skala {
 class PlotterPen {
  public:
   // Movements are appended to `moves` and counted in `counts`; both must outlive the pen.
-  PlotterPen(std::vector<PlotterMove>& moves, TwinCounts& counts) : moves_(moves), counts_(counts) {}
+  PlotterPen(std::vector<PlotterMove>& moves, Counts& counts) : moves_(moves), counts_(counts) {}
 
   // The next visible point. Within a run it is a neighbour of the one before.
   void visible(Point point);
@@ -33,7 +33,7 @@ class PlotterPen {
   void step_towards(Point point);
 
   std::vector<PlotterMove>& moves_;
-  TwinCounts& counts_;
+  Counts& counts_;
   Point at_;  // where the pen really is
   bool down_ = false;
   int run_points_ = 0;  // of the present run, not counted beyond two

@@ -17,40 +17,9 @@
 
 #include "emulators/core/raster.hpp"
 #include "host/programs/skala/commands.hpp"
+#include "host/programs/skala/picture.hpp"
 
 namespace sightline::programs::skala {
-
-// What the columns of the screen hold, by x: section 2 of the specification.
-struct Columns {
-  std::array<std::uint8_t, 256> mask_top{};        // MT
-  std::array<std::uint8_t, 256> mask_bottom{};     // MB
-  std::array<std::uint8_t, 256> previous_y{};      // MP, of no meaning where the level is 0
-  std::array<std::uint8_t, 256> previous_level{};  // IP
-  std::array<std::uint8_t, 256> raised_from{};     // LT, 0: nothing has raised the top since the last fold
-  std::array<std::uint8_t, 256> lowered_from{};    // HB, 255: nothing has lowered the bottom
-};
-
-enum class PlotterAction : std::uint8_t { step, pen_up, pen_down };
-
-// One movement a plotter is told to make. x and y are the position of the pen after it, in steps from (0, 0); a
-// step changes each by at most one.
-struct PlotterMove {
-  PlotterAction action = PlotterAction::step;
-  std::uint8_t x = 0;
-  std::uint8_t y = 0;
-  bool pen_down = false;  // during a step; after a change of the pen
-
-  friend bool operator==(const PlotterMove&, const PlotterMove&) = default;
-};
-
-struct TwinCounts {
-  std::uint64_t points_walked = 0;   // steps of lines, curves, slices and outlines, seen or not
-  std::uint64_t points_plotted = 0;  // dots written to a raster board, a dot written twice counted twice;
-                                     // visible points on a plotter, dropped ones included
-  std::uint64_t pen_lifts = 0;
-  std::uint64_t steps_pen_down = 0;
-  std::uint64_t steps_pen_up = 0;
-};
 
 struct TwinPicture {
   Status status = Status::running;
@@ -60,7 +29,7 @@ struct TwinPicture {
   std::array<core::Raster, 2> rasters{};  // of the EF9365 board and of the ALT-256 board
   std::vector<PlotterMove> moves;         // of the plotters, in order
   Columns columns;                        // at the end; the pending column is not folded in
-  TwinCounts counts;
+  Counts counts;
 
   // Of a raster device only.
   [[nodiscard]] const core::Raster& raster(Device device) const {

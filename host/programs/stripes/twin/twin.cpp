@@ -5,6 +5,8 @@
 #include <numeric>
 #include <optional>
 
+#include "host/programs/stripes/face_stripes.hpp"
+
 namespace sightline::programs::stripes {
 
 namespace {
@@ -378,6 +380,7 @@ class Work {
     const std::size_t near = occluder_of(start);
     if (picture_.cuts.size() == most_cuts) throw Stop{Status::full, start};
     picture_.cuts.emplace_back(static_cast<std::uint8_t>(start), static_cast<std::uint8_t>(near));
+    ++picture_.counts.cuts;
     hides_[near][start] = Relation::none;
   }
 

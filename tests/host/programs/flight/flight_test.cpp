@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/algorithms/willis/frame.hpp"
 #include "host/algorithms/willis/spans.hpp"
 #include "host/programs/flight/path.hpp"
-#include "host/programs/flight/session.hpp"
+#include "host/programs/flight/flight.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
@@ -55,18 +58,21 @@ const std::vector<Flight>& all() {
   return made;
 }
 
-const Session& session() {
-  static const Session one;
-  return one;
+// Checked, complete, and every frame of it.
+Outcome flown(const Flight& flight, Precision precision, bool count_points = false,
+              std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> picture = {}) {
+  auto outcome = run({.model = flight.model, .path = flight.path, .precision = precision, .count_points = count_points, .check = true,
+                      .picture = std::move(picture)});
+  EXPECT_TRUE(outcome) << flight.name << ": " << (outcome ? "" : outcome.error().message());
+  return outcome ? *outcome : Outcome{};
 }
 
 TEST(Flight, IsTheTwinsInEveryPriorityOfEveryFrame) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
-      const auto run = session().run(flight.model, flight.path, pack(flight.model, flight.path, precision));
-      EXPECT_EQ(run.difference, "") << flight.name;
-      EXPECT_EQ(run.guest.status, Status::complete) << flight.name;
-      EXPECT_EQ(run.frames.size(), flight.path.size()) << flight.name;
+      const Outcome outcome = flown(flight, precision);
+      EXPECT_EQ(outcome.flight.status, Status::complete) << flight.name;
+      EXPECT_EQ(outcome.frames.size(), flight.path.size()) << flight.name;
     }
   }
 }
@@ -81,9 +87,9 @@ TEST(Flight, KeepsToFreeSpace) {
 TEST(Flight, OrdersWhatIsFartherApartThanTheStatedError) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
-      const Packed packed = pack(flight.model, flight.path, precision);
-      const auto run = session().run(flight.model, flight.path, packed);
-      for (std::size_t i = 0; i < run.guest.frames.size(); ++i) {
+      const Outcome run = flown(flight, precision);
+      const Packed& packed = run.packed;
+      for (std::size_t i = 0; i < run.flight.frames.size(); ++i) {
         willis::Point eye = willis::on_lattice(flight.path[i].eye);
         if (flight.model.plan) eye[flight.model.vertical] = 0;
         struct Piece {
@@ -92,7 +98,7 @@ TEST(Flight, OrdersWhatIsFartherApartThanTheStatedError) {
         };
         std::vector<Piece> pieces;
         for (std::size_t p = 0; p < flight.model.pieces.size(); ++p)
-          pieces.push_back({run.guest.frames[i].priorities[p + 1],
+          pieces.push_back({run.flight.frames[i].priorities[p + 1],
                             std::sqrt(static_cast<double>(willis::squared_distance(eye, flight.model.pieces[p].points[0]))) / willis::lattice_unit});
         std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.priority > b.priority; });
         double farthest = 0;
@@ -113,11 +119,9 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
   for (const Flight& flight : flights) {
     std::vector<std::uint64_t> wrong;
     for (const Precision precision : all_precisions) {
-      FlightOptions options;
-      options.count_points = true;
       std::vector<std::uint64_t> other_points(flight.path.size());
       willis::Frames exact(flight.model);
-      options.picture = [&](std::uint32_t frame, std::span<const std::uint32_t> picture) {
+      const auto compare_picture = [&](std::uint32_t frame, std::span<const std::uint32_t> picture) {
         const auto window = willis::window_ahead(flight.path[frame], 512, 512, 60);
         willis::FrameSpans spans;
         willis::make_spans(flight.model, exact.order(flight.path[frame]), flight.path[frame], window, spans);
@@ -126,7 +130,7 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
           for (int column = 0; column < 512; ++column)
             other_points[frame] += faces.values[faces.index(column, row)] != picture[static_cast<std::size_t>(511 - row) * 512 + static_cast<std::size_t>(column)] ? 1 : 0;
       };
-      const auto run = session().run(flight.model, flight.path, pack(flight.model, flight.path, precision), options);
+      const Outcome run = flown(flight, precision, true, compare_picture);
       for (std::size_t i = 0; i < run.frames.size(); ++i)
         ASSERT_EQ(other_points[i], run.frames[i].wrong_points) << flight.name << ", frame " << i;
       wrong.push_back(run.summary.wrong_orders);
@@ -140,8 +144,8 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
 TEST(Flight, CostsWhatTheModelSays) {
   for (const Flight& flight : all()) {
     for (const Precision precision : all_precisions) {
-      const Packed packed = pack(flight.model, flight.path, precision);
-      const auto run = session().run(flight.model, flight.path, packed);
+      const Outcome run = flown(flight, precision);
+      const Packed& packed = run.packed;
       for (std::size_t i = 1; i < run.frames.size(); ++i) {
         const auto measured = static_cast<double>(run.frames[i].computing.count());
         const double predicted = predicted_t_states(packed, flight.model.pieces.size(), run.frames[i]);
@@ -156,7 +160,7 @@ TEST(Flight, IsFastEnough) {
   const Flight flight = flight_through("town-20", scene::generate_town(20), false, frames(), 100);
   ASSERT_EQ(flight.model.pieces.size(), 100U);
   for (const Precision precision : all_precisions) {
-    const auto run = session().run(flight.model, flight.path, pack(flight.model, flight.path, precision));
+    const Outcome run = flown(flight, precision);
     EXPECT_GE(run.summary.frames_per_second_worst, precision == Precision::bits_16 ? 12.49 : 24.99);
   }
 }
@@ -185,12 +189,9 @@ TEST(Flight, KeepsApartWhatTouches) {
     ASSERT_GT(flight.model.cells.cells, 2U) << flight.name;
     EXPECT_EQ(flight.model.residual.size(), 0U) << flight.name;
     for (const Precision precision : all_precisions) {
-      const Packed packed = pack(flight.model, flight.path, precision);
+      const Outcome run = flown(flight, precision, true);
+      const Packed& packed = run.packed;
       ASSERT_GT(packed.planes, 0U) << flight.name;
-      FlightOptions options;
-      options.count_points = true;
-      const auto run = session().run(flight.model, flight.path, packed, options);
-      EXPECT_EQ(run.difference, "") << flight.name;
       if (precision == Precision::bits_16) {
         EXPECT_EQ(run.summary.wrong_orders, 0U) << flight.name;
         EXPECT_EQ(run.summary.wrong_points, 0U) << flight.name;

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "host/programs/flight/session.hpp"
+#include "host/programs/flight/check.hpp"
+#include "host/programs/flight/flight.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
 
@@ -19,11 +20,6 @@ namespace {
 using jones::Dice;
 
 constexpr std::array precisions{Precision::bits_8, Precision::bits_12, Precision::bits_16};
-
-const Program& program() {
-  static const Program assembled = assemble_program();
-  return assembled;
-}
 
 int flights() {
   const char* const wanted = std::getenv("SIGHTLINE_FLIGHTS");  // NOLINT(concurrency-mt-unsafe): nothing else runs
@@ -41,7 +37,7 @@ std::vector<std::uint8_t> stream_of(Precision precision, std::size_t axes, const
   return writer.end();
 }
 
-std::vector<int> priorities_of(const GuestFrame& frame, std::size_t pieces) {
+std::vector<int> priorities_of(const MachineFrame& frame, std::size_t pieces) {
   return {frame.priorities.begin() + 1, frame.priorities.begin() + 1 + static_cast<std::ptrdiff_t>(pieces)};
 }
 
@@ -49,7 +45,7 @@ std::vector<int> priorities_of(const GuestFrame& frame, std::size_t pieces) {
 TEST(FlightGuest, TheNearestPieceHasTheHighestPriority) {
   for (const Precision precision : precisions) {
     const auto stream = stream_of(precision, 2, {{10, 0}, {20, 0}, {30, 0}, {40, 0}}, {{0, 0}, {50, 0}, {21, 0}, {25, 3}, {26, 3}, {200, 200}});
-    const GuestFlight flight = run_guest(program(), stream);
+    const MachineFlight flight = run_machine(resident_program(), stream);
     ASSERT_EQ(flight.status, Status::complete);
     ASSERT_EQ(flight.frames.size(), 6U);
     EXPECT_EQ(priorities_of(flight.frames[0], 4), (std::vector<int>{4, 3, 2, 1}));
@@ -91,8 +87,8 @@ TEST(FlightGuest, IsItsTwinInRandomFlights) {
       eyes.push_back(eye);
     }
     const auto stream = stream_of(precision, axes, points, eyes);
-    const GuestFlight flight = run_guest(program(), stream);
-    ASSERT_EQ(difference_of(flight, run_twin(stream)), "") << "flight " << n << " of seed " << seed;
+    const MachineFlight flight = run_machine(resident_program(), stream);
+    ASSERT_EQ(difference_from_twin(flight, run_twin(stream)), "") << "flight " << n << " of seed " << seed;
     ASSERT_EQ(flight.status, Status::complete);
   }
 }
@@ -108,7 +104,7 @@ TEST(FlightGuest, TheEyesSideOfAPlaneComesFirst) {
     writer.check();
     for (const Coordinates& eye : std::vector<Coordinates>{{40, 0}, {60, 0}, {49, 200}, {51, 200}, {50, 0}}) writer.eye(eye);
     const auto stream = writer.end();
-    const GuestFlight flight = run_guest(program(), stream);
+    const MachineFlight flight = run_machine(resident_program(), stream);
     ASSERT_EQ(flight.status, Status::complete);
     ASSERT_EQ(flight.frames.size(), 5U);
     EXPECT_EQ(priorities_of(flight.frames[0], 4), (std::vector<int>{4, 1, 3, 2}));
@@ -116,7 +112,7 @@ TEST(FlightGuest, TheEyesSideOfAPlaneComesFirst) {
     EXPECT_EQ(priorities_of(flight.frames[2], 4), (std::vector<int>{3, 1, 4, 2}));
     EXPECT_EQ(priorities_of(flight.frames[3], 4), (std::vector<int>{1, 4, 2, 3}));
     EXPECT_EQ(priorities_of(flight.frames[4], 4), (std::vector<int>{4, 1, 3, 2}));  // in the plane: as on its first side
-    EXPECT_EQ(difference_of(flight, run_twin(stream)), "");
+    EXPECT_EQ(difference_from_twin(flight, run_twin(stream)), "");
   }
 }
 
@@ -163,8 +159,8 @@ TEST(FlightGuest, IsItsTwinWithRandomPlanes) {
     writer.check();
     for (int k = 0; k < 5; ++k) writer.eye(any());
     const auto stream = writer.end();
-    const GuestFlight flight = run_guest(program(), stream);
-    ASSERT_EQ(difference_of(flight, run_twin(stream)), "") << "flight " << n << " of seed " << seed;
+    const MachineFlight flight = run_machine(resident_program(), stream);
+    ASSERT_EQ(difference_from_twin(flight, run_twin(stream)), "") << "flight " << n << " of seed " << seed;
     ASSERT_EQ(flight.status, Status::complete) << n;
   }
 }
@@ -176,8 +172,8 @@ class DamagedFlight : public testing::Test {
   }
   // The program tells it, and shows nothing but what came before it.
   static Status refused(const std::vector<std::uint8_t>& stream, Precision precision, const std::string& what) {
-    const GuestFlight guest = run_guest(program(), stream);
-    EXPECT_EQ(difference_of(guest, run_twin(stream)), "") << what;
+    const MachineFlight guest = run_machine(resident_program(), stream);
+    EXPECT_EQ(difference_from_twin(guest, run_twin(stream)), "") << what;
     EXPECT_NE(guest.status, Status::complete) << what;
     EXPECT_NE(guest.status, Status::running) << what;
     const TwinFlight right = run_twin(whole(precision));
@@ -232,7 +228,7 @@ TEST_F(DamagedFlight, EveryStatusHasItsCause) {
     stream[at] = value;
     return stream;
   };
-  const auto status = [](const std::vector<std::uint8_t>& stream) { return run_guest(program(), stream).status; };
+  const auto status = [](const std::vector<std::uint8_t>& stream) { return run_machine(resident_program(), stream).status; };
   EXPECT_EQ(status(right), Status::complete);
   EXPECT_EQ(status(with(0, 'f')), Status::not_a_flight);
   EXPECT_EQ(status(with(1, 'f')), Status::not_a_flight);
@@ -248,7 +244,7 @@ TEST_F(DamagedFlight, EveryStatusHasItsCause) {
     writer.check();
     writer.eye(Coordinates{3, 4});
     const auto stream = writer.end();
-    EXPECT_EQ(difference_of(run_guest(program(), stream), run_twin(stream)), "");
+    EXPECT_EQ(difference_from_twin(run_machine(resident_program(), stream), run_twin(stream)), "");
     return status(stream);
   };
   EXPECT_EQ(places({1, 0, 0x82, 2, 3, 127}, {1, 2, 127, 3}), Status::complete);
@@ -266,9 +262,9 @@ TEST_F(DamagedFlight, EveryStatusHasItsCause) {
   EXPECT_EQ(status(stream_of(Precision::bits_12, 2, {{1, 0x1000}}, {{1, 2}})), Status::out_of_range);
   EXPECT_EQ(status(stream_of(Precision::bits_12, 2, {{1, 0xFFF}}, {{0x1000, 2}})), Status::out_of_range);
   EXPECT_EQ(status(stream_of(Precision::bits_12, 2, {{1, 0xFFF}}, {{0xFFF, 2}})), Status::complete);
-  GuestOptions blind;
+  MachineOptions blind;
   blind.display = false;
-  EXPECT_EQ(run_guest(program(), right, blind).status, Status::no_display);
+  EXPECT_EQ(run_machine(resident_program(), right, blind).status, Status::no_display);
 }
 
 }  // namespace

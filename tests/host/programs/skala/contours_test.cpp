@@ -21,7 +21,7 @@ using stream_test::named;
 using stream_test::Place;
 using stream_test::SentCommand;
 
-const View contours{.picture = PictureKind::contours};
+const View contours{.subject = Subject::contours, .silhouette = true};
 
 TEST(ContourLevels, DivideTheRange) {
   EXPECT_EQ(contour_levels({0, 9}, 8), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
@@ -57,8 +57,8 @@ TEST(SkalaStreamWriter, TestLinesNearestToAPlottersPenFirst) {
     result.segment(a, b, step);
     return result;
   };
-  const auto tested = [&](const View& view) {
-    StreamWriter writer(view, 7);
+  const auto tested = [&](const Output& output) {
+    StreamWriter writer(contours, output, 7);
     writer.chain(chain({10, 10}, {20, 10}, ChainStep::test));
     writer.chain_and_commit(chain({100, 100}, {120, 100}, ChainStep::mask));
     writer.test_chains({{1, chain({118, 100}, {80, 90}, ChainStep::test)},
@@ -69,12 +69,9 @@ TEST(SkalaStreamWriter, TestLinesNearestToAPlottersPenFirst) {
       if (line.by == Command::test_draw) ends.push_back(line.to);
     return ends;
   };
-  View view = contours;
-  EXPECT_EQ(tested(view), (std::vector<Place>{{20, 10}, {80, 90}, {40, 20}, {22, 19}}));
-  view.device = Device::minigraf;
-  EXPECT_EQ(tested(view), (std::vector<Place>{{20, 10}, {22, 19}, {60, 30}, {118, 100}}));
-  view.serpentine = false;
-  EXPECT_EQ(tested(view), (std::vector<Place>{{20, 10}, {80, 90}, {40, 20}, {22, 19}}));
+  EXPECT_EQ(tested({}), (std::vector<Place>{{20, 10}, {80, 90}, {40, 20}, {22, 19}}));
+  EXPECT_EQ(tested({Device::minigraf}), (std::vector<Place>{{20, 10}, {22, 19}, {60, 30}, {118, 100}}));
+  EXPECT_EQ(tested({Device::minigraf, false}), (std::vector<Place>{{20, 10}, {80, 90}, {40, 20}, {22, 19}}));
 }
 
 TEST(SkalaContours, OfHeightsThatHardlyDiffer) {

@@ -1,13 +1,13 @@
 // Skala's program on its machine: receipt over both links, several blocks, every status, what is measured,
 // and the plotters' movements against the twin's.
-#include "host/programs/skala/guest.hpp"
+#include "host/programs/skala/machine.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/skala.hpp"
 #include "tests/host/programs/skala/guest_support.hpp"
 #include "tests/host/programs/skala/twin/support.hpp"
 
@@ -18,22 +18,14 @@ SkalaBytes picture(Device device = Device::ef9365) {
   return SkalaBytes().device(device).reset();
 }
 
-GuestPicture run(const SkalaBytes& bytes, const GuestOptions& options = {}) {
-  return run_guest(skala_program(), bytes.bytes(), options);
+MachinePicture run(const SkalaBytes& bytes, const MachineOptions& options = {}) {
+  return run_machine(resident_program(), bytes.bytes(), options);
 }
 
-GuestOptions on(Device device) {
-  GuestOptions options;
+MachineOptions on(Device device) {
+  MachineOptions options;
   options.device = device;
   return options;
-}
-
-View view_of(PictureKind picture, Device device) {
-  View view;
-  view.picture = picture;
-  view.device = device;
-  view.rotation = 30;
-  return view;
 }
 
 TEST(SkalaGuest, DrawsALine) {
@@ -49,11 +41,11 @@ TEST(SkalaGuest, DrawsALine) {
 }
 
 TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
-  const auto bytes = stream_of("franke", {17, 9}, view_of(PictureKind::lines, Device::ef9365));
-  GuestOptions serial;
+  const auto bytes = stream_of("franke", {17, 9}, view_of(Subject::lines, 30));
+  MachineOptions serial;
   serial.link = Link::serial;
-  const auto fast = run_guest(skala_program(), bytes);
-  const auto slow = run_guest(skala_program(), bytes, serial);
+  const auto fast = run_machine(resident_program(), bytes);
+  const auto slow = run_machine(resident_program(), bytes, serial);
   EXPECT_EQ(fast.raster, slow.raster);
   // 10 bits a byte at 9600 baud.
   EXPECT_GE(slow.total.count() - slow.drawing.count(), static_cast<std::int64_t>(bytes.size()) * 3125 - 3125);
@@ -65,9 +57,9 @@ TEST(SkalaGuest, DrawingTimeLeavesTheLinkOut) {
 }
 
 TEST(SkalaGuest, RunsAreRepeatable) {
-  const auto bytes = stream_of("peaks", {17, 9}, view_of(PictureKind::surface, Device::ef9365));
-  const auto first = run_guest(skala_program(), bytes);
-  const auto second = run_guest(skala_program(), bytes);
+  const auto bytes = stream_of("peaks", {17, 9}, view_of(Subject::surface, 30));
+  const auto first = run_machine(resident_program(), bytes);
+  const auto second = run_machine(resident_program(), bytes);
   EXPECT_EQ(first.drawing, second.drawing);
   EXPECT_EQ(first.instructions, second.instructions);
 }
@@ -77,23 +69,22 @@ TEST(SkalaGuest, BothLinksOnEveryDevice) {
     for (const Link link : {Link::parallel, Link::serial}) {
       SCOPED_TRACE(testing::Message()
                    << "device " << static_cast<int>(device) << " link " << static_cast<int>(link));
-      GuestOptions options = on(device);
+      MachineOptions options = on(device);
       options.link = link;
-      EXPECT_TRUE(agrees(stream_of("rogers", {9, 7}, view_of(PictureKind::lines, device)), options));
+      EXPECT_TRUE(agrees(stream_of("rogers", {9, 7}, view_of(Subject::lines, 30), {device}), options));
     }
   }
 }
 
 TEST(SkalaGuest, PicturesOfSeveralBlocks) {
-  for (const PictureKind what : skala_pictures) {
+  for (const Subject what : skala_pictures) {
     SCOPED_TRACE(skala_picture_names[static_cast<std::size_t>(what)]);
-    View view = view_of(what, Device::ef9365);
-    view.rotation = 20;
-    const bool contours = what == PictureKind::contours;
+    const View view = view_of(what, 20);
+    const bool contours = what == Subject::contours;
     const auto bytes =
         stream_of("terrain", contours ? scene::GridSize{50, 50} : scene::GridSize{256, 200}, view);
     ASSERT_GT(bytes.size(), buffer_bytes);
-    const auto guest = run_guest(skala_program(), bytes);
+    const auto guest = run_machine(resident_program(), bytes);
     EXPECT_TRUE(same_as_twin(guest, run_twin(bytes), Device::ef9365));
     EXPECT_GE(guest.blocks, 2);
     EXPECT_LT(guest.drawing, guest.total);
@@ -128,7 +119,7 @@ TEST(SkalaGuest, BadStreamsStopWithTheirStatus) {
 }
 
 TEST(SkalaGuest, AStreamWithoutEndIsGivenUp) {
-  GuestOptions options;
+  MachineOptions options;
   options.t_state_limit = 1'000'000;
   const auto guest = run(picture().draw(5, 5), options);
   EXPECT_FALSE(guest.ended);
@@ -137,13 +128,13 @@ TEST(SkalaGuest, AStreamWithoutEndIsGivenUp) {
 }
 
 TEST(SkalaGuest, ARunawayProgramIsGivenUp) {
-  Program program = skala_program();
+  Program program = resident_program();
   program.memory[program.labels.drawing] = 0xC3;  // JMP to itself
   program.memory[program.labels.drawing + 1U] = static_cast<std::uint8_t>(program.labels.drawing & 0xFF);
   program.memory[program.labels.drawing + 2U] = static_cast<std::uint8_t>(program.labels.drawing >> 8);
-  GuestOptions options;
+  MachineOptions options;
   options.t_state_limit = 500'000;
-  const auto guest = run_guest(program, picture().end().bytes(), options);
+  const auto guest = run_machine(program, picture().end().bytes(), options);
   EXPECT_FALSE(guest.ended);
   EXPECT_GE(guest.total.count(), 500'000);
 }
@@ -161,13 +152,13 @@ TEST(SkalaGuest, ADeviceThatIsNotThere) {
 
 TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
   for (const Device device : {Device::calcomp, Device::minigraf}) {
-    for (const PictureKind what : skala_pictures) {
+    for (const Subject what : skala_pictures) {
       SCOPED_TRACE(testing::Message() << "device " << static_cast<int>(device) << ' '
                                       << skala_picture_names[static_cast<std::size_t>(what)]);
-      const auto bytes = stream_of("sinc", {13, 11}, view_of(what, device));
-      GuestOptions options = on(device);
+      const auto bytes = stream_of("sinc", {13, 11}, view_of(what, 30), {device});
+      MachineOptions options = on(device);
       options.keep_strokes = true;
-      const auto guest = run_guest(skala_program(), bytes, options);
+      const auto guest = run_machine(resident_program(), bytes, options);
       const auto twin = twin_with_only(bytes, device);
       EXPECT_TRUE(same_as_twin(guest, twin, device));
       const PlotterWork work = plotter_work(guest.moves);
@@ -184,6 +175,47 @@ TEST(SkalaGuest, PlottersMakeTheTwinsMovements) {
       EXPECT_LT(drawing, 1.25 * plotter);
     }
   }
+}
+
+// The whole of an order: what is counted, the run without the test of visibility, and the same with the twin beside it.
+TEST(SkalaRun, AnOrderIsRunAndChecked) {
+  for (const Subject subject : skala_pictures) {
+    for (const Device device : {Device::ef9365, Device::calcomp}) {
+      for (const bool visibility : {true, false}) {
+        SCOPED_TRACE(testing::Message() << skala_picture_names[static_cast<std::size_t>(subject)] << " device " << static_cast<int>(device)
+                                        << (visibility ? "" : " without visibility"));
+        Order order;
+        order.grid = scene::sample(*scene::height_function("peaks"), {13, 12});
+        order.view = view_of(subject, 30);
+        order.view.visibility = visibility;
+        order.device = device;
+        order.time_plain = true;
+        const auto unchecked = skala::run(order);
+        ASSERT_TRUE(unchecked) << unchecked.error().message();
+        EXPECT_FALSE(unchecked->counts);
+        EXPECT_EQ(unchecked->plain_drawing.has_value(), visibility);
+        EXPECT_EQ(unchecked->visibility_cost().has_value(), visibility);
+        order.check = true;
+        const auto checked = skala::run(order);
+        ASSERT_TRUE(checked) << checked.error().message();
+        ASSERT_TRUE(checked->counts);
+        EXPECT_EQ(unchecked->points_walked, checked->counts->points_walked);
+        EXPECT_EQ(unchecked->plotter.pen_lifts, checked->counts->pen_lifts);
+        EXPECT_EQ(unchecked->picture.total, checked->picture.total);
+        EXPECT_EQ(unchecked->picture.raster, checked->picture.raster);
+      }
+    }
+  }
+}
+
+TEST(SkalaRun, AProgramThatStopsIsAnError) {
+  const auto stopped = skala::run(picture().byte(15).bytes(), Device::ef9365, false);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, base::ErrorKind::program_failed);
+  EXPECT_EQ(stopped.error().message(), "the program stopped: unknown command");
+  const auto missing = skala::run(picture(Device::calcomp).end().bytes(), Device::ef9365, true);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, base::ErrorKind::program_failed);
 }
 
 TEST(SkalaGuest, PathsOfThePenGoFromLoweringToLifting) {

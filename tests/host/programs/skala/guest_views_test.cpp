@@ -24,11 +24,11 @@ const std::vector<double> hard_elevations =
 const scene::GridSize plotted_size = tests::effort(scene::GridSize{33, 33}, scene::GridSize{9, 9});
 constexpr std::array<double, 3> elevations{-20, 0, 35};
 
-scene::GridSize usual_size(PictureKind what) {
-  return what == PictureKind::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+scene::GridSize usual_size(Subject what) {
+  return what == Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
 }
 
-class SkalaGuestViews : public testing::TestWithParam<std::tuple<std::string, PictureKind>> {};
+class SkalaGuestViews : public testing::TestWithParam<std::tuple<std::string, Subject>> {};
 
 TEST_P(SkalaGuestViews, GuestAndTwinAgree) {
   const auto& [function, what] = GetParam();
@@ -37,16 +37,14 @@ TEST_P(SkalaGuestViews, GuestAndTwinAgree) {
   std::string longest_view;
   for (int turn = 0; turn < rotations; ++turn) {
     for (const double elevation : elevations) {
-      View view;
-      view.picture = what;
-      view.rotation = 360.0 / rotations * turn;
+      View view = view_of(what, 360.0 / rotations * turn);
       view.elevation = elevation;
       const std::string described =
           "rotated " + std::to_string(view.rotation) + ", elevation " + std::to_string(elevation);
       SCOPED_TRACE(described);
       const auto bytes = stream_of(grid, view);
-      const auto guest = run_guest(skala_program(), bytes);
-      ASSERT_TRUE(same_as_twin(guest, run_twin(bytes), view.device));
+      const auto guest = run_machine(resident_program(), bytes);
+      ASSERT_TRUE(same_as_twin(guest, run_twin(bytes), Device::ef9365));
       ASSERT_GT(points_lit(guest), 0U);
       if (guest.drawing.count() > longest) {
         longest = guest.drawing.count();
@@ -124,16 +122,14 @@ class SkalaHardCases : public testing::TestWithParam<HardCase> {};
 
 TEST_P(SkalaHardCases, GuestAndTwinAgree) {
   const auto grid = grid_of(GetParam().heights);
-  for (const PictureKind what : skala_pictures) {
+  for (const Subject what : skala_pictures) {
     for (const double rotation : hard_rotations) {
       for (const double elevation : hard_elevations) {
         for (const double zoom : {1.0, 1.7}) {
-          View view;
-          view.picture = what;
-          view.rotation = rotation;
+          View view = view_of(what, rotation);
           view.elevation = elevation;
           view.zoom = zoom;
-          view.family = what == PictureKind::lines && zoom == 1 ? Family::both : Family::automatic;
+          view.family = what == Subject::lines && zoom == 1 ? Family::both : Family::automatic;
           SCOPED_TRACE(testing::Message()
                        << skala_picture_names[static_cast<std::size_t>(what)] << " rotated " << rotation
                        << " elevation " << elevation << " zoom " << zoom);
@@ -150,19 +146,16 @@ TEST_P(SkalaHardCases, GuestAndTwinAgree) {
 INSTANTIATE_TEST_SUITE_P(HardCases, SkalaHardCases, testing::ValuesIn(hard_cases()),
                          [](const auto& p) { return std::string(p.param.name); });
 
-class SkalaPlotterViews : public testing::TestWithParam<std::tuple<std::string, PictureKind, Device>> {};
+class SkalaPlotterViews : public testing::TestWithParam<std::tuple<std::string, Subject, Device>> {};
 
 TEST_P(SkalaPlotterViews, GuestAndTwinMakeTheSameMovements) {
   const auto& [function, what, device] = GetParam();
   for (const double rotation : {30.0, 200.0}) {
-    View view;
-    view.picture = what;
-    view.device = device;
-    view.rotation = rotation;
+    const View view = view_of(what, rotation);
     SCOPED_TRACE(testing::Message() << "rotated " << rotation);
-    GuestOptions options;
+    MachineOptions options;
     options.device = device;
-    EXPECT_TRUE(agrees(stream_of(function, plotted_size, view), options));
+    EXPECT_TRUE(agrees(stream_of(function, plotted_size, view, {device}), options));
   }
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "host/programs/skala/contours.hpp"
-#include "host/programs/skala/session.hpp"
+#include "host/programs/skala/picture.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
 #include "tests/host/programs/skala/guest_support.hpp"
@@ -15,30 +15,22 @@
 namespace sightline::programs::skala {
 namespace {
 
-View demo_view(PictureKind what, Device device) {
-  View view;
-  view.picture = what;
-  view.device = device;
-  view.rotation = 30;
-  return view;
-}
-
-class SkalaPictures : public testing::TestWithParam<std::tuple<std::string, PictureKind>> {};
+class SkalaPictures : public testing::TestWithParam<std::tuple<std::string, Subject>> {};
 
 TEST_P(SkalaPictures, AreTheApprovedOnes) {
   const auto& [function, what] = GetParam();
   const scene::GridSize size =
-      what == PictureKind::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
-  const auto guest = run_guest(skala_program(), stream_of(function, size, demo_view(what, Device::ef9365)));
+      what == Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
+  const auto guest = run_machine(resident_program(), stream_of(function, size, view_of(what, 30)));
   ASSERT_EQ(guest.status, Status::complete);
   const auto palette =
-      what == PictureKind::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
+      what == Subject::surface ? picture::RasterPalette::grey : picture::RasterPalette::colour;
   const std::string name =
       "skala/" + function + "-" + std::string(skala_picture_names[static_cast<std::size_t>(what)]) + ".png";
   EXPECT_TRUE(tests::matches_approved_png(picture::raster_image(guest.raster, palette, 1), name));
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<std::string, PictureKind>>& p) {
+std::string name_of(const testing::TestParamInfo<std::tuple<std::string, Subject>>& p) {
   return std::get<0>(p.param) + "_" +
          std::string(skala_picture_names[static_cast<std::size_t>(std::get<1>(p.param))]);
 }
@@ -79,8 +71,8 @@ int gaps_in_contours(const core::Raster& raster) {
 class SkalaContourDashes : public testing::TestWithParam<std::string> {};
 
 TEST_P(SkalaContourDashes, ThereAreNone) {
-  const auto view = demo_view(PictureKind::contours, Device::ef9365);
-  const auto guest = run_guest(skala_program(), stream_of(GetParam(), {33, 33}, view));
+  const auto view = view_of(Subject::contours, 30);
+  const auto guest = run_machine(resident_program(), stream_of(GetParam(), {33, 33}, view));
   EXPECT_EQ(gaps_in_contours(guest.raster), 0);
 }
 
@@ -90,11 +82,11 @@ INSTANTIATE_TEST_SUITE_P(TheEight, SkalaContourDashes,
                          [](const auto& parameter) { return parameter.param; });
 
 TEST(SkalaPlot, IsTheApprovedOne) {
-  GuestOptions options;
+  MachineOptions options;
   options.device = Device::calcomp;
   const auto guest =
-      run_guest(skala_program(),
-                stream_of("rogers", {33, 60}, demo_view(PictureKind::lines, Device::calcomp)), options);
+      run_machine(resident_program(),
+                stream_of("rogers", {33, 60}, view_of(Subject::lines, 30), {Device::calcomp}), options);
   ASSERT_EQ(guest.status, Status::complete);
   EXPECT_TRUE(tests::matches_approved_png(
       picture::pen_image(pen_paths(guest.moves), picture::calcomp_paper, 1), "skala/rogers-calcomp.png"));

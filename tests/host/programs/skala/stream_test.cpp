@@ -35,7 +35,7 @@ TEST(SkalaStream, OfAFlatSquare) {
   EXPECT_EQ(stream_of(named("flat", {2, 2}), {}), expected);
   Bytes alone = expected;
   alone[1] = 0x81;
-  EXPECT_EQ(stream_of(named("flat", {2, 2}), {.device = Device::alt256, .visibility = false}), alone);
+  EXPECT_EQ(stream_of(named("flat", {2, 2}), {.visibility = false}, {Device::alt256}), alone);
 }
 
 // Rotated 45 degrees the square stands on a corner, the right rim continues the near edge, and the left one
@@ -89,7 +89,7 @@ TEST(SkalaStream, AHoleBreaksTheSliceAndItsRims) {
 TEST(SkalaStream, HolesOfASurfaceAreGaps) {
   const scene::HeightGrid grid = grid_of({{0, 0, 0, 0, 0}, {0, 0, nan, 0, 0}, {nan, 0, 0, 0, nan}});
   std::vector<std::vector<int>> gaps;
-  for (const SentCommand& c : decode(stream_of(grid, {.picture = PictureKind::surface})))
+  for (const SentCommand& c : decode(stream_of(grid, {.subject = Subject::surface})))
     if (c.what == Command::gap) gaps.push_back(c.arguments);
   // Columns 0, 64, 128, 191, 255: between 64 and 191; before 64; after 191.
   EXPECT_EQ(gaps, (std::vector<std::vector<int>>{{65, 126}, {0, 64}, {192, 64}}));
@@ -97,10 +97,10 @@ TEST(SkalaStream, HolesOfASurfaceAreGaps) {
 
 TEST(SkalaStream, ASurfaceBeginsWithTheLeadingRim) {
   const auto left_first =
-      decode(stream_of(named("flat", {3, 3}), {.picture = PictureKind::surface, .rotation = -30}));
+      decode(stream_of(named("flat", {3, 3}), {.subject = Subject::surface, .rotation = -30}));
   EXPECT_EQ(left_first[4].what, Command::rim);
   const auto right_after =
-      decode(stream_of(named("flat", {3, 3}), {.picture = PictureKind::surface, .rotation = 30}));
+      decode(stream_of(named("flat", {3, 3}), {.subject = Subject::surface, .rotation = 30}));
   EXPECT_EQ(right_after[3].what, Command::surface);
   EXPECT_EQ(right_after[4].what, Command::rim);
   EXPECT_EQ(right_after[5].what, Command::rim);
@@ -174,8 +174,9 @@ std::vector<View> views() {
         view.family = family;
         result.push_back(view);
       }
-      for (const PictureKind picture : {PictureKind::surface, PictureKind::contours}) {
-        view.picture = picture;
+      for (const Subject picture : {Subject::surface, Subject::contours}) {
+        view.subject = picture;
+        view.silhouette = picture == Subject::contours;
         result.push_back(view);
       }
     }
@@ -220,8 +221,7 @@ TEST(SkalaStream, HolesAndZoomsAreMonotoneToo) {
   for (std::size_t i = 0; i < grid.heights.size(); i += 7) grid.heights[i] = nan;
   for (View view : views()) {
     view.zoom = 1 + view.rotation / 60;
-    view.device = Device::calcomp;
-    const Bytes stream = stream_of(grid, view);
+    const Bytes stream = stream_of(grid, view, {Device::calcomp});
     expect_monotone(lines_of(stream), "rotated " + std::to_string(view.rotation));
     ASSERT_EQ(run_twin(stream).status, Status::complete);
   }
@@ -248,7 +248,8 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
     // Slices seen end-on may come in either order, and so may cells beside each other.
     EXPECT_TRUE(turn % 12 == 6 || stream_of(grid, view) == stream_of(turned, other)) << view.rotation;
     if (turn % 6 == 0) continue;
-    view.picture = other.picture = PictureKind::contours;
+    view.subject = other.subject = Subject::contours;
+    view.silhouette = other.silhouette = true;
     const auto one = lines_of(stream_of(grid, view));
     const auto two = lines_of(stream_of(turned, other));
     const auto key = [](const Line& l) {
@@ -266,13 +267,14 @@ TEST(SkalaStream, TurningTheDataAndTheEyeTogetherGivesTheSameBytes) {
 // The same lines, less travel.
 TEST(SkalaStream, PlottersDrawThereAndBack) {
   const scene::HeightGrid grid = named("sinc", {33, 30});
-  for (const PictureKind picture : {PictureKind::lines, PictureKind::surface, PictureKind::contours}) {
-    View view{.picture = picture, .device = Device::calcomp, .rotation = 30};
-    const TwinPicture there_and_back = run_twin(stream_of(grid, view));
-    const auto serpentine = lines_of(stream_of(grid, view));
-    view.serpentine = false;
-    const TwinPicture one_way = run_twin(stream_of(grid, view));
-    const auto plain = lines_of(stream_of(grid, view));
+  for (const Subject picture : {Subject::lines, Subject::surface, Subject::contours}) {
+    const View view{.subject = picture, .rotation = 30, .silhouette = picture == Subject::contours};
+    const Bytes turning = stream_of(grid, view, {Device::calcomp});
+    const Bytes straight = stream_of(grid, view, {Device::calcomp, false});
+    const TwinPicture there_and_back = run_twin(turning);
+    const auto serpentine = lines_of(turning);
+    const TwinPicture one_way = run_twin(straight);
+    const auto plain = lines_of(straight);
     const auto ends = [](const std::vector<Line>& lines) {
       std::multiset<std::pair<Place, Place>> set;
       for (const Line& l : lines)

@@ -19,11 +19,11 @@ SceneFace rectangle(int west, int east, int low, int lines, std::uint16_t z) {
   return face;
 }
 
-GuestPicture run(const ProjectedScene& scene, Computer stripes, Computer priority) {
-  const CheckedPicture picture = session().run(encode(scene, {Output::raster, stripes, priority})->bytes);
+MachinePicture run(const ProjectedScene& scene, Computer stripes, Computer priority) {
+  const CheckedPicture picture = run_both(encode(scene, {Output::raster, stripes, priority})->bytes);
   EXPECT_EQ(picture.difference, "");
-  EXPECT_EQ(picture.guest.status, Status::complete);
-  return picture.guest;
+  EXPECT_EQ(picture.machine.status, Status::complete);
+  return picture.machine;
 }
 
 // As NOTES.md has them: T-states are exact, the notes round them to tens.

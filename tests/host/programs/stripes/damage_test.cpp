@@ -31,22 +31,22 @@ ProjectedScene two_faces() {
 Bytes stream_of(const StreamOptions& options) { return encode(two_faces(), options)->bytes; }
 
 void expect_refused(const Bytes& stream, Status status, const std::string& name, std::uint8_t fault = 0) {
-  const CheckedPicture picture = session().run(stream);
+  const CheckedPicture picture = run_both(stream);
   EXPECT_EQ(picture.difference, "") << name;
-  EXPECT_TRUE(picture.guest.ended) << name;
-  EXPECT_EQ(picture.guest.status, status) << name << ": " << text_of(picture.guest.status);
-  EXPECT_EQ(picture.guest.fault, fault) << name;
-  EXPECT_EQ(picture.guest.raster, core::Raster()) << name;
-  EXPECT_TRUE(picture.guest.commands.empty()) << name;
+  EXPECT_TRUE(picture.machine.ended) << name;
+  EXPECT_EQ(picture.machine.status, status) << name << ": " << text_of(picture.machine.status);
+  EXPECT_EQ(picture.machine.fault, fault) << name;
+  EXPECT_EQ(picture.machine.raster, core::Raster()) << name;
+  EXPECT_TRUE(picture.machine.commands.empty()) << name;
 }
 
 TEST(StripesDamage, TheStreamsAreRight) {
   for (const Output output : outputs)
     for (const Computer stripes : both)
       for (const Computer priority : both) {
-        const CheckedPicture picture = session().run(stream_of({output, stripes, priority}));
-        EXPECT_EQ(picture.guest.status, Status::complete);
-        EXPECT_EQ(picture.guest.order, (std::vector<std::uint8_t>{0, 1}));
+        const CheckedPicture picture = run_both(stream_of({output, stripes, priority}));
+        EXPECT_EQ(picture.machine.status, Status::complete);
+        EXPECT_EQ(picture.machine.order, (std::vector<std::uint8_t>{0, 1}));
       }
 }
 
@@ -57,11 +57,11 @@ TEST(StripesDamage, AChangedByteIsFound) {
     for (const std::uint8_t change : {std::uint8_t(1U << at % 8), std::uint8_t{0xFF}}) {
       Bytes bytes = right;
       bytes[at] ^= change;
-      const CheckedPicture picture = session().run(bytes);
+      const CheckedPicture picture = run_both(bytes);
       EXPECT_EQ(picture.difference, "");
-      EXPECT_NE(picture.guest.status, Status::complete) << "byte " << at;
-      EXPECT_NE(picture.guest.status, Status::running) << "byte " << at;
-      EXPECT_EQ(picture.guest.raster, core::Raster()) << "byte " << at;
+      EXPECT_NE(picture.machine.status, Status::complete) << "byte " << at;
+      EXPECT_NE(picture.machine.status, Status::running) << "byte " << at;
+      EXPECT_EQ(picture.machine.raster, core::Raster()) << "byte " << at;
     }
   }
 }
@@ -147,7 +147,7 @@ TEST(StripesDamage, RecordsAreChecked) {
     return body;
   };
   expect_refused(framed(faces_are_stripes, 1, line_of(16)), Status::bad_record, "16 toggles");
-  EXPECT_EQ(session().run(framed(faces_are_stripes, 1, line_of(15))).guest.status, Status::complete);
+  EXPECT_EQ(run_both(framed(faces_are_stripes, 1, line_of(15))).machine.status, Status::complete);
 }
 
 // Any bytes in a right frame: the program ends, and as its twin does.
@@ -161,17 +161,17 @@ TEST(StripesDamage, AnyRecordsEnd) {
     for (int changes = dice(1, 3); changes > 0; --changes)
       body[static_cast<std::size_t>(dice(0, static_cast<int>(body.size()) - 1))] = static_cast<std::uint8_t>(dice(0, 255));
     const std::uint8_t mode = dice(0, 3) == 0 ? static_cast<std::uint8_t>(dice(0, 7)) : right[4] | static_cast<std::uint8_t>(dice(0, 1));
-    const CheckedPicture picture = session().run(framed(mode, 2, body));
+    const CheckedPicture picture = run_both(framed(mode, 2, body));
     ASSERT_EQ(picture.difference, "") << "stream " << n << " of seed " << seed;
-    ASSERT_TRUE(picture.guest.ended) << "stream " << n << " of seed " << seed;
+    ASSERT_TRUE(picture.machine.ended) << "stream " << n << " of seed " << seed;
   }
 }
 
 TEST(StripesDamage, ADeviceMustAnswer) {
   for (const Output output : outputs) {
-    GuestOptions options;
+    MachineOptions options;
     options.device = Device::none;
-    const GuestPicture picture = run_guest(session().program(), stream_of({output, Computer::i8080, Computer::i8080}), options);
+    const MachinePicture picture = run_machine(resident_program(), stream_of({output, Computer::i8080, Computer::i8080}), options);
     EXPECT_TRUE(picture.ended);
     EXPECT_EQ(picture.status, Status::no_device);
   }
@@ -194,13 +194,13 @@ ProjectedScene combs(int count) {
 
 TEST(StripesDamage, ALineThatIsTooFullIsFound) {
   const auto run = [](int count) {
-    return session().run(encode(combs(count), {Output::raster, Computer::i8080, Computer::host})->bytes);
+    return run_both(encode(combs(count), {Output::raster, Computer::i8080, Computer::host})->bytes);
   };
-  EXPECT_EQ(run(2).guest.status, Status::complete);  // 28 ends
+  EXPECT_EQ(run(2).machine.status, Status::complete);  // 28 ends
   const CheckedPicture picture = run(3);
   EXPECT_EQ(picture.difference, "");
-  EXPECT_EQ(picture.guest.status, Status::full);
-  EXPECT_EQ(picture.guest.fault, 2);
+  EXPECT_EQ(picture.machine.status, Status::full);
+  EXPECT_EQ(picture.machine.fault, 2);
 }
 
 std::string message_of(const ProjectedScene& scene, const StreamOptions& options) {

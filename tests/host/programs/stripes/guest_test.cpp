@@ -25,17 +25,17 @@ void expect_twins(const scene::PolyScene& scene, const View& view, const std::st
   for (const Output output : outputs) {
     if (output == Output::vector && !with_plotter) continue;  // minutes of the machine's time
     for (const Computer priority : both) {
-      std::array<DrawnScene, 2> ways;
+      std::array<MachinePicture, 2> ways;
       for (std::size_t k = 0; k < both.size(); ++k) {
-        auto drawn = session().draw(scene, view, {output, both[k], priority});
+        const auto drawn = run({.scene = scene, .view = view, .options = {output, both[k], priority}, .check = true});
         ASSERT_TRUE(drawn) << name << ": " << drawn.error().message();
-        ways[k] = std::move(*drawn);
-        EXPECT_EQ(ways[k].picture.difference, "") << name;
-        EXPECT_EQ(ways[k].picture.guest.status, Status::complete) << name;
-        EXPECT_TRUE(ways[k].picture.guest.faults.empty()) << name;
+        ways[k] = drawn->picture;
+        EXPECT_EQ(ways[k].status, Status::complete) << name;
+        EXPECT_TRUE(ways[k].faults.empty()) << name;
+        EXPECT_EQ(ways[k].counts, run_twin(drawn->stream.bytes).counts) << name;
       }
-      EXPECT_EQ(ways[0].picture.guest.raster, ways[1].picture.guest.raster) << name;
-      EXPECT_EQ(ways[0].picture.guest.commands, ways[1].picture.guest.commands) << name;
+      EXPECT_EQ(ways[0].raster, ways[1].raster) << name;
+      EXPECT_EQ(ways[0].commands, ways[1].commands) << name;
     }
   }
 }
@@ -50,7 +50,7 @@ TEST(StripesGuest, IsItsTwinOnCommonScenes) {
     for (std::size_t v = 0; v < views; ++v) {
       const std::string title = std::string(name) + ", view " + std::to_string(v);
       if (title == "C9, view 1") {
-        const auto drawn = session().draw(scene.scene, common_view(scene.views[v]), {});
+        const auto drawn = run({.scene = scene.scene, .view = common_view(scene.views[v])});
         ASSERT_FALSE(drawn);
         EXPECT_EQ(drawn.error().found, "65 faces are turned to the eye, 1 too many");
         continue;
@@ -74,9 +74,9 @@ TEST(StripesGuest, IsItsTwinOnGeneratedScenes) {
     const auto scene = *scene::generate_scene(names[k].family, names[k].size, names[k].seed);
     const std::size_t n = k / stride;
     const StreamOptions options{outputs[n % 8 == 0 ? 1 : 0], both[n % 2], both[n / 2 % 2]};
-    const auto drawn = session().draw(scene, whole_view(scene), options);
+    const auto drawn = run({.scene = scene, .view = whole_view(scene), .options = options, .check = true});
     ASSERT_TRUE(drawn) << names[k].family << "-" << names[k].size << "-" << names[k].seed << ": " << drawn.error().message();
-    EXPECT_EQ(drawn->picture.difference, "") << names[k].family << "-" << names[k].size << "-" << names[k].seed;
+    EXPECT_EQ(drawn->picture.counts, run_twin(drawn->stream.bytes).counts);
   }
 }
 
@@ -121,9 +121,9 @@ TEST(StripesGuest, IsItsTwinOnRandomFaces) {
                                 n % 8 < 6 ? Computer::i8080 : Computer::host};
     const auto stream = encode(scene, options);
     if (!stream) continue;  // too many sides in a line
-    const CheckedPicture picture = session().run(stream->bytes);
+    const CheckedPicture picture = run_both(stream->bytes);
     ASSERT_EQ(picture.difference, "") << "scene " << n << " of seed " << seed;
-    ASSERT_TRUE(picture.guest.ended);
+    ASSERT_TRUE(picture.machine.ended);
     cut += picture.twin.cuts.empty() ? 0 : 1;
     full += picture.twin.status == Status::full ? 1 : 0;
   }
@@ -182,14 +182,14 @@ void expect_drawn(std::set<Link> left, const std::vector<std::uint8_t>& commands
 TEST(StripesGuest, DrawsEveryBorderBetweenFacesOnce) {
   for (const std::string_view name : {"C1", "C3", "C5", "C7", "C8"}) {
     const compare::CommonScene scene = compare::common_scene(name);
-    const auto drawn = session().draw(scene.scene, common_view(scene.views[0]), {Output::vector, Computer::i8080, Computer::i8080});
+    const auto drawn = run({.scene = scene.scene, .view = common_view(scene.views[0]), .options = {.output = Output::vector}, .check = true});
     ASSERT_TRUE(drawn) << name << ": " << drawn.error().message();
-    expect_drawn(borders_of(drawn->picture.twin.items), drawn->picture.guest.commands, std::string(name));
+    expect_drawn(borders_of(run_twin(drawn->stream.bytes).items), drawn->picture.commands, std::string(name));
   }
 }
 
 TEST(StripesGuest, FitsInFourKilobytes) {
-  EXPECT_LE(session().program().memory.size(), program_room);
+  EXPECT_LE(resident_program().memory.size(), program_room);
   EXPECT_EQ(program_room, 4096U);
   EXPECT_EQ(data_room, 48U * 1024);
 }
@@ -198,10 +198,10 @@ TEST(StripesGuest, FitsInFourKilobytes) {
 TEST(StripesGuest, DrawsSixtyFacesInAMinute) {
   const scene::PolyScene scene = scene_named("boxes-20");
   for (const Output output : outputs) {
-    const auto drawn = session().draw(scene, whole_view(scene), {output, Computer::i8080, Computer::i8080});
+    const auto drawn = run({.scene = scene, .view = whole_view(scene), .options = {.output = output}});
     ASSERT_TRUE(drawn) << drawn.error().message();
     EXPECT_EQ(drawn->scene.faces.size(), 60U);
-    const GuestPicture& guest = drawn->picture.guest;
+    const MachinePicture& guest = drawn->picture;
     EXPECT_EQ(guest.status, Status::complete);
     EXPECT_LE(seconds(guest.receiving + guest.working()), 60);
   }

@@ -30,9 +30,9 @@ void expect_native(const scene::PolyScene& scene, const View& view, const std::s
   const picture::PixelGrid west = native_faces(scene, view, -margin);
   const picture::PixelGrid east = native_faces(scene, view, margin);
   for (const Computer priority : priorities) {
-    const auto drawn = session().draw(scene, view, {Output::raster, Computer::i8080, priority});
+    const auto drawn = run({.scene = scene, .view = view, .options = {.priority = priority}, .check = true});
     ASSERT_TRUE(drawn) << name << ": " << drawn.error().message();
-    const picture::PixelGrid faces = drawn->faces();
+    const picture::PixelGrid& faces = *drawn->faces;
     for (int y = 0; y < picture_size; ++y) {
       for (int x = 0; x < picture_size; ++x) {
         const std::uint32_t face = faces.at(x, y);

@@ -3,18 +3,18 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "host/algorithms/registry/faces.hpp"
 #include "host/compare/cross_check_scenes.hpp"
-#include "host/programs/stripes/session.hpp"
+#include "host/programs/stripes/check.hpp"
+#include "host/programs/stripes/stripes.hpp"
+#include "host/programs/stripes/twin/twin.hpp"
 #include "host/scene/read/load.hpp"
 
 namespace sightline::programs::stripes {
-
-inline View view_of(const scene::PolyCamera& camera, const registry::FaceWindow& window) {
-  return {camera, window.scale, window.left, window.height - window.top};
-}
 
 inline registry::FaceWindow window_of(const View& view) {
   return {picture_size, picture_size, view.scale, view.left, picture_size - view.bottom};
@@ -22,7 +22,7 @@ inline registry::FaceWindow window_of(const View& view) {
 
 // All of the scene from its own camera.
 inline View whole_view(const scene::PolyScene& scene) {
-  return view_of(scene.camera, registry::face_window(scene, scene.camera, picture_size, picture_size, std::nullopt));
+  return view_of(scene, scene.camera);
 }
 
 // A view of a common scene, of 256 points, in the picture's 255.
@@ -37,10 +37,22 @@ inline scene::PolyScene scene_named(const std::string& name) {
   return scene::load_scene(**file)->scene;
 }
 
-// Assembled once.
-inline const Session& session() {
-  static const Session made;
-  return made;
+// A run beside its twin, whatever they end with.
+struct CheckedPicture {
+  MachinePicture machine;
+  TwinPicture twin;
+  std::string difference;  // in pictures, or of complete ones in what is counted
+};
+
+// Any bytes are taken; the device is the one that they ask for.
+inline CheckedPicture run_both(std::span<const std::uint8_t> stream) {
+  MachineOptions options;
+  if (stream.size() >= header_bytes && (stream[header_bytes - 2] & vector_output) != 0) options.device = Device::calcomp;
+  CheckedPicture picture{run_machine(resident_program(), stream, options), run_twin(stream), {}};
+  picture.difference = difference_from_twin(picture.machine, picture.twin);
+  if (picture.difference.empty() && picture.twin.status == Status::complete && !(picture.machine.counts == picture.twin.counts))
+    picture.difference = "other counts";
+  return picture;
 }
 
 inline constexpr std::array both{Computer::host, Computer::i8080};

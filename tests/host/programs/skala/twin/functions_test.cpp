@@ -17,11 +17,11 @@ class SkalaTwinFunctions : public testing::TestWithParam<std::size_t> {
  protected:
   // Calls check(grid, view) for all rotations and elevations.
   template <class Check>
-  void for_views(PictureKind picture, Family family, Check&& check) {
+  void for_views(Subject picture, Family family, Check&& check) {
     const auto& function = scene::height_functions()[GetParam()];
     const auto grid = scene::sample(function, size);
     View view;
-    view.picture = picture;
+    view.subject = picture;
     view.family = family;
     view.levels = 7;
     for (int rotation = 0; rotation < 360; rotation += 15) {
@@ -36,19 +36,19 @@ class SkalaTwinFunctions : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(SkalaTwinFunctions, Lines) {
-  for_views(PictureKind::lines, Family::automatic, expect_as_oracle);
+  for_views(Subject::lines, Family::automatic, expect_as_oracle);
 }
 
 TEST_P(SkalaTwinFunctions, BothFamilies) {
-  for_views(PictureKind::lines, Family::both, expect_as_oracle);
+  for_views(Subject::lines, Family::both, expect_as_oracle);
 }
 
 TEST_P(SkalaTwinFunctions, Surfaces) {
-  for_views(PictureKind::surface, Family::automatic, expect_as_oracle);
+  for_views(Subject::surface, Family::automatic, expect_as_oracle);
 }
 
 TEST_P(SkalaTwinFunctions, Contours) {
-  for_views(PictureKind::contours, Family::automatic, expect_as_oracle);
+  for_views(Subject::contours, Family::automatic, expect_as_oracle);
 }
 
 INSTANTIATE_TEST_SUITE_P(Figure, SkalaTwinFunctions, testing::Range(std::size_t{0}, scene::figure_functions),

@@ -26,7 +26,7 @@ TEST(SkalaTwinViews, AnglesWhereTheOrderTurns) {
         view.elevation = elevation;
         SCOPED_TRACE(testing::Message() << "A " << view.rotation << " E " << elevation);
         expect_as_oracle(grid, view);
-        view.picture = PictureKind::surface;
+        view.subject = Subject::surface;
         expect_as_oracle(grid, view);
       }
     }
@@ -46,7 +46,7 @@ TEST(SkalaTwinViews, SmallFlatAndSpikedGrids) {
         expect_as_oracle(grid, view);
         view.family = Family::both;
         expect_as_oracle(grid, view);
-        view.picture = PictureKind::surface;
+        view.subject = Subject::surface;
         view.family = Family::automatic;
         expect_as_oracle(grid, view);
       }

@@ -1,0 +1,42 @@
+// How the program of firmware/i8080/flight ends, and what its stream and its display hold. Source: its SPECIFICATION.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace sightline::programs::flight {
+
+enum class Status : std::uint8_t {
+  running = 0,
+  complete = 1,
+  not_a_flight = 2,
+  out_of_range = 3,
+  wrong_sum_of_pieces = 4,
+  wrong_sum_of_packet = 5,
+  unknown_packet = 6,
+  host_silent = 7,
+  no_display = 8,
+};
+[[nodiscard]] constexpr std::string_view text_of(Status status) {
+  switch (status) {
+    case Status::running: return "running";
+    case Status::complete: return "complete";
+    case Status::not_a_flight: return "the stream does not begin with FL";
+    case Status::out_of_range: return "a precision, a number of axes, pieces or planes, a coordinate, a place or a cell out of range";
+    case Status::wrong_sum_of_pieces: return "the check of the pieces is wrong";
+    case Status::wrong_sum_of_packet: return "the check of a packet is wrong";
+    case Status::unknown_packet: return "a packet of no known kind";
+    case Status::host_silent: return "the host has gone silent";
+    case Status::no_display: return "there is no priority display";
+  }
+  return "a status that is none of the program's";
+}
+
+// A coordinate's bits: what the byte `precision` of the stream says.
+enum class Precision : std::uint8_t { bits_8 = 1, bits_12 = 2, bits_16 = 3 };
+
+// Priorities by number; 0 where there is no such piece.
+using Priorities = std::array<std::uint8_t, 256>;
+
+}  // namespace sightline::programs::flight

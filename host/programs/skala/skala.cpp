@@ -1,0 +1,88 @@
+#include "host/programs/skala/skala.hpp"
+
+#include <fmt/core.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "host/programs/skala/check.hpp"
+#include "host/programs/skala/stream.hpp"
+#include "host/programs/skala/twin/twin.hpp"
+
+namespace sightline::programs::skala {
+
+namespace {
+
+// Why a program may fail for want of the clock it is made for; nothing at that clock.
+std::string_view clock_hint(core::ClockRate clock) {
+  return clock.hertz == core::ClockRate{}.hertz ? "" : "; its timing is made for a clock of 3 MHz";
+}
+
+// Empty: the program has done its work.
+std::string failure_of(const MachinePicture& picture, core::ClockRate clock) {
+  if (!picture.ended)
+    return fmt::format("the program did not end within {:.0f} emulated seconds", core::in_seconds(picture.total, clock));
+  if (!picture.faults.empty()) {
+    std::string text = "the program and the device do not get along";
+    for (const DeviceFault& fault : picture.faults)
+      text += fmt::format("{}{}: {}", &fault == &picture.faults.front() ? ": " : ", ", fault.what, fault.count);
+    return text.append(clock_hint(clock));
+  }
+  if (picture.status != Status::complete)
+    return fmt::format("the program stopped: {}{}", text_of(picture.status),
+                       picture.status == Status::link_error ? clock_hint(clock) : "");
+  return {};
+}
+
+base::Result<Outcome> run(std::span<const std::uint8_t> stream, const MachineOptions& options, bool check) {
+  Outcome outcome;
+  outcome.picture = run_machine(resident_program(), stream, options);
+  const MachinePicture& picture = outcome.picture;
+  if (const std::string failure = failure_of(picture, options.clock); !failure.empty()) return base::program_failed(failure);
+  if (check) {
+    Equipment equipment{{}};
+    equipment.present[static_cast<std::size_t>(options.device)] = true;
+    const TwinPicture twin = run_twin(stream, equipment);
+    const std::string difference = difference_from_twin(picture, twin, options.device);
+    if (!difference.empty())
+      return base::difference("internal error: the 8080's picture is not the one its native twin makes; " + difference);
+    outcome.counts = twin.counts;
+  }
+  outcome.bytes = stream.size();
+  outcome.points_walked = points_walked(stream, picture.columns);
+  outcome.points_lit = points_lit(picture);
+  outcome.plotter = plotter_work(picture.moves);
+  return outcome;
+}
+
+}  // namespace
+
+std::optional<double> Outcome::visibility_cost() const {
+  if (!plain_drawing || plain_drawing->count() <= 0) return std::nullopt;
+  const auto plain = static_cast<double>(plain_drawing->count());
+  return 100 * (static_cast<double>(picture.drawing.count()) - plain) / plain;
+}
+
+base::Result<Outcome> run(const Order& order) {
+  MachineOptions options;
+  options.device = order.device;
+  options.link = order.link;
+  options.clock = order.clock;
+  auto outcome = run(stream_of(order.grid, order.view, {order.device}), options, order.check);
+  if (!outcome || !order.view.visibility || !order.time_plain) return outcome;
+  View plain_view = order.view;
+  plain_view.visibility = false;
+  const auto plain = run(stream_of(order.grid, plain_view, {order.device}), options, order.check);
+  if (!plain) return plain.error();
+  outcome->plain_drawing = plain->picture.drawing;
+  return outcome;
+}
+
+base::Result<Outcome> run(std::span<const std::uint8_t> stream, Device device, bool check) {
+  MachineOptions options;
+  options.device = device;
+  return run(stream, options, check);
+}
+
+}  // namespace sightline::programs::skala

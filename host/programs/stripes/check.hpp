@@ -1,0 +1,14 @@
+// The picture of the program of stripes on its machine compared with that of its native twin.
+#pragma once
+
+#include <string>
+
+#include "host/programs/stripes/machine.hpp"
+#include "host/programs/stripes/twin/twin.hpp"
+
+namespace sightline::programs::stripes {
+
+// The first difference, in words: status, place of the priority list, dot or command to the plotter. Empty: none.
+[[nodiscard]] std::string difference_from_twin(const MachinePicture& machine, const TwinPicture& twin);
+
+}  // namespace sightline::programs::stripes
