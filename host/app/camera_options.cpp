@@ -93,21 +93,21 @@ bool has_exact_vectors(const CameraArguments& arguments) {
   return !arguments.forward.empty() || !arguments.right.empty();
 }
 
-void refuse_together(const CameraArguments& arguments) {
-  const auto refuse = [](std::string_view a, const std::string& given_a, std::string_view b,
+void reject_mutually_exclusive(const CameraArguments& arguments) {
+  const auto reject = [](std::string_view a, const std::string& given_a, std::string_view b,
                          const std::string& given_b) {
     if (!given_a.empty() && !given_b.empty())
       throw base::usage_error(fmt::format("found {} and {}, expected one of them", a, b));
   };
-  refuse("--orthographic", arguments.orthographic, "--eye", arguments.eye);
-  refuse("--orthographic", arguments.orthographic, "--look-at", arguments.look_at);
-  refuse("--orthographic", arguments.orthographic, "--forward", arguments.forward);
-  refuse("--look-at", arguments.look_at, "--forward", arguments.forward);
-  refuse("--vertical", arguments.vertical, "--forward", arguments.forward);
-  refuse("--view", arguments.view, "--eye", arguments.eye);
-  refuse("--view", arguments.view, "--look-at", arguments.look_at);
-  refuse("--view", arguments.view, "--orthographic", arguments.orthographic);
-  refuse("--view", arguments.view, "--forward", arguments.forward);
+  reject("--orthographic", arguments.orthographic, "--eye", arguments.eye);
+  reject("--orthographic", arguments.orthographic, "--look-at", arguments.look_at);
+  reject("--orthographic", arguments.orthographic, "--forward", arguments.forward);
+  reject("--look-at", arguments.look_at, "--forward", arguments.forward);
+  reject("--vertical", arguments.vertical, "--forward", arguments.forward);
+  reject("--view", arguments.view, "--eye", arguments.eye);
+  reject("--view", arguments.view, "--look-at", arguments.look_at);
+  reject("--view", arguments.view, "--orthographic", arguments.orthographic);
+  reject("--view", arguments.view, "--forward", arguments.forward);
   if (arguments.perspective && arguments.view.empty())
     throw base::usage_error("found --perspective without --view, expected both: other cameras are in perspective anyway");
   if (has_exact_vectors(arguments) &&
@@ -306,7 +306,7 @@ scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolySc
 AimedCamera aimed_camera_of(const CameraArguments& given, const scene::PolyScene& scene,
                             const std::string& source) {
   const CameraArguments arguments = with_eye(given);
-  refuse_together(arguments);
+  reject_mutually_exclusive(arguments);
   AimedCamera aimed;
   if (!has_exact_vectors(arguments)) {
     aimed = Aiming(arguments, scene).aim();
