@@ -233,6 +233,17 @@ class Aiming {
   scene::SceneFrame frame_;
 };
 
+// About the upright, by part `number` of `count`.
+Vector turned_by(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
+  const std::size_t u = (frame.vertical + 1) % 3;
+  const std::size_t v = (frame.vertical + 2) % 3;
+  const double angle = 2 * std::numbers::pi * number / count;
+  Vector result = p;
+  result[u] = p[u] * std::cos(angle) - p[v] * std::sin(angle);
+  result[v] = p[u] * std::sin(angle) + p[v] * std::cos(angle);
+  return result;
+}
+
 }  // namespace
 
 void add_camera_options(const Command& command, CameraArguments& arguments) {
@@ -324,21 +335,6 @@ scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyS
                             const std::string& source) {
   return aimed_camera_of(arguments, scene, source).camera;
 }
-
-namespace {
-
-// About the upright, by part `number` of `count`.
-Vector turned_by(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
-  const std::size_t u = (frame.vertical + 1) % 3;
-  const std::size_t v = (frame.vertical + 2) % 3;
-  const double angle = 2 * std::numbers::pi * number / count;
-  Vector result = p;
-  result[u] = p[u] * std::cos(angle) - p[v] * std::sin(angle);
-  result[v] = p[u] * std::sin(angle) + p[v] * std::cos(angle);
-  return result;
-}
-
-}  // namespace
 
 std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                            const scene::PolyCamera& camera, int number, int count) {

@@ -175,6 +175,19 @@ ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exi
   return exit_code;
 }
 
+template <class Value>
+constexpr bool is_whole = std::is_integral_v<Value>;
+template <class Value>
+constexpr bool is_whole<std::optional<Value>> = std::is_integral_v<Value>;
+template <class Value>
+constexpr bool is_whole<std::vector<Value>> = std::is_integral_v<Value>;
+
+// 1e6 for 1000000.
+std::string count_in_digits(std::string text) {
+  const auto count = base::count_number(text);
+  return count ? std::to_string(*count) : text;
+}
+
 }  // namespace
 
 HelpPage help_page(std::string_view name,
@@ -296,23 +309,6 @@ Command Command::add_command(const std::string& name, const HelpPage& help) cons
 void Command::also_called(const std::string& name) const {
   app_->alias(name);
 }
-
-namespace {
-
-template <class Value>
-constexpr bool is_whole = std::is_integral_v<Value>;
-template <class Value>
-constexpr bool is_whole<std::optional<Value>> = std::is_integral_v<Value>;
-template <class Value>
-constexpr bool is_whole<std::vector<Value>> = std::is_integral_v<Value>;
-
-// 1e6 for 1000000.
-std::string count_in_digits(std::string text) {
-  const auto count = base::count_number(text);
-  return count ? std::to_string(*count) : text;
-}
-
-}  // namespace
 
 template <class Value>
 Option Command::option(const std::string& names, Value& variable, std::string_view help) const {

@@ -1,8 +1,6 @@
 // See edge_options.hpp.
 #include "host/app/edge_options.hpp"
 
-#include <fmt/core.h>
-
 namespace sightline::app {
 
 void add_edge_options(const Command& command, EdgeArguments& arguments) {
@@ -27,22 +25,12 @@ void add_edge_options(const Command& command, EdgeArguments& arguments) {
 }
 
 void check_edges(const EdgeArguments& arguments) {
-  if (!arguments.kinds.empty() && !picture::edge_choice_named(arguments.kinds)) {
-    throw base::usage_error(fmt::format("--edges: found \"{}\", expected all, feature, or kinds with commas between them: silhouette, "
-                              "boundary, crease, border, intersection, wire",
-                              arguments.kinds));
+  if (const auto checked = hidden_lines::check(arguments.options()); !checked) {
+    base::Error error = checked.error();
+    error.file = "--edges";
+    throw error;
   }
   if (arguments.crease) require_finite("--crease", *arguments.crease);
-}
-
-std::optional<picture::EdgeChoice> edge_choice_of(const EdgeArguments& arguments, const scene::PolyScene& scene) {
-  const bool all = arguments.all || arguments.kinds == "all";
-  if (all && scene.crossings.empty() && scene.wires.empty()) return std::nullopt;
-  picture::EdgeChoice choice = *picture::edge_choice_named(all ? "all" : arguments.kinds.empty() ? "feature" : arguments.kinds);
-  const bool named = !all && !arguments.kinds.empty() && arguments.kinds != "feature";
-  if (scene.materials_are_colours && !named) choice.kinds[static_cast<std::size_t>(picture::EdgeKind::border)] = false;
-  choice.crease = arguments.crease.value_or(scene.surfaces.empty() ? 0 : choice.crease);
-  return choice;
 }
 
 }  // namespace sightline::app

@@ -5,8 +5,7 @@
 #include <string>
 
 #include "host/app/command_line.hpp"
-#include "host/picture/edge_choice.hpp"
-#include "host/scene/model/poly_scene.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 
 namespace sightline::app {
 
@@ -15,7 +14,7 @@ struct EdgeArguments {
   std::optional<double> crease;
   bool all = false;  // --all-edges
 
-  [[nodiscard]] bool are_given() const { return !kinds.empty() || crease || all; }
+  [[nodiscard]] hidden_lines::EdgeOptions options() const { return {all ? "all" : kinds, crease}; }
 };
 
 // --edges, --crease, --all-edges.
@@ -23,10 +22,5 @@ void add_edge_options(const Command& command, EdgeArguments& arguments);
 
 // Error usage: no such kind, or no angle.
 void check_edges(const EdgeArguments& arguments);
-
-// Of arguments that were checked; empty: all edges, and there are no crossings. Creases of a mesh begin at 30
-// degrees, those of all other scenes at 0, unless --crease says otherwise.
-[[nodiscard]] std::optional<picture::EdgeChoice> edge_choice_of(const EdgeArguments& arguments,
-                                                               const scene::PolyScene& scene);
 
 }  // namespace sightline::app

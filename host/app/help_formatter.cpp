@@ -90,26 +90,6 @@ std::string example_line(std::string line) {
   return result + line + '\n';
 }
 
-}  // namespace
-
-std::string help_text(std::string_view text) {
-  std::string result;
-  bool examples = false;
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-    if (!line.starts_with(' ')) examples = line.ends_with("xamples:");
-    if (examples && line.starts_with("  ") && !line.starts_with("   ")) {
-      result += example_line(std::string(line));
-    } else {
-      result += line.starts_with(' ') ? indented_line(line) : wrapped(line, 0, 0) + '\n';
-    }
-  }
-  return result;
-}
-
-namespace {
-
 struct ValueHelp {
   std::string name;
   std::string range;  // "1 to 1000", or empty
@@ -230,10 +210,6 @@ class SharedOptionsFormatter : public HelpFormatter {
   static constexpr std::string_view shared_heading = "Options of most subcommands";
 };
 
-}  // namespace
-
-namespace {
-
 std::size_t terminal_width() {
   constexpr std::size_t least = 40;
   constexpr std::size_t most_readable = 100;
@@ -249,6 +225,22 @@ std::size_t terminal_width() {
 }
 
 }  // namespace
+
+std::string help_text(std::string_view text) {
+  std::string result;
+  bool examples = false;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (!line.starts_with(' ')) examples = line.ends_with("xamples:");
+    if (examples && line.starts_with("  ") && !line.starts_with("   ")) {
+      result += example_line(std::string(line));
+    } else {
+      result += line.starts_with(' ') ? indented_line(line) : wrapped(line, 0, 0) + '\n';
+    }
+  }
+  return result;
+}
 
 std::size_t help_width() {
   static const std::size_t width = terminal_width();

@@ -42,4 +42,16 @@ void make_directory(const std::string& directory) {
   if (error) throw base::io_error(directory + ": " + error.message());
 }
 
+std::string file_stem(const std::string& name) {
+  std::string stem = name;
+  std::replace_if(
+      stem.begin(), stem.end(),
+      [](char c) {
+        return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+                 c == '_');
+      },
+      '_');
+  return stem;
+}
+
 }  // namespace sightline::app

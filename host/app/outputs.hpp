@@ -27,6 +27,9 @@ struct NamedOutput {
 // Error io if the image is larger than a PNG may be.
 void write_png(Output& output, const picture::Image& image, const picture::TextEntries& text);
 
+// The name of a scene or model as part of a file name: all but letters, digits, - and _ becomes _.
+[[nodiscard]] std::string file_stem(const std::string& name);
+
 // With those above it; no error if it is there. Error io.
 void make_directory(const std::string& directory);
 

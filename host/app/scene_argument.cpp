@@ -4,15 +4,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
-#include "host/base/nearest_name.hpp"
 #include "host/base/number.hpp"
-#include "host/base/text.hpp"
-#include "host/scene/read/builtin.hpp"
-#include "host/scene/read/changes.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 
 namespace sightline::app {
 
@@ -35,32 +31,12 @@ void leave_out_wires(scene::LoadedScene& loaded) {
 }  // namespace
 
 scene::SceneFile find_scene(const std::string& argument) {
-  if (auto named = scene::named_scene(argument)) {
-    if (!*named) throw base::usage_error(named->error().message());
-    return std::move(**named);
-  }
-  std::error_code unknown;
-  if (argument != "-" && !std::filesystem::exists(argument, unknown)) {
-    std::vector<std::string> names;
-    for (const std::string_view name : scene::builtin_scene_names()) names.emplace_back(name);
-    throw base::io_error(base::Error{.file = argument,
-                                            .found = "no such file, and no built-in scene of that name",
-                                            .expected = "a file, FAMILY-SIZE or one of " + base::joined(names, ", "),
-                                            .remedy = base::did_you_mean(argument, names)}
-                                    .message());
-  }
-  std::string folder;
-  if (argument != "-") {
-    folder = std::filesystem::path(argument).parent_path().string();
-    if (folder.empty()) folder = ".";
-  }
-  return {.name = shown_name(argument), .text = read_input_text(argument), .folder = std::move(folder)};
+  if (argument == "-") return {.name = shown_name(argument), .text = read_input_text(argument)};
+  return value_of(hidden_lines::find(argument));
 }
 
 scene::LoadedScene load_found(scene::SceneFile file, const scene::PolyImportOptions& options) {
-  auto loaded = scene::load_scene(std::move(file), options);
-  if (!loaded) throw base::bad_input(loaded.error().message());
-  return std::move(*loaded);
+  return value_of(hidden_lines::load(std::move(file), options));
 }
 
 scene::PolyImportOptions MeshArguments::import_options() const {
@@ -143,12 +119,7 @@ void add_eae_options(const Command& command, bool& no_eae) {
 }
 
 void warn_of_changes(const scene::PolyImportReport& report) {
-  const std::string unit = report.unit.empty() ? "" : " " + report.unit;
-  if (report.quantised && report.largest_shift > 0) {
-    warn(fmt::format("coordinates rounded to a step of {}{}, by at most {:.3g}{}", report.step, unit,
-                     report.largest_shift, unit));
-  }
-  if (const std::string changes = scene::changes_text(report); !changes.empty()) warn(changes);
+  for (const std::string& note : hidden_lines::notes_of(report)) warn(note);
   const scene::MendReport& faces = report.faces;
   if (faces.helpful_weld > 0) {
     warn(fmt::format("{} {} open; --weld {} {}", faces.sheets, faces.sheets == 1 ? "part is" : "parts are",

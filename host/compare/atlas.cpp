@@ -10,7 +10,7 @@
 
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/compare/sweep_views.hpp"
-#include "host/programs/jones/precision/precision.hpp"
+#include "host/compare/jones_precision/precision.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 
 namespace sightline::compare {
@@ -27,10 +27,10 @@ std::int32_t middle_of(geometry::Span span, int number, int steps) {
   return static_cast<std::int32_t>(span.low + span.length() * (2 * number + 1) / (2 * std::int64_t{steps}));
 }
 
-std::vector<ImagePiece> pieces_of(const std::vector<jones::PrecisePiece>& pieces,
+std::vector<ImagePiece> pieces_of(const std::vector<jones_precision::PrecisePiece>& pieces,
                                   const std::map<std::uint32_t, AxisLine>& lines) {
   std::vector<ImagePiece> result;
-  for (const jones::PrecisePiece& piece : pieces) {
+  for (const jones_precision::PrecisePiece& piece : pieces) {
     const auto line = lines.find(piece.vector_address);
     if (line != lines.end()) result.push_back({line->second, piece.line});
   }
@@ -53,154 +53,6 @@ std::string names_of(const std::array<bool, jones::roundings>& finer) {
     if (finer[i]) text += (text.empty() ? "" : " and ") + std::string(names[i]);
   return text;
 }
-
-}  // namespace
-
-AtlasLattice usual_lattice(const scene::CellScene& scene) {
-  const auto across = static_cast<double>(scene.outer.span(0).length());
-  const auto along = static_cast<double>(scene.outer.span(2).length());
-  const double step = std::max(1.0, std::sqrt(across * along / usual_eyes));
-  const auto steps = [step](double length) {
-    return std::clamp(static_cast<int>(std::floor(length / step + 0.5)), 1, most_lattice_steps);
-  };
-  return {steps(across), steps(along), scene.default_view[1]};
-}
-
-std::vector<geometry::Point> lattice_eyes(const scene::CellScene& scene, const AtlasLattice& lattice) {
-  std::vector<geometry::Point> eyes;
-  for (int row = 0; row < lattice.rows; ++row)
-    for (int column = 0; column < lattice.columns; ++column)
-      eyes.push_back({middle_of(scene.outer.span(0), column, lattice.columns), lattice.height,
-                      middle_of(scene.outer.span(2), row, lattice.rows)});
-  std::sort(eyes.begin(), eyes.end(), [](const geometry::Point& a, const geometry::Point& b) {
-    return std::tie(a[2], a[0]) < std::tie(b[2], b[0]);
-  });
-  eyes.erase(std::unique(eyes.begin(), eyes.end()), eyes.end());
-  return eyes;
-}
-
-std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uint64_t count,
-                                         std::uint64_t seed) {
-  const scene::PolyScene polyhedra = scene::poly_scene_of(scene);
-  std::vector<geometry::Point> eyes;
-  for (std::uint64_t number = 0; number < count; ++number)
-    eyes.push_back(sweep_camera(polyhedra, &scene, false, seed, number).eye);
-  return eyes;
-}
-
-std::string WrongCause::name() const {
-  if (status != jones::Status::complete) return std::string(jones::name(status));
-  if (fraction_bits) return "fraction bits";
-  if (hollow_mask) return "mask corner";
-  if (finer.empty()) return "not a rounding";
-  std::string text;
-  for (const auto& roundings : finer) text += (text.empty() ? "rounding " : " or ") + names_of(roundings);
-  return text;
-}
-
-base::Result<ErrorAtlas> ErrorAtlas::of(const scene::CellScene& scene, std::vector<geometry::Point> eyes,
-                                        const AtlasOptions& options) {
-  const auto free = std::find_if(eyes.begin(), eyes.end(), [&](const geometry::Point& eye) {
-    return jones::viewpoint(scene, eye).has_value();
-  });
-  if (free == eyes.end()) return base::bad_input("found no eye in free space, a unit from every wall");
-  auto matter = oracle::Matter::of(scene);
-  if (!matter) return base::bad_input("found too many grid units for the oracle");
-  jones::ProgramOptions of_program;
-  of_program.eae = options.eae;
-  of_program.fraction_bits = static_cast<std::uint32_t>(options.fraction_bits);
-  of_program.tape.view = *free;
-  auto session = jones::Session::of(scene, of_program);
-  if (!session) return session.error();
-  return ErrorAtlas(std::move(eyes), options, std::move(*session), std::move(*matter));
-}
-
-ErrorAtlas::ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, jones::Session session,
-                       oracle::Matter matter)
-    : eyes_(std::move(eyes)),
-      options_(options),
-      session_(std::move(session)),
-      lines_of_words_(axis_lines_of_vectors(session_.program().scene)),
-      matter_(std::move(matter)),
-      lines_(matter_.real_lines()) {}
-
-AtlasView ErrorAtlas::view(std::size_t number) const {
-  AtlasView view;
-  view.eye = eyes_[number];
-  const auto core = session_.core_at(view.eye);
-  if (!core) return view;
-  view.free = true;
-  jones::GuestOptions of_guest;
-  of_guest.views = 1;
-  of_guest.display = false;
-  const jones::CheckedRun run = session_.run(*core, of_guest);
-  view.difference = run.difference;
-  if (!run.guest.views.empty()) view.emulated_ns = run.guest.views.back().time.count();
-
-  const oracle::Window window = type340_window();
-  const auto truth = image_pieces(oracle::visible_lines(matter_, lines_, view.eye, window), view.eye, window);
-  const jones::ShortWords words(jones::machine_word_bits, options_.fraction_bits);
-  std::vector<ImagePiece> drawn;
-  for (const jones::Piece& piece : run.twin.pieces) {
-    const auto line = lines_of_words_.find(piece.vector_address);
-    const auto x = [&](std::int32_t at) { return words.points(at) + window.centre[0]; };
-    const auto y = [&](std::int32_t at) { return words.points(at) + window.centre[1]; };
-    const jones::ScreenSegment& at = piece.line;
-    if (line != lines_of_words_.end())
-      drawn.push_back({line->second, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}});
-  }
-  view.wrong = wrong_stretches(truth, drawn, forgiven, view.eye, window);
-  if (run.twin.status != jones::Status::complete || view.wrong.length() > 0)
-    view.cause = cause_of(run.twin.status, *core, truth, view.eye);
-  return view;
-}
-
-WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Word18>& core,
-                                const std::vector<ImagePiece>& truth, const geometry::Point& eye) const {
-  WrongCause cause;
-  cause.status = status;
-  const std::uint32_t header = session_.program().labels.scene;
-  jones::Parameters parameters = jones::default_parameters(core, header);
-  parameters.fraction_bits = options_.fraction_bits;
-  const auto in_words = [&](int bits, int fraction_bits) {
-    return jones::run_precisely(core, header, parameters,
-                                {jones::NumberKind::fixed_point, bits, fraction_bits, false});
-  };
-  if (status == jones::Status::arithmetic_overflow) {
-    for (int bits = jones::machine_word_bits + 1; bits <= jones::longest_word && !cause.word_bits; ++bits)
-      if (in_words(bits, options_.fraction_bits).status == jones::Status::complete) cause.word_bits = bits;
-  }
-  if (status != jones::Status::complete) return cause;
-
-  const auto is_right = [&](const jones::PreciseView& view) {
-    return view.status == jones::Status::complete &&
-           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, type340_window())
-                   .length() == 0;
-  };
-  cause.fraction_bits = options_.fraction_bits < jones::machine_fraction_bits &&
-                        is_right(in_words(jones::machine_word_bits, jones::machine_fraction_bits));
-  cause.hollow_mask =
-      !cause.fraction_bits && is_right(jones::run_mixed(core, header, parameters, {true, true, true}, true));
-  for (std::size_t count = cause.fraction_bits || cause.hollow_mask ? jones::roundings + 1 : 1;
-       count <= jones::roundings && cause.finer.empty(); ++count)
-    for (unsigned chosen = 1; chosen < 1U << jones::roundings; ++chosen) {
-      std::array<bool, jones::roundings> finer{};
-      std::array<bool, jones::roundings> of_machine{};
-      for (std::size_t i = 0; i < finer.size(); ++i) {
-        finer[i] = (chosen >> i & 1U) != 0;
-        of_machine[i] = !finer[i];
-      }
-      if (static_cast<std::size_t>(std::count(finer.begin(), finer.end(), true)) != count) continue;
-      if (is_right(jones::run_mixed(core, header, parameters, of_machine))) cause.finer.push_back(finer);
-    }
-  for (int bits = jones::most_fraction_bits; bits >= 0; --bits) {
-    if (!is_right(in_words(jones::longest_word, bits))) break;
-    cause.right_from_bits = bits;
-  }
-  return cause;
-}
-
-namespace {
 
 // Every view's first view of its cluster.
 class Connected {
@@ -292,6 +144,148 @@ std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
 }
 
 }  // namespace
+
+AtlasLattice usual_lattice(const scene::CellScene& scene) {
+  const auto across = static_cast<double>(scene.outer.span(0).length());
+  const auto along = static_cast<double>(scene.outer.span(2).length());
+  const double step = std::max(1.0, std::sqrt(across * along / usual_eyes));
+  const auto steps = [step](double length) {
+    return std::clamp(static_cast<int>(std::floor(length / step + 0.5)), 1, most_lattice_steps);
+  };
+  return {steps(across), steps(along), scene.default_view[1]};
+}
+
+std::vector<geometry::Point> lattice_eyes(const scene::CellScene& scene, const AtlasLattice& lattice) {
+  std::vector<geometry::Point> eyes;
+  for (int row = 0; row < lattice.rows; ++row)
+    for (int column = 0; column < lattice.columns; ++column)
+      eyes.push_back({middle_of(scene.outer.span(0), column, lattice.columns), lattice.height,
+                      middle_of(scene.outer.span(2), row, lattice.rows)});
+  std::sort(eyes.begin(), eyes.end(), [](const geometry::Point& a, const geometry::Point& b) {
+    return std::tie(a[2], a[0]) < std::tie(b[2], b[0]);
+  });
+  eyes.erase(std::unique(eyes.begin(), eyes.end()), eyes.end());
+  return eyes;
+}
+
+std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uint64_t count,
+                                         std::uint64_t seed) {
+  const scene::PolyScene polyhedra = scene::poly_scene_of(scene);
+  std::vector<geometry::Point> eyes;
+  for (std::uint64_t number = 0; number < count; ++number)
+    eyes.push_back(sweep_camera(polyhedra, &scene, false, seed, number).eye);
+  return eyes;
+}
+
+std::string WrongCause::name() const {
+  if (status != jones::Status::complete) return std::string(jones::name(status));
+  if (fraction_bits) return "fraction bits";
+  if (hollow_mask) return "mask corner";
+  if (finer.empty()) return "not a rounding";
+  std::string text;
+  for (const auto& roundings : finer) text += (text.empty() ? "rounding " : " or ") + names_of(roundings);
+  return text;
+}
+
+base::Result<ErrorAtlas> ErrorAtlas::of(const scene::CellScene& scene, std::vector<geometry::Point> eyes,
+                                        const AtlasOptions& options) {
+  const auto free = std::find_if(eyes.begin(), eyes.end(), [&](const geometry::Point& eye) {
+    return jones::viewpoint(scene, eye).has_value();
+  });
+  if (free == eyes.end()) return base::bad_input("found no eye in free space, a unit from every wall");
+  auto matter = oracle::Matter::of(scene);
+  if (!matter) return base::bad_input("found too many grid units for the oracle");
+  auto program = jones::Prepared::of(scene, {options.eae, static_cast<std::uint32_t>(options.fraction_bits), false});
+  if (!program) return program.error();
+  return ErrorAtlas(std::move(eyes), options, std::move(*program), std::move(*matter));
+}
+
+ErrorAtlas::ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, jones::Prepared program,
+                       oracle::Matter matter)
+    : eyes_(std::move(eyes)),
+      options_(options),
+      program_(std::move(program)),
+      lines_of_words_(axis_lines_of_vectors(program_.program().scene)),
+      matter_(std::move(matter)),
+      lines_(matter_.real_lines()) {}
+
+AtlasView ErrorAtlas::view(std::size_t number) const {
+  AtlasView view;
+  view.eye = eyes_[number];
+  const auto core = program_.core_at(view.eye);
+  if (!core) return view;
+  view.free = true;
+  jones::Order order;
+  order.eye = view.eye;
+  order.views = 1;
+  order.display = false;
+  const jones::TwinView twin = *program_.twin(order);
+  const auto outcome = program_.run(order);
+  view.difference = outcome ? jones::difference_of(outcome->view(), twin) : outcome.error().message();
+  if (outcome) view.emulated_ns = outcome->view().time.count();
+
+  const oracle::Window window = type340_window();
+  const auto truth = image_pieces(oracle::visible_lines(matter_, lines_, view.eye, window), view.eye, window);
+  const jones::ShortWords words(jones::machine_word_bits, options_.fraction_bits);
+  std::vector<ImagePiece> drawn;
+  for (const jones::Piece& piece : twin.pieces) {
+    const auto line = lines_of_words_.find(piece.vector_address);
+    const auto x = [&](std::int32_t at) { return words.points(at) + window.centre[0]; };
+    const auto y = [&](std::int32_t at) { return words.points(at) + window.centre[1]; };
+    const jones::ScreenSegment& at = piece.line;
+    if (line != lines_of_words_.end())
+      drawn.push_back({line->second, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}});
+  }
+  view.wrong = wrong_stretches(truth, drawn, forgiven, view.eye, window);
+  if (twin.status != jones::Status::complete || view.wrong.length() > 0)
+    view.cause = cause_of(twin.status, *core, truth, view.eye);
+  return view;
+}
+
+WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Word18>& core,
+                                const std::vector<ImagePiece>& truth, const geometry::Point& eye) const {
+  WrongCause cause;
+  cause.status = status;
+  const std::uint32_t header = program_.program().labels.scene;
+  jones::Parameters parameters = jones::default_parameters(core, header);
+  parameters.fraction_bits = options_.fraction_bits;
+  const auto in_words = [&](int bits, int fraction_bits) {
+    return jones_precision::run_precisely(core, header, parameters,
+                                {jones_precision::NumberKind::fixed_point, bits, fraction_bits, false});
+  };
+  if (status == jones::Status::arithmetic_overflow) {
+    for (int bits = jones::machine_word_bits + 1; bits <= jones_precision::longest_word && !cause.word_bits; ++bits)
+      if (in_words(bits, options_.fraction_bits).status == jones::Status::complete) cause.word_bits = bits;
+  }
+  if (status != jones::Status::complete) return cause;
+
+  const auto is_right = [&](const jones_precision::PreciseView& view) {
+    return view.status == jones::Status::complete &&
+           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, type340_window())
+                   .length() == 0;
+  };
+  cause.fraction_bits = options_.fraction_bits < jones::machine_fraction_bits &&
+                        is_right(in_words(jones::machine_word_bits, jones::machine_fraction_bits));
+  cause.hollow_mask =
+      !cause.fraction_bits && is_right(jones_precision::run_mixed(core, header, parameters, {true, true, true}, true));
+  for (std::size_t count = cause.fraction_bits || cause.hollow_mask ? jones::roundings + 1 : 1;
+       count <= jones::roundings && cause.finer.empty(); ++count)
+    for (unsigned chosen = 1; chosen < 1U << jones::roundings; ++chosen) {
+      std::array<bool, jones::roundings> finer{};
+      std::array<bool, jones::roundings> of_machine{};
+      for (std::size_t i = 0; i < finer.size(); ++i) {
+        finer[i] = (chosen >> i & 1U) != 0;
+        of_machine[i] = !finer[i];
+      }
+      if (static_cast<std::size_t>(std::count(finer.begin(), finer.end(), true)) != count) continue;
+      if (is_right(jones_precision::run_mixed(core, header, parameters, of_machine))) cause.finer.push_back(finer);
+    }
+  for (int bits = jones_precision::most_fraction_bits; bits >= 0; --bits) {
+    if (!is_right(in_words(jones_precision::longest_word, bits))) break;
+    cause.right_from_bits = bits;
+  }
+  return cause;
+}
 
 AtlasSummary summary_of(const std::vector<AtlasView>& views) {
   AtlasSummary summary;

@@ -23,7 +23,7 @@
 #include "host/base/result.hpp"
 #include "host/compare/lines.hpp"
 #include "host/compare/wrong_stretches.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {
@@ -98,14 +98,14 @@ class ErrorAtlas {
   [[nodiscard]] AtlasView view(std::size_t number) const;
 
  private:
-  ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, programs::jones::Session session,
+  ErrorAtlas(std::vector<geometry::Point> eyes, const AtlasOptions& options, programs::jones::Prepared program,
              algorithms::oracle::Matter matter);
   [[nodiscard]] WrongCause cause_of(programs::jones::Status status, const std::vector<core::Word18>& core,
                                     const std::vector<ImagePiece>& truth, const geometry::Point& eye) const;
 
   std::vector<geometry::Point> eyes_;
   AtlasOptions options_;
-  programs::jones::Session session_;
+  programs::jones::Prepared program_;
   std::map<std::uint32_t, AxisLine> lines_of_words_;
   algorithms::oracle::Matter matter_;
   std::vector<algorithms::oracle::RealLine> lines_;

@@ -13,6 +13,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/base/text.hpp"
 #include "host/compare/cross_check_compare.hpp"
+#include "host/compare/cross_check_faces.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
 #include "host/compare/willis_8080.hpp"

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "host/algorithms/registry/heights.hpp"
 #include "host/compare/cross_check_scenes.hpp"
 #include "host/compare/turning.hpp"
 #include "host/picture/line_picture.hpp"
@@ -75,17 +74,5 @@ struct NamedScreenLines {
                                            const NamedLines& a, const NamedFaces& b);
 // Likewise, within one pixel and the bound of the display's lines.
 [[nodiscard]] ViewVerdict compare_pictures(const NamedScreen& a, const NamedFaces& b);
-
-// What is seen at every pixel of a view of a common scene: by exact sight lines, and by surfaces of heights.
-
-// The face met first by the sight line of every pixel (oracle/sight_oracle.hpp), its number over all bodies
-// + 1; 0 for none.
-[[nodiscard]] picture::PixelGrid nearest_faces(const CommonScene& scene, const CrossCheckView& view);
-
-// The facets of an algorithm's surface picture, painted far to near: number of the triangle of the scene + 1,
-// 0 outside. A facet that is a whole cell is divided where the picture allows it and the scene is. The scene
-// has heights (precondition). Empty if a facet is no cell of the scene.
-[[nodiscard]] picture::PixelGrid surface_faces(const registry::HeightAlgorithm& algorithm, const CommonScene& scene,
-                                               const CrossCheckView& view);
 
 }  // namespace sightline::compare

@@ -15,8 +15,8 @@
 #include "host/algorithms/skala/draw.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/lines.hpp"
-#include "host/programs/jones/precision/precision.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/compare/jones_precision/precision.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_metrics_parts.hpp"
 
@@ -55,7 +55,7 @@ constexpr int longer_word = 24;
 constexpr double screen_centre = 512;
 
 // Lines between points, from the pieces as they left the clip.
-std::vector<PixelSegment> on_points(const jones::View& view, int fraction_bits) {
+std::vector<PixelSegment> on_points(const jones::TwinView& view, int fraction_bits) {
   const jones::ShortWords number(jones::machine_word_bits, fraction_bits);
   const auto place = [&number](const jones::ScreenPoint& p) {
     return PixelPoint{number.point(p.x) + screen_centre, number.point(p.y) + screen_centre};
@@ -63,19 +63,6 @@ std::vector<PixelSegment> on_points(const jones::View& view, int fraction_bits) 
   std::vector<PixelSegment> lines;
   for (const jones::Piece& piece : view.pieces) lines.push_back({place(piece.line.a), place(piece.line.b)});
   return lines;
-}
-
-// One view by the program, assembled with that eye.
-base::Result<jones::CheckedRun> run_of(const CommonScene& scene, const geometry::Point& eye, bool eae, int fraction_bits) {
-  jones::ProgramOptions options;
-  options.eae = eae;
-  options.fraction_bits = static_cast<std::uint32_t>(fraction_bits);
-  options.tape.view = eye;
-  const auto session = jones::Session::of(*scene.cells, options);
-  if (!session) return session.error();
-  jones::GuestOptions of_guest;
-  of_guest.views = 1;
-  return session->run(of_guest);
 }
 
 JonesPicture picture_of(const CommonScene& scene, const geometry::Point& eye, int fraction_bits) {
@@ -155,18 +142,24 @@ std::vector<PixelSegment> lines_of(const picture::VectorDrawing& drawing) {
 base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, const CrossCheckView& view, bool eae) {
   std::vector<JonesPicture> builds;
   for (int bits = 0; bits <= most_on_machine; ++bits) {
-    const auto run = run_of(scene, view.camera.eye, eae, bits);
-    if (!run) return run.error();
-    if (run->guest.timed_out || run->guest.views.empty()) return base::bad_input("the program on the PDP-7 did not complete a view");
-    if (!run->difference.empty())
-      return base::bad_input(fmt::format("{} fraction bits: the program is not its twin: {}", bits, run->difference));
-    const jones::GuestView& shown = run->guest.views.back();
+    const auto prepared = jones::Prepared::of(*scene.cells, {eae, static_cast<std::uint32_t>(bits), false});
+    if (!prepared) return prepared.error();
+    jones::Order order;
+    order.eye = view.camera.eye;
+    order.views = 1;
+    const auto outcome = prepared->run(order);
+    if (!outcome) return outcome.error();
+    const auto twin = prepared->twin(order);
+    if (!twin) return twin.error();
+    const jones::View& shown = outcome->view();
+    if (const std::string difference = jones::difference_of(shown, *twin); !difference.empty())
+      return base::bad_input(fmt::format("{} fraction bits: the program is not its twin: {}", bits, difference));
     if (shown.status != jones::Status::complete)
       return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
     made.display_file = shown.display_file;
-    made.lines = on_points(run->twin, bits);
-    made.flashes = picture::dot_segments(points_of(run->guest.pass));
+    made.lines = on_points(*twin, bits);
+    made.flashes = picture::dot_segments(points_of(outcome->pass));
     made.flash_bound = jones_flash_bound(made.bound);
   }
   return builds;
@@ -174,13 +167,13 @@ base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, 
 
 base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, const CrossCheckView& view) {
   const geometry::Point& eye = view.camera.eye;
-  const auto in_core = jones::scene_in_core(*scene.cells, eye);
+  const auto in_core = jones_precision::scene_in_core(*scene.cells, eye);
   if (!in_core) return in_core.error();
   std::vector<JonesPicture> builds;
   jones::Parameters parameters = jones::default_parameters(in_core->core, 0);
   for (int bits = 0; bits <= most_on_machine; ++bits) {
     parameters.fraction_bits = bits;
-    const jones::View shown = jones::run(in_core->core, 0, parameters);
+    const jones::TwinView shown = jones::run_twin(in_core->core, 0, parameters);
     if (shown.status != jones::Status::complete)
       return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     builds.push_back({{jones::machine_word_bits, bits}, shown.display_file, {}, 0, {}, 0});
@@ -189,13 +182,13 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
     JonesPicture& made = builds.emplace_back();
     made.words = {longer_word, bits};
     made.bound = jones_piece_bound(*scene.cells, eye, made.words);
-    jones::Precision precision;
+    jones_precision::Precision precision;
     precision.word_bits = longer_word;
     precision.fraction_bits = bits;
-    const jones::PreciseView shown = jones::run_precisely(in_core->core, 0, parameters, precision);
+    const jones_precision::PreciseView shown = jones_precision::run_precisely(in_core->core, 0, parameters, precision);
     if (shown.status != jones::Status::complete)
       return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
-    for (const jones::PrecisePiece& piece : shown.pieces)
+    for (const jones_precision::PrecisePiece& piece : shown.pieces)
       made.lines.push_back({{piece.line.x0, piece.line.y0}, {piece.line.x1, piece.line.y1}});
   }
   return builds;

@@ -200,7 +200,7 @@ CommonScene prism_town() {
 // its words let them be, with any number of fraction bits.
 CommonScene cell_scene(std::string_view name, std::string_view built_in_name, std::string_view title, const PolyPoint& far_off) {
   CommonScene common{name, title, {}, {}, false, {}, {}, built_in(built_in_name), {}};
-  auto matter = MatterScene::of(*common.cells);
+  auto matter = algorithms::oracle::MatterScene::of(*common.cells);
   common.matter.emplace(std::move(*matter));
   common.scene = common.matter->scene();
   common.views = {own_view(common.scene), own_view(common.scene)};
@@ -210,6 +210,27 @@ CommonScene cell_scene(std::string_view name, std::string_view built_in_name, st
 
 constexpr std::array<std::string_view, 15> names{"C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8",
                                                  "C9", "H1", "H2", "J1", "J2", "J3", "J4"};
+
+constexpr std::size_t side = 32;
+constexpr double highest = 3720;
+
+double degrees(double sine) {
+  return std::asin(sine) * 180 / std::numbers::pi;
+}
+
+// Heights to whole numbers between -highest and highest.
+void quantise(scene::HeightGrid& grid) {
+  const scene::Interval range = scene::finite_range(grid.heights);
+  for (double& h : grid.heights) {
+    const double part = (h - range.low) / (range.high - range.low);
+    h = std::floor(highest * (2 * part - 1) + 0.5);
+  }
+  grid.range = {-highest, highest};
+}
+
+std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
+  return geometry::dot(geometry::vector_of(a), geometry::vector_of(b));
+}
 
 }  // namespace
 
@@ -240,27 +261,6 @@ CommonScene common_scene(std::string_view name) {
 // With X, Z odd from -31 to 31, D = 7 X + 24 Z and a height k of -3720 .. 3720, a point's place on the screen
 // is 40 (24 X - 7 Z) and c k + 8 s D, its depth 8 c D - s k, s and c the sine and cosine of the elevation in
 // fifths: 31000 times Skala's projection of x = X / 31, z = Z / 31, h = k / 3720, in whole numbers.
-
-namespace {
-
-constexpr std::size_t side = 32;
-constexpr double highest = 3720;
-
-double degrees(double sine) {
-  return std::asin(sine) * 180 / std::numbers::pi;
-}
-
-// Heights to whole numbers between -highest and highest.
-void quantise(scene::HeightGrid& grid) {
-  const scene::Interval range = scene::finite_range(grid.heights);
-  for (double& h : grid.heights) {
-    const double part = (h - range.low) / (range.high - range.low);
-    h = std::floor(highest * (2 * part - 1) + 0.5);
-  }
-  grid.range = {-highest, highest};
-}
-
-}  // namespace
 
 CommonScene height_scene(std::string_view name, std::string_view title, std::string_view function,
                          std::int32_t sine, std::int32_t cosine) {
@@ -300,17 +300,6 @@ CommonScene height_scene(std::string_view name, std::string_view title, std::str
 }
 
 // Windows and places of pixels.
-
-namespace {
-
-using scene::PolyPoint;
-using scene::PolyScene;
-
-std::int64_t dot(const PolyPoint& a, const PolyPoint& b) {
-  return geometry::dot(geometry::vector_of(a), geometry::vector_of(b));
-}
-
-}  // namespace
 
 registry::FaceWindow CrossCheckView::window() const {
   const double half = size / 2.0;

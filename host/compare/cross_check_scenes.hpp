@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "host/algorithms/oracle/face_raster.hpp"
+#include "host/algorithms/oracle/matter_scene.hpp"
 #include "host/algorithms/registry/faces.hpp"
 #include "host/algorithms/skala/view.hpp"
-#include "host/compare/matter_scene.hpp"
 #include "host/geometry/predicates.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/scene/heights/grid.hpp"
@@ -56,7 +56,7 @@ struct CommonScene {
   algorithms::skala::View height_view;
   // Of a scene of cells: the scene, and its matter, whose solids, walls and wires `scene` has. Its views look along z.
   std::optional<scene::CellScene> cells;
-  std::optional<MatterScene> matter;
+  std::optional<algorithms::oracle::MatterScene> matter;
 };
 
 // Polyhedra (C1 ..), functions (H1 ..), scenes of cells (J1 ..).

@@ -15,6 +15,8 @@
 #include "host/compare/lines.hpp"
 #include "host/compare/work_bounds.hpp"
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
+#include "host/picture/camera_view.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/poly_scene.hpp"
@@ -38,22 +40,17 @@ picture::PixelPoint image_point(const registry::FaceWindow& window, int column, 
           (window.top - (window.height - row - 0.5)) / window.scale};
 }
 
-std::array<double, 3> unit_axis(const PolyPoint& axis) {
-  const geometry::Vector3 v = geometry::vector_of(axis);
-  const double length = std::sqrt(static_cast<double>(geometry::dot(v, v)));
-  std::array<double, 3> part{};
-  for (std::size_t a = 0; a < 3; ++a) part[a] = static_cast<double>(v[a]) / length;
-  return part;
-}
-
 // The camera's, of length 1.
 struct CameraAxes {
   explicit CameraAxes(const PolyCamera& camera)
-      : right(unit_axis(camera.right)), up(unit_axis(camera.up)), forward(unit_axis(camera.forward)) {}
+      : CameraAxes(picture::CameraView(camera)) {}
 
-  std::array<double, 3> right;
-  std::array<double, 3> up;
-  std::array<double, 3> forward;
+  geometry::RealVector right;
+  geometry::RealVector up;
+  geometry::RealVector forward;
+
+ private:
+  explicit CameraAxes(const picture::CameraView& view) : right(view.axis(0)), up(view.axis(1)), forward(view.axis(2)) {}
 };
 
 // A point of the image as a direction of whole numbers, to less than a thousandth of a pixel.

@@ -16,7 +16,7 @@
 // neither. No length of words bounds how long such a stretch is; in the views compared at this bound there is none.
 #pragma once
 
-#include "host/programs/jones/twin/number.hpp"
+#include "host/programs/jones/specification.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::compare {

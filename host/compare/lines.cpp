@@ -26,6 +26,7 @@ using picture::LinePiece;
 using picture::PixelPoint;
 using picture::PixelSegment;
 using picture::ReferenceLine;
+using picture::SeenPoint;
 
 constexpr double shortest_image = 1e-6;  // pixels: of what counts as a line
 constexpr LineId no_line = std::numeric_limits<LineId>::max();
@@ -46,6 +47,57 @@ LinePart part_of(const LinePiece& piece) {
 
 LinePart part_on(const PixelSegment& image, const PixelSegment& pixels) {
   return {picture::place_on(image, pixels.a), picture::place_on(image, pixels.b)};
+}
+
+constexpr double screen_centre = 512;  // of the one window of a mono view
+
+// Two's complement of 18 bits.
+std::int32_t number_in(std::uint32_t word) {
+  return word & 0400000 ? static_cast<std::int32_t>(word) - (1 << 18) : static_cast<std::int32_t>(word);
+}
+
+class VectorWalk {
+ public:
+  explicit VectorWalk(const programs::jones::EncodedScene& scene) : scene_(scene) {}
+
+  // `at`: the address of X, which Y Z n and the vectors follow.
+  void walk(std::uint32_t at) {
+    geometry::Point pen{number(at), number(at + 1), number(at + 2)};
+    const std::int32_t vectors = number(at + 3);
+    for (std::int32_t i = 0; i < vectors; ++i) {
+      const std::uint32_t address = at + 4 + static_cast<std::uint32_t>(i);
+      const std::uint32_t word = scene_.words[address - scene_.base].value;
+      const std::size_t axis = (word >> 15 & 3U) - 1;
+      const auto [u, v] = geometry::other_axes(axis);
+      lines_[address] = AxisLine{axis, {pen[u], pen[v]}};
+      const auto magnitude = static_cast<std::int32_t>(word & 0077777);
+      pen[axis] += magnitude >= 1 << 14 ? magnitude - (1 << 15) : magnitude;
+    }
+  }
+  [[nodiscard]] std::map<std::uint32_t, AxisLine> take() && { return std::move(lines_); }
+
+ private:
+  [[nodiscard]] std::int32_t number(std::uint32_t address) const {
+    return number_in(scene_.words[address - scene_.base].value);
+  }
+
+  const programs::jones::EncodedScene& scene_;
+  std::map<std::uint32_t, AxisLine> lines_;
+};
+
+programs::jones::ShortWords words_of(int fraction_bits) {
+  return programs::jones::ShortWords(programs::jones::machine_word_bits, fraction_bits);
+}
+
+template <class ToPixel>
+std::vector<DrawnPiece> pieces_of(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
+  std::vector<DrawnPiece> pieces;
+  for (const auto& piece : view.pieces) {
+    const PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)}, {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
+    if (image.a.x == image.b.x && image.a.y == image.b.y) continue;
+    pieces.push_back({lines.at(piece.vector_address), image});
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -183,61 +235,6 @@ std::vector<DrawnPiece> ImageLines::pieces(const LinePicture& drawn) const {
 // Pieces of Jones's program as pieces of the scene's lines: which line a vector word of core is on, and where
 // on the screen a piece lies. See lines.hpp.
 
-namespace {
-
-constexpr double screen_centre = 512;  // of the one window of a mono view
-
-// Two's complement of 18 bits.
-std::int32_t number_in(std::uint32_t word) {
-  return word & 0400000 ? static_cast<std::int32_t>(word) - (1 << 18) : static_cast<std::int32_t>(word);
-}
-
-class VectorWalk {
- public:
-  explicit VectorWalk(const programs::jones::EncodedScene& scene) : scene_(scene) {}
-
-  // `at`: the address of X, which Y Z n and the vectors follow.
-  void walk(std::uint32_t at) {
-    geometry::Point pen{number(at), number(at + 1), number(at + 2)};
-    const std::int32_t vectors = number(at + 3);
-    for (std::int32_t i = 0; i < vectors; ++i) {
-      const std::uint32_t address = at + 4 + static_cast<std::uint32_t>(i);
-      const std::uint32_t word = scene_.words[address - scene_.base].value;
-      const std::size_t axis = (word >> 15 & 3U) - 1;
-      const auto [u, v] = geometry::other_axes(axis);
-      lines_[address] = AxisLine{axis, {pen[u], pen[v]}};
-      const auto magnitude = static_cast<std::int32_t>(word & 0077777);
-      pen[axis] += magnitude >= 1 << 14 ? magnitude - (1 << 15) : magnitude;
-    }
-  }
-  [[nodiscard]] std::map<std::uint32_t, AxisLine> take() && { return std::move(lines_); }
-
- private:
-  [[nodiscard]] std::int32_t number(std::uint32_t address) const {
-    return number_in(scene_.words[address - scene_.base].value);
-  }
-
-  const programs::jones::EncodedScene& scene_;
-  std::map<std::uint32_t, AxisLine> lines_;
-};
-
-programs::jones::ShortWords words_of(int fraction_bits) {
-  return programs::jones::ShortWords(programs::jones::machine_word_bits, fraction_bits);
-}
-
-template <class ToPixel>
-std::vector<DrawnPiece> pieces_of(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, ToPixel&& pixel) {
-  std::vector<DrawnPiece> pieces;
-  for (const auto& piece : view.pieces) {
-    const PixelSegment image{{pixel(piece.line.a.x), pixel(piece.line.a.y)}, {pixel(piece.line.b.x), pixel(piece.line.b.y)}};
-    if (image.a.x == image.b.x && image.a.y == image.b.y) continue;
-    pieces.push_back({lines.at(piece.vector_address), image});
-  }
-  return pieces;
-}
-
-}  // namespace
-
 std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const programs::jones::EncodedScene& scene) {
   VectorWalk walk(scene);
   for (const std::uint32_t cell : scene.cell_addresses) walk.walk(cell);
@@ -255,29 +252,19 @@ std::map<std::uint32_t, LineId> lines_of_vectors(const programs::jones::EncodedS
   return result;
 }
 
-std::vector<DrawnPiece> twin_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> twin_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.points(at) + screen_centre; });
 }
 
-std::vector<DrawnPiece> display_pieces(const programs::jones::View& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
+std::vector<DrawnPiece> display_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
   return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
 }
 
-namespace {
-
-SeenPoint seen(const scene::PolyPoint& vertex, const scene::PolyCamera& camera) {
-  const geometry::Vector3 p = geometry::difference(vertex, camera.eye);
-  const auto along = [&](const scene::PolyPoint& axis) {
-    const geometry::Vector3 a = geometry::vector_of(axis);
-    return static_cast<double>(geometry::dot(a, p)) / std::sqrt(static_cast<double>(geometry::dot(a, a)));
-  };
-  return {along(camera.right), along(camera.up), camera.perspective ? along(camera.forward) : 1};
+SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera) {
+  const picture::CameraView view(camera);
+  from_ = view.at(from);
+  to_ = view.at(to);
 }
-
-}  // namespace
-
-SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera)
-    : from_(seen(from, camera)), to_(seen(to, camera)) {}
 
 SeenPoint SeenEdge::at(double s) const {
   SeenPoint point{};

@@ -11,16 +11,20 @@
 #include <optional>
 #include <vector>
 
+#include "host/algorithms/oracle/matter_scene.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/compare/matter_scene.hpp"
 #include "host/programs/jones/encode.hpp"
 #include "host/programs/jones/twin/twin.hpp"
+#include "host/picture/camera_view.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::compare {
+
+using algorithms::oracle::AxisLine;
+using algorithms::oracle::MatterScene;
 
 // The square part of the image that is looked at, and its size: pixel = scale * image + centre, the image as
 // PolyCamera defines it.
@@ -70,23 +74,19 @@ class ImageLines {
 
 // Pieces of a mono view, in pixels, before and after the rounding to points of the screen; those that become a single point then are
 // not drawn.
-[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const programs::jones::View& view,
+[[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const programs::jones::TwinView& view,
                                                            const std::map<std::uint32_t, picture::LineId>& lines,
                                                            int fraction_bits = programs::jones::machine_fraction_bits);
-[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(const programs::jones::View& view,
+[[nodiscard]] std::vector<picture::DrawnPiece> display_pieces(const programs::jones::TwinView& view,
                                                               const std::map<std::uint32_t, picture::LineId>& lines,
                                                               int fraction_bits = programs::jones::machine_fraction_bits);
 
 // Edges on the screen in floating point, cut to a frame: for measuring and drawing only, never for deciding
 // what is visible.
 
-// A point as the camera has it: right, up and forward in units of the scene; an orthographic image has 1 for
-// a depth.
-using SeenPoint = std::array<double, 3>;
-
 class SeenEdge {
  public:
-  SeenEdge(const SeenPoint& from, const SeenPoint& to) : from_(from), to_(to) {}
+  SeenEdge(const picture::SeenPoint& from, const picture::SeenPoint& to) : from_(from), to_(to) {}
   SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera);
 
   // The part in the frame, in the parameter along the edge in space; empty if it has no length.
@@ -98,10 +98,10 @@ class SeenEdge {
   }
 
  private:
-  [[nodiscard]] SeenPoint at(double s) const;
+  [[nodiscard]] picture::SeenPoint at(double s) const;
 
-  SeenPoint from_;
-  SeenPoint to_;
+  picture::SeenPoint from_;
+  picture::SeenPoint to_;
 };
 
 }  // namespace sightline::compare

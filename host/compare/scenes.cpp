@@ -13,11 +13,10 @@
 #include "host/base/threads.hpp"
 #include "host/compare/device_raster.hpp"
 #include "host/compare/lines.hpp"
-#include "host/compare/matter_scene.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/sweep_views.hpp"
 #include "host/compare/willis_8080.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
@@ -124,13 +123,8 @@ class SceneMethods::Parts {
     auto matter = MatterScene::of(scene);
     if (!matter) return matter.error();
     matter_.emplace(std::move(*matter));
-    if (chosen(options_, jones_pdp7_name) || chosen(options_, jones_twin_name)) {
-      program_.eae = options_.eae;
-      program_.fraction_bits = options_.fraction_bits;
-      auto session = programs::jones::Session::of(scene, program_);
-      // The program may not accept the scene's own view, and accept another: it is assembled for each view then.
-      if (session) session_.emplace(std::move(*session));
-    }
+    if (chosen(options_, jones_pdp7_name) || chosen(options_, jones_twin_name))
+      program_.emplace(programs::jones::Prepared::of(scene, {options_.eae, options_.fraction_bits, false}));
     return prepare_algorithms();
   }
   std::optional<Error> prepare(const scene::PolyScene& scene) {
@@ -286,19 +280,14 @@ class SceneMethods::Parts {
     const bool twin_row = chosen(options_, jones_twin_name);
     if (!guest_row && !twin_row) return std::nullopt;
     progress(jones_pdp7_name);
-    programs::jones::GuestOptions of_guest;
-    of_guest.scale = options_.scale;
-    of_guest.views = 1;
-    if (session_) {
-      const auto core = session_->core_at(comparison.camera.eye);
-      if (!core) return leave_programs_out(core.error(), comparison);
-      return compare_run(*session_, session_->run(*core, of_guest), truth, comparison);
-    }
-    programs::jones::ProgramOptions program = program_;
-    program.tape.view = comparison.camera.eye;
-    const auto session = programs::jones::Session::of(*cells_, program);
-    if (!session) return leave_programs_out(session.error(), comparison);
-    return compare_run(*session, session->run(of_guest), truth, comparison);
+    const auto place = programs::jones::viewpoint(*cells_, comparison.camera.eye);
+    if (!place) return leave_programs_out(place.error(), comparison);
+    if (!*program_) return leave_programs_out(program_->error(), comparison);
+    programs::jones::Order order;
+    order.eye = comparison.camera.eye;
+    order.scale = options_.scale;
+    order.views = 1;
+    return compare_program(**program_, order, truth, comparison);
   }
 
   // The truth of a scene of cells is known within its outer box.
@@ -319,25 +308,28 @@ class SceneMethods::Parts {
     return std::nullopt;
   }
 
-  std::optional<Error> compare_run(const programs::jones::Session& session, const programs::jones::CheckedRun& run, const Truth& truth,
-                                   SceneComparison& comparison) const {
-    if (run.guest.timed_out || run.guest.views.empty()) return Error{"", "", "the program on the PDP-7 did not complete a view"};
-    const programs::jones::GuestView& guest = run.guest.views.back();
-    comparison.guest = {guest.status, guest.time, guest.display_file.size(), run.difference};
+  std::optional<Error> compare_program(const programs::jones::Prepared& program, const programs::jones::Order& order, const Truth& truth,
+                                       SceneComparison& comparison) const {
+    const auto outcome = program.run(order);
+    if (!outcome) return outcome.error();
+    const auto twin = program.twin(order);
+    if (!twin) return twin.error();
+    const programs::jones::View& view = outcome->view();
+    comparison.guest = {view.status, view.time, view.display_file.size(), programs::jones::difference_of(view, *twin)};
 
-    const auto lines = lines_of_vectors(session.program().scene, *matter_, truth.lines);
+    const auto lines = lines_of_vectors(program.program().scene, *matter_, truth.lines);
     if (chosen(options_, jones_pdp7_name)) {
       if (comparison.guest->difference.empty()) {
-        const auto drawn = display_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits));
+        const auto drawn = display_pieces(*twin, lines, static_cast<int>(options_.fraction_bits));
         auto row = compared(jones_pdp7_name, "points", truth.lines.lines(), drawn, options_);
         const auto seen = visible_segments(truth.lines.lines());
-        row.metrics.hausdorff = picture::hausdorff_distance(seen, picture::dot_segments(points_of(run.guest.pass)));
-        row.emulated = guest.time;
-        row.counts = {{"cells_read", guest.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", guest.visits},
-                      {"openings_tested", guest.openings_tested}, {"lines_clipped", guest.lines_clipped}};
+        row.metrics.hausdorff = picture::hausdorff_distance(seen, picture::dot_segments(points_of(outcome->pass)));
+        row.emulated = view.time;
+        row.counts = {{"cells_read", view.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", view.visits},
+                      {"openings_tested", view.openings_tested}, {"lines_clipped", view.lines_clipped}};
         std::vector<PixelSegment> vectors;
         for (const DrawnPiece& piece : drawn) vectors.push_back(piece.image);
-        ComparedFlashes flashes = compare_flashes(seen, vectors, run.guest.pass);
+        ComparedFlashes flashes = compare_flashes(seen, vectors, outcome->pass);
         row.lit = std::move(flashes.shown);
         row.lit_in_truth = std::move(flashes.truth);
         row.raster = flashes.difference;
@@ -350,14 +342,12 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_twin_name)) {
       const int parts = 1 << options_.fraction_bits;
       auto row = compared(jones_twin_name, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
-                          twin_pieces(run.twin, lines, static_cast<int>(options_.fraction_bits)), options_);
-      const programs::jones::Counts& c = run.twin.counts;
+                          twin_pieces(*twin, lines, static_cast<int>(options_.fraction_bits)), options_);
+      const programs::jones::TwinCounts& c = twin->counts;
       row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
-      if (options_.host_times) {
-        programs::jones::GuestOptions of_twin;
-        of_twin.scale = options_.scale;
-        const auto core = session.core_at(comparison.camera.eye);
-        if (core) row.host_seconds = median_seconds([&] { static_cast<void>(session.twin(*core, of_twin)); }, options_.host_seconds);
+      if (const auto core = program.core_at(comparison.camera.eye); core && options_.host_times) {
+        const auto view_once = [&] { static_cast<void>(programs::jones::run_twin(program.program(), *core, order)); };
+        row.host_seconds = median_seconds(view_once, options_.host_seconds);
       }
       comparison.pictures.push_back(std::move(row));
     }
@@ -391,8 +381,7 @@ class SceneMethods::Parts {
   const scene::CellScene* cells_ = nullptr;
   scene::PolyScene polyhedra_;
   std::optional<MatterScene> matter_;  // of a scene of cells
-  programs::jones::ProgramOptions program_;
-  std::optional<programs::jones::Session> session_;
+  std::optional<base::Result<programs::jones::Prepared>> program_;  // where it is asked for
   std::vector<Entry> entries_;
   std::optional<registry::PreparedScene> exact_;  // that the truth is by
   mutable base::Mutex turning_mutex_;

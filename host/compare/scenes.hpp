@@ -25,7 +25,7 @@
 #include "host/compare/piece_difference.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
-#include "host/programs/jones/twin/twin.hpp"
+#include "host/programs/jones/specification.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/raster_difference.hpp"
 #include "host/scene/model/cell_scene.hpp"

@@ -144,13 +144,4 @@ algorithms::skala::View random_height_view(const scene::HeightGrid& grid, algori
   return asked;
 }
 
-bool looks_along_z(const scene::PolyCamera& camera) {
-  const auto along = [](const scene::PolyPoint& axis, std::size_t which) {
-    scene::PolyPoint other = axis;
-    other[which] = 0;
-    return axis[which] > 0 && other == scene::PolyPoint{};
-  };
-  return camera.perspective && along(camera.forward, 2) && along(camera.right, 0) && along(camera.up, 1);
-}
-
 }  // namespace sightline::compare

@@ -28,9 +28,6 @@ enum class Directions { usual, all, level };
 [[nodiscard]] scene::PolyCamera random_camera(const scene::PolyScene& scene, const scene::CellScene* cells, Directions directions,
                                               std::uint64_t seed, std::uint64_t number);
 
-// In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
-[[nodiscard]] bool looks_along_z(const scene::PolyCamera& camera);
-
 // The picture asked for, rotated by any whole angle and seen from 10 to 80 degrees: the first such that can be compared. View number k
 // depends on the seed and k alone.
 [[nodiscard]] algorithms::skala::View random_height_view(const scene::HeightGrid& grid, algorithms::skala::View view, std::uint64_t seed,

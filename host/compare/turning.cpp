@@ -16,15 +16,11 @@
 #include "host/algorithms/plantinga/event_list.hpp"
 #include "host/algorithms/plantinga/rotation_model.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
-#include "host/algorithms/registry/lines.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/compare/device_raster.hpp"
-#include "host/programs/turn/guest.hpp"
 #include "host/programs/turn/precision.hpp"
 #include "host/programs/turn/screen_view.hpp"
-#include "host/programs/turn/program.hpp"
-#include "host/programs/turn/session.hpp"
-#include "host/programs/turn/tape.hpp"
-#include "host/programs/turn/twin/twin.hpp"
+#include "host/programs/turn/turn.hpp"
 #include "host/picture/dots_and_lines.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/picture/line_metrics_parts.hpp"
@@ -182,16 +178,16 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   if (!camera) return base::bad_input(fmt::format("no camera is between the events around angle {} of the machine", angle));
   shown.camera = *camera;
 
-  turn::Guest guest(parts_->program, tape, turn::Guest::Strokes::kept);
+  turn::Machine machine(parts_->program, tape, {.strokes = true});
   turn::Twin twin(tape.words, turn::model_base(tape.memory));
   const base::Error none{"", "", "the program made no picture at that angle", "one"};
-  turn::GuestPicture picture;
-  turn::Picture twins;
+  turn::Picture picture;
+  turn::TwinPicture twins;
   // The first picture is at angle 0; then it turns there, and one word on until the picture has been shown.
   std::uint32_t number = 0;
   std::uint32_t step = 0;
   for (std::uint32_t at = 0;; at += step, ++number) {
-    if (!guest.next(step, picture) || !twin.next(step, twins)) return none;
+    if (!machine.next(step, picture) || !twin.next(step, twins)) return none;
     if (shown.difference.empty()) shown.difference = turn::difference_of(picture, twins);
     if (at == angle) break;
     step = std::min(largest_step, angle - at);
@@ -201,7 +197,7 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   shown.lines = lines_of(picture.display_file);
 
   std::vector<std::uint32_t> states;
-  for (std::uint32_t slot = 0; slot < tape.slots; ++slot) states.push_back(guest.peek(tape.words[6].value() + 4 * slot).value());
+  for (std::uint32_t slot = 0; slot < tape.slots; ++slot) states.push_back(machine.peek(tape.words[6].value() + 4 * slot).value());
   const turn::Precision precision(tape);
   const auto bounds = precision.pieces(states, angle, radians_of(shown.camera));
   shown.bound = turn::picture_bound(bounds);
@@ -228,7 +224,7 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   std::vector<core::Stroke> strokes;
   constexpr int most = 10;
   for (int n = 0; n < most && strokes.empty(); ++n) {
-    if (!guest.next(1, picture)) return none;
+    if (!machine.next(1, picture)) return none;
     for (turn::ShownPass& pass : picture.shown)
       if (pass.picture == number) strokes = std::move(pass.strokes);
   }
@@ -312,11 +308,7 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
 base::Result<TurnCheck> check_turn(const Turning& turning, std::uint32_t angle) {
   const auto shown = turning.draw(angle);
   if (!shown) return shown.error();
-  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
-  if (const auto reason = exact.why_not(turning.standing())) return base::Error{.found = *reason};
-  const auto prepared = exact.prepare(turning.standing());
-  if (!prepared) return prepared.error();
-  const auto view = prepared->view(shown->camera);
+  const auto view = hidden_lines::visible_edges(turning.standing(), shown->camera);
   if (!view) return view.error();
   TurnCheck check{angle, shown->words, shown->time, shown->flashes, {}, shown->flash_bound, {}, shown->difference};
   if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);

@@ -12,6 +12,7 @@
 #include "host/algorithms/montani_re/trace.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/explain/stage.hpp"
+#include "host/geometry/vector.hpp"
 
 namespace sightline::explain {
 namespace {
@@ -38,7 +39,7 @@ constexpr std::array<std::string_view, 7> tests{
 class MontaniReTeller final : public mr::Trace {
  public:
   MontaniReTeller(const scene::PolyCamera& camera, Steps& steps) : steps_(steps) {
-    const auto length = [](const scene::PolyPoint& v) { return std::sqrt(double(v[0]) * v[0] + double(v[1]) * v[1] + double(v[2]) * v[2]); };
+    const auto length = [](const scene::PolyPoint& v) { return geometry::length(geometry::real_vector(v)); };
     const double away = camera.perspective ? length(camera.forward) : 1;
     scale_ = {away / length(camera.right), away / length(camera.up)};
     count();

@@ -6,13 +6,7 @@
 namespace sightline::explain {
 namespace {
 
-double dot(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Space unit(const scene::PolyPoint& v) {
-  const Space s = space(v);
-  const double length = std::sqrt(dot(s, s));
-  return length > 0 ? Space{s[0] / length, s[1] / length, s[2] / length} : s;
-}
+using geometry::dot;
 
 Space between(const Space& a, const Space& b, double t) {
   return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
@@ -23,9 +17,9 @@ constexpr double widest = 1;  // the tangent of 45 degrees
 }  // namespace
 
 ImageStage::ImageStage(const scene::PolyScene& scene, const scene::PolyCamera& camera)
-    : scene_(scene), camera_(camera), axes_{unit(camera.right), unit(camera.up), unit(camera.forward)} {
+    : scene_(scene), camera_(camera), view_(camera) {
   double farthest = 1;
-  for (const auto& vertex : scene.vertices) farthest = std::max(farthest, std::abs(seen_from_eye(space(vertex))[2]));
+  for (const auto& vertex : scene.vertices) farthest = std::max(farthest, std::abs(view_.at(vertex)[2]));
   nearest_ = camera.perspective ? farthest / 1000 : -1e300;
   bool first = true;
   for (const picture::LineEdge& edge : picture::edges_of(scene)) {
@@ -48,12 +42,6 @@ ImageStage::ImageStage(const scene::PolyScene& scene, const scene::PolyCamera& c
   }
 }
 
-Space ImageStage::seen_from_eye(const Space& p) const {
-  const Space eye = space(camera_.eye);
-  const Space d{p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
-  return {dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2])};
-}
-
 Point ImageStage::projected(const Space& p) const {
   return camera_.perspective ? Point{p[0] / p[2], p[1] / p[2]} : Point{p[0], p[1]};
 }
@@ -70,8 +58,8 @@ bool ImageStage::cut(Space& from, Space& to) const {
 Sheet ImageStage::sheet(std::string title) const { return {std::move(title), low_, high_}; }
 
 std::vector<Point> ImageStage::line_in_image(const Space& from, const Space& to) const {
-  Space a = seen_from_eye(from);
-  Space b = seen_from_eye(to);
+  Space a = view_.at(from);
+  Space b = view_.at(to);
   if (!cut(a, b)) return {};
   return {projected(a), projected(b)};
 }
@@ -79,8 +67,8 @@ std::vector<Point> ImageStage::line_in_image(const Space& from, const Space& to)
 std::vector<Point> ImageStage::outline_in_image(std::span<const Space> corners) const {
   std::vector<Point> points;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    Space a = seen_from_eye(corners[i]);
-    Space b = seen_from_eye(corners[(i + 1) % corners.size()]);
+    Space a = view_.at(corners[i]);
+    Space b = view_.at(corners[(i + 1) % corners.size()]);
     const bool leaves = camera_.perspective && b[2] < nearest_;
     if (!cut(a, b)) continue;
     points.push_back(projected(a));
@@ -121,7 +109,7 @@ void ImageStage::add_face(std::vector<Mark>& marks, Look look, const scene::Poly
 
 void ImageStage::add_names(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const {
   for (const scene::VertexIndex end : {edge.from, edge.to}) {
-    const Space p = seen_from_eye(space(scene_.vertices[end]));
+    const Space p = view_.at(space(scene_.vertices[end]));
     if (camera_.perspective && p[2] < nearest_) continue;
     const Point at = projected(p);
     if (at[0] >= low_[0] && at[0] <= high_[0] && at[1] >= low_[1] && at[1] <= high_[1]) marks.push_back(text(look, at, std::to_string(end)));
@@ -147,9 +135,9 @@ std::vector<Point> ImageStage::region(std::span<const std::array<double, 4>> pla
   const Space eye = space(camera_.eye);
   for (const auto& plane : planes) {
     const Space normal{plane[0], plane[1], plane[2]};
-    const double a = dot(normal, axes_[0]);
-    const double b = dot(normal, axes_[1]);
-    const double rest = camera_.perspective ? dot(normal, axes_[2]) : dot(normal, eye) - plane[3];
+    const double a = dot(normal, view_.axis(0));
+    const double b = dot(normal, view_.axis(1));
+    const double rest = camera_.perspective ? dot(normal, view_.axis(2)) : dot(normal, eye) - plane[3];
     outline = cut_outline(outline, a, b, -rest);
   }
   return outline;

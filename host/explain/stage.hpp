@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "host/explain/lesson.hpp"
+#include "host/geometry/vector.hpp"
+#include "host/picture/camera_view.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -20,10 +22,8 @@ namespace sightline::explain {
 // The first sheet of every lesson.
 inline constexpr std::size_t image = 0;
 
-using Space = std::array<double, 3>;
-[[nodiscard]] inline Space space(const scene::PolyPoint& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
+using Space = geometry::RealVector;
+[[nodiscard]] inline Space space(const scene::PolyPoint& p) { return geometry::real_vector(p); }
 
 class ImageStage {
  public:
@@ -59,14 +59,13 @@ class ImageStage {
 
  private:
   [[nodiscard]] std::vector<Space> corners_of(const scene::PolyFace& face) const;
-  [[nodiscard]] Space seen_from_eye(const Space& p) const;  // right, up, forward
   [[nodiscard]] Point projected(const Space& of_eye) const;
   [[nodiscard]] bool cut(Space& from, Space& to) const;
 
   const scene::PolyScene& scene_;
   const scene::PolyCamera camera_;
-  std::array<Space, 3> axes_{};  // right, up, forward of length 1
-  double nearest_ = 0;           // depth before which all is cut off
+  picture::CameraView view_;
+  double nearest_ = 0;  // depth before which all is cut off
   Point low_{};
   Point high_{};
 };

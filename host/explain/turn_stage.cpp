@@ -16,9 +16,7 @@ using pl::EventKind;
 
 constexpr double plan_radius = 0.8;  // of the scene on the circle's sheet
 
-Space space_of(const pl::Vector3& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
+Space space_of(const pl::Vector3& p) { return geometry::real_vector(p); }
 
 void add_part(std::vector<Mark>& marks, Look look, const Point& from, const Point& to, double low, double high) {
   const auto at = [&](double s) { return Point{from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])}; };
@@ -36,9 +34,7 @@ TurnStage::TurnStage(const pl::RotationModel& model, const scene::PolyCamera& ca
   const Space right = space(camera.right);
   const Space up = space(camera.up);
   const Space forward = space(camera.forward);
-  const double turn = right[0] * (up[1] * forward[2] - up[2] * forward[1]) +
-                      right[1] * (up[2] * forward[0] - up[0] * forward[2]) +
-                      right[2] * (up[0] * forward[1] - up[1] * forward[0]);
+  const double turn = geometry::dot(right, geometry::cross(up, forward));
   hand_ = turn > 0 ? -1 : 1;
 
   std::array<std::int64_t, 3> least{};

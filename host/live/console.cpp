@@ -244,10 +244,6 @@ class StandardOperator final : public Operator {
   bool terminal_;
 };
 
-}  // namespace
-
-namespace {
-
 Stop ended(Machine& machine, Stop stop) {
   machine.finish();
   return stop;

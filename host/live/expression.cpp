@@ -38,6 +38,42 @@ constexpr std::array<BinaryOperator, 19> binary_operators{{
     {"<", 6, Sign::less},        {">", 6, Sign::more},         {"+", 8, Sign::plus},     {"-", 8, Sign::minus},
     {"*", 9, Sign::times},       {"/", 9, Sign::divide},       {"%", 9, Sign::remainder}}};
 
+// Does it to `a`; false: a division by 0.
+bool apply(Sign sign, std::int64_t& a, std::int64_t b) {
+  const auto x = static_cast<std::uint64_t>(a);
+  const auto y = static_cast<std::uint64_t>(b);
+  const auto is = [&a](bool truth) { return a = truth ? 1 : 0, true; };
+  const auto is_wrapped = [&a](std::uint64_t value) { return a = static_cast<std::int64_t>(value), true; };
+  switch (sign) {
+    case Sign::either: return is(a != 0 || b != 0);
+    case Sign::both: return is(a != 0 && b != 0);
+    case Sign::bit_or: return is_wrapped(x | y);
+    case Sign::bit_xor: return is_wrapped(x ^ y);
+    case Sign::bit_and: return is_wrapped(x & y);
+    case Sign::equal: return is(a == b);
+    case Sign::unequal: return is(a != b);
+    case Sign::at_most: return is(a <= b);
+    case Sign::at_least: return is(a >= b);
+    case Sign::less: return is(a < b);
+    case Sign::more: return is(a > b);
+    case Sign::shift_left: return is_wrapped(b < 0 || b > 63 ? 0 : x << y);
+    case Sign::shift_right: return is_wrapped(b < 0 || b > 63 ? 0 : x >> y);
+    case Sign::plus: return is_wrapped(x + y);
+    case Sign::minus: return is_wrapped(x - y);
+    case Sign::times: return is_wrapped(x * y);
+    case Sign::divide:
+    case Sign::remainder: break;
+  }
+  if (b == 0) return false;
+  if (b == -1) return is_wrapped(sign == Sign::divide ? std::uint64_t{0} - x : 0);
+  a = sign == Sign::divide ? a / b : a % b;
+  return true;
+}
+
+bool is_comparison(Sign sign) {
+  return sign == Sign::equal || sign == Sign::unequal || sign == Sign::less || sign == Sign::at_most || sign == Sign::more || sign == Sign::at_least;
+}
+
 }  // namespace
 
 // By recursive descent, to steps for a stack.
@@ -157,46 +193,6 @@ class ExpressionReader {
 base::Result<Expression> Expression::read(std::string_view text, const Names& names) {
   return ExpressionReader(text, names).all();
 }
-
-namespace {
-
-// Does it to `a`; false: a division by 0.
-bool apply(Sign sign, std::int64_t& a, std::int64_t b) {
-  const auto x = static_cast<std::uint64_t>(a);
-  const auto y = static_cast<std::uint64_t>(b);
-  const auto is = [&a](bool truth) { return a = truth ? 1 : 0, true; };
-  const auto is_wrapped = [&a](std::uint64_t value) { return a = static_cast<std::int64_t>(value), true; };
-  switch (sign) {
-    case Sign::either: return is(a != 0 || b != 0);
-    case Sign::both: return is(a != 0 && b != 0);
-    case Sign::bit_or: return is_wrapped(x | y);
-    case Sign::bit_xor: return is_wrapped(x ^ y);
-    case Sign::bit_and: return is_wrapped(x & y);
-    case Sign::equal: return is(a == b);
-    case Sign::unequal: return is(a != b);
-    case Sign::at_most: return is(a <= b);
-    case Sign::at_least: return is(a >= b);
-    case Sign::less: return is(a < b);
-    case Sign::more: return is(a > b);
-    case Sign::shift_left: return is_wrapped(b < 0 || b > 63 ? 0 : x << y);
-    case Sign::shift_right: return is_wrapped(b < 0 || b > 63 ? 0 : x >> y);
-    case Sign::plus: return is_wrapped(x + y);
-    case Sign::minus: return is_wrapped(x - y);
-    case Sign::times: return is_wrapped(x * y);
-    case Sign::divide:
-    case Sign::remainder: break;
-  }
-  if (b == 0) return false;
-  if (b == -1) return is_wrapped(sign == Sign::divide ? std::uint64_t{0} - x : 0);
-  a = sign == Sign::divide ? a / b : a % b;
-  return true;
-}
-
-bool is_comparison(Sign sign) {
-  return sign == Sign::equal || sign == Sign::unequal || sign == Sign::less || sign == Sign::at_most || sign == Sign::more || sign == Sign::at_least;
-}
-
-}  // namespace
 
 Expression::Calculated Expression::calculated() const {
   using End = Calculated::End;

@@ -252,6 +252,35 @@ Result<Done> check_needs(const MachineDescription& description, const Arguments&
   return Done{};
 }
 
+// The words of a line of a dump, blanks between them.
+std::vector<std::string_view> dump_words(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::string_view word = base::take_word(line);
+    if (word.empty()) return words;
+    words.push_back(word);
+  }
+}
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::vector<std::size_t> dumped_registers(const MachineDescription& description) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t n = 0; n < description.registers.size(); ++n)
+    if (description.registers[n].in_dump) numbers.push_back(n);
+  return numbers;
+}
+
+// Empty if the word does not have all the digits of `bits` bits, or is larger.
+std::optional<std::uint32_t> dump_number(const MachineDescription& description, std::string_view word, unsigned bits) {
+  if (word.size() != digits(description, 0, bits).size()) return std::nullopt;
+  const auto value = base::unsigned_number(word, description.radix);
+  if (!value || *value >> bits != 0) return std::nullopt;
+  return static_cast<std::uint32_t>(*value);
+}
+
 }  // namespace
 
 bool named_as_source(std::string_view path) {
@@ -458,39 +487,6 @@ std::string dump_text(const MachineDescription& description, const Machine& mach
   }
   return text;
 }
-
-namespace {
-
-// The words of a line of a dump, blanks between them.
-std::vector<std::string_view> dump_words(std::string_view line) {
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::string_view word = base::take_word(line);
-    if (word.empty()) return words;
-    words.push_back(word);
-  }
-}
-
-std::string_view text_of(std::span<const std::uint8_t> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-std::vector<std::size_t> dumped_registers(const MachineDescription& description) {
-  std::vector<std::size_t> numbers;
-  for (std::size_t n = 0; n < description.registers.size(); ++n)
-    if (description.registers[n].in_dump) numbers.push_back(n);
-  return numbers;
-}
-
-// Empty if the word does not have all the digits of `bits` bits, or is larger.
-std::optional<std::uint32_t> dump_number(const MachineDescription& description, std::string_view word, unsigned bits) {
-  if (word.size() != digits(description, 0, bits).size()) return std::nullopt;
-  const auto value = base::unsigned_number(word, description.radix);
-  if (!value || *value >> bits != 0) return std::nullopt;
-  return static_cast<std::uint32_t>(*value);
-}
-
-}  // namespace
 
 bool is_dump(const MachineDescription& description, std::span<const std::uint8_t> bytes) {
   constexpr std::size_t longest_line = 400;

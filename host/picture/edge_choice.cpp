@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/geometry/vector.hpp"
+
 namespace sightline::picture {
 namespace {
 
@@ -106,7 +108,7 @@ void EdgeChooser::find_surfaces() {
 bool EdgeChooser::bends(std::uint32_t a, std::uint32_t b, bool agree) const {
   const auto& m = surfaces_[a].direction;
   const auto& n = surfaces_[b].direction;
-  double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+  double cosine = geometry::dot(m, n);
   if (!agree) cosine = -cosine;
   if (choice_.crease > 0) return cosine < std::cos(choice_.crease * std::numbers::pi / 180);
   if (!scene_.surfaces.empty()) return true;  // another surface

@@ -10,25 +10,14 @@
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
+#include "host/picture/camera_view.hpp"
 #include "host/scene/model/face_cut.hpp"
 
 namespace sightline::picture {
 namespace {
 
-using Vector3d = std::array<double, 3>;
-
-double scalar(const Vector3d& a, const Vector3d& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3d unit_of(const Vector3d& v) {
-  const double size = std::sqrt(scalar(v, v));
-  return size > 0 ? Vector3d{v[0] / size, v[1] / size, v[2] / size} : Vector3d{};
-}
-
-Vector3d real(const scene::PolyPoint& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
+using geometry::RealVector;
 
 // Lines of one direction: line k is where `across` . p = start + k * step in the image.
 struct HatchFamily {
@@ -43,18 +32,12 @@ class Hatcher {
  public:
   Hatcher(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window,
           double units, const HatchOptions& options)
-      : camera_(camera),
-        axes_{unit_of(real(camera.right)), unit_of(real(camera.up)), unit_of(real(camera.forward))},
-        light_(unit_of(options.light)) {
+      : camera_(camera), view_(camera), axes_{view_.axis(0), view_.axis(1), view_.axis(2)}, light_(geometry::unit(options.light)) {
     result_.scene = scene;
     families_[0] = family(options.angle, options.spacing / units, window);
     families_[1] = family(options.angle + 90, options.spacing / units, window);
     image_.reserve(scene.vertices.size());
-    for (const scene::PolyPoint& v : scene.vertices) {
-      Vector3d d{};
-      for (std::size_t a = 0; a < 3; ++a) d[a] = static_cast<double>(v[a] - camera.eye[a]);
-      image_.push_back({scalar(axes_[0], d), scalar(axes_[1], d), camera.perspective ? scalar(axes_[2], d) : 1.0});
-    }
+    for (const scene::PolyPoint& v : scene.vertices) image_.push_back(view_.at(v));
   }
 
   base::Result<Hatching> run() {
@@ -100,9 +83,9 @@ class Hatcher {
                                                         : geometry::vector_of(camera_.forward);
     const int facing = -geometry::sign(geometry::wide_dot(normal, sight));
     if (facing == 0 || (facing < 0 && !sheet)) return;
-    Vector3d shaded = unit_of({static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])});
+    RealVector shaded = geometry::unit(geometry::real_vector(normal));
     if (!result_.scene.surfaces.empty() && !sheet) shaded = result_.scene.surfaces[result_.scene.surface_of[number]].normal;
-    double light = scalar(shaded, light_);
+    double light = geometry::dot(shaded, light_);
     if (facing < 0) light = -light;
     const Tone tone = tone_of(light);
     if (tone == Tone::light) return;
@@ -117,7 +100,7 @@ class Hatcher {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const scene::VertexIndex v : face.outline) {
-      const Vector3d& p = image_[v];
+      const RealVector& p = image_[v];
       if (p[2] <= 0) return {family.first, family.last};
       const double place = ((family.across[0] * p[0] + family.across[1] * p[1]) / p[2] - family.start) / family.step;
       low = std::min(low, place);
@@ -153,7 +136,7 @@ class Hatcher {
     const auto [known, added] = planes_.try_emplace({which, k}, static_cast<std::uint32_t>(result_.scene.cut_planes.size()));
     if (!added) return known->second;
     const double offset = family.start + static_cast<double>(k) * family.step;
-    Vector3d normal{};
+    RealVector normal{};
     double most = 0;
     for (std::size_t a = 0; a < 3; ++a) {
       normal[a] = family.across[0] * axes_[0][a] + family.across[1] * axes_[1][a];
@@ -182,10 +165,11 @@ class Hatcher {
   }
 
   const scene::PolyCamera& camera_;
-  std::array<Vector3d, 3> axes_;  // of length 1
-  Vector3d light_;
+  CameraView view_;
+  std::array<RealVector, 3> axes_;  // of length 1
+  RealVector light_;
   std::array<HatchFamily, 2> families_;
-  std::vector<Vector3d> image_;  // right, up and depth of each vertex
+  std::vector<SeenPoint> image_;  // of each vertex
   std::map<std::pair<std::size_t, std::int64_t>, std::uint32_t> planes_;  // of lines in use
   Hatching result_;
 };

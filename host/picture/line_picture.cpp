@@ -21,33 +21,6 @@ void append_ring(const std::vector<scene::VertexIndex>& ring, std::vector<LineEd
   }
 }
 
-}  // namespace
-
-std::vector<LineEdge> edges_of(const scene::PolyScene& scene) {
-  std::vector<LineEdge> edges;
-  std::size_t sides = scene.wires.size();
-  for (const scene::PolyBody& body : scene.bodies) {
-    for (const scene::PolyFace& face : body.faces) {
-      sides += face.outline.size();
-      for (const auto& hole : face.holes) sides += hole.size();
-    }
-  }
-  edges.reserve(sides);
-  for (const scene::PolyBody& body : scene.bodies) {
-    for (const scene::PolyFace& face : body.faces) {
-      append_ring(face.outline, edges);
-      for (const auto& hole : face.holes) append_ring(hole, edges);
-    }
-  }
-  for (const auto& [a, b] : scene.wires)
-    if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
-namespace {
-
 using geometry::cross;
 using geometry::difference;
 using geometry::dot;
@@ -229,6 +202,29 @@ bool is_seam(std::vector<Vector> spokes, const Circle& circle) {
 }
 
 }  // namespace
+
+std::vector<LineEdge> edges_of(const scene::PolyScene& scene) {
+  std::vector<LineEdge> edges;
+  std::size_t sides = scene.wires.size();
+  for (const scene::PolyBody& body : scene.bodies) {
+    for (const scene::PolyFace& face : body.faces) {
+      sides += face.outline.size();
+      for (const auto& hole : face.holes) sides += hole.size();
+    }
+  }
+  edges.reserve(sides);
+  for (const scene::PolyBody& body : scene.bodies) {
+    for (const scene::PolyFace& face : body.faces) {
+      append_ring(face.outline, edges);
+      for (const auto& hole : face.holes) append_ring(hole, edges);
+    }
+  }
+  for (const auto& [a, b] : scene.wires)
+    if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
 
 LinePicture without_seams(const LinePicture& picture, const scene::PolyScene& scene,
                           const scene::PolyCamera& camera) {

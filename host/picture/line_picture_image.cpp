@@ -71,6 +71,20 @@ ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
   return segment;
 }
 
+// Where a place on a crossing is seen, not scaled by lengths; its ends are no points of the grid.
+std::array<double, 2> crossing_image(const LineEdge& edge, double s, const scene::PolyScene& scene,
+                                     const scene::PolyCamera& camera) {
+  const std::array<double, 3> from = scene::place_of(scene, edge.from);
+  const std::array<double, 3> to = scene::place_of(scene, edge.to);
+  const auto along = [&](const scene::PolyPoint& axis) {
+    double sum = 0;
+    for (std::size_t a = 0; a < 3; ++a) sum += axis[a] * (from[a] + s * (to[a] - from[a]) - camera.eye[a]);
+    return sum;
+  };
+  const double over = camera.perspective ? along(camera.forward) : 1;
+  return {along(camera.right) / over, along(camera.up) / over};
+}
+
 }  // namespace
 
 std::array<std::int64_t, 4> image_plane(const LineEdge& edge, const scene::PolyScene& scene,
@@ -133,24 +147,6 @@ ImageSet image_set(const LinePicture& picture, const scene::PolyScene& scene,
   }
   return set;
 }
-
-namespace {
-
-// Where a place on a crossing is seen, not scaled by lengths; its ends are no points of the grid.
-std::array<double, 2> crossing_image(const LineEdge& edge, double s, const scene::PolyScene& scene,
-                                     const scene::PolyCamera& camera) {
-  const std::array<double, 3> from = scene::place_of(scene, edge.from);
-  const std::array<double, 3> to = scene::place_of(scene, edge.to);
-  const auto along = [&](const scene::PolyPoint& axis) {
-    double sum = 0;
-    for (std::size_t a = 0; a < 3; ++a) sum += axis[a] * (from[a] + s * (to[a] - from[a]) - camera.eye[a]);
-    return sum;
-  };
-  const double over = camera.perspective ? along(camera.forward) : 1;
-  return {along(camera.right) / over, along(camera.up) / over};
-}
-
-}  // namespace
 
 double image_length(const LinePicture& picture, const scene::PolyScene& scene,
                     const scene::PolyCamera& camera) {

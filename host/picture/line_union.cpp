@@ -8,22 +8,15 @@
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
+#include "host/picture/camera_view.hpp"
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/model/face_cut.hpp"
 
 namespace sightline::picture {
 namespace {
 
-using SightPoint = std::array<double, 3>;
 using geometry::Int128;
-
-double length(const scene::PolyPoint& v) {
-  return std::sqrt(static_cast<double>(geometry::dot(geometry::vector_of(v), geometry::vector_of(v))));
-}
-
-double dot(const SightPoint& a, const scene::PolyPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // A plane through the eye, so a line of the image: normal and offset, in lowest terms, the first that is not zero positive.
 using LineKey = std::array<Int128, 4>;
@@ -45,7 +38,7 @@ class LineUnion {
       : layers_(layers),
         scene_(scene),
         camera_(camera),
-        lengths_{length(camera.right), length(camera.up), length(camera.forward)} {
+        view_(camera) {
     // Planes of faces are wanted by number where there are crossings.
     if (scene.crossings.empty()) return;
     for (const scene::PolyBody& body : scene.bodies)
@@ -79,7 +72,7 @@ class LineUnion {
   struct End {
     std::uint32_t item = 0;  // among those of its line
     bool high = false;       // of the piece's parameters
-    SightPoint at{};
+    SeenPoint at{};
     double place = 0;      // along the line
     double tolerance = 0;  // of `place`: beyond it, doubles decide
     ImageRatio ratio = {};  // the exact place; only of ends that others are near
@@ -196,15 +189,15 @@ class LineUnion {
   }
 
   // Of a point of an edge: from + s (to - from).
-  [[nodiscard]] SightPoint end_of(std::uint32_t item, bool high) const {
+  [[nodiscard]] SeenPoint end_of(std::uint32_t item, bool high) const {
     const LinePiece& piece = *items_[item].piece;
     const double s = (high ? piece.high : piece.low).to_double();
-    const SightPoint from = scene::place_of(scene_, piece.edge.from);
-    const SightPoint to = scene::place_of(scene_, piece.edge.to);
-    SightPoint d{};
-    for (std::size_t a = 0; a < 3; ++a) d[a] = (s == 1 ? to[a] : from[a] + s * (to[a] - from[a])) - camera_.eye[a];
-    return {dot(d, camera_.right) / lengths_[0], dot(d, camera_.up) / lengths_[1],
-            camera_.perspective ? dot(d, camera_.forward) / lengths_[2] : 1};
+    const geometry::RealVector from = scene::place_of(scene_, piece.edge.from);
+    const geometry::RealVector to = scene::place_of(scene_, piece.edge.to);
+    geometry::RealVector point = to;
+    if (s != 1)
+      for (std::size_t a = 0; a < 3; ++a) point[a] = from[a] + s * (to[a] - from[a]);
+    return view_.at(point);
   }
 
   // The axis, right or up, along which a line of the image is longer.
@@ -217,7 +210,8 @@ class LineUnion {
       const std::array<std::int64_t, 4> plane = image_plane(edge, scene_, camera_);
       for (std::size_t i = 0; i < 3; ++i) normal[i] = static_cast<double>(plane[i]);
     }
-    return std::abs(dot(normal, camera_.up)) * lengths_[0] >= std::abs(dot(normal, camera_.right)) * lengths_[1] ? 0 : 1;
+    const auto along = [&](std::size_t number) { return std::abs(geometry::dot(normal, view_.direction(number))); };
+    return along(1) * view_.length(0) >= along(0) * view_.length(1) ? 0 : 1;
   }
 
   // Adds the ends of an item of `group_`. In perspective a line of the image ends at infinity where its edge passes the eye.
@@ -227,8 +221,8 @@ class LineUnion {
     std::array<End, 2> ends{End{item, false, end_of(group_[item], false)}, End{item, true, end_of(group_[item], true)}};
     if (ends[0].at[2] <= least_depth && ends[1].at[2] <= least_depth) return;
     for (const bool high : {false, true}) {
-      SightPoint& at = ends[high ? 1 : 0].at;
-      const SightPoint& other = ends[high ? 0 : 1].at;
+      SeenPoint& at = ends[high ? 1 : 0].at;
+      const SeenPoint& other = ends[high ? 0 : 1].at;
       if (at[2] >= 0) continue;
       const double part = at[2] / (at[2] - other[2]);
       for (std::size_t i = 0; i < 2; ++i) at[i] += part * (other[i] - at[i]);
@@ -391,7 +385,7 @@ class LineUnion {
   std::span<const LineLayer> layers_;
   const scene::PolyScene& scene_;
   const scene::PolyCamera& camera_;
-  std::array<double, 3> lengths_;
+  CameraView view_;
   std::vector<const scene::PolyFace*> faces_;
   std::vector<Item> items_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> by_line_;  // hash of the line, item
@@ -401,7 +395,7 @@ class LineUnion {
   std::vector<std::uint32_t> group_;
   std::vector<End> ends_;
   std::vector<std::uint32_t> ranks_;  // of the ends
-  std::vector<SightPoint> places_;    // of each rank
+  std::vector<SeenPoint> places_;    // of each rank
   std::vector<Span> spans_;
   std::vector<Event> events_;
   std::vector<std::uint32_t> active_;  // layers, ascending, each once

@@ -12,6 +12,17 @@ int sign(int value) {
   return (value > 0) - (value < 0);
 }
 
+// The nearest unit, halves upwards.
+std::int64_t units(int steps, const PlotterPaper& paper) {
+  const std::int64_t twice = 2 * steps * paper.micrometres_a_step + hpgl_unit_micrometres;
+  const std::int64_t whole = twice / (2 * hpgl_unit_micrometres);
+  return twice % (2 * hpgl_unit_micrometres) < 0 ? whole - 1 : whole;
+}
+
+void append_point(std::string& text, PenPoint point, const PlotterPaper& paper) {
+  base::append(text, "{},{}", units(point.x, paper), units(point.y, paper));
+}
+
 }  // namespace
 
 void extend(PenPath& path, PenPoint next) {
@@ -27,21 +38,6 @@ void extend(PenPath& path, PenPoint next) {
   }
   corners.push_back(next);
 }
-
-namespace {
-
-// The nearest unit, halves upwards.
-std::int64_t units(int steps, const PlotterPaper& paper) {
-  const std::int64_t twice = 2 * steps * paper.micrometres_a_step + hpgl_unit_micrometres;
-  const std::int64_t whole = twice / (2 * hpgl_unit_micrometres);
-  return twice % (2 * hpgl_unit_micrometres) < 0 ? whole - 1 : whole;
-}
-
-void append_point(std::string& text, PenPoint point, const PlotterPaper& paper) {
-  base::append(text, "{},{}", units(point.x, paper), units(point.y, paper));
-}
-
-}  // namespace
 
 std::string hpgl(std::span<const PenPath> paths, const PlotterPaper& paper) {
   std::string text = "IN;\nSP1;\n";

@@ -130,10 +130,19 @@ base::Result<double> least_margin(const Plotter& plotter, const Paper& paper) {
   return std::max((paper.width - (*area)[0]) / 2, (paper.height - (*area)[1]) / 2);
 }
 
+std::size_t pen_count(const HpglOptions& options) {
+  if (!options.pens.empty()) return options.pens.size();
+  return static_cast<std::size_t>(options.plotter != nullptr ? options.plotter->pens : most_hpgl_pens);
+}
+
 int pen_of_layer(std::size_t layer, const HpglOptions& options) {
-  if (!options.pens.empty()) return options.pens[std::min(layer, options.pens.size() - 1)];
-  const int most = options.plotter != nullptr ? options.plotter->pens : most_hpgl_pens;
-  return static_cast<int>(std::min(layer, static_cast<std::size_t>(most) - 1)) + 1;
+  const std::size_t pen = std::min(layer, pen_count(options) - 1);
+  return options.pens.empty() ? static_cast<int>(pen) + 1 : options.pens[pen];
+}
+
+std::optional<double> reachable_speed(const HpglOptions& options) {
+  if (!options.speed || options.plotter == nullptr) return options.speed;
+  return std::min(*options.speed, options.plotter->speeds.down / 10);
 }
 
 std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper, const HpglOptions& options) {

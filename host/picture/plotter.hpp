@@ -58,6 +58,10 @@ struct HpglOptions {
 
 // The pen that draws a layer: each has its own while there are pens, and the last pen draws all layers beyond.
 [[nodiscard]] int pen_of_layer(std::size_t layer, const HpglOptions& options);
+// How many pens layers can have.
+[[nodiscard]] std::size_t pen_count(const HpglOptions& options);
+// The speed that was asked for, at most the plotter's; empty: none was.
+[[nodiscard]] std::optional<double> reachable_speed(const HpglOptions& options);
 
 // Plotter units of 0.025 mm, absolute unless asked otherwise, each point rounded once; points that are equal then are
 // written once. Facets have no place on a plotter and are left out. Of a drawing within the plotting_area (precondition).

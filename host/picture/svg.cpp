@@ -57,12 +57,6 @@ void SvgWriter::open_areas(std::string_view id, std::string_view label, std::str
                xml_text(label), style);
 }
 
-void SvgWriter::begin_polygon(Colour colour) {
-  begin("    <polygon");
-  base::append(text_, " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" points=\"",
-               colour.red, colour.green, colour.blue);
-}
-
 void SvgWriter::begin_path(Colour colour) {
   begin("    <path");
   base::append(text_, " fill=\"#{0:02x}{1:02x}{2:02x}\" stroke=\"#{0:02x}{1:02x}{2:02x}\" d=\"", colour.red,

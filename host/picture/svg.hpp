@@ -42,7 +42,6 @@ class SvgWriter {
   void close_layer() { text_ += "  </g>\n"; }
 
   void begin_polyline() { begin("    <polyline points=\""); }
-  void begin_polygon(Colour colour);
   // Lines and areas from point to point, in distances: half as long as positions. Each is the difference of two rounded positions, so
   // that roundings do not add up. An area of one loop; what lies within it counts, whichever way it runs around.
   void begin_line() {

@@ -141,6 +141,11 @@ class DrawingSvg {
   SvgWriter svg_;
 };
 
+std::int64_t whole(double micrometres) {
+  constexpr double farthest = 1e9;
+  return static_cast<std::int64_t>(std::floor(std::clamp(micrometres, -farthest, farthest) + 0.5));
+}
+
 }  // namespace
 
 std::string svg_of(const VectorDrawing& drawing, const Paper& paper, const std::string& title) {
@@ -203,15 +208,6 @@ VectorDrawing with_margin(VectorDrawing drawing, const Paper& paper) {
   drawing.height = paper.height * up;
   return drawing;
 }
-
-namespace {
-
-std::int64_t whole(double micrometres) {
-  constexpr double farthest = 1e9;
-  return static_cast<std::int64_t>(std::floor(std::clamp(micrometres, -farthest, farthest) + 0.5));
-}
-
-}  // namespace
 
 std::string svg_of(const std::vector<FilledArea>& areas, const Paper& paper, const std::string& title) {
   SvgWriter svg(paper.width, paper.height, title);

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "host/compare/sweep_views.hpp"
-#include "host/programs/jones/precision/study.hpp"
+#include "host/compare/jones_precision/study.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
 #include "host/scene/read/cell_scene.hpp"
 
@@ -23,6 +23,7 @@ namespace sightline {
 namespace {
 
 namespace jones = programs::jones;
+namespace jones_precision = compare::jones_precision;
 
 constexpr int most_bits = 3;
 using Shares = std::array<double, most_bits + 1>;  // per cent, by fraction bits
@@ -36,7 +37,7 @@ struct Views {
 
 // False if a build cannot complete the view, or no line is visible.
 bool measure(const scene::CellScene& scene, const geometry::Point& eye, Views& views) {
-  const auto study = jones::PrecisionStudy::of(scene, std::array<geometry::Point, 1>{eye});
+  const auto study = jones_precision::PrecisionStudy::of(scene, std::array<geometry::Point, 1>{eye});
   if (!study) return false;
   Shares display{};
   Shares numbers{};
@@ -109,7 +110,7 @@ int main(int argc, char** argv) {
   }
   std::printf("wrong share of the visible length, per cent, mean and standard error, for 0 to %d fraction bits\n", most_bits);
   std::vector<std::pair<std::string, std::future<Views>>> scenes;
-  for (const auto& six : programs::jones::six_views) {
+  for (const auto& six : jones_precision::six_views) {
     const std::string name(six.scene);
     scenes.emplace_back(name, std::async(std::launch::async, measure_scene, name, static_cast<std::size_t>(wanted), 1));
   }

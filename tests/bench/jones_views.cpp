@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "host/programs/jones/guest.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/programs/jones/program.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "host/scene/read/builtin.hpp"
@@ -30,7 +30,7 @@ void assemble(benchmark::State& state, const std::string& name) {
   if (scene == nullptr) return;
   std::int64_t words = 0;
   for (auto _ : state) {
-    const auto assembled = jones::assemble_program(*scene, {});
+    const auto assembled = jones::assemble_program(*scene);
     const auto* program = good<jones::Program>(state, assembled);
     if (program == nullptr) return;
     words += static_cast<std::int64_t>(program->core.size());
@@ -42,11 +42,11 @@ void views(benchmark::State& state, const std::string& name) {
   const auto read = scene::read_cell_scene(*scene::builtin_scene_text(name), name);
   const auto* scene = good<scene::CellScene>(state, read);
   if (scene == nullptr) return;
-  const auto assembled = jones::assemble_program(*scene, {});
-  const auto* program = good<jones::Program>(state, assembled);
+  const auto prepared = jones::Prepared::of(*scene);
+  const auto* program = good<jones::Prepared>(state, prepared);
   if (program == nullptr) return;
   std::int64_t instructions = 0;
-  for (auto _ : state) instructions += static_cast<std::int64_t>(jones::run_guest(*program, {}).instructions);
+  for (auto _ : state) instructions += static_cast<std::int64_t>(program->run()->instructions);
   state.SetItemsProcessed(instructions);
 }
 

@@ -9,7 +9,7 @@
 
 #include "emulators/core/stroke.hpp"
 #include "emulators/machines/pdp7.hpp"
-#include "host/programs/jones/guest.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "tests/firmware/jones_core.hpp"
 #include "tests/firmware/jones_drawn_points.hpp"
 #include "tests/firmware/jones_scenes.hpp"
@@ -101,10 +101,9 @@ TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
   ASSERT_EQ(twin_view(program).display_file.size(), 2U);
   const Console seen = after(0, 1.0);
   EXPECT_GT(seen.views, 10);
-  GuestOptions options;
-  options.time_limit = core::seconds(5);
-  const GuestRun run = run_guest(program, options);
-  EXPECT_FALSE(run.timed_out);
+  Order order;
+  order.time_limit = core::seconds(5);
+  const Outcome run = outcome_of(program, order);
   EXPECT_EQ(run.views.size(), 2U);
   EXPECT_TRUE(run.pass.empty());
 }
@@ -201,14 +200,13 @@ TEST(JonesImmediate, LinesAppearDuringTheViewInAFileThatIsAlwaysTerminated) {
 class JonesStatus : public testing::TestWithParam<bool> {
  protected:
   void expect(Program program, Status status, std::size_t least_pieces) const {
-    const View expected = twin_view(program);
+    const TwinView expected = twin_view(program);
     ASSERT_EQ(name(expected.status), name(status));
-    GuestOptions options;
-    options.eae = GetParam();
-    options.time_limit = core::seconds(60);
-    const GuestRun run = run_guest(program, options);
+    Order order;
+    order.time_limit = core::seconds(60);
+    const Outcome run = outcome_of(program, order);
     ASSERT_EQ(run.views.size(), 2U);
-    for (const GuestView& view : run.views) {
+    for (const View& view : run.views) {
       EXPECT_EQ(name(view.status), name(status));
       EXPECT_TRUE(same_words(view.display_file, expected.display_file));
       EXPECT_GE(view.pieces, least_pieces);

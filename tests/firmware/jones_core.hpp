@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/programs/jones/program.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/programs/jones/twin/twin.hpp"
 #include "host/scene/model/cell_scene.hpp"
 #include "tests/host/scene/scene_support.hpp"
@@ -21,9 +21,7 @@ namespace sightline::programs::jones {
 inline constexpr std::array scene_names{"house", "roberts", "street4", "corridor8", "corridor32"};
 
 inline Program assembled(const scene::CellScene& scene, bool eae) {
-  ProgramOptions options;
-  options.eae = eae;
-  auto program = assemble_program(scene, options);
+  auto program = assemble_program(scene, {.eae = eae});
   if (!program) {
     ADD_FAILURE() << program.error().message();
     return {};
@@ -55,15 +53,25 @@ inline void put_eye(Program& program, const SpacePoint& eye) {
   program.core[program.labels.scene + 4] = word_of(eye.z);
 }
 
+// The program's run as it is in core.
+inline Outcome outcome_of(const Program& program, const Order& order = {}) {
+  auto outcome = run_core(program, program.core, order);
+  if (!outcome) {
+    ADD_FAILURE() << outcome.error().message();
+    return {};
+  }
+  return std::move(*outcome);
+}
+
 // What the twin reads: the same core, with nothing where the tapes put nothing.
 inline std::vector<core::Word18> image_of(const Program& program) {
   return program.core;
 }
 
-inline View twin_view(const Program& program, Parameters parameters = {}) {
+inline TwinView twin_view(const Program& program, Parameters parameters = {}) {
   const auto image = image_of(program);
   parameters.eye = default_parameters(image, program.labels.scene).eye;
-  return run(image, program.labels.scene, parameters);
+  return run_twin(image, program.labels.scene, parameters);
 }
 
 inline std::string octal(const std::vector<core::Word18>& words, std::size_t at) {

@@ -12,7 +12,7 @@
 #include "host/algorithms/oracle/drawn_error.hpp"
 #include "host/algorithms/oracle/matter.hpp"
 #include "host/algorithms/oracle/visible_lines.hpp"
-#include "host/programs/jones/guest.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
@@ -31,9 +31,9 @@ class JonesPictures : public testing::TestWithParam<const char*> {};
 TEST_P(JonesPictures, AreTheApprovedOnes) {
   constexpr core::Duration shutter = core::milliseconds(200);
   const std::string scene = GetParam();
-  GuestOptions options;
-  options.photograph = shutter;
-  const GuestRun run = run_guest(assembled(scene, true), options);
+  Order order;
+  order.photograph = shutter;
+  const Outcome run = outcome_of(assembled(scene, true), order);
   EXPECT_TRUE(tests::matches_approved_png(picture::crisp_raster(run.pass), "jones/" + scene + ".png"));
   picture::PhosphorPhotograph photograph(run.shutter_close - shutter, run.shutter_close);
   photograph.expose(run.photograph);
@@ -42,10 +42,8 @@ TEST_P(JonesPictures, AreTheApprovedOnes) {
 
 TEST_P(JonesPictures, AreTheSameWithoutTheEae) {
   NEEDS_OPTIMISED_CODE();
-  GuestOptions options;
-  const GuestRun with = run_guest(assembled(GetParam(), true), options);
-  options.eae = false;
-  const GuestRun without = run_guest(assembled(GetParam(), false), options);
+  const Outcome with = outcome_of(assembled(GetParam(), true));
+  const Outcome without = outcome_of(assembled(GetParam(), false));
   EXPECT_TRUE(picture::crisp_raster(with.pass) == picture::crisp_raster(without.pass));
 }
 
@@ -71,7 +69,7 @@ TEST_P(JonesPictures, ShowWhatIsTrulySeen) {
     put_eye(program, {eye[0], eye[1], eye[2]});
     const DarkView view = dark_view(program, true, {});
     ASSERT_EQ(view.status, Status::complete);
-    View words;
+    TwinView words;
     words.display_file = view.display_file;
     std::vector<oracle::ScreenSegment> drawn;
     for (const ScreenSegment& s : decode(words).vectors) {

@@ -148,13 +148,6 @@ std::vector<RegionLoop> boundary_of(const Image& image, const TrapezoidPcs& regi
   return RegionPieces(image, region).loops();
 }
 
-ImagePoint exact_point(const Image& image, const RegionCorner& corner) {
-  const ImageLine& line = image.lines()[corner.line];
-  const Image::Quotient y = image.exact(corner.y);
-  const auto numerator = Coefficient(line.b) * y.numerator + Coefficient(line.c) * y.denominator;
-  return {{-numerator, Coefficient(line.a) * y.denominator}, y};
-}
-
 std::array<double, 2> approximate_point(const Image& image, const RegionCorner& corner) {
   const double y = corner.y.middle();
   return {image.abscissa(corner.line, y), y};

@@ -26,11 +26,6 @@ struct RegionCorner {
 using RegionLoop = std::vector<RegionCorner>;
 [[nodiscard]] std::vector<RegionLoop> boundary_of(const Image& image, const TrapezoidPcs& region);
 
-struct ImagePoint {
-  Image::QuotientOf<3 * coefficient_bits + 2, 3 * coefficient_bits + 1> x;
-  Image::Quotient y;
-};
-[[nodiscard]] ImagePoint exact_point(const Image& image, const RegionCorner& corner);
 [[nodiscard]] std::array<double, 2> approximate_point(const Image& image, const RegionCorner& corner);
 
 // Positive for an outline; in floating point, as area() of a region.

@@ -282,18 +282,4 @@ StripeRaster raster_by_difference(const Image& image, const PriorityList& list,
   return raster;
 }
 
-StripeRaster raster_by_overwriting(const Image& image, const PriorityList& list,
-                                   std::span<const TrapezoidPcs> listed, const StripeFrame& frame,
-                                   std::int32_t units) {
-  StripeRaster raster = blank(frame);
-  Filler filler(raster, units);
-  const auto classes = list.classes();
-  for (auto members = classes.rbegin(); members != classes.rend(); ++members) {
-    for (auto face = members->rbegin(); face != members->rend(); ++face) {
-      filler.fill(stripe_pcs(image, listed[*face], frame, units), *face);
-    }
-  }
-  return raster;
-}
-
 }  // namespace sightline::algorithms::montani_re

@@ -66,7 +66,7 @@ struct StripeRaster {
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::vector<std::uint32_t> faces;  // rows from the bottom; `none` where there is no face
-  std::uint64_t sides = 0;           // of what is seen; 0 when overwritten
+  std::uint64_t sides = 0;           // of what is seen
   std::uint64_t silhouette_sides = 0;
 
   friend bool operator==(const StripeRaster& a, const StripeRaster& b) { return a.faces == b.faces; }
@@ -76,9 +76,5 @@ struct StripeRaster {
 [[nodiscard]] StripeRaster raster_by_difference(const Image& image, const PriorityList& list,
                                                 std::span<const TrapezoidPcs> listed,
                                                 const StripeFrame& frame, std::int32_t units);
-// Back to front, each over those before: no difference is needed. Gives the same raster.
-[[nodiscard]] StripeRaster raster_by_overwriting(const Image& image, const PriorityList& list,
-                                                 std::span<const TrapezoidPcs> listed,
-                                                 const StripeFrame& frame, std::int32_t units);
 
 }  // namespace sightline::algorithms::montani_re

@@ -22,6 +22,9 @@ EdgeStructure structure_from(Scratch& scratch, EdgeIndex edge, const std::vector
   return structure;
 }
 
+// Where nothing ever changes any direction will do; this one is along nothing in particular.
+constexpr Sight anywhere{314159, 271828};
+
 }  // namespace
 
 EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
@@ -46,13 +49,6 @@ EdgeStructure structure_between(const RotationModel& model, EdgeIndex edge,
   if (sight) return structure_at(model, edge, occluders, *sight);
   return wide_structure_between(model, edge, occluders, a, b);
 }
-
-namespace {
-
-// Where nothing ever changes any direction will do; this one is along nothing in particular.
-constexpr Sight anywhere{314159, 271828};
-
-}  // namespace
 
 EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge, Trace* trace) {
   const std::vector<Occluder> occluders = model.occluders_of(edge);

@@ -40,6 +40,20 @@ Rational parameter_of(const RotationModel& model, EdgeIndex edge, const End& end
   return {n, du * gdy - dy * gdu};
 }
 
+template <class Find>
+picture::LinePicture picture_of(const RotationModel& model, Find find) {
+  picture::LinePicture picture;
+  std::vector<PieceRange> ranges;
+  for (EdgeIndex edge = 0; edge < model.edges().size(); ++edge) {
+    ranges.clear();
+    find(edge, &ranges);
+    for (const PieceRange& range : ranges) {
+      picture.pieces.push_back({model.edges()[edge], {range.low, range.low_of}, {range.high, range.high_of}});
+    }
+  }
+  return picture;
+}
+
 }  // namespace
 
 std::optional<Sight> sight_of(const scene::PolyCamera& camera) {
@@ -57,24 +71,6 @@ scene::PolyCamera camera_of(const Sight& sight) {
   camera.up = {0, 1, 0};
   return camera;
 }
-
-namespace {
-
-template <class Find>
-picture::LinePicture picture_of(const RotationModel& model, Find find) {
-  picture::LinePicture picture;
-  std::vector<PieceRange> ranges;
-  for (EdgeIndex edge = 0; edge < model.edges().size(); ++edge) {
-    ranges.clear();
-    find(edge, &ranges);
-    for (const PieceRange& range : ranges) {
-      picture.pieces.push_back({model.edges()[edge], {range.low, range.low_of}, {range.high, range.high_of}});
-    }
-  }
-  return picture;
-}
-
-}  // namespace
 
 picture::LinePicture visible_edges(const RotationModel& model, const Sight& sight) {
   return picture_of(model, [&](EdgeIndex edge, std::vector<PieceRange>* ranges) {

@@ -37,16 +37,12 @@ struct LineView {
   std::vector<AlgorithmCount> counts;
 };
 
-// One view of a prepared scene. The eye of a camera in perspective is in free space (scene::eye_error finds
-// nothing: precondition). Several threads may ask at once.
-using LineViews = std::function<base::Result<LineView>(const scene::PolyCamera&)>;
-
-// The same of an ascending choice of edges alone.
-using ChosenViews = std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges&)>;
-
 struct PreparedScene {
-  LineViews view;
-  ChosenViews view_chosen = {};  // not all have it: see view_of
+  // One view. The eye of a camera in perspective is in free space (scene::eye_error finds nothing: precondition). Several threads may
+  // ask at once.
+  std::function<base::Result<LineView>(const scene::PolyCamera&)> view;
+  // The same of an ascending choice of edges alone; not all have it: see view_of.
+  std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges&)> view_chosen = {};
   std::vector<AlgorithmCount> counts;  // of what was made of the scene
 };
 

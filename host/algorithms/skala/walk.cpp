@@ -484,17 +484,6 @@ Walked walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener lis
   return Walker<Listener, GappedHorizon>(order, drawing, listener, screen).go();
 }
 
-}  // namespace
-
-Walked walk(const Walk& order, picture::VectorDrawing& drawing) {
-  return walk_for(order, drawing, Unwatched());
-}
-Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
-  return walk_for(order, drawing, Watched(trace));
-}
-
-namespace {
-
 // Several surfaces at once.
 class TogetherWalk {
  public:
@@ -669,6 +658,13 @@ class TogetherWalk {
 };
 
 }  // namespace
+
+Walked walk(const Walk& order, picture::VectorDrawing& drawing) {
+  return walk_for(order, drawing, Unwatched());
+}
+Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
+  return walk_for(order, drawing, Watched(trace));
+}
 
 std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings) {
   if (orders.empty()) return {};

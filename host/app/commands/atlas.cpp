@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/jones_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/number.hpp"

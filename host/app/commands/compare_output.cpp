@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "host/app/commands/jones_session.hpp"
 #include "host/app/commands/skala_options.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/json.hpp"

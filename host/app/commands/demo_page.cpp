@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "host/app/commands/answer_output.hpp"
-#include "host/app/commands/jones_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/base/text.hpp"
 #include "host/picture/raster_difference.hpp"

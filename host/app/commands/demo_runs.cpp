@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "host/app/commands/jones_pictures.hpp"
+#include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/scene/read/builtin.hpp"
 
@@ -16,24 +18,12 @@ namespace jones = programs::jones;
 using base::Json;
 
 JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool eae, const std::string& directory) {
-  jones::ProgramOptions program_options;
-  program_options.eae = eae;
-  const jones::Session session = session_of(scene, name, program_options);
-  jones::GuestOptions options;
-  if (eae) options.photograph = photograph_time;  // the pictures are the same without
-  const jones::CheckedRun checked = session.run(options);
-  const jones::GuestRun& run = checked.guest;
-  if (run.timed_out) throw base::program_failed(name + ": the program did not complete two views");
-  require_twin(checked, name);
-  if (eae) {
-    write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), run);
-  }
-  return {name,
-          eae,
-          session.program().scene.cell_addresses.size(),
-          session.program().words_used,
-          run.views.front(),
-          refreshes_per_second(run)};
+  jones::Order order;
+  if (eae) order.photograph = photograph_time;  // the pictures are the same without
+  order.check = true;
+  const jones::Outcome outcome = value_of(jones::run(scene, {.eae = eae}, order), name);
+  if (eae) write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), outcome);
+  return {name, eae, scene.cells.size(), outcome.core_words, outcome.views.front(), outcome.refreshes_per_second()};
 }
 
 }  // namespace
@@ -52,7 +42,7 @@ std::string jones_table(const std::vector<JonesRow>& rows) {
                                  "words of core", "refreshes/s");
   for (const JonesRow& row : rows) {
     text += fmt::format("{:<11}{:<5}{:>10.3f}{:>10}{:>10}{:>16}{:>12.1f}\n", row.scene, row.eae ? "yes" : "no",
-                        seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
+                        core::in_seconds(row.view.time), fmt::format("{}/{}", row.view.distinct_cells, row.cells), row.view.pieces,
                         fmt::format("{}/{}", row.words, programs::jones::core_words), row.refreshes);
   }
   text += "Seconds of the emulated machine for the first view, while the display does not yet take cycles; the paper: \"a few seconds\".\n";
@@ -77,9 +67,9 @@ void add_jones_rows(Json& document, const std::vector<JonesRow>& rows) {
 std::vector<TurnRow> run_turns() {
   std::vector<TurnRow> rows;
   for (const char* model : {"roberts", "boxes-8"}) {
-    const programs::turn::Tape tape = turn_tape(load_scene(model).scene, model, false);
+    const auto tape = value_of(programs::turn::make_tape(load_scene(model).scene, programs::turn::Memory::words_8k), model);
     for (const bool eae : {true, false})
-      rows.push_back({model, eae, tape.edges, measure_turn(programs::turn::Session(tape, eae), model, 0, false)});
+      rows.push_back({model, eae, tape.edges, value_of(programs::turn::run(tape, {.eae = eae, .check = true}), model)});
   }
   return rows;
 }
@@ -88,10 +78,10 @@ std::string turn_table(const std::vector<TurnRow>& rows) {
   std::string text = fmt::format("{:<11}{:<5}{:>7}{:>14}{:>9}{:>16}{:>22}\n", "model", "EAE", "edges", "frames/s mean", "worst",
                                  "wire frames/s", "of a wire frame's time");
   for (const TurnRow& row : rows) {
-    const auto& hidden = row.measure.hidden.summary;
+    const auto& hidden = row.outcome.hidden.summary;
     text += fmt::format("{:<11}{:<5}{:>7}{:>14.1f}{:>9.1f}{:>16.1f}{:>22.2f}\n", row.model, row.eae ? "yes" : "no", row.edges,
                         hidden.frames_per_second_mean, hidden.frames_per_second_worst,
-                        row.measure.wire.summary.frames_per_second_mean, row.measure.cost_against_wire_frame());
+                        row.outcome.wire.summary.frames_per_second_mean, row.outcome.cost_against_wire_frame());
   }
   text +=
       "Mean and worst of a full turn in 8 seconds. Jones, 1971: continuous motion \"has not been possible\"; the claim of 1990: no more than the wire "
@@ -102,14 +92,14 @@ std::string turn_table(const std::vector<TurnRow>& rows) {
 void add_turns(Json& document, const std::vector<TurnRow>& rows) {
   document["turns"] = Json::array();
   for (const TurnRow& row : rows) {
-    const auto& hidden = row.measure.hidden.summary;
+    const auto& hidden = row.outcome.hidden.summary;
     document["turns"].push_back({{"model", row.model},
                                  {"eae", row.eae},
                                  {"edges", row.edges},
                                  {"frames_per_second_mean", hidden.frames_per_second_mean},
                                  {"frames_per_second_worst", hidden.frames_per_second_worst},
-                                 {"wire_frames_per_second_mean", row.measure.wire.summary.frames_per_second_mean},
-                                 {"cost_against_wire_frame", row.measure.cost_against_wire_frame()}});
+                                 {"wire_frames_per_second_mean", row.outcome.wire.summary.frames_per_second_mean},
+                                 {"cost_against_wire_frame", row.outcome.cost_against_wire_frame()}});
   }
 }
 

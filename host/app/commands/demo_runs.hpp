@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "host/programs/flight/flight.hpp"
-#include "host/app/commands/jones_session.hpp"
-#include "host/app/commands/turn_session.hpp"
 #include "host/base/json.hpp"
+#include "host/programs/jones/jones.hpp"
+#include "host/programs/turn/turn.hpp"
 
 namespace sightline::app {
 
@@ -19,7 +19,7 @@ struct JonesRow {
   bool eae = false;
   std::size_t cells = 0;
   std::uint32_t words = 0;
-  programs::jones::GuestView view;
+  programs::jones::View view;
   double refreshes = 0;
 };
 // Writes SCENE.png, -phosphor.png and .svg into `directory`. Error as the session's.
@@ -33,7 +33,7 @@ struct TurnRow {
   std::string model;
   bool eae = false;
   std::uint32_t edges = 0;
-  TurnMeasure measure;
+  programs::turn::Outcome outcome;
 };
 [[nodiscard]] std::vector<TurnRow> run_turns();
 [[nodiscard]] std::string turn_table(const std::vector<TurnRow>& rows);

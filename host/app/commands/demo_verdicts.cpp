@@ -115,8 +115,8 @@ Verdict turn_verdict(const DemoResults& results) {
   Range with;
   Range without;
   for (const TurnRow& row : results.turns) {
-    frames.add(row.measure.hidden.summary.frames_per_second_mean);
-    (row.eae ? with : without).add(row.measure.cost_against_wire_frame());
+    frames.add(row.outcome.hidden.summary.frames_per_second_mean);
+    (row.eae ? with : without).add(row.outcome.cost_against_wire_frame());
   }
   const MethodRange range = range_of(results.answer, "turn-pdp7", "lines");
   const bool holds_with = with.high() <= 1;

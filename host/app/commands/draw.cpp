@@ -18,7 +18,6 @@
 #include "host/algorithms/registry/lines.hpp"
 #include "host/app/command_line.hpp"
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/draw_view.hpp"
 #include "host/app/edge_options.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
@@ -26,15 +25,15 @@
 #include "host/base/number.hpp"
 #include "host/base/progress.hpp"
 #include "host/base/result.hpp"
-#include "host/compare/matter_scene.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/picture/edge_choice.hpp"
 #include "host/picture/face_shades.hpp"
 #include "host/picture/line_drawing.hpp"
 #include "host/picture/line_picture.hpp"
-#include "host/picture/line_picture_image.hpp"
 #include "host/picture/png.hpp"
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/file_units.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::app {
@@ -145,16 +144,16 @@ void add_fill_options(const Command& command, FillArguments& arguments) {
 }
 
 ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArguments& arguments,
-                     const FilledPicture& picture, DrawingFormat format) {
-  if (format != DrawingFormat::svg && format != DrawingFormat::png)
+                     const FilledPicture& picture, hidden_lines::Format format) {
+  if (format != hidden_lines::Format::svg && format != hidden_lines::Format::png)
     throw base::usage_error(fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
-  if (format == DrawingFormat::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
+  if (format == hidden_lines::Format::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
   registry::FaceOptions options;
   options.stripe = arguments.stripe;
   const auto prepared = value_of(algorithm.prepare(picture.source.scene, options), picture.source.name);
   Output file(picture.output.file);
-  const auto counts = format == DrawingFormat::svg ? write_outlines(prepared, picture, file)
+  const auto counts = format == hidden_lines::Format::svg ? write_outlines(prepared, picture, file)
                                                    : write_stripes(prepared, picture, file);
   file.commit();
   if (picture.json) {
@@ -174,7 +173,10 @@ struct DrawLinesArguments {
   MeshArguments mesh;
   CameraArguments camera;
   std::optional<double> field;
-  LineViewOptions view;
+  EdgeArguments edges;
+  std::string layers;  // empty: by the format
+  bool hidden = false;
+  unsigned jobs = 1;
   std::string hatch;  // "ANGLE,SPACING"
   std::string light;  // "X,Y,Z"
   double min_length = 0;
@@ -187,13 +189,13 @@ struct DrawLinesArguments {
 };
 
 // A millimetre for paper, about a millimetre on a screen for an image.
-picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingFormat format, std::optional<double> extent,
+picture::DrawingField field_of(const DrawLinesArguments& arguments, hidden_lines::Format format, std::optional<double> extent,
                                std::optional<double> scale) {
   picture::DrawingField field;
   field.extent = extent;
   field.scale = scale;
   field.min_length = arguments.min_length;
-  if (format == DrawingFormat::png && !arguments.output.is_sheet()) {
+  if (format == hidden_lines::Format::png && !arguments.output.is_sheet()) {
     constexpr double pixels_per_unit = 4;
     field.width = arguments.output.image.width / pixels_per_unit;
     field.height = arguments.output.image.height / pixels_per_unit;
@@ -204,17 +206,6 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, DrawingForma
   return field;
 }
 
-// Millimetres of a unit as a file names it; of a file that names none a unit is one.
-double millimetres(std::string_view unit) {
-  struct Unit {
-    std::string_view name;
-    double millimetres;
-  };
-  constexpr std::array units{Unit{"um", 0.001}, Unit{"mm", 1}, Unit{"cm", 10}, Unit{"m", 1000}, Unit{"inch", 25.4}, Unit{"ft", 304.8}};
-  const auto found = std::find_if(units.begin(), units.end(), [unit](const Unit& each) { return each.name == unit; });
-  return found == units.end() ? 1 : found->millimetres;
-}
-
 // Millimetres on the paper of a step of the scene's grid; empty: the picture is fitted. Error usage: a picture that has
 // no scale.
 std::optional<double> scale_of(const DrawOutput& output, const scene::LoadedScene& source, const scene::PolyCamera& camera) {
@@ -222,7 +213,7 @@ std::optional<double> scale_of(const DrawOutput& output, const scene::LoadedScen
   if (camera.perspective)
     throw base::usage_error(fmt::format("--scale: found {} in perspective, which has no scale, expected --view or --orthographic",
                                                output.scale));
-  return scale_argument(output.scale) * millimetres(source.report.unit) * source.scene.step;
+  return scale_argument(output.scale) * scene::millimetres(source.report.unit) * source.scene.step;
 }
 
 // Error usage: a plotter's margin would be wider than the one that the field was meant for, and so the scale smaller.
@@ -254,27 +245,26 @@ std::vector<double> numbers_argument(std::string_view option, const std::string&
 }
 
 // Error usage: no hatching like that.
-void read_hatching(DrawLinesArguments& arguments) {
-  if (arguments.hatch.empty()) return;
+std::optional<hidden_lines::HatchOptions> hatching(const DrawLinesArguments& arguments) {
+  if (arguments.hatch.empty()) return std::nullopt;
   const auto numbers = numbers_argument("--hatch", arguments.hatch, 2, "ANGLE,SPACING in degrees and mm, such as 45,1.5");
   constexpr double least_spacing = 0.05;
   if (std::abs(numbers[0]) > 360 || numbers[1] < least_spacing || numbers[1] > 1000)
     throw base::usage_error(fmt::format("--hatch: found \"{}\", expected an angle up to 360 and a spacing from {} to 1000 mm",
-                    arguments.hatch, least_spacing));
-  LineViewOptions::Hatch hatch{numbers[0], numbers[1]};
+                                        arguments.hatch, least_spacing));
+  hidden_lines::HatchOptions hatch{numbers[0], numbers[1]};
   if (!arguments.light.empty()) {
     const auto light = numbers_argument("--light", arguments.light, 3, "X,Y,Z, the direction towards the light");
     hatch.light = {light[0], light[1], light[2]};
-    if (*hatch.light == std::array<double, 3>{})
-      throw base::usage_error("--light: found 0,0,0, expected a direction");
+    if (*hatch.light == std::array<double, 3>{}) throw base::usage_error("--light: found 0,0,0, expected a direction");
   }
-  arguments.view.hatch = hatch;
+  return hatch;
 }
 
 Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& file, const scene::LoadedScene& source,
-                const AimedCamera& camera, const DrawnView& drawn) {
+                const AimedCamera& camera, const hidden_lines::Drawing& drawn) {
   Json counts = Json::object();
-  for (const auto& count : drawn.view.counts) counts[std::string(count.name)] = count.value;
+  for (const auto& count : drawn.counts) counts[std::string(count.name)] = count.value;
   Json document{{"schema", "sightline/draw/1"},
                 {"algorithm", algorithm.name},
                 {"scene", source.name},
@@ -283,9 +273,9 @@ Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& fil
                 {"step", source.scene.step},
                 {"largest_shift", source.report.largest_shift},
                 {"edges", drawn.edges ? *drawn.edges : picture::edges_of(source.scene).size()},
-                {"pieces", drawn.view.picture.pieces.size()},
+                {"pieces", drawn.visible.pieces.size()},
                 {"pieces_drawn", drawn.pieces},
-                {"strokes", drawn.strokes},
+                {"strokes", drawn.stroke_count},
                 {"visible_length", drawn.visible_length},
                 {"counts", counts}};
   if (drawn.by_kind) {
@@ -307,43 +297,52 @@ std::string numbered(const std::string& file, int number, int count) {
       .string();
 }
 
-// What is drawn of a scene of cells from inside: the real lines of its matter, those of the outer box among them, as Jones's program
-// draws them. Empty for a method that draws nothing but edges of faces; empty, with a warning, where the outer box is left out.
-std::optional<compare::MatterScene> matter_seen(const registry::LineAlgorithm& algorithm, const scene::LoadedScene& source,
-                                                std::span<const scene::PolyCamera> cameras, const EdgeArguments& edges) {
-  if (!source.cells || !algorithm.draws_crossings) return std::nullopt;
-  const auto leave_out_box = [&](std::string_view reason) {
-    warn(fmt::format("{}: the outer box is left out: {}", source.name, reason));
-    return std::nullopt;
-  };
-  if (edges.are_given()) return leave_out_box("--edges, --crease and --all-edges choose among the edges of solids and walls");
-  for (const scene::PolyCamera& camera : cameras) {
-    if (!camera.perspective) return leave_out_box("parallel projection looks at the scene from outside");
-    if (!scene::locate(*source.cells, camera.eye)) return leave_out_box("the eye is outside all cells");
-  }
-  auto matter = compare::MatterScene::of(*source.cells);
-  if (!matter) return leave_out_box("the scene " + matter.error().message());
-  return std::move(*matter);
+// The value, or the error thrown: of an option of the views that is one of the command.
+template <class Value>
+Value value_of_view(base::Result<Value> result) {
+  if (!result && result.error().file == "hatch") result.error().file = "--hatch";
+  return value_of(std::move(result));
+}
+
+hidden_lines::Views views_of(const scene::LoadedScene& source, const hidden_lines::ViewOptions& options,
+                             std::span<const scene::PolyCamera> cameras) {
+  hidden_lines::Views views = value_of_view(hidden_lines::Views::of(source, options, cameras));
+  for (const std::string& note : views.notes()) warn(note);
+  return views;
+}
+
+// What the options of the command mean for the views.
+hidden_lines::ViewOptions view_options(const registry::LineAlgorithm& algorithm, const DrawLinesArguments& arguments) {
+  hidden_lines::ViewOptions options;
+  options.algorithm = algorithm.name;
+  options.edges = arguments.edges.options();
+  options.hidden = arguments.hidden;
+  options.layers = arguments.layers == "body" ? hidden_lines::Layers::body
+                   : arguments.layers == "none" ? hidden_lines::Layers::one
+                                                : hidden_lines::Layers::kind;
+  options.hatch = hatching(arguments);
+  options.strokes = !arguments.strokes.empty();
+  options.jobs = arguments.jobs;
+  return options;
 }
 
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
-  const DrawingFormat format = read_draw_output(arguments.output);
+  const hidden_lines::Format format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && (arguments.json || arguments.turntable > 1))
     throw base::usage_error(fmt::format("--output: found - with {}, expected a file",
                                                arguments.json ? "--json" : "--turntable"));
-  const bool on_paper = format != DrawingFormat::png || arguments.output.is_sheet();
+  const bool on_paper = format != hidden_lines::Format::png || arguments.output.is_sheet();
   if (!on_paper)
     for (const char* option : {"--strokes", "--min-length"})
       refuse_option(arguments.output, option, "--size, or a name that does not end in .png");
   if (arguments.strokes == "-" && arguments.turntable > 1)
     throw base::usage_error("--strokes: found - with --turntable, expected a file");
-  if (!arguments.strokes.empty()) arguments.view.strokes_margin = arguments.output.paper.margin;
-  if (!arguments.output.scale.empty() && format == DrawingFormat::png && !arguments.output.is_sheet())
+  if (!arguments.output.scale.empty() && format == hidden_lines::Format::png && !arguments.output.is_sheet())
     throw base::usage_error("--scale: found without --size, or a name that does not end in .png");
-  check_edges(arguments.view.edges);
-  read_hatching(arguments);
+  check_edges(arguments.edges);
   // The CalComp has one pen.
-  if (arguments.view.layers.empty()) arguments.view.layers = format == DrawingFormat::steps ? "none" : "kind";
+  if (arguments.layers.empty()) arguments.layers = format == hidden_lines::Format::steps ? "none" : "kind";
+  hidden_lines::ViewOptions options = view_options(algorithm, arguments);
   arguments.mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source =
       load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::kept : Wires::left_out);
@@ -351,8 +350,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
   const std::optional<double> extent = image_field(arguments.field, source.scene, aimed.camera);
-  const picture::DrawingField field =
-      field_of(arguments, format, extent, scale_of(arguments.output, source, aimed.camera));
+  options.field = field_of(arguments, format, extent, scale_of(arguments.output, source, aimed.camera));
   refuse_wider_margin(arguments, aimed.camera);
   if (arguments.filled.fill) {
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
@@ -367,14 +365,15 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
       throw base::bad_input(error->message());
     }
   }
-  const std::optional<compare::MatterScene> matter = matter_seen(algorithm, source, cameras, arguments.view.edges);
-  const compare::MatterScene* const real_lines = matter ? &*matter : nullptr;
-  std::optional<LineViews> views;
+  if (source.cells && algorithm.draws_crossings && options.edges.are_given())
+    warn(fmt::format("{}: the outer box is left out: --edges, --crease and --all-edges choose among the edges of solids and walls",
+                     source.name));
+  std::optional<hidden_lines::Views> views;
   std::optional<base::ProgressLine> line(std::in_place);
   // Before any of several drawings is written, all of them fit.
-  if (field.scale && cameras.size() > 1) {
-    views.emplace(algorithm, source, arguments.view, real_lines);
-    for (const scene::PolyCamera& camera : cameras) require_room(views->at(camera, field).drawing, arguments.output);
+  if (options.field.scale && cameras.size() > 1) {
+    views = views_of(source, options, cameras);
+    for (const scene::PolyCamera& camera : cameras) require_room(value_of_view(views->at(camera)).picture, arguments.output);
   }
   Json documents = Json::array();
   std::size_t strokes_drawn = 0;
@@ -392,16 +391,16 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     static_cast<void>(open_outputs(outputs, arguments.json, "-: named by --output and --strokes"));
     std::optional<base::ProgressClock> clock;
     if (arguments.turntable == 1) clock.emplace(fmt::format("{}: {} faces", algorithm.name, faces));
-    if (!views) views.emplace(algorithm, source, arguments.view, real_lines);
-    const DrawnView drawn = views->at(camera.camera, field);
+    if (!views) views = views_of(source, options, cameras);
+    const hidden_lines::Drawing drawn = value_of_view(views->at(camera.camera));
     clock.reset();
-    if (field.scale) require_room(drawn.drawing, output);
-    const auto plot = write_drawing(drawn.drawing, output, format, source.name, *file);
+    if (options.field.scale) require_room(drawn.picture, output);
+    const auto plot = write_drawing(drawn.picture, output, format, source.name, *file);
     if (strokes) {
-      strokes->write(std::string_view(drawn.strokes_text));
+      strokes->write(std::string_view(hidden_lines::json_lines(drawn.strokes, output.paper.margin)));
       strokes->commit();
     }
-    strokes_drawn += drawn.strokes;
+    strokes_drawn += drawn.stroke_count;
     length_drawn += drawn.drawn_length;
     if (!arguments.json) continue;
     Json document = summary_of(algorithm, output.file, source, camera, drawn);
@@ -427,7 +426,6 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
 
 void add_draw_lines(const Command& command, const registry::LineAlgorithm& algorithm) {
   const auto arguments = std::make_shared<DrawLinesArguments>();
-  arguments->view.layers.clear();  // by the format
   command.option("SCENE", arguments->scene, scene_help).required();
   add_camera_options(command, arguments->camera);
   add_field_option(command, arguments->field, "everything");
@@ -438,11 +436,11 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
       .default_value()
       .value("N")
       .group("View");
-  add_edge_options(command, arguments->view.edges);
+  add_edge_options(command, arguments->edges);
   const Option hidden =
-      command.flag("--hidden", arguments->view.hidden, "Draw hidden lines as a layer of their own, dashed").group("Edges");
+      command.flag("--hidden", arguments->hidden, "Draw hidden lines as a layer of their own, dashed").group("Edges");
   command
-      .option("--layers", arguments->view.layers, "A layer for each kind of edge, or for each body, or one layer")
+      .option("--layers", arguments->layers, "A layer for each kind of edge, or for each body, or one layer")
       .one_of({"kind", "body", "none"})
       .default_value("kind, of .steps none")
       .group("Edges");
@@ -484,7 +482,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
           .excludes(command.added("--field"))
           .group("Paper");
   if (algorithm.prepare_threads != nullptr)
-    command.option("--jobs", arguments->view.jobs, "Threads for a view; the drawing is the same with any number")
+    command.option("--jobs", arguments->jobs, "Threads for a view; the drawing is the same with any number")
         .range(1U, 1024U)
         .default_value()
         .value("N");

@@ -10,6 +10,7 @@
 #include "host/algorithms/registry/heights.hpp"
 #include "host/app/camera_options.hpp"
 #include "host/app/command_line.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/picture/plotter.hpp"
 #include "host/picture/vector_drawing.hpp"
 
@@ -23,8 +24,6 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
 void add_draw_heights(const Command& command, const registry::HeightAlgorithm& algorithm);
 
 // --- where to
-
-enum class DrawingFormat { svg, png, hpgl, pdf, dxf, steps };
 
 struct DrawOutput {
   std::optional<Command> command;  // whose options these are
@@ -56,13 +55,13 @@ void add_draw_output_options(const Command& command, DrawOutput& output);
 
 // Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, .pdf, .dxf, .steps, in small or capital letters. Error
 // usage, also of an option that the format does not have, or of paper that the plotter does not take.
-[[nodiscard]] DrawingFormat read_draw_output(DrawOutput& output);
+[[nodiscard]] hidden_lines::Format read_draw_output(DrawOutput& output);
 
 // Error usage if `option` was given: it means nothing without what `needed` names.
 void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
 
 // "210 x 297 mm" of paper, "1024 x 1024 pixels" of an image; of settled options.
-[[nodiscard]] std::string size_text(const DrawOutput& output, DrawingFormat format);
+[[nodiscard]] std::string size_text(const DrawOutput& output, hidden_lines::Format format);
 
 // "N:M", such as 1:50, as N / M. Error usage.
 [[nodiscard]] double scale_argument(const std::string& text);
@@ -72,7 +71,7 @@ void require_room(const picture::VectorDrawing& drawing, const DrawOutput& outpu
 // Into output.file, opened before the drawing was made, in the order of a pen. It is there whole or not at all. Error
 // io. A drawing of nothing is warned about, and so are layers that share a pen. Result: of what is drawn with a pen, how far that
 // travels.
-std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, DrawingFormat format,
+std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, hidden_lines::Format format,
                                         const std::string& title, Output& file);
 
 }  // namespace sightline::app

@@ -159,7 +159,7 @@ void print_drawing(const registry::HeightAlgorithm& algorithm, const DrawHeights
 
 // --- what is drawn
 
-void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
+void read_view(DrawHeightsArguments& arguments, hidden_lines::Format format) {
   algorithms::skala::View& view = arguments.view;
   view.subject = subject_named(arguments.picture);
   view.family = slices_named(arguments.along);
@@ -170,7 +170,7 @@ void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
   const bool needs_silhouette = view.subject == Subject::contours || (view.subject == Subject::surface && view.net);
   view.silhouette = arguments.silhouette || (needs_silhouette && !arguments.no_silhouette);
   if (arguments.colours == "heights") view.colouring = algorithms::skala::Colouring::heights;
-  const bool with_pens = format == DrawingFormat::hpgl || format == DrawingFormat::dxf || format == DrawingFormat::steps;
+  const bool with_pens = format == hidden_lines::Format::hpgl || format == hidden_lines::Format::dxf || format == hidden_lines::Format::steps;
   if (with_pens && view.subject == Subject::surface)
     throw base::usage_error("--picture surface: a plotter draws lines only, expected .svg, .pdf or .png");
   const DrawOutput& output = arguments.output;
@@ -191,10 +191,10 @@ void read_view(DrawHeightsArguments& arguments, DrawingFormat format) {
 }
 
 // A millimetre on paper; on an image four pixels, about a millimetre on a screen.
-void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, DrawingFormat format) {
+void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, hidden_lines::Format format) {
   algorithms::skala::FigureOptions& figure = arguments.figure;
   const DrawOutput& output = arguments.output;
-  if (format == DrawingFormat::png && !output.is_sheet()) {
+  if (format == hidden_lines::Format::png && !output.is_sheet()) {
     constexpr double pixels_per_unit = 4;
     figure.width = output.image.width / pixels_per_unit;
     figure.height = output.image.height / pixels_per_unit;
@@ -267,7 +267,7 @@ std::string drawing_text(const picture::VectorDrawing& drawing) {
 
 ExitCode run_draw_heights(const registry::HeightAlgorithm& algorithm, DrawHeightsArguments arguments) {
   algorithms::skala::View& view = arguments.view;
-  const DrawingFormat format = read_draw_output(arguments.output);
+  const hidden_lines::Format format = read_draw_output(arguments.output);
   if (arguments.output.file == "-" && arguments.json) throw base::usage_error("--output: found - with --json, expected a file");
   read_view(arguments, format);
   std::vector<scene::HeightGrid> grids;
@@ -281,7 +281,7 @@ ExitCode run_draw_heights(const registry::HeightAlgorithm& algorithm, DrawHeight
     throw base::usage_error(fmt::format("{}: {} does not apply: {}", function.name, algorithm.name, *reason));
   algorithms::skala::Figure figure = algorithm.figure(grids, view, arguments.figure);
   figure.drawing = picture::without_empty_layers(std::move(figure.drawing));
-  if (format == DrawingFormat::hpgl) join_levels(figure.drawing, arguments.output);
+  if (format == hidden_lines::Format::hpgl) join_levels(figure.drawing, arguments.output);
   const auto plot = write_drawing(figure.drawing, arguments.output, format, function.name, file);
   if (arguments.json) {
     print_drawing(algorithm, arguments, function, figure, plot);

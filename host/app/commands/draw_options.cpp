@@ -14,11 +14,7 @@
 #include "host/base/json.hpp"
 #include "host/base/number.hpp"
 #include "host/base/text.hpp"
-#include "host/picture/dxf.hpp"
-#include "host/picture/pdf.hpp"
-#include "host/picture/pen_order.hpp"
 #include "host/picture/png.hpp"
-#include "host/picture/step_file.hpp"
 
 namespace sightline::app {
 
@@ -36,28 +32,18 @@ std::pair<int, int> size_argument(const char* option, const std::string& text, i
 
 constexpr std::string_view format_endings = ".svg, .png, .plt, .hpgl, .pdf, .dxf or .steps";
 
-std::optional<DrawingFormat> format_of(const DrawOutput& output) {
-  std::string ending = output.format;
-  if (ending.empty() && output.file == "-") return DrawingFormat::svg;
-  if (ending.empty()) {
-    const std::size_t dot = output.file.rfind('.');
-    ending = dot == std::string::npos ? std::string() : output.file.substr(dot + 1);
-  }
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (ending == "svg") return DrawingFormat::svg;
-  if (ending == "png") return DrawingFormat::png;
-  if (ending == "plt" || ending == "hpgl") return DrawingFormat::hpgl;
-  if (ending == "pdf") return DrawingFormat::pdf;
-  if (ending == "dxf") return DrawingFormat::dxf;
-  if (ending == "steps") return DrawingFormat::steps;
-  return std::nullopt;
+std::optional<hidden_lines::Format> format_of(const DrawOutput& output) {
+  if (output.format.empty() && output.file == "-") return hidden_lines::Format::svg;
+  if (!output.format.empty()) return hidden_lines::format_named(output.format);
+  const std::size_t dot = output.file.rfind('.');
+  return dot == std::string::npos ? std::nullopt : hidden_lines::format_named(std::string_view(output.file).substr(dot + 1));
 }
 
-void refuse_options_of_others(const DrawOutput& output, DrawingFormat format) {
+void refuse_options_of_others(const DrawOutput& output, hidden_lines::Format format) {
   constexpr std::string_view on_paper = "--size, or a name that does not end in .png";
   constexpr std::string_view with_pens = "a name that does not end in .png";
   constexpr std::string_view of_plotters = "a name that ends in .plt or .hpgl";
-  if (format != DrawingFormat::png) {
+  if (format != hidden_lines::Format::png) {
     for (const char* option : {"--pixels", "--dpi"}) refuse_option(output, option, "a name that ends in .png");
   } else if (output.is_sheet()) {
     if (output.command->is_given("--pixels"))
@@ -65,13 +51,13 @@ void refuse_options_of_others(const DrawOutput& output, DrawingFormat format) {
   } else {
     for (const char* option : {"--margin", "--landscape", "--dpi"}) refuse_option(output, option, on_paper);
   }
-  if (format == DrawingFormat::png)
+  if (format == hidden_lines::Format::png)
     for (const char* option : {"--as-found", "--min-gap", "--plot-report"}) refuse_option(output, option, with_pens);
-  if (format != DrawingFormat::hpgl)
+  if (format != hidden_lines::Format::hpgl)
     for (const char* option : {"--pens", "--speed", "--relative"}) refuse_option(output, option, of_plotters);
-  if (format != DrawingFormat::hpgl && format != DrawingFormat::steps) refuse_option(output, "--device", of_plotters);
-  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps || format == DrawingFormat::dxf ||
-      (format == DrawingFormat::png && !output.is_sheet()))
+  if (format != hidden_lines::Format::hpgl && format != hidden_lines::Format::steps) refuse_option(output, "--device", of_plotters);
+  if (format == hidden_lines::Format::hpgl || format == hidden_lines::Format::steps || format == hidden_lines::Format::dxf ||
+      (format == hidden_lines::Format::png && !output.is_sheet()))
     refuse_option(output, "--pen", "a name that ends in .svg or .pdf");
 }
 
@@ -249,12 +235,12 @@ void refuse_option(const DrawOutput& output, const std::string& option, std::str
     throw base::usage_error(fmt::format("{}: found without {}", option, needed));
 }
 
-DrawingFormat read_draw_output(DrawOutput& output) {
+hidden_lines::Format read_draw_output(DrawOutput& output) {
   const auto format = format_of(output);
   if (!format)
     throw base::usage_error(fmt::format("{}: expected a name that ends in {}, or --format", output.file, format_endings));
-  if (*format == DrawingFormat::steps && output.device.empty()) output.device = calcomp;
-  if ((output.device == calcomp) != (*format == DrawingFormat::steps)) {
+  if (*format == hidden_lines::Format::steps && output.device.empty()) output.device = calcomp;
+  if ((output.device == calcomp) != (*format == hidden_lines::Format::steps)) {
     throw base::usage_error(output.device == calcomp
             ? fmt::format("{}: expected a name that ends in .steps for the CalComp, or --format steps",
                           output.file)
@@ -276,7 +262,7 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   const auto [columns, rows] = size_argument("--pixels", output.pixels, picture::png_size_limit);
   output.image.width = columns;
   output.image.height = rows;
-  if (*format == DrawingFormat::png && output.is_sheet()) {
+  if (*format == hidden_lines::Format::png && output.is_sheet()) {
     require_finite("--dpi", output.dpi);
     constexpr double inch = 25.4;
     const auto pixels = [&](double length) { return static_cast<int>(std::lround(length / inch * output.dpi)); };
@@ -288,8 +274,8 @@ DrawingFormat read_draw_output(DrawOutput& output) {
   return *format;
 }
 
-std::string size_text(const DrawOutput& output, DrawingFormat format) {
-  if (format == DrawingFormat::png) return fmt::format("{} x {} pixels", output.image.width, output.image.height);
+std::string size_text(const DrawOutput& output, hidden_lines::Format format) {
+  if (format == hidden_lines::Format::png) return fmt::format("{} x {} pixels", output.image.width, output.image.height);
   return fmt::format("{:.4g} x {:.4g} mm", output.paper.width, output.paper.height);
 }
 
@@ -356,26 +342,15 @@ void require_room(const picture::VectorDrawing& drawing, const DrawOutput& outpu
 
 namespace {
 
-// In cm/s: no plotter is told a speed that it does not have.
-std::optional<double> pen_speed(const DrawOutput& output) {
-  if (!output.speed || output.plotter() == nullptr) return output.speed;
-  return std::min(*output.speed, output.plotter()->speeds.down / 10);
-}
-
 picture::HpglOptions hpgl_options(const DrawOutput& output) {
-  return {output.plotter(), output.pens, pen_speed(output), output.relative};
+  return {output.plotter(), output.pens, output.speed, output.relative};
 }
 
 void warn_of_speed(const DrawOutput& output) {
-  if (pen_speed(output) == output.speed) return;
+  const auto reached = picture::reachable_speed(hpgl_options(output));
+  if (reached == output.speed) return;
   warn(fmt::format("--speed: found {:g} cm/s, which {} does not reach: the file says {:g}", *output.speed, output.plotter()->name,
-                   *pen_speed(output)));
-}
-
-// That layers can have.
-std::size_t pen_count(const DrawOutput& output) {
-  if (!output.pens.empty()) return output.pens.size();
-  return output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens) : picture::most_hpgl_pens;
+                   *reached));
 }
 
 // "a", "a and b", "a, b, c and 5 more"
@@ -388,10 +363,11 @@ std::string list_of(const std::vector<std::string>& names) {
 }
 
 // More layers than pens, or pens without a layer.
-void warn_of_pens(const picture::VectorDrawing& drawing, const DrawOutput& output) {
+void warn_of_pens(const std::vector<std::string>& labels, const DrawOutput& output) {
   const picture::Plotter* const plotter = output.plotter();
-  const std::size_t layers = drawing.layers.size();
-  const std::size_t pens = pen_count(output);
+  const picture::HpglOptions options = hpgl_options(output);
+  const std::size_t layers = labels.size();
+  const std::size_t pens = picture::pen_count(options);
   const std::string count = fmt::format("{}: {} layer{} for {}{} pen{}{}", output.file, layers, layers == 1 ? "" : "s",
                                         output.pens.empty() && plotter == nullptr ? "" : "the ", pens == 1 ? "one" : std::to_string(pens),
                                         pens == 1 ? "" : "s",
@@ -399,11 +375,10 @@ void warn_of_pens(const picture::VectorDrawing& drawing, const DrawOutput& outpu
                                         : plotter != nullptr ? fmt::format(" of {}", plotter->name)
                                                              : std::string());
   if (layers > pens) {
-    const picture::HpglOptions options = hpgl_options(output);
     const int last = picture::pen_of_layer(layers - 1, options);
     std::vector<std::string> sharing;
     for (std::size_t layer = 0; layer < layers; ++layer)
-      if (picture::pen_of_layer(layer, options) == last) sharing.push_back(drawing.layers[layer].label);
+      if (picture::pen_of_layer(layer, options) == last) sharing.push_back(labels[layer]);
     warn(fmt::format("{}: {} share {}", count, list_of(sharing), pens == 1 ? std::string("it") : fmt::format("pen {}", last)));
   } else if (!output.pens.empty() && layers < pens && layers > 0) {
     std::vector<std::string> idle;
@@ -412,74 +387,29 @@ void warn_of_pens(const picture::VectorDrawing& drawing, const DrawOutput& outpu
   }
 }
 
-// Of a sheet every millimetre has as many pixels as --dpi says.
-picture::Image image_on(const picture::VectorDrawing& drawing, const DrawOutput& output) {
-  if (!output.is_sheet()) return image_of(drawing, output.image);
-  const picture::VectorDrawing sheet = with_margin(drawing, output.paper);
-  picture::ImageSize size = output.image;
-  size.unit *= output.paper.width / sheet.width;
-  return image_of(sheet, size);
-}
-
-// `counted`: the seconds, where the file itself says them. Of a file for a plotter, layers that share a pen are one.
-base::Json plot_json(picture::VectorDrawing drawing, const DrawOutput& output, DrawingFormat format, std::optional<double> counted) {
-  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps) {
-    const auto last = static_cast<std::uint32_t>(pen_count(output)) - 1;
-    for (picture::DrawingLine& line : drawing.lines) line.layer = std::min(line.layer, last);
-  }
-  const picture::PenTravel travel = picture::pen_travel(drawing, output.paper);
-  const picture::Plotter& plotter = output.plotter() != nullptr ? *output.plotter() : picture::plotters().front();
-  picture::PlotterSpeeds speeds = plotter.speeds;
-  if (output.speed) speeds.down = std::min(speeds.down, 10 * *output.speed);
+base::Json plot_json(const hidden_lines::PenPlot& plot) {
   const auto metres = [](double millimetres) { return std::round(millimetres) / 1000; };
-  return {{"pen_down_m", metres(travel.down)},
-          {"pen_up_m", metres(travel.up)},
-          {"lifts", travel.lifts},
-          {"pens", travel.pens},
-          {"plotter", plotter.name},
-          {"seconds", std::round(10 * counted.value_or(plot_seconds(drawing, output.paper, speeds))) / 10}};
+  return {{"pen_down_m", metres(plot.down)}, {"pen_up_m", metres(plot.up)}, {"lifts", plot.lifts},
+          {"pens", plot.pens},               {"plotter", plot.plotter},     {"seconds", std::round(10 * plot.seconds) / 10}};
 }
 
 }  // namespace
 
-std::optional<base::Json> write_drawing(const picture::VectorDrawing& with_empty, const DrawOutput& output, DrawingFormat format,
+std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, hidden_lines::Format format,
                                         const std::string& title, Output& file) {
-  const picture::VectorDrawing found = picture::without_empty_layers(with_empty);
-  if (format == DrawingFormat::hpgl || format == DrawingFormat::steps) warn_of_pens(found, output);
-  if (format == DrawingFormat::hpgl) warn_of_speed(output);
-  if (found.lines.empty() && found.facets.empty())
-    warn(fmt::format("{}: the drawing is empty, nothing is in view", output.file));
-  if (format == DrawingFormat::png) {
-    const auto bytes = picture::encode_png(image_on(with_dashes(found), output), {{"Title", title}, {"Software", "sightline"}},
-                                           output.image.unit);
-    if (!bytes) throw base::io_error(bytes.error().message());
-    file.write(std::span<const std::uint8_t>(*bytes));
-    file.commit();
-    return std::nullopt;
-  }
-  // DXF has dashed lines of its own.
-  const picture::VectorDrawing lines = format == DrawingFormat::dxf ? found : with_dashes(found);
-  picture::VectorDrawing drawing =
-      output.as_found ? lines : in_pen_order(lines, output.paper, {.min_gap = output.min_gap});
-  std::optional<double> seconds;
-  switch (format) {
-    case DrawingFormat::png: break;
-    case DrawingFormat::svg: file.write(std::string_view(svg_of(drawing, output.paper, title))); break;
-    case DrawingFormat::pdf: file.write(std::string_view(pdf_of(drawing, output.paper, title))); break;
-    case DrawingFormat::dxf: file.write(std::string_view(dxf_of(drawing, output.paper))); break;
-    case DrawingFormat::steps: {
-      const std::string steps = step_file_of(drawing, output.paper);
-      file.write(std::string_view(steps));
-      seconds = picture::step_file_time(steps).seconds;
-      break;
-    }
-    case DrawingFormat::hpgl: {
-      file.write(std::string_view(hpgl_of(drawing, output.paper, hpgl_options(output))));
-      break;
-    }
-  }
+  hidden_lines::WriteOptions options{.format = format, .title = title, .paper = output.paper, .image = output.image};
+  options.sheet = output.is_sheet();
+  options.as_found = output.as_found;
+  options.min_gap = output.min_gap;
+  options.plotter = hpgl_options(output);
+  const hidden_lines::Written written = value_of(hidden_lines::write(drawing, options));
+  if (format == hidden_lines::Format::hpgl || format == hidden_lines::Format::steps) warn_of_pens(written.layers, output);
+  if (format == hidden_lines::Format::hpgl) warn_of_speed(output);
+  for (const std::string& note : written.notes) warn(fmt::format("{}: {}", output.file, note));
+  file.write(std::string_view(written.bytes));
   file.commit();
-  base::Json plot = plot_json(std::move(drawing), output, format, seconds);
+  if (!written.plot) return std::nullopt;
+  base::Json plot = plot_json(*written.plot);
   if (output.report) {
     complain(fmt::format(
         "{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),

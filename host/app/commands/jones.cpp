@@ -4,8 +4,9 @@
 #include <optional>
 
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/jones_session.hpp"
+#include "host/app/commands/jones_pictures.hpp"
 #include "host/app/commands/machine_command.hpp"
+#include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
 #include "host/machines/pdp7_scripts.hpp"
@@ -29,50 +30,44 @@ struct JonesArguments {
   bool immediate = false;
   int views = 2;
   std::string directory = "out";
+  bool check = false;
   bool json = false;
 };
 
 constexpr double flicker_limit = 30.0;
 
-jones::Session session_for(const scene::CellScene& scene, const JonesArguments& arguments) {
-  jones::ProgramOptions options;
-  options.eae = !arguments.no_eae;
-  options.fraction_bits = arguments.fraction;
-  options.truncate = arguments.truncate;
-  if (!arguments.at.empty()) options.tape.view = point_argument("--at", arguments.at);
-  return session_of(scene, arguments.scene, options);
-}
-
-jones::GuestOptions guest_options(const JonesArguments& arguments) {
-  jones::GuestOptions options;
-  options.scale = arguments.scale;
-  options.stereo = arguments.stereo;
-  options.immediate = arguments.immediate;
-  options.views = arguments.views;
-  options.photograph = photograph_time;
+jones::Order order_of(const JonesArguments& arguments) {
+  jones::Order order;
+  if (!arguments.at.empty()) order.eye = point_argument("--at", arguments.at);
+  order.scale = arguments.scale;
+  order.stereo = arguments.stereo;
+  order.immediate = arguments.immediate;
+  order.views = arguments.views;
+  order.photograph = photograph_time;
+  order.check = arguments.check;
   if (!arguments.switches.empty()) {
-    static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), options.switches)));
+    static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), order.switches)));
     // The modes asked for on the command line stay up whatever else the script does.
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
-    for (auto& setting : options.switches) setting.switches = setting.switches | modes;
+    for (auto& setting : order.switches) setting.switches = setting.switches | modes;
   }
-  return options;
+  return order;
 }
 
-Json document_of(const JonesArguments& arguments, const jones::Program& program, const jones::GuestRun& run,
+Json document_of(const JonesArguments& arguments, const scene::CellScene& scene, const jones::Outcome& outcome,
                  const std::vector<std::string>& pictures) {
   Json document{{"schema", "sightline/jones/1"},
                 {"scene", arguments.scene},
                 {"eae", !arguments.no_eae},
                 {"fraction_bits", arguments.fraction},
                 {"truncated", arguments.truncate},
-                {"eye", program.scene.view.eye},
-                {"cells", program.scene.cell_addresses.size()},
-                {"core_words_used", program.words_used},
-                {"refreshes_per_second", refreshes_per_second(run)},
-                {"flicker", refreshes_per_second(run) < flicker_limit}};
+                {"eye", outcome.eye},
+                {"cells", scene.cells.size()},
+                {"core_words_used", outcome.core_words},
+                {"refreshes_per_second", outcome.refreshes_per_second()},
+                {"flicker", outcome.refreshes_per_second() < flicker_limit}};
   document["views"] = Json::array();
-  for (const jones::GuestView& view : run.views) {
+  for (const jones::View& view : outcome.views) {
     document["views"].push_back({{"status", jones::name(view.status)},
                                  {"emulated_ns", view.time.count()},
                                  {"instructions", view.instructions},
@@ -88,52 +83,42 @@ Json document_of(const JonesArguments& arguments, const jones::Program& program,
   return document;
 }
 
-std::string summary_of(const JonesArguments& arguments, const jones::Program& program,
-                       const jones::GuestRun& run) {
-  const jones::GuestView& view = run.views.back();
-  const auto& eye = program.scene.view.eye;
+std::string summary_of(const JonesArguments& arguments, const scene::CellScene& scene, const jones::Outcome& outcome) {
+  const jones::View& view = outcome.view();
+  const auto& eye = outcome.eye;
   std::string text = fmt::format("{} from {},{},{}, PDP-7 {} EAE\n", arguments.scene, eye[0], eye[1], eye[2],
                                  arguments.no_eae ? "without" : "with");
-  for (std::size_t n = 0; n < run.views.size(); ++n)
-    text += fmt::format("view {}           {:.3f} s{}\n", n + 1, seconds(run.views[n].time),
+  for (std::size_t n = 0; n < outcome.views.size(); ++n)
+    text += fmt::format("view {}           {:.3f} s{}\n", n + 1, core::in_seconds(outcome.views[n].time),
                         n == 0 ? " (display dark)" : " (picture being refreshed)");
   text += fmt::format("status           {}\n", jones::name(view.status));
   text += fmt::format("instructions     {}\n", view.instructions);
   text += fmt::format("cells read       {} of {}, {} visits\n", view.distinct_cells,
-                      program.scene.cell_addresses.size(), view.visits);
+                      scene.cells.size(), view.visits);
   text += fmt::format("openings tested  {}\n", view.openings_tested);
   text += fmt::format("lines clipped    {}\n", view.lines_clipped);
   text += fmt::format("segments         {}\n", view.pieces);
   text += fmt::format("display words    {}\n", view.display_file.size());
-  text += fmt::format("core used        {} of {} words\n", program.words_used, programs::jones::core_words);
-  if (run.refresh_period.count() == 0) return text + "refresh          none: there is nothing to see\n";
-  text += fmt::format("refresh          {:.1f} a second, {}\n", refreshes_per_second(run),
-                      refreshes_per_second(run) < flicker_limit ? "flickers" : "steady");
+  text += fmt::format("core used        {} of {} words\n", outcome.core_words, jones::core_words);
+  if (outcome.refresh_period.count() == 0) return text + "refresh          none: there is nothing to see\n";
+  text += fmt::format("refresh          {:.1f} a second, {}\n", outcome.refreshes_per_second(),
+                      outcome.refreshes_per_second() < flicker_limit ? "flickers" : "steady");
   return text;
 }
 
 ExitCode run_jones(const JonesArguments& arguments) {
   const scene::CellScene scene = load_cells(arguments.scene);
-  const jones::Session session = session_for(scene, arguments);
-  const jones::Program& program = session.program();
-  const jones::CheckedRun checked = session.run(guest_options(arguments));
-  const jones::GuestRun& result = checked.guest;
-  if (result.timed_out || result.views.empty()) {
-    complain(fmt::format("{}: the program did not complete a view in {:.0f} emulated seconds",
-                         arguments.scene, seconds(result.emulated)));
-    return ExitCode::guest_failed;
-  }
-  // A script of the switches moves the eye between views, where the twin cannot follow.
-  if (arguments.switches.empty()) require_twin(checked, arguments.scene);
+  const jones::Build build{!arguments.no_eae, arguments.fraction, arguments.truncate};
+  const jones::Outcome outcome = value_of(jones::run(scene, build, order_of(arguments)), arguments.scene);
   const auto pictures = write_jones_pictures(arguments.directory, file_stem(scene.name),
-                                             title_of(scene.name, !arguments.no_eae), result);
+                                             title_of(scene.name, build.eae), outcome);
   if (arguments.json) {
-    print_json(document_of(arguments, program, result, pictures));
+    print_json(document_of(arguments, scene, outcome, pictures));
   } else {
-    write_stdout(summary_of(arguments, program, result));
+    write_stdout(summary_of(arguments, scene, outcome));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
   }
-  const jones::Status status = result.views.back().status;
+  const jones::Status status = outcome.view().status;
   if (status == jones::Status::complete) return ExitCode::ok;
   complain(fmt::format("{}: the view stopped: {}; the pictures show what there was", arguments.scene,
                        jones::name(status)));
@@ -157,7 +142,7 @@ void add_jones_command(const Command& program) {
   command.option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")
       .default_value("512")
       .range(64, 4096);
-  command.option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
+  const Option switches = command.option("--switches", arguments->switches, "Script of the AC switches; - is standard input")
       .value("SCRIPT");
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
   command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
@@ -165,6 +150,8 @@ void add_jones_command(const Command& program) {
       .default_value()
       .range(1, 1000);
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
+  command.flag("--check", arguments->check, "Compare the last view with that of the same program in C++, word for word")
+      .excludes(switches);
   command.flag("--json", arguments->json, "One JSON document instead of the summary");
   command.run([arguments] { return run_jones(*arguments); });
 }

@@ -78,10 +78,10 @@ struct TapeArguments {
 };
 
 ExitCode tape(const TapeArguments& arguments) {
-  programs::jones::TapeOptions options;
-  if (!arguments.at.empty()) options.view = point_argument("--at", arguments.at);
+  std::optional<geometry::Point> eye;
+  if (!arguments.at.empty()) eye = point_argument("--at", arguments.at);
   const scene::CellScene scene = load_cells(arguments.scene);
-  const std::string text = value_of(programs::jones::write_tape(scene, options), arguments.scene);
+  const std::string text = value_of(programs::jones::write_tape(scene, eye), arguments.scene);
   Output output(arguments.output);
   output.write(text);
   output.commit();

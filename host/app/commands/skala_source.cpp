@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "host/app/command.hpp"
-#include "host/app/commands/jones_session.hpp"
+#include "host/app/outputs.hpp"
 #include "host/base/nearest_name.hpp"
 #include "host/base/result.hpp"
 #include "host/scene/heights/expression.hpp"

@@ -12,12 +12,12 @@
 
 #include "host/algorithms/registry/turns.hpp"
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/turn_session.hpp"
 #include "host/app/edge_options.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/progress.hpp"
 #include "host/picture/apng.hpp"
 #include "host/picture/vector_drawing.hpp"
+#include "host/programs/turn/tape.hpp"
 #include "host/scene/check/crossings.hpp"
 
 namespace sightline::app {
@@ -78,7 +78,7 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   base::ProgressLine line;
   registry::TurnOptions turn;
   turn.tolerance = options.tolerance * degree;
-  turn.edges = edge_choice_of(options.edges, scene);
+  turn.edges = hidden_lines::edge_choice(options.edges.options(), scene);
   if (found) turn.found = options.events;
   turn.progress = [&line](std::size_t done, std::size_t of) {
     line.show(fmt::format("events: {} of {} edges", done, of));
@@ -133,13 +133,22 @@ class Sheet {
   double scale_ = 1;
 };
 
+// For the PDP-7, as punched.
+void write_tape(const scene::PolyScene& scene, const SpinOptions& options) {
+  namespace turn = programs::turn;
+  const auto memory = options.memory == "32k" ? turn::Memory::words_32k : turn::Memory::words_8k;
+  Output output(options.tape);
+  output.write(turn::punch(value_of(turn::make_tape(scene, memory), options.scene)));
+  output.commit();
+}
+
 void spin(const SpinOptions& options) {
   if (!options.out.ends_with(".apng") && !options.out.ends_with(".png")) {
     throw base::usage_error(fmt::format("{}: expected a name that ends in .apng or .png", options.out));
   }
   check_edges(options.edges);
   const scene::LoadedScene source = load_scene(options.scene, options.mesh);
-  if (!options.tape.empty()) write_turn_tape(source.scene, options.scene, options.memory == "32k", options.tape);
+  if (!options.tape.empty()) write_tape(source.scene, options);
   const std::string upright(1, "xyz"[source.report.vertical.value_or(1)]);
   scene::PolyScene scene = turn_upright(source.scene, options.vertical.empty() ? upright : options.vertical);
   const registry::TurnMethod& method = method_of(options, scene);

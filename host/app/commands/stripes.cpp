@@ -9,7 +9,6 @@
 
 #include "host/app/camera_options.hpp"
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/jones_session.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "host/app/commands/commands.hpp"
-#include "host/app/commands/jones_session.hpp"
-#include "host/app/commands/turn_session.hpp"
+#include "host/app/commands/jones_pictures.hpp"
 #include "host/app/outputs.hpp"
 #include "host/app/scene_argument.hpp"
 #include "host/base/json.hpp"
@@ -17,6 +16,7 @@
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/picture/stroke_log.hpp"
+#include "host/programs/turn/turn.hpp"
 
 namespace sightline::app {
 
@@ -32,6 +32,7 @@ struct TurnArguments {
   std::string memory = "8k";
   std::uint32_t frames = 0;
   std::string directory = "out";
+  bool check = false;
   bool json = false;
 };
 
@@ -47,7 +48,7 @@ picture::Image halved(const picture::Image& image) {
 }
 
 // Each picture for the time that the machine took for the one after it.
-void write_animation(const std::string& path, const std::string& title, const turn::TurnRun& run) {
+void write_animation(const std::string& path, const std::string& title, const turn::Pictures& run) {
   Output output(path);
   picture::ApngWriter apng({1, 25}, 0, {{"Title", title}, {"Software", "sightline"}});
   for (const turn::ShownPass& pass : run.shown) {
@@ -63,18 +64,18 @@ void write_animation(const std::string& path, const std::string& title, const tu
 }
 
 std::vector<std::string> write_pictures(const TurnArguments& arguments, const std::string& name,
-                                        const TurnMeasure& measure) {
+                                        const turn::Outcome& outcome) {
   make_directory(arguments.directory);
   const std::string base = (std::filesystem::path(arguments.directory) / (file_stem(name) + "-turn")).string();
   const std::string title = fmt::format("{} turning on the PDP-7 {} EAE, after Plantinga, Seales and Dyer 1990", name,
                                         arguments.no_eae ? "without" : "with");
   std::vector<std::string> paths{base + ".apng", base + "-phosphor.png", base + ".strokes"};
-  write_animation(paths[0], title, measure.hidden);
-  const auto& shown = measure.hidden.shown;
+  write_animation(paths[0], title, outcome.hidden);
+  const auto& shown = outcome.hidden.shown;
   const auto& last = shown[shown.size() / 8].strokes;
   // One picture, refreshed for a fifth of a second.
   picture::PhosphorPhotograph photograph(last.front().time, last.front().time + photograph_time);
-  const double period = 1 / measure.hidden.summary.refreshes_per_second;
+  const double period = 1 / outcome.hidden.summary.refreshes_per_second;
   for (int n = 0; n * period < core::in_seconds(photograph_time); ++n)
     for (core::Stroke stroke : last) {
       stroke.time += core::Duration(static_cast<std::int64_t>(n * period * 1e9));
@@ -92,50 +93,44 @@ std::vector<std::string> write_pictures(const TurnArguments& arguments, const st
   return paths;
 }
 
-std::uint32_t core_words(const turn::Session& session) {
-  const turn::Layout& layout = session.tape().layout;
-  return session.program().words + layout.model() + layout.display_files;
-}
-
-Json document_of(const TurnArguments& arguments, const turn::Session& session, const TurnMeasure& measure,
+Json document_of(const TurnArguments& arguments, const turn::Tape& tape, const turn::Outcome& outcome,
                  const std::vector<std::string>& pictures) {
-  const turn::Summary& hidden = measure.hidden.summary;
+  const turn::Summary& hidden = outcome.hidden.summary;
   return Json{{"schema", "sightline/turn/1"},
               {"model", arguments.model},
               {"eae", !arguments.no_eae},
               {"memory", arguments.memory},
-              {"edges", session.tape().edges},
-              {"events", session.tape().events},
-              {"core_words", core_words(session)},
+              {"edges", tape.edges},
+              {"events", tape.events},
+              {"core_words", outcome.core_words},
               {"frames_per_second_mean", hidden.frames_per_second_mean},
               {"frames_per_second_worst", hidden.frames_per_second_worst},
-              {"wire_frames_per_second_mean", measure.wire.summary.frames_per_second_mean},
-              {"cost_against_wire_frame", measure.cost_against_wire_frame()},
+              {"wire_frames_per_second_mean", outcome.wire.summary.frames_per_second_mean},
+              {"cost_against_wire_frame", outcome.cost_against_wire_frame()},
               {"t_junctions_mean", hidden.junctions_mean},
               {"waiting_fraction", hidden.waiting_fraction},
               {"refreshes_per_second", hidden.refreshes_per_second},
-              {"turn_seconds", measure.turn_seconds()},
+              {"turn_seconds", outcome.turn_seconds()},
               {"pictures", pictures}};
 }
 
-std::string summary_of(const TurnArguments& arguments, const turn::Session& session, const TurnMeasure& measure) {
-  const turn::Tape& tape = session.tape();
+std::string summary_of(const TurnArguments& arguments, const turn::Tape& tape, const turn::Outcome& outcome) {
   const turn::Layout& layout = tape.layout;
-  const turn::Summary& hidden = measure.hidden.summary;
-  const turn::Summary& wire = measure.wire.summary;
+  const turn::Summary& hidden = outcome.hidden.summary;
+  const turn::Summary& wire = outcome.wire.summary;
   std::string text = fmt::format("{} turning on the PDP-7 {} EAE, {} of core\n", arguments.model,
                                  arguments.no_eae ? "without" : "with", arguments.memory);
   text += fmt::format("edges            {}, {} vertices\n", tape.edges, tape.vertices);
   text += fmt::format("events           {} in a turn, {} changes\n", tape.events, tape.changes);
   text += fmt::format("words of core    {}: program {}, vertices {}, edges {}, T-junctions {}, events {}, {} display files {}\n",
-                      core_words(session), session.program().words, layout.vertices + layout.header, layout.edges,
+                      outcome.core_words, outcome.program_words, layout.vertices + layout.header, layout.edges,
                       layout.junctions, layout.events, tape.files, layout.display_files);
-  const std::uint32_t of_turn = turn::Session::pictures_of_turn(measure.step) - 1;
-  if (measure.hidden.pictures.size() < of_turn) {
+  const std::uint32_t of_turn = turn::pictures_of_turn(outcome.step) - 1;
+  if (outcome.hidden.pictures.size() < of_turn) {
     text += fmt::format("measured         the first {} of the {} pictures of a turn; without --frames all\n",
-                        measure.hidden.pictures.size(), of_turn);
+                        outcome.hidden.pictures.size(), of_turn);
   } else {
-    text += fmt::format("one turn         {:.2f} s, {} pictures\n", measure.turn_seconds(), of_turn);
+    text += fmt::format("one turn         {:.2f} s, {} pictures\n", outcome.turn_seconds(), of_turn);
   }
   text += fmt::format("{:<17}{:>14}{:>14}\n", "", "hidden lines", "wire frame");
   const auto row = [&text](const char* name, const std::string& a, const std::string& b) {
@@ -149,26 +144,28 @@ std::string summary_of(const TurnArguments& arguments, const turn::Session& sess
   row("refreshes/s", number(hidden.refreshes_per_second), number(wire.refreshes_per_second));
   row("lines", number(hidden.lines_mean), number(wire.lines_mean));
   row("T-junctions", number(hidden.junctions_mean), number(wire.junctions_mean));
-  text += fmt::format("time of a picture {:.2f} of that of a wire frame\n", measure.cost_against_wire_frame());
+  text += fmt::format("time of a picture {:.2f} of that of a wire frame\n", outcome.cost_against_wire_frame());
   return text;
 }
 
 ExitCode run_turn(const TurnArguments& arguments) {
   const scene::LoadedScene source = load_scene(arguments.model);
-  const turn::Session session(turn_tape(source.scene, arguments.model, arguments.memory == "32k", !arguments.level),
-                              !arguments.no_eae);
-  const TurnMeasure measure = measure_turn(session, arguments.model, arguments.frames, true);
+  const auto memory = arguments.memory == "32k" ? turn::Memory::words_32k : turn::Memory::words_8k;
+  const turn::Tape tape = value_of(turn::make_tape(source.scene, memory, !arguments.level), arguments.model);
+  const turn::Order order{
+      .eae = !arguments.no_eae, .pictures = arguments.frames, .strokes = true, .check = arguments.check};
+  const turn::Outcome outcome = value_of(turn::run(tape, order), arguments.model);
   const auto pictures =
-      write_pictures(arguments, std::filesystem::path(arguments.model).stem().string(), measure);
+      write_pictures(arguments, std::filesystem::path(arguments.model).stem().string(), outcome);
   if (arguments.json) {
-    print_json(document_of(arguments, session, measure, pictures));
+    print_json(document_of(arguments, tape, outcome, pictures));
   } else {
-    write_stdout(summary_of(arguments, session, measure));
+    write_stdout(summary_of(arguments, tape, outcome));
     for (const std::string& path : pictures) write_stdout(fmt::format("picture          {}\n", path));
   }
-  const auto full = std::find_if(measure.hidden.pictures.begin(), measure.hidden.pictures.end(),
-                                 [](const turn::GuestPicture& p) { return p.status != turn::Status::right; });
-  if (full == measure.hidden.pictures.end()) return ExitCode::ok;
+  const auto full = std::find_if(outcome.hidden.pictures.begin(), outcome.hidden.pictures.end(),
+                                 [](const turn::Picture& p) { return p.status != turn::Status::right; });
+  if (full == outcome.hidden.pictures.end()) return ExitCode::ok;
   complain(fmt::format("{}: a display file was full at angle {:06o}; that picture shows what there was", arguments.model,
                        full->angle));
   return ExitCode::guest_failed;
@@ -187,6 +184,7 @@ void add_turn_command(const Command& program) {
       .range(4, 20000);
   command.flag("--level", arguments->level, "Do not tilt the model: its y axis is the axis of the turn");
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");
+  command.flag("--check", arguments->check, "Compare every picture with that of the same program in C++, word for word");
   command.flag("--json", arguments->json, "One JSON document instead of the table");
   command.run([arguments] { return run_turn(*arguments); });
 }

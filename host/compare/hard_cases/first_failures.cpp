@@ -519,7 +519,7 @@ bool knows(Attempt attempt, std::string_view method) {
 
 std::string name_of(const FamilyBuild& build) {
   const MethodOptions& options = build.options;
-  if (options.precision) return fmt::format("{}, {}", build.method, programs::jones::name(*options.precision));
+  if (options.precision) return fmt::format("{}, {}", build.method, jones_precision::name(*options.precision));
   if (build.method == "stripes")
     return fmt::format("stripes of {} pixel{}", options.stripes.front(),
                        options.stripes.front() > 1 ? "s" : "");

@@ -185,7 +185,7 @@ class Members {
         .may("float", single_float)
         .may("double", double_float);
     if (stripe) options.stripes = {*stripe};
-    using programs::jones::NumberKind;
+    using jones_precision::NumberKind;
     if (bits) options.precision = {NumberKind::fixed_point, *bits, fraction, truncate};
     if (single_float) options.precision = {NumberKind::single_float, 0, 0, false};
     if (double_float) options.precision = {NumberKind::double_float, 0, 0, false};

@@ -24,7 +24,7 @@
 #include "host/algorithms/registry/faces.hpp"
 #include "host/compare/height_methods.hpp"
 #include "host/base/result.hpp"
-#include "host/programs/jones/precision/precision.hpp"
+#include "host/compare/jones_precision/precision.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::compare {
@@ -34,7 +34,7 @@ using SceneSegment = std::array<scene::PolyPoint, 2>;
 // What a method is told beside the input; every method reads its own.
 struct MethodOptions {
   std::int32_t scale = 512;                           // S of Jones's program
-  std::optional<programs::jones::Precision> precision;  // of its twin; none: the machine's
+  std::optional<jones_precision::Precision> precision;  // of its twin; none: the machine's
   registry::FaceOptions faces;
   std::vector<double> stripes{1};  // thicknesses of Montani and Re's, in pixels
   algorithms::skala::View view;

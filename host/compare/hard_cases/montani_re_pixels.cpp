@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/algorithms/oracle/face_raster.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/picture/line_picture.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -21,13 +22,9 @@ using scene::PolyScene;
 
 constexpr std::int32_t before_all = -(1 << 17);
 
-double dot(const PolyPoint& a, const std::array<double, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double dot(const PolyPoint& a, const geometry::RealVector& b) { return geometry::dot(geometry::real_vector(a), b); }
 
-double squared(const PolyPoint& v) {
-  return dot(v, {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
-}
+double squared(const PolyPoint& v) { return dot(v, geometry::real_vector(v)); }
 
 std::vector<picture::PixelSegment> edges_of(const PolyScene& scene, const native::StripeFrame& frame) {
   const PixelPlane plane(scene.camera, frame);
@@ -40,8 +37,7 @@ std::vector<picture::PixelSegment> edges_of(const PolyScene& scene, const native
 }  // namespace
 
 picture::PixelPoint PixelPlane::at(const std::array<double, 3>& point) const {
-  const std::array<double, 3> d{point[0] - camera_.eye[0], point[1] - camera_.eye[1],
-                                point[2] - camera_.eye[2]};
+  const geometry::RealVector d = geometry::difference(point, geometry::real_vector(camera_.eye));
   const double depth = camera_.perspective ? dot(camera_.forward, d) : 1;
   return {frame_.centre[0] + frame_.scale[0] * dot(camera_.right, d) / depth - 0.5,
           frame_.centre[1] + frame_.scale[1] * dot(camera_.up, d) / depth - 0.5};

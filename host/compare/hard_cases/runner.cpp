@@ -18,7 +18,7 @@
 #include "host/compare/lines.hpp"
 #include "host/geometry/box.hpp"
 #include "host/geometry/interval_set.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/programs/skala/projection.hpp"
 #include "host/programs/skala/skala.hpp"
 #include "host/programs/skala/twin/twin.hpp"
@@ -243,11 +243,11 @@ struct ProgramCount {
 };
 
 Finding run_in_arithmetic(const Expectation& expect, const scene::CellScene& scene,
-                          const jones::Precision& precision) {
-  const auto made = jones::scene_in_core(scene, scene.default_view);
+                          const jones_precision::Precision& precision) {
+  const auto made = jones_precision::scene_in_core(scene, scene.default_view);
   if (!made) return {false, made.error().message()};
   const auto& core = made->core;
-  const auto view = jones::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
+  const auto view = jones_precision::run_precisely(core, 0, jones::default_parameters(core, 0), precision);
   Complaints complaints;
   if (view.status != jones::Status::complete)
     complaints.add(std::string(jones::name(view.status)));
@@ -495,31 +495,27 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
   const scene::CellScene& scene = *input_->cells;
   const Expectation& expect = hard_.expect;
   if (options.precision) return run_in_arithmetic(expect, scene, *options.precision);
-  const auto session = jones::Session::of(scene, {});
-  if (!session) return {expect.program_refuses, (pictures_ ? "refuses: " : "") + session.error().message()};
+  jones::Order order;
+  order.scale = options.scale;
+  order.views = 1;
+  order.display = false;
+  const auto prepared = jones::Prepared::of(scene);
+  const auto twin = prepared ? prepared->twin(order) : base::Result<jones::TwinView>(prepared.error());
+  if (!twin) return {expect.program_refuses, (pictures_ ? "refuses: " : "") + twin.error().message()};
   if (expect.program_refuses) return {false, "accepted"};
-  const jones::Program& program = session->program();
+  const jones::Program& program = prepared->program();
 
-  jones::GuestOptions of_program;
-  of_program.scale = options.scale;
-  of_program.views = 1;
-  of_program.display = false;
-  jones::View twin;
-  jones::Status status{};
-  std::vector<ProgramCount> counts;
+  std::vector<ProgramCount> counts{{"cells", twin->counts.distinct_cells}, {"visits", twin->counts.visits}};
   Complaints complaints;
   if (method == "guest") {
-    jones::CheckedRun run = session->run(of_program);
-    if (!run.difference.empty()) return {false, "differs: not its twin's view: " + run.difference};
-    const jones::GuestView& guest = run.guest.views.front();
-    status = guest.status;
-    counts = {{"cells", guest.distinct_cells}, {"visits", guest.visits}};
-    twin = std::move(run.twin);
-  } else {
-    twin = session->twin(program.core, of_program);
-    status = twin.status;
-    counts = {{"cells", twin.counts.distinct_cells}, {"visits", twin.counts.visits}};
+    const auto outcome = prepared->run(order);
+    if (!outcome) return {false, outcome.error().message()};
+    const jones::View& view = outcome->view();
+    if (const std::string difference = jones::difference_of(view, *twin); !difference.empty())
+      return {false, "differs: not its twin's view: " + difference};
+    counts = {{"cells", view.distinct_cells}, {"visits", view.visits}};
   }
+  const jones::Status status = twin->status;
   if (status != jones::Status::complete)
     complaints.add(fmt::format("stops with \"{}\"", jones::name(status)));
   if (pictures_) {
@@ -531,7 +527,7 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
     const compare::ImageLines reference(matter->visible(camera.eye, type340_window(options.scale)), matter->scene(), camera,
                                         type340_frame(options.scale), &chosen);
     const auto vectors = compare::lines_of_vectors(program.scene, *matter, reference);
-    const auto pieces = method == "guest" ? compare::display_pieces(twin, vectors) : compare::twin_pieces(twin, vectors);
+    const auto pieces = method == "guest" ? compare::display_pieces(*twin, vectors) : compare::twin_pieces(*twin, vectors);
         keep(image_, [&] { return screen_image(pieces, image_side_); });
     keep(truth_, [&] {
       std::vector<picture::DrawnPiece> seen;

@@ -27,6 +27,10 @@ Page& page() {
   return the_page;
 }
 
+using sightline::core::Stroke;
+static_assert(sizeof(Stroke) == 16 && offsetof(Stroke, x) == 8 && offsetof(Stroke, y) == 10 && offsetof(Stroke, intensity) == 12);
+const Stroke* taken_flashes = nullptr;
+
 int give(std::string answer) {
   page().answer = std::move(answer);
   return static_cast<int>(page().answer.size());
@@ -100,11 +104,6 @@ SIGHTLINE_EXPORT(printed) int printed(int id) {
 }
 // What has been drawn since the last call: how many flashes of 16 bytes (nanoseconds in 64 bits; x and y of 16; the intensity of 8) lie at
 // flashes_data.
-namespace {
-using sightline::core::Stroke;
-static_assert(sizeof(Stroke) == 16 && offsetof(Stroke, x) == 8 && offsetof(Stroke, y) == 10 && offsetof(Stroke, intensity) == 12);
-const Stroke* taken_flashes = nullptr;
-}
 SIGHTLINE_EXPORT(flashes) int flashes(int id) {
   Desk* const desk = page().rooms.workbench.desk(id);
   if (desk == nullptr) return 0;

@@ -11,10 +11,11 @@
 #include "host/algorithms/oracle/visible_lines.hpp"
 #include "host/algorithms/registry/lines.hpp"
 #include "host/explain/explain.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/programs/flight/program.hpp"
 #include "host/programs/jones/encode.hpp"
 #include "host/programs/jones/program.hpp"
-#include "host/programs/jones/twin/arithmetic.hpp"
+#include "host/programs/jones/specification.hpp"
 #include "host/programs/skala/program.hpp"
 #include "host/programs/skala/skala.hpp"
 #include "host/programs/skala/stream.hpp"
@@ -67,15 +68,9 @@ Json pieces_json(const picture::LinePicture& picture) {
 Json draw(Workbench& workbench, const Json& request) {
   auto loaded = scene_named(workbench, text_of(request, "scene"));
   if (!loaded) return refusal(loaded.error().message());
-  const registry::LineAlgorithm* const algorithm = registry::find_line_algorithm(text_of(request, "algorithm"));
-  if (algorithm == nullptr) return refusal("there is no line algorithm of that name");
   const auto camera = camera_of(loaded->scene, request);
   if (!camera) return refusal(camera.error().message());
-  if (const auto reason = algorithm->why_not(loaded->scene)) return refusal(*reason);
-  if (const auto reason = algorithm->why_not_seen(loaded->scene, *camera)) return refusal(*reason);
-  auto prepared = algorithm->prepare(loaded->scene);
-  if (!prepared) return refusal(prepared.error().message());
-  const auto view = prepared->view(*camera);
+  const auto view = hidden_lines::visible_edges(loaded->scene, *camera, text_of(request, "algorithm"));
   if (!view) return refusal(view.error().message());
   Json counts = Json::object();
   for (const auto& count : view->counts) counts[std::string(count.name)] = count.value;
@@ -175,16 +170,14 @@ base::Result<scene::CellScene> jones_scene(const Workbench& workbench, const std
 Json make_jones(Workbench& workbench, const Json& request) {
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
   if (!scene) return refusal(scene.error().message());
-  programs::jones::ProgramOptions options;
-  options.eae = flag_of(request, "eae", true);
-  if (const auto eye = point_of(request.find("eye"))) options.tape.view = *eye;
-  const auto program = programs::jones::assemble_program(*scene, options);
+  const bool eae = flag_of(request, "eae", true);
+  const auto program = programs::jones::assemble_program(*scene, {.eae = eae}, point_of(request.find("eye")));
   if (!program) return refusal(program.error().message());
   machines::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
   std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
   if (request.find("switches") != nullptr) switches |= static_cast<std::uint32_t>(number_of(request, "switches", 0)) & 0777777U;
-  Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), options.eae, Json::object(), program->symbols}, switches);
+  Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), eae, Json::object(), program->symbols}, switches);
   Desk* const desk = desk_of(workbench, made);
   if (desk == nullptr) return made;
   if (request.find("scale") != nullptr)

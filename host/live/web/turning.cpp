@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "emulators/core/word.hpp"
-#include "host/algorithms/registry/lines.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
 #include "host/programs/turn/program.hpp"
 #include "host/programs/turn/screen_view.hpp"
-#include "host/programs/turn/session.hpp"
 #include "host/programs/turn/tape.hpp"
 #include "host/live/web/requests.hpp"
 
@@ -88,12 +87,7 @@ Json turn_sight(Workbench& workbench, const Json& request) {
   const auto standing = turn::stand_on_axis(loaded->scene, !flag_of(request, "level"));
   if (!standing) return refusal(standing.error().message());
   const auto angle = static_cast<std::uint32_t>(std::clamp(number_of(request, "angle", 0), 0.0, double{angles - 1}));
-  const registry::LineAlgorithm& exact = registry::line_algorithms().front();
-  if (const auto reason = exact.why_not(*standing)) return refusal(*reason);
-  if (const auto reason = exact.why_not_seen(*standing, turn::ScreenView::camera(angle))) return refusal(*reason);
-  auto prepared = exact.prepare(*standing);
-  if (!prepared) return refusal(prepared.error().message());
-  const auto view = prepared->view(turn::ScreenView::camera(angle));
+  const auto view = hidden_lines::visible_edges(*standing, turn::ScreenView::camera(angle));
   if (!view) return refusal(view.error().message());
   const turn::ScreenView screen(*standing);
   Json lines = Json::array();

@@ -241,10 +241,10 @@ base::Result<Viewpoint> viewpoint(const scene::CellScene& scene, const Point& ey
                          scene::text_of(2, limits.span(2))};
 }
 
-base::Result<EncodedScene> encode(const scene::CellScene& scene, const TapeOptions& options,
+base::Result<EncodedScene> encode(const scene::CellScene& scene, std::optional<Point> eye,
                                   std::uint32_t base) {
   if (const auto error = too_large(scene, base)) return *error;
-  const auto view = viewpoint(scene, options.view.value_or(scene.default_view));
+  const auto view = viewpoint(scene, eye.value_or(scene.default_view));
   if (!view) return view.error();
   EncodedScene result = Encoder(scene, base).encode(*view);
   if (base + result.words.size() > core_words) {
@@ -266,8 +266,8 @@ std::array<std::uint32_t, scene_header_words> header_words(const EncodedScene& s
   return words;
 }
 
-base::Result<std::string> write_tape(const scene::CellScene& scene, const TapeOptions& options) {
-  const auto encoded = encode(scene, options);
+base::Result<std::string> write_tape(const scene::CellScene& scene, std::optional<Point> eye) {
+  const auto encoded = encode(scene, eye);
   if (!encoded) return encoded.error();
   const auto& result = *encoded;
   std::string text = "/ scene " + scene.name + ": " + std::to_string(scene.cells.size()) + " cells in " +

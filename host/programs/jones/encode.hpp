@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "host/base/result.hpp"
-#include "host/programs/jones/twin/twin.hpp"
+#include "host/programs/jones/specification.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
 namespace sightline::programs::jones {
@@ -40,11 +40,6 @@ struct Viewpoint {
 };
 // Error: the eye is in no cell or not within the limits of its own (it would see through the near plane).
 [[nodiscard]] base::Result<Viewpoint> viewpoint(const scene::CellScene& scene, const geometry::Point& eye);
-
-struct TapeOptions {
-  // The eye, and with it the initial cell; the scene's default view if not given.
-  std::optional<geometry::Point> view;
-};
 
 // One word, and how the source tape writes it.
 struct EncodedWord {
@@ -64,19 +59,18 @@ struct EncodedScene {
   std::size_t opening_words = 0;  // words in all opening-elements
 };
 
-// Precondition: check_scene(scene) found nothing. Errors: of viewpoint(); the scene does not fit between base
-// and the end of core.
-[[nodiscard]] base::Result<EncodedScene> encode(const scene::CellScene& scene,
-                                                const TapeOptions& options = {}, std::uint32_t base = 0);
+// Without an eye: that of the scene's default view; the initial cell is where the eye is. Precondition: check_scene(scene) found
+// nothing. Errors: of viewpoint(); the scene does not fit between base and the end of core.
+[[nodiscard]] base::Result<EncodedScene> encode(const scene::CellScene& scene, std::optional<geometry::Point> eye = {},
+                                                std::uint32_t base = 0);
 
 // The words of the header for another viewpoint: the only words of a scene that depend on it.
 [[nodiscard]] std::array<std::uint32_t, scene_header_words> header_words(const EncodedScene& scene,
                                                                          const Viewpoint& view);
 
 // The symbolic source tape of a scene, which is assembled after the program and loaded into core with it:
-// encode(scene, options) one word a line, numbers in octal, decimal in the comments; tags scene, c0.., o0...
+// encode(scene, eye) one word a line, numbers in octal, decimal in the comments; tags scene, c0.., o0...
 // The first line is a comment with the scene's name and counts. Errors are those of encode.
-[[nodiscard]] base::Result<std::string> write_tape(const scene::CellScene& scene,
-                                                   const TapeOptions& options = {});
+[[nodiscard]] base::Result<std::string> write_tape(const scene::CellScene& scene, std::optional<geometry::Point> eye = {});
 
 }  // namespace sightline::programs::jones

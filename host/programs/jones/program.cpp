@@ -51,13 +51,14 @@ std::string all_diagnostics(const assembler::Assembly& assembly) {
 
 }  // namespace
 
-base::Result<Program> assemble_program(const scene::CellScene& scene, const ProgramOptions& options) {
-  auto tape = write_tape(scene, options.tape);
+base::Result<Program> assemble_program(const scene::CellScene& scene, const Build& build,
+                                       std::optional<geometry::Point> eye) {
+  auto tape = write_tape(scene, eye);
   if (!tape) return tape.error();
   assembler::Options assembler_options;
-  assembler_options.defines.push_back({"EAE", core::Word18(options.eae ? 1 : 0)});
-  assembler_options.defines.push_back({"FRACTION", core::Word18(options.fraction_bits)});
-  assembler_options.defines.push_back({"TRUNCATE", core::Word18(options.truncate ? 1 : 0)});
+  assembler_options.defines.push_back({"EAE", core::Word18(build.eae ? 1 : 0)});
+  assembler_options.defines.push_back({"FRACTION", core::Word18(build.fraction_bits)});
+  assembler_options.defines.push_back({"TRUNCATE", core::Word18(build.truncate ? 1 : 0)});
   const auto assembly = assembler::assemble_pdp7(sources_with(*tape), assembler_options);
   if (!assembly.ok()) base::give_up("the program does not assemble:\n" + all_diagnostics(assembly));
 
@@ -69,11 +70,12 @@ base::Result<Program> assemble_program(const scene::CellScene& scene, const Prog
         fmt::format("found {} words too many for the machine's core beside the program", end - tables)};
   }
   Program program;
+  program.build = build;
   program.labels = labels_of(assembly);
   program.core.resize(core_words);
   for (const auto& [address, word] : assembly.image.words) program.core[address] = word;
   for (const auto& symbol : assembly.symbols) program.symbols.emplace(symbol.name, symbol.value.value());
-  auto encoded = encode(scene, options.tape, program.labels.scene);
+  auto encoded = encode(scene, eye, program.labels.scene);
   if (!encoded) return encoded.error();
   program.scene = std::move(*encoded);
   const auto image_words = static_cast<std::uint32_t>(assembly.image.words.size());

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,7 +47,14 @@ struct Labels {
 // The instruction to put at Labels::clock for a program without the clock.
 inline constexpr std::uint32_t clock_off = 0700004;  // CLOF
 
+struct Build {
+  bool eae = true;                  // -D EAE, for a machine that has it
+  std::uint32_t fraction_bits = 3;  // -D FRACTION, 0..3: of a coordinate on the screen
+  bool truncate = false;            // -D TRUNCATE: quotients and points are truncated, not rounded
+};
+
 struct Program {
+  Build build;
   std::vector<core::Word18> core;  // by address, core_words of them; 0 where the tapes put nothing
   std::map<std::string, std::uint32_t, std::less<>> symbols;  // all tags, for tests of single routines
   Labels labels;
@@ -56,15 +64,9 @@ struct Program {
       0;  // all that the run needs of core: the above, scene, records, stack, two files
 };
 
-struct ProgramOptions {
-  bool eae = true;
-  std::uint32_t fraction_bits = 3;  // -D FRACTION, 0..3: of a coordinate on the screen
-  bool truncate = false;            // -D TRUNCATE: quotients and points are cut off, not rounded
-  TapeOptions tape;                 // the eye, and with it the initial cell
-};
-
-// Error: the eye is not in a cell, or the scene does not fit into core beside the program.
-[[nodiscard]] base::Result<Program> assemble_program(const scene::CellScene& scene,
-                                                     const ProgramOptions& options);
+// Without an eye: that of the scene's default view. Error: the eye is not in a cell, or the scene does not fit into core beside
+// the program.
+[[nodiscard]] base::Result<Program> assemble_program(const scene::CellScene& scene, const Build& build = {},
+                                                     std::optional<geometry::Point> eye = {});
 
 }  // namespace sightline::programs::jones

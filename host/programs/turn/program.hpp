@@ -33,6 +33,8 @@ struct Labels {
   pdp7::Address switches = 0;  // sw: those of the picture being made
   pdp7::Address wait = 0;     // wait1: waits for the display's stop
   pdp7::Address waited = 0;
+  pdp7::Address line = 0;      // vector: a line is drawn (its second word; the first keeps the return)
+  pdp7::Address junction = 0;  // locate: the place of a T-junction is found, to be drawn (likewise)
 };
 
 struct Program {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
+#include "host/algorithms/plantinga/turning_scene.hpp"
 #include "host/programs/turn/twin/twin.hpp"
 #include "host/scene/model/file_units.hpp"
 
@@ -328,7 +329,7 @@ void Encoder::lay_out() {
 std::optional<base::Error> Encoder::divide_core() {
   header(11) = Word18(most_file_words);
   Twin twin(tape_.words, model_base(tape_.memory));
-  Picture picture;
+  TwinPicture picture;
   std::size_t most = 0;
   constexpr std::uint32_t looks = 2048;
   for (std::uint32_t i = 0; i < looks; ++i) {
@@ -444,6 +445,20 @@ base::Bytes punch(const Tape& tape) {
   for (const Word18 w : tape.words) word(w);
   word(checksum(tape.words));
   return lines;
+}
+
+base::Result<Tape> make_tape(const scene::PolyScene& scene, Memory memory, bool tilted) {
+  namespace plantinga = algorithms::plantinga;
+  const auto standing = stand_on_axis(scene, tilted);
+  if (!standing) return standing.error();
+  const plantinga::RotationModel model(*standing);
+  if (model.edges().size() > plantinga::most_turned_edges) {
+    return base::Error{.found = fmt::format("{} edges", model.edges().size()),
+                       .expected = fmt::format("at most {}", plantinga::most_turned_edges)};
+  }
+  const auto list = plantinga::build_event_list(model);
+  if (!list) return list.error();
+  return encode(model, *list, memory);
 }
 
 }  // namespace sightline::programs::turn

@@ -83,6 +83,10 @@ inline constexpr double points_form_unit = 128;
 [[nodiscard]] base::Result<Tape> encode(const algorithms::plantinga::RotationModel& model,
                                         const algorithms::plantinga::EventList& list, Memory memory);
 
+// A scene as a tape: it stands on the axis, its events are found and laid out. Errors: those of stand_on_axis, of the events and of
+// encode; more edges than can be turned.
+[[nodiscard]] base::Result<Tape> make_tape(const scene::PolyScene& scene, Memory memory, bool tilted = true);
+
 // As punched: the count of words, the words, and the word that makes the sum of all 0; each in three lines.
 [[nodiscard]] base::Bytes punch(const Tape& tape);
 [[nodiscard]] core::Word18 checksum(const std::vector<core::Word18>& words);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "host/base/value_of.hpp"
 #include "host/picture/phosphor.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/png_picture.hpp"
@@ -19,36 +20,21 @@ std::string name_of(const JonesOrder& order) {
   return fmt::format("{}, {} EAE", order.scene, order.eae ? "with" : "without");
 }
 
-void check(const JonesOrder& order, const JonesRun& run, const std::string& difference) {
-  const std::string name = name_of(order);
-  if (run.guest.timed_out || run.guest.views.size() < 2)
-    throw base::program_failed(name + ": the program did not complete two views");
-  if (run.view().status != jones::Status::complete)
-    throw base::program_failed(fmt::format("{}: the view stopped: {}", name, jones::name(run.view().status)));
-  if (!difference.empty())
-    throw base::difference(name + ": internal error: the view on the PDP-7 is not the one its native twin computes: " +
-                      difference);
-}
-
 }  // namespace
 
 JonesRun run_jones(const JonesOrder& order) {
   auto scene = scene::load_cell_scene(order.scene);
   if (!scene) throw base::bad_input(scene.error().message());
-  jones::ProgramOptions program_options;
-  program_options.eae = order.eae;
-  auto session = jones::Session::of(*scene, program_options);
-  if (!session) {
-    session.error().file = order.scene;
-    throw base::bad_input(session.error().message());
-  }
-  jones::GuestOptions options;
-  options.stereo = order.stereo;
-  if (order.photograph) options.photograph = shutter_time;
-  jones::CheckedRun checked = session->run(options);
-  JonesRun run{std::move(*scene), session->program(), std::move(checked.guest), checked.twin.counts};
-  check(order, run, checked.difference);
-  return run;
+  auto program = base::value_of(jones::Prepared::of(*scene, {.eae = order.eae}), order.scene);
+  jones::Order of_program;
+  of_program.stereo = order.stereo;
+  if (order.photograph) of_program.photograph = shutter_time;
+  of_program.check = true;
+  auto outcome = base::value_of(program.run(of_program), name_of(order));
+  if (outcome.view().status != jones::Status::complete)
+    throw base::program_failed(fmt::format("{}: the view stopped: {}", name_of(order), jones::name(outcome.view().status)));
+  auto twin = base::value_of(program.twin(of_program), name_of(order));
+  return {std::move(*scene), std::move(program), std::move(outcome), twin.counts};
 }
 
 double seconds(core::Duration time) {
@@ -56,13 +42,13 @@ double seconds(core::Duration time) {
 }
 
 Picture crisp_png(const JonesRun& run) {
-  return png_picture(picture::crisp_raster(run.guest.pass));
+  return png_picture(picture::crisp_raster(run.outcome.pass));
 }
 
 Picture phosphor_png(const JonesRun& run) {
-  const core::Instant close = run.guest.shutter_close;
+  const core::Instant close = run.outcome.shutter_close;
   picture::PhosphorPhotograph photograph(close - shutter_time, close);
-  photograph.expose(run.guest.photograph);
+  photograph.expose(run.outcome.photograph);
   // A quarter of the points: the beam is wider than one of them.
   const picture::Image film = photograph.develop();
   picture::Image image(film.width / 2, film.height / 2, film.channels);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/report/experiment.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
@@ -24,11 +24,11 @@ struct JonesOrder {
 
 struct JonesRun {
   scene::CellScene scene;
-  programs::jones::Program program;
-  programs::jones::GuestRun guest;  // two views; figures are of the second, while the display shows the first
-  programs::jones::Counts twin;  // of the same view: what the machine's program does not count itself
+  programs::jones::Prepared program;
+  programs::jones::Outcome outcome;  // two views; figures are of the second, while the display shows the first
+  programs::jones::TwinCounts twin;  // of the same view: what the machine's program does not count itself
 
-  [[nodiscard]] const programs::jones::GuestView& view() const { return guest.views.back(); }
+  [[nodiscard]] const programs::jones::View& view() const { return outcome.view(); }
 };
 
 // Throws base::Error: guest_failed, if the program stopped with a status or took too long; differs, if its display

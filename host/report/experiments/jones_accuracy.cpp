@@ -12,7 +12,7 @@
 #include "host/algorithms/jones/visible_edges.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
 #include "host/base/text.hpp"
-#include "host/programs/jones/precision/study.hpp"
+#include "host/compare/jones_precision/study.hpp"
 #include "host/report/experiments/clock.hpp"
 #include "host/scene/cells/from_cell_scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
@@ -22,6 +22,7 @@ namespace sightline::report {
 namespace {
 
 namespace jones = programs::jones;
+namespace jones_precision = compare::jones_precision;
 
 constexpr int most_machine_fraction = 3;  // fraction bits
 constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
@@ -46,8 +47,8 @@ std::string place_of(const geometry::Point& p) {
 
 // The most fraction bits with which every view is complete; 0 if none are.
 int most_complete(const SceneViews& views, int word_bits) {
-  for (int f = jones::most_fraction_bits; f > 0; --f) {
-    const jones::Precision precision{jones::NumberKind::fixed_point, word_bits, f, false};
+  for (int f = jones_precision::most_fraction_bits; f > 0; --f) {
+    const jones_precision::Precision precision{jones_precision::NumberKind::fixed_point, word_bits, f, false};
     bool complete = true;
     for (std::size_t view = 0; view < views.size() && complete; ++view)
       complete = run_twin(views, view, precision).status == jones::Status::complete;
@@ -103,14 +104,14 @@ struct ExactScene {
 // One scene in C++: rows, and the jobs that time them. `numbers` outlives it.
 class Numbers {
  public:
-  Numbers(const jones::SixViews& six, std::vector<JonesNumber>& numbers) : views_(six), exact_(views_), numbers_(numbers) {
+  Numbers(const jones_precision::SixViews& six, std::vector<JonesNumber>& numbers) : views_(six), exact_(views_), numbers_(numbers) {
     exact_.check(views_.name());
     for (const bool truncate : {false, true})
-      for (int f = 0; f <= jones::most_fraction_bits; ++f)
-        add("fractions", {jones::NumberKind::fixed_point, jones::longest_word, f, truncate});
+      for (int f = 0; f <= jones_precision::most_fraction_bits; ++f)
+        add("fractions", {jones_precision::NumberKind::fixed_point, jones_precision::longest_word, f, truncate});
     for (const int bits : tried_lengths)
-      add("words", {jones::NumberKind::fixed_point, bits, most_complete(views_, bits), false});
-    for (const auto kind : {jones::NumberKind::single_float, jones::NumberKind::double_float}) add("floating", {kind});
+      add("words", {jones_precision::NumberKind::fixed_point, bits, most_complete(views_, bits), false});
+    for (const auto kind : {jones_precision::NumberKind::single_float, jones_precision::NumberKind::double_float}) add("floating", {kind});
     add_exact("Jones, exact", [this](std::size_t i) { (void)exact_.by_jones(i); });
     add_exact("exact visible edges", [this](std::size_t i) { (void)exact_.by_edges(i); });
     add_exact("oracle", [this](std::size_t i) { (void)exact_.by_oracle(i); });
@@ -126,9 +127,9 @@ class Numbers {
   }
 
  private:
-  void add(std::string study, const jones::Precision& precision) {
+  void add(std::string study, const jones_precision::Precision& precision) {
     JonesNumber number{views_.name(), std::move(study), name(precision), {}, {}, {}, measure_twin(views_, precision), {}};
-    if (precision.kind == jones::NumberKind::fixed_point) {
+    if (precision.kind == jones_precision::NumberKind::fixed_point) {
       number.word_bits = precision.word_bits;
       number.fraction_bits = precision.fraction_bits;
       number.rounded = !precision.truncate;
@@ -155,20 +156,20 @@ class Numbers {
   std::vector<std::function<void()>> jobs_;
 };
 
-void add_wrong_pieces(std::vector<JonesWrongPiece>& pieces, const SceneViews& views, const jones::PrecisionStudy& study,
-                      const jones::Precision& precision) {
+void add_wrong_pieces(std::vector<JonesWrongPiece>& pieces, const SceneViews& views, const jones_precision::PrecisionStudy& study,
+                      const jones_precision::Precision& precision) {
   // The twin's pieces are the machine's, word for word.
-  for (const jones::NamedStretch& piece : study.measure(precision).clipped.named)
+  for (const jones_precision::NamedStretch& piece : study.measure(precision).clipped.named)
     pieces.push_back({views.name(), name(precision), place_of(views.eye(piece.view)), piece.stretch.extra, piece.stretch.length,
                       place_of(piece.stretch.line.from), place_of(piece.stretch.line.to)});
 }
 
-void add_builds(JonesAccuracy& made, const SceneViews& views, const jones::SixViews& six) {
-  const auto study = jones::PrecisionStudy::of(views.scene(), six.eyes);
+void add_builds(JonesAccuracy& made, const SceneViews& views, const jones_precision::SixViews& six) {
+  const auto study = jones_precision::PrecisionStudy::of(views.scene(), six.eyes);
   if (!study) throw base::bad_input(fmt::format("{}: {}", views.name(), study.error().message()));
   for (const bool truncate : {false, true}) {
     for (int f = 0; f <= most_machine_fraction; ++f) {
-      const jones::Precision precision{jones::NumberKind::fixed_point, jones::machine_word_bits, f, truncate};
+      const jones_precision::Precision precision{jones_precision::NumberKind::fixed_point, jones::machine_word_bits, f, truncate};
       const MachineBuild build = measure_build(views, precision);
       made.builds.push_back({views.name(), f, !truncate, build.eae_s, build.plain_s, build.clipped, build.displayed});
       add_wrong_pieces(made.wrong_pieces, views, *study, precision);
@@ -215,7 +216,7 @@ double times_wrong(const Build& of, const Build& to, PictureError Build::*which 
 // "7.5 (house), ...": how many times the wrong length of each scene is with no fraction bits that with the most.
 std::string gains_by_scene(const JonesAccuracy& machine, PictureError Build::*which) {
   std::vector<std::string> gains;
-  for (const jones::SixViews& six : jones::six_views) {
+  for (const jones_precision::SixViews& six : jones_precision::six_views) {
     const double gain = times_wrong(machine.build(six.scene, 0), machine.build(six.scene, most_machine_fraction), which);
     gains.push_back(fmt::format("{} ({})", shown(gain, 1), six.scene));
   }
@@ -225,7 +226,7 @@ std::string gains_by_scene(const JonesAccuracy& machine, PictureError Build::*wh
 // Of one fraction bit more, over all scenes.
 std::vector<double> gains_of_a_bit(const JonesAccuracy& machine) {
   std::vector<double> gains;
-  for (const jones::SixViews& six : jones::six_views)
+  for (const jones_precision::SixViews& six : jones_precision::six_views)
     for (int f = 0; f < most_machine_fraction; ++f)
       gains.push_back(times_wrong(machine.build(six.scene, f), machine.build(six.scene, f + 1)));
   return gains;
@@ -341,7 +342,7 @@ void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
   using Piece = JonesWrongPiece;
   const auto& pieces = machine.wrong_pieces;
   page.table("jones-named-pieces",
-             fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones::named_from_points, 0)), pieces,
+             fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones_precision::named_from_points, 0)), pieces,
              {{"scene", "Scene", &Piece::scene},
               {"arithmetic", "Arithmetic", &Piece::arithmetic},
               {"eye", "Eye", &Piece::eye},
@@ -424,7 +425,7 @@ const JonesBuild& JonesAccuracy::build(std::string_view scene, int fraction_bits
 
 JonesAccuracy jones_accuracy(const Context& context) {
   JonesAccuracy made;
-  for (const jones::SixViews& six : jones::six_views) {
+  for (const jones_precision::SixViews& six : jones_precision::six_views) {
     context.progress(fmt::format("{} on the PDP-7 in every arithmetic", six.scene));
     add_builds(made, SceneViews(six), six);
   }
@@ -432,7 +433,7 @@ JonesAccuracy jones_accuracy(const Context& context) {
 }
 
 void jones_numbers(const Context& context, JonesNumbers& made) {
-  for (const jones::SixViews& six : jones::six_views) {
+  for (const jones_precision::SixViews& six : jones_precision::six_views) {
     context.progress(fmt::format("{} in C++ in every arithmetic", six.scene));
     const auto numbers = std::make_shared<Numbers>(six, made.numbers);
     if (context.host_times) context.when_alone([numbers, rounds = context.full ? 61 : 9] { numbers->take_times(rounds); });

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "host/compare/lines.hpp"
-#include "host/programs/jones/precision/precision.hpp"
-#include "host/programs/jones/precision/study.hpp"
+#include "host/compare/jones_precision/precision.hpp"
+#include "host/compare/jones_precision/study.hpp"
 #include "host/picture/line_metrics.hpp"
 #include "host/scene/model/cell_scene.hpp"
 
@@ -35,16 +35,16 @@ struct PictureError {
 class SceneViews {
  public:
   // Throws base::Error (bad_input): the scene is beyond the limits of the oracle or of the machine's core.
-  explicit SceneViews(const programs::jones::SixViews& views);
+  explicit SceneViews(const compare::jones_precision::SixViews& views);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const scene::CellScene& scene() const { return scene_; }
   [[nodiscard]] std::size_t size() const { return views_.size(); }
   [[nodiscard]] const geometry::Point& eye(std::size_t view) const { return views_[view].eye; }
-  [[nodiscard]] const programs::jones::SceneInCore& in_core(std::size_t view) const { return views_[view].in_core; }
+  [[nodiscard]] const compare::jones_precision::SceneInCore& in_core(std::size_t view) const { return views_[view].in_core; }
 
   // `line` in points of the screen.
-  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const programs::jones::SceneLine& line,
+  [[nodiscard]] picture::DrawnPiece piece(std::size_t view, const compare::jones_precision::SceneLine& line,
                                           const algorithms::oracle::ScreenSegment& image) const;
   void add(PictureError& error, std::size_t view, programs::jones::Status status,
            const std::vector<picture::DrawnPiece>& drawn) const;
@@ -52,7 +52,7 @@ class SceneViews {
  private:
   struct View {
     geometry::Point eye{};
-    programs::jones::SceneInCore in_core;
+    compare::jones_precision::SceneInCore in_core;
     compare::ImageLines reference;
   };
 
@@ -64,7 +64,7 @@ class SceneViews {
 
 // A build of the program on the machine. Times are means of a view.
 struct MachineBuild {
-  programs::jones::Precision precision;
+  compare::jones_precision::Precision precision;
   PictureError clipped;    // pieces as they left the clip, with their fraction of a point
   PictureError displayed;  // the same between the whole points of the display
   double eae_s = 0;
@@ -72,11 +72,11 @@ struct MachineBuild {
 };
 
 // Throws base::Error: differs, if the build without the EAE draws other pieces than that with it; guest_failed.
-[[nodiscard]] MachineBuild measure_build(const SceneViews& views, const programs::jones::Precision& precision);
+[[nodiscard]] MachineBuild measure_build(const SceneViews& views, const compare::jones_precision::Precision& precision);
 
 // In C++.
-[[nodiscard]] programs::jones::PreciseView run_twin(const SceneViews& views, std::size_t view,
-                                                  const programs::jones::Precision& precision);
-[[nodiscard]] PictureError measure_twin(const SceneViews& views, const programs::jones::Precision& precision);
+[[nodiscard]] compare::jones_precision::PreciseView run_twin(const SceneViews& views, std::size_t view,
+                                                  const compare::jones_precision::Precision& precision);
+[[nodiscard]] PictureError measure_twin(const SceneViews& views, const compare::jones_precision::Precision& precision);
 
 }  // namespace sightline::report

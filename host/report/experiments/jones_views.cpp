@@ -16,17 +16,17 @@ namespace {
 namespace jones = programs::jones;
 
 JonesView view_of(const JonesOrder& order, const JonesRun& run) {
-  const jones::GuestView& view = run.view();
-  const jones::Program& program = run.program;
+  const jones::View& view = run.view();
+  const jones::Program& program = run.program.program();
   JonesView made;
   made.scene = order.scene;
   made.eae = order.eae;
-  made.first_view_s = seconds(run.guest.views.front().time);
+  made.first_view_s = seconds(run.outcome.views.front().time);
   made.second_view_s = seconds(view.time);
   made.instructions = view.instructions;
   made.lines_clipped = view.lines_clipped;
   made.pieces = view.pieces;
-  made.refresh_s = seconds(run.guest.refresh_period);
+  made.refresh_s = seconds(run.outcome.refresh_period);
   made.stolen_cycles = view.stolen_cycles;
   made.cells = run.scene.cells.size();
   made.cells_read = view.distinct_cells;
@@ -54,7 +54,7 @@ JonesElements elements_of(const JonesOrder& order, const JonesRun& run) {
   constexpr std::size_t opening_head = 6;
   std::size_t of_openings = 0;
   for (const scene::Opening& opening : run.scene.openings) of_openings += opening_head + opening.vectors.size();
-  return {order.scene, run.program.scene.opening_words, of_openings, run.program.scene.cell_words};
+  return {order.scene, run.program.program().scene.opening_words, of_openings, run.program.program().scene.cell_words};
 }
 
 // Of the scene with the EAE and without.
@@ -169,7 +169,7 @@ JonesViews jones_views(const Context& context) {
   for (const bool eae : {true, false}) {
     for (const char* const name : {"corridor8", "corridor32"}) {
       const JonesRun run = run_jones({name, eae, false, false});
-      const jones::GuestView& view = run.guest.views.front();
+      const jones::View& view = run.outcome.views.front();
       made.corridors.push_back({name, eae, run.scene.cells.size(), view.distinct_cells, view.visits, view.instructions,
                                 seconds(view.time)});
     }

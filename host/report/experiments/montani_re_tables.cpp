@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "host/algorithms/montani_re/lattice_pcs.hpp"
+#include "host/algorithms/montani_re/faces.hpp"
+#include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_edges.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
 #include "host/algorithms/oracle/edge_oracle.hpp"
@@ -24,21 +25,55 @@ namespace {
 
 namespace native = algorithms::montani_re;
 
-// Two regions, and a hole in the second. Figure 1 is not legible: the chains begin where its caption says.
-constexpr std::array<native::FreemanChain, 3> figure_1{{{{6, 11}, "6666666664222222253666666642222222220710"},
-                                                        {{12, 2}, "22231222344466666666602222076660"},
-                                                        {{11, 8}, "23466601"}}};
+// A closed line as the paper writes it: a starting point and digits, 0 east, 1 north-east, ... 7 south-east.
+struct FreemanChain {
+  std::array<std::int64_t, 2> start;
+  std::string_view links;
+};
 
+// Two regions, and a hole in the second. Figure 1 is not legible: the chains begin where its caption says.
+constexpr std::array<FreemanChain, 3> figure_1{{{{6, 11}, "6666666664222222253666666642222222220710"},
+                                                {{12, 2}, "22231222344466666666602222076660"},
+                                                {{11, 8}, "23466601"}}};
+
+// The points inside an odd number of the chains.
+native::FaceSet face_of(std::span<const FreemanChain> chains) {
+  constexpr std::array<std::array<std::int64_t, 2>, 8> steps{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  native::FaceSetBuilder builder(false);
+  native::Rings rings;
+  for (const FreemanChain& chain : chains) {
+    auto& ring = rings.emplace_back();
+    std::array<std::int64_t, 2> at = chain.start;
+    char before = chain.links.back();
+    for (const char link : chain.links) {
+      if (link != before) ring.push_back(builder.add_vertex({at[0], at[1], 0}));
+      const auto& step = steps[static_cast<std::size_t>(link - '0')];
+      at = {at[0] + step[0], at[1] + step[1]};
+      before = link;
+    }
+  }
+  builder.add_face(rings, 0, 0);
+  return builder.take();
+}
+
+// Stripes a step high. No two sides of Figure 1 cross inside one, so that each is one band.
 std::vector<PrintedStripe> printed_stripes() {
+  constexpr std::int64_t step = 65536;    // of a side's abscissas
+  constexpr std::int32_t thickness = 16;  // units of a stripe
+  const native::FaceSet set = face_of(figure_1);
+  const native::StripePcs pcs = native::stripe_pcs(set.image, set.faces[0].pcs, {{1, 1}, {0, 0}, 16, 16}, thickness);
   std::vector<PrintedStripe> rows;
-  const auto pcs = native::lattice_pcs(figure_1);
-  const auto stripes = pcs ? native::whole_stripes(*pcs) : std::nullopt;
-  if (!stripes) throw base::bad_input("Montani and Re, Figure 1: a chain does not close");
-  for (const native::LatticeStripe& stripe : *stripes) {
-    std::string sides;
-    for (const native::LatticeSide& side : stripe.sides)
-      sides += fmt::format("{}{}({})", sides.empty() ? "" : " ", side.abscissa(), static_cast<int>(side.type()));
-    rows.push_back({stripe.y, stripe.sides.size() / 2, sides});
+  for (std::int32_t y = pcs.first; const auto& stripe : pcs.stripes) {
+    for (const native::StripeBand& band : stripe) {
+      std::string sides;
+      for (const native::StripeSide& side : band.sides) {
+        const int type = side.top > side.bottom ? 1 : side.top == side.bottom ? 2 : 3;  // "/", "|", "\"
+        sides += fmt::format("{}{}({})", sides.empty() ? "" : " ", std::min(side.bottom, side.top) / step, type);
+      }
+      rows.push_back({y, band.sides.size() / 2, sides});
+    }
+    ++y;
   }
   return rows;
 }

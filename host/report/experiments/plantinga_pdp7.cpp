@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "host/programs/turn/session.hpp"
+#include "host/base/value_of.hpp"
+#include "host/programs/turn/turn.hpp"
 #include "host/picture/raster_image.hpp"
 #include "host/report/experiments/png_picture.hpp"
 #include "host/report/page.hpp"
@@ -49,29 +50,24 @@ std::vector<Pdp7Turn> plantinga_pdp7(const Context& context) {
     context.progress(fmt::format("{} turning on the PDP-7", model));
     const turn::Tape tape = tape_of(file);
     for (const bool eae : {true, false}) {
-      const turn::Session session(tape, eae);
-      const turn::TurnMeasure measure = turn::measure_turn(session, 0, eae);
-      for (const turn::TurnRun* run : {&measure.hidden, &measure.wire}) {
-        if (!run->difference.empty()) throw base::difference(fmt::format("{}: {}", model, run->difference));
-        if (run->stopped) throw base::program_failed(fmt::format("{}: the machine stopped", model));
-      }
-      const turn::Summary& hidden = measure.hidden.summary;
-      const turn::Layout& layout = tape.layout;
+      const turn::Order order{.eae = eae, .strokes = eae, .check = true};
+      const turn::Outcome outcome = base::value_of(turn::run(tape, order), model);
+      const turn::Summary& hidden = outcome.hidden.summary;
       Pdp7Turn& row = turns.emplace_back();
       row.model = model;
       row.eae = eae;
       row.edges = tape.edges;
       row.events = tape.events;
-      row.used_words = session.program().words + layout.model() + layout.display_files;
-      row.turn_s = measure.turn_seconds();
+      row.used_words = outcome.core_words;
+      row.turn_s = outcome.turn_seconds();
       row.frames_a_second = hidden.frames_per_second_mean;
       row.worst_frames_a_second = hidden.frames_per_second_worst;
-      row.wire_frames_a_second = measure.wire.summary.frames_per_second_mean;
-      row.cost = measure.cost_against_wire_frame();
+      row.wire_frames_a_second = outcome.wire.summary.frames_per_second_mean;
+      row.cost = outcome.cost_against_wire_frame();
       row.junctions = hidden.junctions_mean;
       row.waiting_percent = 100 * hidden.waiting_fraction;
       row.refreshes_a_second = hidden.refreshes_per_second;
-      if (eae) row.screen = png_picture(picture::crisp_raster(measure.hidden.shown[measure.hidden.shown.size() / 8].strokes));
+      if (eae) row.screen = png_picture(picture::crisp_raster(outcome.hidden.shown[outcome.hidden.shown.size() / 8].strokes));
     }
   }
   return turns;

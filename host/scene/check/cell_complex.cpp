@@ -11,7 +11,7 @@
 #include "host/geometry/predicates.hpp"
 #include "host/scene/cells/bsp/predicates.hpp"
 #include "host/scene/cells/builder.hpp"
-#include "host/scene/check/cell_complex_parts.hpp"
+#include "host/scene/check/cell_complex_places.hpp"
 #include "host/scene/check/problems.hpp"
 
 namespace sightline::scene {
@@ -68,72 +68,6 @@ void check_lists(const CellComplex& complex, Problems& problems) {
     problems.add("openings",
                  "found " + std::to_string(listed) + " by cell, expected " + std::to_string(expected));
 }
-
-}  // namespace
-
-void check_complex_numbers(const CellComplex& complex, const PolyScene& scene, Problems& problems) {
-  if (complex.vertices != scene.vertices) problems.add("vertices", "are not those of the scene");
-  if (complex.edges != complex_edges_of(scene)) problems.add("edges", "are not those of the scene");
-  if (!has_planes(complex, complex.bounds)) problems.add("bounds", "name a plane that is not there");
-  if (!has_planes(complex, complex.sides)) problems.add("sides", "name a plane that is not there");
-  for (std::size_t p = 0; p < complex.planes.size(); ++p)
-    if (geometry::is_zero(complex.planes[p].normal)) problems.add("plane", p, "has no normal");
-  for (const std::uint32_t number : complex.opening_numbers)
-    if (number >= complex.openings.size())
-      problems.add("opening_numbers", "found " + std::to_string(number) + ", which is not there");
-  for (const ComplexLine line : complex.lines)
-    if (line.edge >= complex.edges.size())
-      problems.add("lines", "found edge " + std::to_string(line.edge) + ", which is not there");
-  check_rows(complex, problems);
-  if (problems.none()) check_lists(complex, problems);
-}
-
-// An end of a line is on the side of a plane of q a + p (b - a), where the end is from + p/q (to - from): 60
-// bits over 60 at most.
-void check_complex_lines(const CellComplex& complex, Problems& problems) {
-  const auto beyond = [&](const HalfSpace& half, const ComplexEdge& edge, const geometry::Rational& end) {
-    const geometry::Plane& plane = complex.planes[half.plane];
-    const PolyPoint& from = complex.vertices[edge.from];
-    const std::int64_t slope =
-        geometry::dot(plane.normal, geometry::difference(complex.vertices[edge.to], from));
-    const geometry::Int128 at =
-        geometry::Int128{plane.at(from)} * end.denominator() + geometry::Int128{slope} * end.numerator();
-    return half.turned ? at < 0 : at > 0;
-  };
-  for (std::size_t c = 0; c < complex.cells.size() && !problems.full(); ++c) {
-    for (const ComplexLine line : complex.lines_of(complex.cells[c])) {
-      const std::string name = "its line on edge " + std::to_string(line.edge);
-      if (!(geometry::Rational(0) <= line.low && line.low < line.high &&
-            line.high <= geometry::Rational(1))) {
-        problems.add("cell", c, name + " is no part of the edge");
-        continue;
-      }
-      for (const HalfSpace& half : complex.bounds_of(complex.cells[c])) {
-        const ComplexEdge& edge = complex.edges[line.edge];
-        if (beyond(half, edge, line.low) || beyond(half, edge, line.high))
-          problems.add("cell", c, name + " leaves the cell");
-      }
-    }
-  }
-}
-
-std::vector<base::Error> check_complex(const CellComplex& complex, const PolyScene& scene,
-                                       std::uint64_t seed) {
-  Problems problems;
-  check_complex_numbers(complex, scene, problems);
-  if (!problems.none()) return problems.take();
-  check_complex_openings(complex, problems);
-  check_complex_cells(complex, problems);
-  check_complex_lines(complex, problems);
-  if (!problems.none()) return problems.take();
-  check_complex_volume(complex, scene, problems);
-  check_complex_places(complex, scene, seed, problems);
-  return problems.take();
-}
-
-// Shapes: openings, cells and volumes.
-
-namespace {
 
 using geometry::Plane;
 
@@ -315,9 +249,53 @@ bool may_overlap(const std::vector<geometry::Box>& boxes) {
   return found;
 }
 
-}  // namespace
+void check_numbers(const CellComplex& complex, const PolyScene& scene, Problems& problems) {
+  if (complex.vertices != scene.vertices) problems.add("vertices", "are not those of the scene");
+  if (complex.edges != complex_edges_of(scene)) problems.add("edges", "are not those of the scene");
+  if (!has_planes(complex, complex.bounds)) problems.add("bounds", "name a plane that is not there");
+  if (!has_planes(complex, complex.sides)) problems.add("sides", "name a plane that is not there");
+  for (std::size_t p = 0; p < complex.planes.size(); ++p)
+    if (geometry::is_zero(complex.planes[p].normal)) problems.add("plane", p, "has no normal");
+  for (const std::uint32_t number : complex.opening_numbers)
+    if (number >= complex.openings.size())
+      problems.add("opening_numbers", "found " + std::to_string(number) + ", which is not there");
+  for (const ComplexLine line : complex.lines)
+    if (line.edge >= complex.edges.size())
+      problems.add("lines", "found edge " + std::to_string(line.edge) + ", which is not there");
+  check_rows(complex, problems);
+  if (problems.none()) check_lists(complex, problems);
+}
 
-void check_complex_openings(const CellComplex& complex, Problems& problems) {
+// An end of a line is on the side of a plane of q a + p (b - a), where the end is from + p/q (to - from): 60
+// bits over 60 at most.
+void check_lines(const CellComplex& complex, Problems& problems) {
+  const auto beyond = [&](const HalfSpace& half, const ComplexEdge& edge, const geometry::Rational& end) {
+    const geometry::Plane& plane = complex.planes[half.plane];
+    const PolyPoint& from = complex.vertices[edge.from];
+    const std::int64_t slope =
+        geometry::dot(plane.normal, geometry::difference(complex.vertices[edge.to], from));
+    const geometry::Int128 at =
+        geometry::Int128{plane.at(from)} * end.denominator() + geometry::Int128{slope} * end.numerator();
+    return half.turned ? at < 0 : at > 0;
+  };
+  for (std::size_t c = 0; c < complex.cells.size() && !problems.full(); ++c) {
+    for (const ComplexLine line : complex.lines_of(complex.cells[c])) {
+      const std::string name = "its line on edge " + std::to_string(line.edge);
+      if (!(geometry::Rational(0) <= line.low && line.low < line.high &&
+            line.high <= geometry::Rational(1))) {
+        problems.add("cell", c, name + " is no part of the edge");
+        continue;
+      }
+      for (const HalfSpace& half : complex.bounds_of(complex.cells[c])) {
+        const ComplexEdge& edge = complex.edges[line.edge];
+        if (beyond(half, edge, line.low) || beyond(half, edge, line.high))
+          problems.add("cell", c, name + " leaves the cell");
+      }
+    }
+  }
+}
+
+void check_openings(const CellComplex& complex, Problems& problems) {
   for (std::size_t o = 0; o < complex.openings.size() && !problems.full(); ++o) {
     const ComplexOpening& opening = complex.openings[o];
     if (opening.side_count < 3) {
@@ -334,12 +312,12 @@ void check_complex_openings(const CellComplex& complex, Problems& problems) {
   }
 }
 
-void check_complex_cells(const CellComplex& complex, Problems& problems) {
+void check_cells(const CellComplex& complex, Problems& problems) {
   for (std::size_t c = 0; c < complex.cells.size() && !problems.full(); ++c)
     if (!has_inside(complex, complex.cells[c])) problems.add("cell", c, "has no inside");
 }
 
-void check_complex_volume(const CellComplex& complex, const PolyScene& scene, Problems& problems) {
+void check_volume(const CellComplex& complex, const PolyScene& scene, Problems& problems) {
   geometry::Int128 filled = 0;
   for (const ComplexCell& cell : complex.cells) {
     const auto box = box_of(complex, cell);
@@ -358,6 +336,22 @@ void check_complex_volume(const CellComplex& complex, const PolyScene& scene, Pr
   if (filled == all || (filled > all && may_overlap(solids))) return;
   problems.add("cells", "cells and solids fill " + std::to_string(static_cast<double>(filled)) +
                             ", expected the outer box's " + std::to_string(static_cast<double>(all)));
+}
+
+}  // namespace
+
+std::vector<base::Error> check_complex(const CellComplex& complex, const PolyScene& scene,
+                                       std::uint64_t seed) {
+  Problems problems;
+  check_numbers(complex, scene, problems);
+  if (!problems.none()) return problems.take();
+  check_openings(complex, problems);
+  check_cells(complex, problems);
+  check_lines(complex, problems);
+  if (!problems.none()) return problems.take();
+  check_volume(complex, scene, problems);
+  check_complex_places(complex, scene, seed, problems);
+  return problems.take();
 }
 
 }  // namespace sightline::scene

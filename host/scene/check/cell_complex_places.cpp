@@ -1,9 +1,11 @@
-// The part of check_complex about random places.
+// See cell_complex_places.hpp.
 //
 // A place is a point of fractions with one denominator, so that hardly any lies on a plane of the scene. From
 // a free place rays are sent in random directions. Where one leaves its cell is known as a homogeneous point;
 // with normals of 40 bits, places of 30 and directions of 8 its side of a plane is a number of 123 bits.
 // Whatever cannot be decided because something is met exactly at its border is left out.
+#include "host/scene/check/cell_complex_places.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -13,7 +15,6 @@
 #include <vector>
 
 #include "host/geometry/predicates.hpp"
-#include "host/scene/check/cell_complex_parts.hpp"
 #include "host/scene/generate/random.hpp"
 
 namespace sightline::scene {

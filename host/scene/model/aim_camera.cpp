@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
 namespace sightline::scene {
@@ -144,6 +145,28 @@ geometry::Vector3 completed(const SceneFrame& frame, const geometry::Vector3& a,
   return frame.forward_is_z ? geometry::cross(a, b) : geometry::cross(b, a);
 }
 
+// The camera that has exactly these directions, if its vectors are below camera_vector_limit.
+std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
+                                       const std::array<double, 3>& up, bool perspective) {
+  const auto forward = whole_direction(direction);
+  const auto upwards = whole_direction(up);
+  if (!forward || !upwards) return std::nullopt;
+  using geometry::vector_of;
+  PolyCamera camera{perspective, eye, reduced(vector_of(*forward)), {}, {}};
+  const auto fits = [](const PolyPoint& p) {
+    return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
+  };
+  if (!fits(camera.forward)) return std::nullopt;
+  // Below 2^15 times 2^20, times 2 for the difference: below 2^36; and that product below 2^31.
+  const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
+  if (!right) return std::nullopt;
+  camera.right = *right;
+  const auto upright = small_vector(completed(frame, vector_of(camera.forward), vector_of(camera.right)));
+  if (!upright) return std::nullopt;
+  camera.up = *upright;
+  return camera;
+}
+
 }  // namespace
 
 SceneFrame frame_of(const PolyCamera& camera) {
@@ -188,53 +211,20 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   return camera;
 }
 
-namespace {
-
-// The camera that has exactly these directions, if its vectors are below camera_vector_limit.
-std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
-                                       const std::array<double, 3>& up, bool perspective) {
-  const auto forward = whole_direction(direction);
-  const auto upwards = whole_direction(up);
-  if (!forward || !upwards) return std::nullopt;
-  using geometry::vector_of;
-  PolyCamera camera{perspective, eye, reduced(vector_of(*forward)), {}, {}};
-  const auto fits = [](const PolyPoint& p) {
-    return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
-  };
-  if (!fits(camera.forward)) return std::nullopt;
-  // Below 2^15 times 2^20, times 2 for the difference: below 2^36; and that product below 2^31.
-  const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
-  if (!right) return std::nullopt;
-  camera.right = *right;
-  const auto upright = small_vector(completed(frame, vector_of(camera.forward), vector_of(camera.right)));
-  if (!upright) return std::nullopt;
-  camera.up = *upright;
-  return camera;
-}
-
-}  // namespace
-
 PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
                          const std::array<double, 3>& up, bool perspective) {
   if (const auto exact = exact_camera(frame, eye, direction, up, perspective)) return *exact;
   const auto upwards = whole_direction(up);
   if (upwards && geometry::vector_of(reduced(geometry::vector_of(*upwards))) == up_of(frame))
     return aimed_camera(frame, eye, direction_of(direction), perspective);
-  using Vector = std::array<double, 3>;
-  const auto product = [](const Vector& a, const Vector& b) {
-    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  };
-  const auto unit = [](Vector v) {
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (double& c : v) c /= length;
-    return v;
-  };
+  using geometry::RealVector;
+  using geometry::unit;
   // Rows right, up and right x up, which is forward or its opposite.
-  Vector third = unit(direction);
+  RealVector third = unit(direction);
   if (!frame.forward_is_z)
     for (double& c : third) c = -c;
-  const Vector right = unit(product(up, third));
-  const std::array<Vector, 3> rows{right, product(third, right), third};
+  const RealVector right = unit(geometry::cross(up, third));
+  const std::array<RealVector, 3> rows{right, geometry::cross(third, right), third};
   // The quaternion of a rotation from its largest part (Shepperd 1978).
   const double trace = rows[0][0] + rows[1][1] + rows[2][2];
   std::array<double, 4> q{1 + trace, 0, 0, 0};

@@ -1,6 +1,7 @@
 // See file_units.hpp.
 #include "host/scene/model/file_units.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/base/number.hpp"
@@ -39,6 +40,16 @@ std::optional<PolyPoint> grid_point(const PolyScene& scene, const std::array<dou
     p[a] = static_cast<std::int32_t>(steps);
   }
   return p;
+}
+
+double millimetres(std::string_view unit) {
+  struct Unit {
+    std::string_view name;
+    double millimetres;
+  };
+  constexpr std::array units{Unit{"um", 0.001}, Unit{"mm", 1}, Unit{"cm", 10}, Unit{"m", 1000}, Unit{"inch", 25.4}, Unit{"ft", 304.8}};
+  const auto found = std::find_if(units.begin(), units.end(), [unit](const Unit& each) { return each.name == unit; });
+  return found == units.end() ? 1 : found->millimetres;
 }
 
 }  // namespace sightline::scene

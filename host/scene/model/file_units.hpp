@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "host/scene/model/poly_scene.hpp"
 
@@ -19,6 +20,9 @@ namespace sightline::scene {
 [[nodiscard]] std::array<double, 3> file_point(const PolyScene& scene, const PolyPoint& p);
 // "x,y,z", each the shortest text that reads as the same number.
 [[nodiscard]] std::string file_point_text(const PolyScene& scene, const PolyPoint& p);
+
+// Millimetres of a unit as a file names it (PolyImportReport::unit); 1 for any other name.
+[[nodiscard]] double millimetres(std::string_view unit);
 
 // The nearest point of the scene's grid; empty if it is not within poly_coordinate_limit.
 [[nodiscard]] std::optional<PolyPoint> grid_point(const PolyScene& scene, const std::array<double, 3>& in_file);

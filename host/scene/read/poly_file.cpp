@@ -10,6 +10,7 @@
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
+#include "host/base/text.hpp"
 #include "host/scene/model/file_units.hpp"
 #include "host/scene/read/assimp_mesh.hpp"
 #include "host/scene/read/obj.hpp"
@@ -46,24 +47,30 @@ base::Error cannot_split(std::size_t body, std::size_t face) {
           "has holes and cannot be split into triangles; JSON keeps holes"};
 }
 
-base::Result<std::string> write_off(const PolyScene& scene) {
-  std::string faces;
-  std::size_t count = 0;
+// Those of all faces, body after body.
+base::Result<std::vector<Ring>> rings_of(const PolyScene& scene) {
+  std::vector<Ring> all;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
       const auto rings = rings_of(scene, scene.bodies[b].faces[f]);
       if (rings.empty()) return cannot_split(b, f);
-      count += rings.size();
-      for (const Ring& ring : rings) {
-        faces += std::to_string(ring.size());
-        for (const VertexIndex v : ring) faces += " " + std::to_string(v);
-        faces += '\n';
-      }
+      all.insert(all.end(), rings.begin(), rings.end());
     }
   }
-  std::string text = "OFF\n" + std::to_string(scene.vertices.size()) + " " + std::to_string(count) + " 0\n";
+  return all;
+}
+
+base::Result<std::string> write_off(const PolyScene& scene) {
+  const auto rings = rings_of(scene);
+  if (!rings) return rings.error();
+  std::string text = "OFF\n" + std::to_string(scene.vertices.size()) + " " + std::to_string(rings->size()) + " 0\n";
   for (const PolyPoint& p : scene.vertices) append_point(text, scene, p);
-  return text + faces;
+  for (const Ring& ring : *rings) {
+    text += std::to_string(ring.size());
+    for (const VertexIndex v : ring) text += " " + std::to_string(v);
+    text += '\n';
+  }
+  return text;
 }
 
 // What reads as the same name: a # would begin a comment, a \ at the end continue on the next line, and words
@@ -140,25 +147,18 @@ base::Result<std::string> write_stl(const PolyScene& scene) {
 }
 
 base::Result<std::string> write_ply(const PolyScene& scene) {
-  std::string faces;
-  std::size_t count = 0;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
-      const auto rings = rings_of(scene, scene.bodies[b].faces[f]);
-      if (rings.empty()) return cannot_split(b, f);
-      count += rings.size();
-      for (const Ring& ring : rings) {
-        append_bytes(faces, static_cast<std::uint32_t>(ring.size()));
-        for (const VertexIndex v : ring) append_bytes(faces, v);
-      }
-    }
-  }
+  const auto rings = rings_of(scene);
+  if (!rings) return rings.error();
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(scene.vertices.size()) +
-                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " + std::to_string(count) +
+                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " + std::to_string(rings->size()) +
                       "\nproperty list uint uint vertex_indices\nend_header\n";
   for (const PolyPoint& p : scene.vertices)
     for (std::size_t a = 0; a < 3; ++a) append_bytes(bytes, file_coordinate(scene, p, a));
-  return bytes + faces;
+  for (const Ring& ring : *rings) {
+    append_bytes(bytes, static_cast<std::uint32_t>(ring.size()));
+    for (const VertexIndex v : ring) append_bytes(bytes, v);
+  }
+  return bytes;
 }
 
 std::string json_string(std::string_view text) {
@@ -246,13 +246,6 @@ constexpr std::array format_names{
     FormatName{"glb", PolyFormat::glb}, FormatName{"3mf", PolyFormat::threemf},
 };
 
-std::string small_letters(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return result;
-}
-
 // As the first line says that is neither empty nor a comment; empty if it says nothing.
 std::optional<PolyFormat> format_by_content(const std::string_view whole) {
   std::string_view text = whole;
@@ -272,7 +265,7 @@ std::optional<PolyFormat> format_by_content(const std::string_view whole) {
     if (begins.starts_with("{"))
       return is_gltf(whole.substr(static_cast<std::size_t>(begins.data() - whole.data()))) ? PolyFormat::gltf
                                                                                            : PolyFormat::json;
-    if (small_letters(word) == "solid") return PolyFormat::stl;
+    if (base::lower_case(word) == "solid") return PolyFormat::stl;
     for (const std::string_view obj : {"v", "o", "g", "vn", "vt", "f", "usemtl", "mtllib"})
       if (word == obj && word.size() < begins.size()) return PolyFormat::obj;
     return std::nullopt;
@@ -280,12 +273,24 @@ std::optional<PolyFormat> format_by_content(const std::string_view whole) {
   return std::nullopt;
 }
 
+base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
+  switch (format) {
+    case PolyFormat::off: return read_off(text, source);
+    case PolyFormat::stl: return read_stl(text, source);
+    case PolyFormat::ply: return read_ply(text, source);
+    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
+    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
+    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
+    default: return read_obj(text, source);
+  }
+}
+
 }  // namespace
 
 std::optional<PolyFormat> poly_format_of(std::string_view file) {
   const std::size_t dot = file.rfind('.');
   if (dot == std::string_view::npos) return std::nullopt;
-  const std::string end = small_letters(file.substr(dot + 1));
+  const std::string end = base::lower_case(file.substr(dot + 1));
   for (const FormatName& format : format_names)
     if (end == format.ending) return format.format;
   return std::nullopt;
@@ -306,22 +311,6 @@ PolyImport import_unchanged(PolyScene scene) {
   for (const PolyBody& body : result.scene.bodies) result.report.faces.sheets += body.sheet ? 1U : 0U;
   return result;
 }
-
-namespace {
-
-base::Result<PolyMesh> read_mesh(std::string_view text, std::string_view source, PolyFormat format, const std::string& folder) {
-  switch (format) {
-    case PolyFormat::off: return read_off(text, source);
-    case PolyFormat::stl: return read_stl(text, source);
-    case PolyFormat::ply: return read_ply(text, source);
-    case PolyFormat::gltf: return read_by_assimp(text, source, AssimpFormat::gltf, folder);
-    case PolyFormat::glb: return read_by_assimp(text, source, AssimpFormat::glb, folder);
-    case PolyFormat::threemf: return read_by_assimp(text, source, AssimpFormat::threemf, folder);
-    default: return read_obj(text, source);
-  }
-}
-
-}  // namespace
 
 base::Result<PolyImport> read_poly(std::string_view text, std::string_view source, PolyFormat format,
                                    const PolyImportOptions& options) {

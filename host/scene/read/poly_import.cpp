@@ -11,6 +11,7 @@
 #include "host/base/result.hpp"
 #include "host/geometry/box_tree.hpp"
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/scene/check/poly_shells.hpp"
 #include "host/scene/model/aim_camera.hpp"
 #include "host/scene/model/file_units.hpp"
@@ -172,14 +173,9 @@ class Import {
   // numbers are so short that they have to be meant as they are.
   void find_surfaces_of_wires() {
     const double tolerance = std::min(2.0, static_cast<double>(bounds_of(scene()).half_size()) / 5000);
-    using Point = std::array<double, 3>;
-    const auto place_of = [this](VertexIndex v) {
-      const PolyPoint& p = scene().vertices[v];
-      return Point{double(p[0]), double(p[1]), double(p[2])};
-    };
-    const auto along = [](const Point& normal, const Point& p) { return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]; };
+    const auto place_of = [this](VertexIndex v) { return geometry::real_vector(scene().vertices[v]); };
     struct Plane {
-      Point normal{};
+      geometry::RealVector normal{};
       double height = 0;
     };
     std::vector<Plane> planes(scene().surfaces.size());
@@ -190,7 +186,7 @@ class Import {
       for (const PolyFace& of_body : body.faces) {
         const std::uint32_t surface = scene().surface_of[face++];
         const auto& normal = scene().surfaces[surface].normal;
-        planes[surface] = {normal, along(normal, place_of(of_body.outline[0]))};
+        planes[surface] = {normal, geometry::dot(normal, place_of(of_body.outline[0]))};
         geometry::Box& box = boxes[surface];
         if (!known[surface]) box.low = box.high = scene().vertices[of_body.outline[0]];
         known[surface] = true;
@@ -210,11 +206,11 @@ class Import {
       const auto meets = [&](const geometry::Box& box) {
         return geometry::segment_meets(scene().vertices[wire[0]], scene().vertices[wire[1]], box, reach);
       };
-      const Point from = place_of(wire[0]);
-      const Point to = place_of(wire[1]);
+      const geometry::RealVector from = place_of(wire[0]);
+      const geometry::RealVector to = place_of(wire[1]);
       const std::size_t first = scene().wires_on.size();
       tree.for_each_that(meets, [&](std::uint32_t s) {
-        const auto is_on = [&](const Point& p) { return std::abs(along(planes[s].normal, p) - planes[s].height) <= tolerance; };
+        const auto is_on = [&](const geometry::RealVector& p) { return std::abs(geometry::dot(planes[s].normal, p) - planes[s].height) <= tolerance; };
         if (is_on(from) && is_on(to)) scene().wires_on.push_back({w, s});
       });
       std::sort(scene().wires_on.begin() + static_cast<std::ptrdiff_t>(first), scene().wires_on.end());

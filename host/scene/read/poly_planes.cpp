@@ -7,30 +7,15 @@
 #include <limits>
 #include <numeric>
 
+#include "host/geometry/vector.hpp"
 #include "host/scene/model/edge_table.hpp"
 
 namespace sightline::scene {
 namespace {
 
-using Vector = std::array<double, 3>;
+using Vector = geometry::RealVector;
 
 constexpr std::uint32_t no_group = std::numeric_limits<std::uint32_t>::max();
-
-Vector between(const Vector& a, const Vector& b) {  // from b to a
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector product(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double along(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double size_of(const Vector& v) {
-  return std::sqrt(along(v, v));
-}
 
 // A face of the file: its plane, and how wide it is across its longest side.
 struct FilePlane {
@@ -81,16 +66,16 @@ class Surfaces {
     Vector shift{};
     double longest = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vector a = between(file_.vertices[outline[i]], first);
-      const Vector b = between(file_.vertices[outline[i + 1 == outline.size() ? 0 : i + 1]], first);
-      const Vector part = product(a, b);
+      const Vector a = geometry::difference(file_.vertices[outline[i]], first);
+      const Vector b = geometry::difference(file_.vertices[outline[i + 1 == outline.size() ? 0 : i + 1]], first);
+      const Vector part = geometry::cross(a, b);
       for (std::size_t k = 0; k < 3; ++k) {
         sum[k] += part[k];
         shift[k] += a[k] / static_cast<double>(outline.size());
       }
-      longest = std::max(longest, size_of(between(b, a)));
+      longest = std::max(longest, geometry::length(geometry::difference(b, a)));
     }
-    plane.area = size_of(sum);
+    plane.area = geometry::length(sum);
     plane.height = longest > 0 ? plane.area / longest : 0;
     for (std::size_t k = 0; k < 3; ++k) {
       plane.on[k] = first[k] + (outline.size() > 3 ? shift[k] : 0);
@@ -130,9 +115,9 @@ class Surfaces {
 
   [[nodiscard]] bool joins(std::uint32_t source, const FilePlane& plane) const {
     const FilePlane& mine = planes_[source];
-    if (mine.height > tolerance_ && along(mine.normal, plane.normal) <= 0) return false;
+    if (mine.height > tolerance_ && geometry::dot(mine.normal, plane.normal) <= 0) return false;
     for (const VertexIndex v : file_.outline(source))
-      if (std::abs(along(plane.normal, between(file_.vertices[v], plane.on))) > tolerance_) return false;
+      if (std::abs(geometry::dot(plane.normal, geometry::difference(file_.vertices[v], plane.on))) > tolerance_) return false;
     return true;
   }
 
@@ -164,7 +149,7 @@ class Surfaces {
         ++corners;
       }
     }
-    mean.area = size_of(mean.normal);
+    mean.area = geometry::length(mean.normal);
     for (std::size_t k = 0; k < 3; ++k) {
       if (mean.area > 0) mean.normal[k] /= mean.area;
       mean.on[k] = first[k] + mean.on[k] / static_cast<double>(corners);

@@ -142,20 +142,6 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> clip_ears(Corners ring) {
   return triangles;
 }
 
-}  // namespace
-
-std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
-                                        const std::vector<VertexIndex>& ring) {
-  geometry::Vector3 sum{};
-  for (std::size_t i = 2; i < ring.size(); ++i) {
-    const auto part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);
-    for (std::size_t a = 0; a < 3; ++a) sum[a] += part[a];
-  }
-  return sum;
-}
-
-namespace {
-
 // Of the face seen along an axis, in whose direction its area is not 0.
 std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate_along(std::size_t axis, bool turned,
                                                                          const std::vector<PolyPoint>& vertices,
@@ -180,6 +166,16 @@ std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate_along(std::si
 }
 
 }  // namespace
+
+std::array<std::int64_t, 3> ring_normal(const std::vector<PolyPoint>& vertices,
+                                        const std::vector<VertexIndex>& ring) {
+  geometry::Vector3 sum{};
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    const auto part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);
+    for (std::size_t a = 0; a < 3; ++a) sum[a] += part[a];
+  }
+  return sum;
+}
 
 std::optional<std::vector<std::array<VertexIndex, 3>>> triangulate(const std::vector<PolyPoint>& vertices,
                                                                    const PolyFace& face) {

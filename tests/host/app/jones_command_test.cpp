@@ -117,6 +117,16 @@ TEST_F(JonesCommand, ASwitchScriptMovesTheEye) {
   EXPECT_FALSE(exists("none"));
 }
 
+TEST_F(JonesCommand, TheCheckAddsNothing) {
+  const Ran plain = sightline({"jones", "house", "--scale", "700", "--json"});
+  const Ran checked = sightline({"jones", "house", "--scale", "700", "--json", "--check"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  EXPECT_EQ(checked.out, plain.out);
+  // A person at the switches moves the eye, where the program in C++ does not follow.
+  write("right.txt", "0 200000\n");
+  EXPECT_EQ(sightline({"jones", "house", "--switches", "right.txt", "--check"}).exit_code, 2);
+}
+
 TEST_F(JonesCommand, NoEyeInASolidOrOutside) {
   const json solid = scene_of("roberts").at("solids").at(0);
   std::string inside;

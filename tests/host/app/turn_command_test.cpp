@@ -48,6 +48,13 @@ TEST_F(TurnCommand, SaysItInJson) {
   EXPECT_LE(document.at("core_words").get<int>(), 8192);
 }
 
+TEST_F(TurnCommand, TheCheckAddsNothing) {
+  const Ran plain = sightline({"turn", models + "cube.off", "--frames", "20", "-o", "p"});
+  const Ran checked = sightline({"turn", models + "cube.off", "--frames", "20", "-o", "p", "--check"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  EXPECT_EQ(checked.out, plain.out);
+}
+
 TEST_F(TurnCommand, SaysByHowManyWordsAModelDoesNotFit) {
   const Ran ran = sightline({"turn", std::string(SIGHTLINE_SOURCE_DIR) + "/tests/data/models/grid.off", "--level"});
   EXPECT_EQ(ran.exit_code, 4);

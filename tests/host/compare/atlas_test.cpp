@@ -42,24 +42,23 @@ void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<g
     SCOPED_TRACE(std::to_string(eyes[i][0]) + "," + std::to_string(eyes[i][1]) + "," +
                  std::to_string(eyes[i][2]));
     EXPECT_EQ(views[i].eye, eyes[i]);
-    jones::ProgramOptions of_program;
-    of_program.eae = options.eae;
-    of_program.fraction_bits = static_cast<std::uint32_t>(options.fraction_bits);
-    of_program.tape.view = eyes[i];
-    const auto session = jones::Session::of(scene, of_program);
-    ASSERT_EQ(views[i].free, session.has_value());
-    if (!session) continue;
-    jones::GuestOptions of_guest;
-    of_guest.views = 1;
-    of_guest.display = false;
-    const jones::CheckedRun run = session->run(of_guest);
+    jones::Order order;
+    order.eye = eyes[i];
+    order.views = 1;
+    order.display = false;
+    const auto program = jones::Prepared::of(scene, {options.eae, static_cast<std::uint32_t>(options.fraction_bits), false});
+    ASSERT_TRUE(program);
+    const auto outcome = program->run(order);
+    ASSERT_EQ(views[i].free, outcome.has_value());
+    if (!outcome) continue;
+    const jones::TwinView twin = *program->twin(order);
     EXPECT_EQ(views[i].difference, "");
-    EXPECT_EQ(views[i].emulated_ns, run.guest.views.at(0).time.count());
+    EXPECT_EQ(views[i].emulated_ns, outcome->view().time.count());
     oracle::Window window;
     window.near = 1;
     std::vector<oracle::ScreenSegment> drawn;
     const double unit = 1 << options.fraction_bits;
-    for (const jones::Piece& piece : run.twin.pieces)
+    for (const jones::Piece& piece : twin.pieces)
       drawn.push_back({512 + piece.line.a.x / unit, 512 + piece.line.a.y / unit, 512 + piece.line.b.x / unit,
                        512 + piece.line.b.y / unit});
     const oracle::DrawnError error = oracle::drawn_error(

@@ -15,7 +15,7 @@
 #include "host/compare/height_truth.hpp"
 #include "host/compare/stripes.hpp"
 #include "host/compare/turning.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/programs/jones/twin/number.hpp"
 #include "host/programs/skala/skala.hpp"
 #include "host/programs/stripes/stripes.hpp"
@@ -91,7 +91,7 @@ TEST(Type340Points, LongLinesAreDividedAsTheirProgramsDo) {
 }
 
 // The program's pieces before they are rounded, in points of the screen.
-std::vector<PixelSegment> pieces_of(const programs::jones::View& view) {
+std::vector<PixelSegment> pieces_of(const programs::jones::TwinView& view) {
   std::vector<PixelSegment> pieces;
   const programs::jones::ShortWords number;
   const auto point = [&](std::int32_t at) { return number.points(at) + 512; };
@@ -102,13 +102,14 @@ std::vector<PixelSegment> pieces_of(const programs::jones::View& view) {
 
 TEST(Type340Points, OfJonesPiecesAreTheFlashesOfHisProgram) {
   for (const char* name : {"house", "roberts", "corridor8"}) {
-    const auto session = programs::jones::Session::of(scene::builtin_scene(name), {});
-    ASSERT_TRUE(session) << name;
-    programs::jones::GuestOptions options;
-    options.views = 1;
-    const auto run = session->run(options);
-    const PixelGrid shown = points_of(run.guest.pass);
-    EXPECT_EQ(type340_points(pieces_of(run.twin)), shown) << name;
+    const auto program = programs::jones::Prepared::of(scene::builtin_scene(name));
+    ASSERT_TRUE(program) << name;
+    programs::jones::Order order;
+    order.views = 1;
+    const auto outcome = program->run(order);
+    ASSERT_TRUE(outcome) << name;
+    const PixelGrid shown = points_of(outcome->pass);
+    EXPECT_EQ(type340_points(pieces_of(*program->twin(order))), shown) << name;
     EXPECT_GT(lit(shown).size(), 1000U) << name;
   }
 }
@@ -117,11 +118,12 @@ TEST(CompareFlashes, OfHisProgramAndExactLines) {
   for (const char* name : {"house", "roberts"}) {
     SCOPED_TRACE(name);
     const scene::CellScene cells = scene::builtin_scene(name);
-    const auto session = programs::jones::Session::of(cells, {});
-    ASSERT_TRUE(session);
-    programs::jones::GuestOptions options;
-    options.views = 1;
-    auto run = session->run(options);
+    const auto program = programs::jones::Prepared::of(cells);
+    ASSERT_TRUE(program);
+    programs::jones::Order order;
+    order.views = 1;
+    auto outcome = program->run(order);
+    ASSERT_TRUE(outcome);
     algorithms::oracle::Window window;
     window.near = programs::jones::near_z;
     std::vector<PixelSegment> exact;
@@ -129,21 +131,21 @@ TEST(CompareFlashes, OfHisProgramAndExactLines) {
     ASSERT_TRUE(seen);
     for (const auto& line : algorithms::oracle::on_screen(*seen, cells.default_view, window))
       exact.push_back({{line.x0, line.y0}, {line.x1, line.y1}});
-    const auto pieces = pieces_of(run.twin);
-    const ComparedFlashes right = compare_flashes(exact, pieces, run.guest.pass);
+    const auto pieces = pieces_of(*program->twin(order));
+    const ComparedFlashes right = compare_flashes(exact, pieces, outcome->pass);
     // Three fraction bits put the end of a line to the point beside, at the most.
     EXPECT_EQ(right.difference.missing.beyond_1, 0U);
     EXPECT_EQ(right.difference.extra.beyond_1, 0U);
     EXPECT_LT(right.difference.missing.all, right.difference.lit_in_truth / 20);
     // One flash elsewhere.
-    auto flash = std::find_if(run.guest.pass.begin(), run.guest.pass.end(), [&](const core::Stroke& stroke) {
+    auto flash = std::find_if(outcome->pass.begin(), outcome->pass.end(), [&](const core::Stroke& stroke) {
       return stroke.x > 100 && stroke.x < 900 && right.shown.at(stroke.x, stroke.y + 7) == 0;
     });
-    ASSERT_NE(flash, run.guest.pass.end());
+    ASSERT_NE(flash, outcome->pass.end());
     core::Stroke moved = *flash;
     moved.y = static_cast<std::uint16_t>(moved.y + 7);
-    run.guest.pass.push_back(moved);
-    const ComparedFlashes wrong = compare_flashes(exact, pieces, run.guest.pass);
+    outcome->pass.push_back(moved);
+    const ComparedFlashes wrong = compare_flashes(exact, pieces, outcome->pass);
     EXPECT_EQ(wrong.difference.extra.all, right.difference.extra.all + 1);
     EXPECT_GT(wrong.difference.hausdorff.greatest, 1);
   }

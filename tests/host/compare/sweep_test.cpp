@@ -125,6 +125,16 @@ TEST(SweepViews, AreInFreeSpaceAndOftenInThePlaneOfAFace) {
   EXPECT_NE(sweep_camera(scene, nullptr, false, 3, 0), sweep_camera(scene, nullptr, false, 4, 0));
 }
 
+// In perspective along +z, x to the right and y up: the one way the program of 1971 can look.
+bool looks_along_z(const scene::PolyCamera& camera) {
+  const auto along = [](const scene::PolyPoint& axis, std::size_t which) {
+    scene::PolyPoint other = axis;
+    other[which] = 0;
+    return axis[which] > 0 && other == scene::PolyPoint{};
+  };
+  return camera.perspective && along(camera.forward, 2) && along(camera.right, 0) && along(camera.up, 1);
+}
+
 TEST(SweepViews, OfCellsTurnInAllDirections) {
   const scene::CellScene cells = scene::builtin_scene("house");
   const scene::PolyScene scene = scene::poly_scene_of(cells);

@@ -11,7 +11,7 @@
 #include "host/algorithms/exact/visible_edges.hpp"
 #include "host/explain/explain.hpp"
 #include "host/explain/stage.hpp"
-#include "host/programs/jones/session.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "host/scene/heights/function.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/read/builtin.hpp"
@@ -133,19 +133,16 @@ TEST(Lessons, OfJonesVisitTheCellsThatTheProgramVisits) {
     ASSERT_TRUE(cells) << name;
     const auto lesson = find_explainer("jones")->scene(source.scene, source.scene.camera, &*cells);
     ASSERT_TRUE(lesson) << name;
-    programs::jones::ProgramOptions options;
-    options.tape.view = source.scene.camera.eye;
-    programs::jones::GuestOptions one_view;
-    one_view.views = 1;
-    one_view.scale = 256;
-    const auto session = programs::jones::Session::of(*source.cells, options);
-    ASSERT_TRUE(session) << name;
-    const programs::jones::GuestRun guest = session->run(one_view).guest;
-    ASSERT_EQ(guest.views.size(), 1U) << name;
+    programs::jones::Order order;
+    order.eye = source.scene.camera.eye;
+    order.views = 1;
+    order.scale = 256;
+    const auto outcome = programs::jones::run(*source.cells, {}, order);
+    ASSERT_TRUE(outcome) << name;
     const Step& last = lesson->steps.back();
     EXPECT_EQ(count_of(last, "cells of the scene"), source.cells->cells.size()) << name;
-    EXPECT_EQ(count_of(last, "cells entered"), guest.views[0].distinct_cells) << name;
-    EXPECT_EQ(count_of(last, "visits"), guest.views[0].visits) << name;
+    EXPECT_EQ(count_of(last, "cells entered"), outcome->view().distinct_cells) << name;
+    EXPECT_EQ(count_of(last, "visits"), outcome->view().visits) << name;
     const std::size_t cell = *scene::locate(*source.cells, source.scene.camera.eye);
     EXPECT_TRUE(lesson->steps[1].caption.starts_with("The eye is in cell " + std::to_string(cell) + ".")) << lesson->steps[1].caption;
     EXPECT_TRUE(lesson->steps[0].caption.find("joined by " + std::to_string(source.cells->openings.size()) + " portals") != std::string::npos)

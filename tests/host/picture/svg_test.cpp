@@ -56,9 +56,6 @@ TEST(SvgWriter, AreasArePolygonsAndPathsOfAnyNumberOfLoops) {
   SvgWriter svg(20, 10.5, "a <b> & \"c\" \t");
   svg.clip_rectangle("inside", 1, 2, 3, 4.5);
   svg.open_areas("faces", "0 faces", "stroke-width=\"0.2\"");
-  svg.begin_polygon({1, 2, 3});
-  for (const int x : {0, 1000, 2000}) svg.point(x, x);
-  svg.end_shape();
   svg.begin_path({4, 5, 6});
   for (const int x : {0, 1000}) {
     svg.begin_loop();
@@ -74,8 +71,6 @@ TEST(SvgWriter, AreasArePolygonsAndPathsOfAnyNumberOfLoops) {
           "  <clipPath id=\"inside\"><rect x=\"1.000\" y=\"2.000\" width=\"3.000\" "
           "height=\"4.500\"/></clipPath>\n"
           "  <g id=\"faces\" inkscape:groupmode=\"layer\" inkscape:label=\"0 faces\" stroke-width=\"0.2\">\n"
-          "    <polygon fill=\"#010203\" stroke=\"#010203\" points=\"0.000,0.000 1.000,1.000 "
-          "2.000,2.000\"/>\n"
           "    <path fill=\"#040506\" stroke=\"#040506\" "
           "d=\"M0.000,0.000L0.000,-0.500ZM1.000,0.000L1.000,-0.500Z\"/>\n"
           "  </g>\n</svg>\n");

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "host/programs/jones/precision/study.hpp"
+#include "host/compare/jones_precision/study.hpp"
 #include "host/report/experiments/clock.hpp"
 #include "host/report/experiments/jones_pictures.hpp"
 #include "host/report/experiments/surface_error.hpp"
@@ -88,9 +88,9 @@ TEST(SurfaceErrors, DotsOnAnyRasterLieWhereTheLineIs) {
 
 class JonesAccuracy : public testing::Test {
  protected:
-  static void SetUpTestSuite() { house = std::make_unique<SceneViews>(programs::jones::six_views[0]); }
-  static programs::jones::Precision fixed(int f, bool truncate = false, int bits = programs::jones::machine_word_bits) {
-    return {programs::jones::NumberKind::fixed_point, bits, f, truncate};
+  static void SetUpTestSuite() { house = std::make_unique<SceneViews>(compare::jones_precision::six_views[0]); }
+  static compare::jones_precision::Precision fixed(int f, bool truncate = false, int bits = programs::jones::machine_word_bits) {
+    return {compare::jones_precision::NumberKind::fixed_point, bits, f, truncate};
   }
   static inline std::unique_ptr<SceneViews> house;
 };
@@ -106,7 +106,7 @@ TEST_F(JonesAccuracy, TheHouseHasItsKnownError) {
 // By another measure of the same pictures: line by line instead of by number of the line.
 TEST_F(JonesAccuracy, TheStudyOfArithmeticMeasuresTheSame) {
   const auto scene = house->scene();
-  const auto study = programs::jones::PrecisionStudy::of(scene, programs::jones::six_views[0].eyes);
+  const auto study = compare::jones_precision::PrecisionStudy::of(scene, compare::jones_precision::six_views[0].eyes);
   for (const int f : {0, 2, 5}) {
     const auto study_error = study->measure(fixed(f)).clipped;
     const auto error = measure_twin(*house, fixed(f));
@@ -116,7 +116,7 @@ TEST_F(JonesAccuracy, TheStudyOfArithmeticMeasuresTheSame) {
 }
 
 TEST_F(JonesAccuracy, DoublePrecisionHasNoErrorThatCanBeTold) {
-  const auto error = measure_twin(*house, {programs::jones::NumberKind::double_float});
+  const auto error = measure_twin(*house, {compare::jones_precision::NumberKind::double_float});
   EXPECT_LT(error.symmetric_per_cent(), 1e-9);
   EXPECT_LT(error.hausdorff, 1e-9);
   EXPECT_EQ(error.wrong_visibility.wrong, 0U);

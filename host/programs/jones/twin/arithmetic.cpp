@@ -22,24 +22,6 @@ std::optional<SpaceSegment> seg3_at_depth(SpaceSegment s, std::int32_t SpacePoin
 
 }  // namespace
 
-Window window_of(Pass pass, std::int32_t scale, int fraction_bits, int word_bits) {
-  const std::int32_t unit = std::int32_t{1} << fraction_bits;
-  Window window;
-  window.xlo = window.ylo = -512 * unit;
-  window.xhi = window.yhi = 511 * unit;
-  window.width_scale = scale * unit;
-  if (pass != Pass::mono) {
-    window.width_scale = (scale >> 1) * unit;
-    window.xlo = -256 * unit;
-    window.xhi = 255 * unit;
-    window.centre_x = pass == Pass::left ? 256 : 768;
-  }
-  while (window.bound_factor * window.width_scale < 1024 * unit) window.bound_factor *= 2;
-  const std::int64_t farthest = std::int64_t{window.bound_factor} * window.width_scale;
-  if (farthest > std::int64_t{1} << (word_bits - 3)) window.bound_factor = 1;
-  return window;
-}
-
 bool fits(const Window& window, int fraction_bits, int word_bits) {
   const std::int64_t farthest = std::int64_t{window.bound_factor} * window.width_scale;
   return farthest >= std::int64_t{512} << fraction_bits && farthest <= std::int64_t{1} << (word_bits - 3);

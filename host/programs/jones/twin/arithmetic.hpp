@@ -11,49 +11,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "host/programs/jones/specification.hpp"
 #include "host/programs/jones/twin/number.hpp"
 
 namespace sightline::programs::jones {
 
-inline constexpr std::int32_t near_z = 1;
-inline constexpr std::int32_t separation = 5;  // half the distance between the eyes of a stereo pair
-
-struct SpacePoint {
-  std::int32_t x = 0, y = 0, z = 0;
-  friend constexpr bool operator==(const SpacePoint&, const SpacePoint&) = default;
-};
-struct SpaceSegment {
-  SpacePoint p, q;
-  friend constexpr bool operator==(const SpaceSegment&, const SpaceSegment&) = default;
-};
-template <class Coordinate>
-struct BasicScreenPoint {
-  Coordinate x = 0, y = 0;
-  friend constexpr bool operator==(const BasicScreenPoint&, const BasicScreenPoint&) = default;
-};
-template <class Coordinate>
-struct BasicScreenSegment {
-  BasicScreenPoint<Coordinate> a, b;
-  friend constexpr bool operator==(const BasicScreenSegment&, const BasicScreenSegment&) = default;
-};
-using ScreenPoint = BasicScreenPoint<std::int32_t>;
-using ScreenSegment = BasicScreenSegment<std::int32_t>;
-
-enum class Axis : std::uint8_t { x = 1, y = 2, z = 3 };  // A of a vector word: i, j, k
-
-// What is shown on one half of a stereo pair, or on the whole screen.
-struct Window {
-  static constexpr std::int32_t unit = std::int32_t{1} << machine_fraction_bits;  // a point of the screen
-  // Units relative to the centre.
-  std::int32_t xlo = -512 * unit, xhi = 511 * unit, ylo = -512 * unit, yhi = 511 * unit;
-  std::int32_t centre_x = 512, centre_y = 512;  // points of the screen
-  std::int32_t width_scale = 512 * unit;        // W: units per unit of x/z
-  std::int32_t bound_factor = 4;                                  // K: lines are cut at |x|, |y| <= K z
-};
-enum class Pass : std::uint8_t { mono, left, right };
-// scale: S, 64..4096. Section 1, with K chosen for the length of a word.
-[[nodiscard]] Window window_of(Pass pass, std::int32_t scale, int fraction_bits = machine_fraction_bits,
-                               int word_bits = machine_word_bits);
 // Whether the bound holds the window and no difference of two coordinates in it leaves the word. Always so
 // for 18 bits and at most 3 fraction bits.
 [[nodiscard]] bool fits(const Window& window, int fraction_bits, int word_bits);

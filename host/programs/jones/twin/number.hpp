@@ -17,11 +17,10 @@
 #include <optional>
 
 #include "host/geometry/integer.hpp"
+#include "host/programs/jones/specification.hpp"
 
 namespace sightline::programs::jones {
 
-inline constexpr int machine_word_bits = 18;
-inline constexpr int machine_fraction_bits = 3;
 inline constexpr std::int32_t largest_in_space = 1 << 30;  // of words that hold more
 
 // The ratio in which a line is cut: 0 <= num <= den, den > 0.

@@ -80,7 +80,7 @@ bool Search<Number>::visit(std::uint32_t cell, const Mask& mask, std::uint32_t e
   Chain chain;
   if (!chain_at(cell, chain)) return false;
   levels_.push_back({mask, entry, chain.first() + chain.count});
-  Counts& counts = view_.counts;
+  TwinCounts& counts = view_.counts;
   ++counts.visits;
   cells_.set(cell & address_mask);
   counts.depth = std::max(counts.depth, static_cast<int>(levels_.size()));

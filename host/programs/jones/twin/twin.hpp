@@ -9,29 +9,13 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "emulators/core/word.hpp"
+#include "host/programs/jones/specification.hpp"
 #include "host/programs/jones/twin/arithmetic.hpp"
 
 namespace sightline::programs::jones {
-
-inline constexpr std::uint32_t core_words = 8192;  // of the machine Jones used
-inline constexpr int mask_stack_words = 450;
-inline constexpr std::size_t display_file_words = 1384;
-
-enum class Status : std::uint8_t {
-  complete,
-  stack_overflow,
-  display_file_overflow,
-  arithmetic_overflow,
-  too_many_mask_vertices,
-  deeper_than_cells,
-  bad_data_element,
-  unfinished,  // no status of the machine: the twin's own limit was reached, where the machine would run on
-};
-[[nodiscard]] std::string_view name(Status status);
 
 struct Parameters {
   SpacePoint eye;                             // object units
@@ -45,7 +29,7 @@ struct Parameters {
 // Eye of the scene header; scale 512, mono.
 [[nodiscard]] Parameters default_parameters(std::span<const core::Word18> core, std::uint32_t scene_header);
 
-struct Counts {
+struct TwinCounts {
   std::uint64_t visits = 0;
   std::uint64_t distinct_cells = 0;
   std::uint64_t openings_tested = 0;
@@ -62,32 +46,19 @@ struct Counts {
   Operations operations;
 };
 
-// A line piece as it left the clip: which vector word drew it and where.
-template <class Coordinate>
-struct BasicPiece {
-  std::uint16_t vector_address = 0;
-  Pass pass = Pass::mono;
-  BasicScreenSegment<Coordinate> line;  // units relative to the centre of its window, 2^fraction_bits to a point
-  bool drawn = true;                    // false: both ends are the same point of the screen
-
-  friend bool operator==(const BasicPiece&, const BasicPiece&) = default;
-};
-using Piece = BasicPiece<std::int32_t>;
-
 template <class Coordinate>
 struct BasicView {
   Status status = Status::complete;
   std::vector<core::Word18> display_file;       // the stop word included
   std::vector<BasicPiece<Coordinate>> pieces;   // drawn, in the order drawn
   std::vector<BasicPiece<Coordinate>> clipped;  // all that left the clip, drawn or too short for it
-  Counts counts;
+  TwinCounts counts;
 };
-using View = BasicView<std::int32_t>;
+using TwinView = BasicView<std::int32_t>;
 
 // core: 8192 words, shorter images read as zero beyond their end. scene_header: address of the header of
 // section 7; addresses wrap at 13 bits. The eye must lie in the initial cell: nothing here checks it, as
 // nothing on the machine does.
-[[nodiscard]] View run(std::span<const core::Word18> core, std::uint32_t scene_header,
-                       const Parameters& parameters);
+[[nodiscard]] TwinView run_twin(std::span<const core::Word18> core, std::uint32_t scene_header, const Parameters& parameters);
 
 }  // namespace sightline::programs::jones

@@ -44,7 +44,7 @@ class Twin::File {
   // Whether a piece of the greatest length and the stop have room.
   [[nodiscard]] bool has_room() const { return words_.size() + 13 <= room_; }
 
-  void begin(const Place& at, Picture& picture) {
+  void begin(const Place& at, TwinPicture& picture) {
     ++picture.beginnings;
     words_.back() ^= 0400000U;
     words_.push_back(020000);
@@ -53,7 +53,7 @@ class Twin::File {
     beam_ = at;
   }
 
-  void line(const Place& to, Picture& picture) {
+  void line(const Place& to, TwinPicture& picture) {
     ++picture.lines;
     const std::int32_t dy = to.y - beam_.y;
     const std::int32_t dx = to.x - beam_.x;
@@ -187,7 +187,7 @@ std::uint32_t Twin::before(std::uint32_t event) const {
   return at - 1;
 }
 
-void Twin::change(std::uint32_t event, Picture& picture) {
+void Twin::change(std::uint32_t event, TwinPicture& picture) {
   ++picture.events;
   for (std::uint32_t at = event + 1;; ++at) {
     ++picture.changes;
@@ -199,7 +199,7 @@ void Twin::change(std::uint32_t event, Picture& picture) {
   }
 }
 
-void Twin::turn(Picture& picture) {
+void Twin::turn(TwinPicture& picture) {
   const std::int32_t way = as_signed((angle_ - at_) & word_mask);
   if (way > 0) {
     for (;;) {
@@ -226,7 +226,7 @@ void Twin::turn(Picture& picture) {
 }
 
 // What is seen of a cut edge, in 4096ths; false if that is nothing.
-bool Twin::range_of(std::uint32_t slot, Range& range, Picture& picture) const {
+bool Twin::range_of(std::uint32_t slot, Range& range, TwinPicture& picture) const {
   ++picture.cut_edges;
   const std::uint32_t first = word(slot) >> 12U;
   const std::uint32_t second = (word(slot) >> 6U) & 077U;
@@ -237,7 +237,7 @@ bool Twin::range_of(std::uint32_t slot, Range& range, Picture& picture) const {
   return !range.to_junction || range.to > range.from;
 }
 
-void Twin::draw(Picture& picture) {
+void Twin::draw(TwinPicture& picture) {
   set_angle();
   for (std::uint32_t v = 0; v < vertices_; ++v) {
     const std::int32_t u = form(forms_ + 2 * v) + 0200100;
@@ -283,8 +283,8 @@ void Twin::draw(Picture& picture) {
   picture.display_file = file.finished();
 }
 
-bool Twin::next(std::uint32_t switches, Picture& picture) {
-  picture = Picture{};
+bool Twin::next(std::uint32_t switches, TwinPicture& picture) {
+  picture = TwinPicture{};
   const bool first = !begun_;
   begun_ = true;
   const std::uint32_t before_this = last_switches_;

@@ -7,18 +7,11 @@
 #include <vector>
 
 #include "emulators/core/word.hpp"
+#include "host/programs/turn/specification.hpp"
 
 namespace sightline::programs::turn {
 
-enum class Status : std::uint8_t { right = 0, wrong_sum = 1, file_full = 2, other_tape = 3, reading = 4 };
-
-// AC switches.
-inline constexpr std::uint32_t backward_switch = 0400000;
-inline constexpr std::uint32_t wire_switch = 0200000;
-inline constexpr std::uint32_t single_switch = 0100000;
-inline constexpr std::uint32_t speed_mask = 077777;
-
-struct Picture {
+struct TwinPicture {
   std::uint32_t angle = 0;  // 2^18 a turn
   bool wire = false;
   Status status = Status::right;
@@ -45,7 +38,7 @@ class Twin {
 
   // The picture that the program makes next, or false if these switches make none. The first one is at the
   // tape's own angle whatever the switches say of speed.
-  [[nodiscard]] bool next(std::uint32_t switches, Picture& picture);
+  [[nodiscard]] bool next(std::uint32_t switches, TwinPicture& picture);
 
   [[nodiscard]] std::uint32_t angle() const { return angle_; }
   [[nodiscard]] std::uint32_t structure_angle() const { return at_; }
@@ -70,16 +63,16 @@ class Twin {
 
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const { return words_[address - base_]; }
   void put(std::uint32_t address, std::uint32_t value) { words_[address - base_] = value; }
-  void turn(Picture& picture);
-  void change(std::uint32_t event, Picture& picture);
+  void turn(TwinPicture& picture);
+  void change(std::uint32_t event, TwinPicture& picture);
   [[nodiscard]] std::uint32_t before(std::uint32_t event) const;
   [[nodiscard]] std::int32_t form(std::uint32_t address) const;
   [[nodiscard]] Place place(std::uint32_t before) const;
   [[nodiscard]] std::int32_t junction(std::uint32_t slot, std::uint32_t code) const;
   [[nodiscard]] Place located(std::uint32_t slot, std::int32_t s) const;
   void set_angle();
-  void draw(Picture& picture);
-  bool range_of(std::uint32_t slot, Range& range, Picture& picture) const;
+  void draw(TwinPicture& picture);
+  bool range_of(std::uint32_t slot, Range& range, TwinPicture& picture) const;
 
   std::uint32_t base_;
   std::vector<std::uint32_t> words_;

@@ -98,7 +98,7 @@ class Everyone {
  private:
   const scene::PolyScene& scene_;
   Agreement agreement_;
-  std::vector<std::pair<const registry::LineAlgorithm*, registry::LineViews>> others_;
+  std::vector<std::pair<const registry::LineAlgorithm*, decltype(registry::PreparedScene::view)>> others_;
 };
 
 TEST(AgreementFuzz, RandomScenesAreSeenAlikeByAll) {

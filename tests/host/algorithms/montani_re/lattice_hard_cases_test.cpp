@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "host/algorithms/montani_re/lattice_boundary.hpp"
-#include "host/algorithms/montani_re/lattice_pcs.hpp"
 #include "host/algorithms/montani_re/stripes.hpp"
 #include "host/algorithms/montani_re/visible_regions.hpp"
+#include "tests/host/algorithms/montani_re/lattice_pcs.hpp"
 #include "tests/host/scene/hard_case_files.hpp"
 
 namespace sightline::algorithms::montani_re {

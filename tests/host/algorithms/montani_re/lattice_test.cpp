@@ -1,5 +1,5 @@
 // Stripes on the lattice: Table 1 of the paper entry by entry, chains and back, set operations against four
-// bits a square, outlines and holes, pixels.
+// bits a square, outlines and holes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <map>
 #include <string>
 
-#include "host/algorithms/montani_re/lattice_boundary.hpp"
 #include "tests/host/algorithms/montani_re/tetrakis.hpp"
 
 namespace sightline::algorithms::montani_re {
@@ -142,19 +141,6 @@ TEST(LatticePcs, JoinsAndCrossings) {
   ASSERT_TRUE(stripes.has_value());
   ASSERT_EQ(stripes->size(), 1U);
   EXPECT_EQ((*stripes)[0].sides, (std::vector<LatticeSide>{{0, 1}, {2, 1}}));
-}
-
-TEST(LatticePcs, PixelsAreLitByTheirCentres) {
-  RandomPolygons random(11);
-  for (int round = 0; round < 50; ++round) {
-    const auto polygons = random.polygons();
-    const LatticeRaster raster = rasterise(pcs_of(polygons), {0, 0}, tetrakis_side, tetrakis_side);
-    const Tetrakis bits = tetrakis_of(polygons);
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-      // Centres are corners of the four triangles; east of it counts, of the two there the upper half.
-      EXPECT_EQ(raster.pixels[i] != 0, (bits[i] & 2U) != 0) << round << ' ' << i;
-    }
-  }
 }
 
 }  // namespace

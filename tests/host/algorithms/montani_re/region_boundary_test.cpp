@@ -26,8 +26,10 @@ mpq_class rational(const Image::QuotientOf<top, bottom>& q) {
 }
 
 std::array<mpq_class, 2> point(const Image& image, const RegionCorner& corner) {
-  const ImagePoint p = exact_point(image, corner);
-  return {rational(p.x), rational(p.y)};
+  const auto coefficient = [](const auto& value) { return mpq_class(geometry::to_gmp(Image::Coefficient(value))); };
+  const ImageLine& line = image.lines()[corner.line];
+  const mpq_class y = rational(image.exact(corner.y));
+  return {-(coefficient(line.b) * y + coefficient(line.c)) / coefficient(line.a), y};
 }
 
 mpq_class exact_area(const Image& image, const RegionLoop& loop) {

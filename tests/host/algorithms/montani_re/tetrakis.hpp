@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "host/algorithms/montani_re/lattice_pcs.hpp"
+#include "tests/host/algorithms/montani_re/lattice_pcs.hpp"
 
 namespace sightline::algorithms::montani_re {
 

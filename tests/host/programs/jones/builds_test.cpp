@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-#include "host/programs/jones/precision/guest_pieces.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
@@ -16,19 +16,15 @@ namespace {
 
 const int views = tests::effort(4, 2);
 
-struct Build {
+struct SceneBuild {
   std::string scene;
   bool eae;
   std::uint32_t fraction_bits;
   bool truncate;
 };
 
-Program assembled(const Build& build) {
-  ProgramOptions options;
-  options.eae = build.eae;
-  options.fraction_bits = build.fraction_bits;
-  options.truncate = build.truncate;
-  auto program = assemble_program(scene::builtin_scene(build.scene), options);
+Program assembled(const SceneBuild& build) {
+  auto program = assemble_program(scene::builtin_scene(build.scene), {build.eae, build.fraction_bits, build.truncate});
   if (!program) {
     ADD_FAILURE() << program.error().message();
     return {};
@@ -36,7 +32,7 @@ Program assembled(const Build& build) {
   return std::move(*program);
 }
 
-Parameters twin_parameters(const Build& build) {
+Parameters twin_parameters(const SceneBuild& build) {
   Parameters parameters;
   parameters.fraction_bits = static_cast<int>(build.fraction_bits);
   parameters.truncate = build.truncate;
@@ -45,7 +41,7 @@ Parameters twin_parameters(const Build& build) {
 
 class JonesBuilds : public testing::TestWithParam<std::tuple<std::string, bool, std::uint32_t, bool>> {
  protected:
-  static Build build() {
+  static SceneBuild build() {
     const auto& [scene, eae, fraction_bits, truncate] = GetParam();
     return {scene, eae, fraction_bits, truncate};
   }
@@ -66,7 +62,7 @@ TEST_P(JonesBuilds, GuestAndTwinAgree) {
                         dice(limits.low[2], limits.high[2])});
     }
     SCOPED_TRACE("view " + std::to_string(i) + " scale " + std::to_string(parameters.scale));
-    const View expected = twin_view(program, parameters);
+    const TwinView expected = twin_view(program, parameters);
     const DarkView view = dark_view(program, build().eae, parameters);
     ASSERT_EQ(name(view.status), name(expected.status));
     EXPECT_EQ(view.status, Status::complete);
@@ -78,8 +74,15 @@ TEST_P(JonesBuilds, GuestAndTwinAgree) {
 TEST_P(JonesBuilds, PiecesOnTheMachineAreThoseOfTheTwin) {
   const Program program = assembled(build());
   ASSERT_FALSE(program.core.empty());
-  const View expected = twin_view(program, twin_parameters(build()));
-  const GuestPieces pieces = run_for_pieces(program, build().eae);
+  const TwinView expected = twin_view(program, twin_parameters(build()));
+  Order order;
+  order.clock = false;
+  order.views = 1;
+  order.display = false;
+  order.pieces = true;
+  const Outcome outcome = outcome_of(program, order);
+  ASSERT_EQ(outcome.views.size(), 1U);
+  const View& pieces = outcome.view();
   EXPECT_EQ(pieces.status, Status::complete);
   ASSERT_EQ(pieces.clipped.size(), expected.clipped.size());
   ASSERT_EQ(pieces.on_display.size(), pieces.clipped.size());

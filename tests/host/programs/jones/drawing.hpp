@@ -8,8 +8,8 @@
 
 namespace sightline::programs::jones {
 
-inline View view_of(const TestCore& core, const Parameters& parameters = {}) {
-  return run(core.words, TestCore::header, parameters);
+inline TwinView view_of(const TestCore& core, const Parameters& parameters = {}) {
+  return run_twin(core.words, TestCore::header, parameters);
 }
 
 // Where the beam goes, by the word formats of the Type 340 alone.
@@ -18,7 +18,7 @@ struct Drawing {
   std::vector<ScreenSegment> vectors;  // one a vector word
   bool well_formed = true;
 };
-inline Drawing decode(const View& view) {
+inline Drawing decode(const TwinView& view) {
   Drawing drawing;
   ScreenPoint beam;
   enum class Mode { parameter, point_y, point_x, vector } mode = Mode::parameter;

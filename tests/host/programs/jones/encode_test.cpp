@@ -18,8 +18,8 @@ namespace {
 
 using geometry::Point;
 
-EncodedScene encoded(const scene::CellScene& scene, const TapeOptions& options = {}, std::uint32_t base = 0) {
-  auto result = encode(scene, options, base);
+EncodedScene encoded(const scene::CellScene& scene, std::optional<Point> eye = {}, std::uint32_t base = 0) {
+  auto result = encode(scene, eye, base);
   if (!result) {
     ADD_FAILURE() << result.error().message();
     return {};
@@ -135,7 +135,7 @@ TEST(Encode, HeaderHoldsTheEyeAndItsLimits) {
   const EncodedScene result = encoded(scene::builtin_scene("house"), {}, 01000);
   const std::vector<std::uint32_t> expected{01013, 3, 480, 160, 20, 1, 599, 1, 249, 1, 399};
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(result.words[n].value, expected[n]) << n;
-  const EncodedScene kitchen = encoded(scene::builtin_scene("house"), {Point{100, 100, 500}}, 01000);
+  const EncodedScene kitchen = encoded(scene::builtin_scene("house"), Point{100, 100, 500}, 01000);
   EXPECT_EQ(kitchen.view.cell, 1U);
   EXPECT_EQ(kitchen.words[0].value, kitchen.cell_addresses[1]);
   EXPECT_EQ(kitchen.words[9].value, 401U);
@@ -179,20 +179,20 @@ TEST(Encode, SplitsVectorsThatAWordCannotHold) {
   EXPECT_EQ(result.words[scene_header_words + 4].value, 0740001U) << "F, k, -16383";
 }
 
-std::string refusal(const scene::CellScene& scene, const TapeOptions& options, std::uint32_t base = 0) {
-  const auto result = encode(scene, options, base);
+std::string refusal(const scene::CellScene& scene, std::optional<Point> eye, std::uint32_t base = 0) {
+  const auto result = encode(scene, eye, base);
   return !result ? result.error().message() : "encoded";
 }
 
 TEST(Encode, RefusesAnEyeThatSeesThroughTheNearPlane) {
   const scene::CellScene house = scene::builtin_scene("house");
   EXPECT_EQ(
-      refusal(house, {Point{100, 100, 400}}),
+      refusal(house, Point{100, 100, 400}),
       "point (100, 100, 400): is too close to the faces of cell 0: expected x 1..599, y 1..249, z 1..399");
-  EXPECT_EQ(refusal(house, {Point{100, 100, 399}}), "encoded");
-  EXPECT_EQ(refusal(house, {Point{0, 100, 20}}),
+  EXPECT_EQ(refusal(house, Point{100, 100, 399}), "encoded");
+  EXPECT_EQ(refusal(house, Point{0, 100, 20}),
             "point (0, 100, 20): is too close to the faces of cell 0: expected x 1..599, y 1..249, z 1..399");
-  EXPECT_EQ(refusal(house, {Point{0, 100, -20}}), "point (0, 100, -20): is outside the outer box");
+  EXPECT_EQ(refusal(house, Point{0, 100, -20}), "point (0, 100, -20): is outside the outer box");
 }
 
 TEST(Encode, RefusesWhatDoesNotFitIntoCore) {

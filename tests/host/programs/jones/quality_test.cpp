@@ -92,7 +92,7 @@ TEST_P(JonesQuality, AtMostOnePerCentIsWrongByMoreThanAPoint) {
     const auto core = core_of(scene, eye);
     if (!core) continue;
     ++done;
-    const View view = run(*core, TestCore::header, default_parameters(*core, TestCore::header));
+    const TwinView view = run_twin(*core, TestCore::header, default_parameters(*core, TestCore::header));
     ASSERT_EQ(view.status, Status::complete) << eye[0] << ' ' << eye[1] << ' ' << eye[2];
     const auto truth = oracle::on_screen(oracle::visible_lines(*matter, lines, eye, window), eye, window);
     std::vector<ScreenSegment> drawn;

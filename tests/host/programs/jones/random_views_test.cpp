@@ -9,7 +9,7 @@
 #include <string>
 #include <tuple>
 
-#include "host/programs/jones/guest.hpp"
+#include "host/programs/jones/jones.hpp"
 #include "tests/firmware/jones_path_watch.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
@@ -48,16 +48,15 @@ class JonesRandomViews : public testing::TestWithParam<std::tuple<std::string, b
 
   // The same view with the picture before it on the screen.
   void expect_same_with_display(const Program& program, const Parameters& parameters,
-                                const View& expected) const {
-    GuestOptions options;
-    options.eae = eae();
-    options.scale = parameters.scale;
-    options.stereo = parameters.stereo;
-    options.immediate = parameters.immediate;
-    options.time_limit = core::seconds(60);
-    const GuestRun run = run_guest(program, options);
+                                const TwinView& expected) const {
+    Order order;
+    order.scale = parameters.scale;
+    order.stereo = parameters.stereo;
+    order.immediate = parameters.immediate;
+    order.time_limit = core::seconds(60);
+    const Outcome run = outcome_of(program, order);
     ASSERT_EQ(run.views.size(), 2U) << expected.display_file.size() << " display words";
-    for (const GuestView& view : run.views) {
+    for (const View& view : run.views) {
       EXPECT_EQ(name(view.status), name(expected.status));
       EXPECT_TRUE(same_words(view.display_file, expected.display_file));
       EXPECT_EQ(view.visits, expected.counts.visits);
@@ -86,7 +85,7 @@ TEST_P(JonesRandomViews, GuestAndTwinAgree) {
     parameters.eye = random_eye(program.scene.view.limits, dice);
     put_eye(program, parameters.eye);
     SCOPED_TRACE(scene() + (eae() ? " with EAE " : " without EAE ") + described(parameters));
-    const View expected = twin_view(program, parameters);
+    const TwinView expected = twin_view(program, parameters);
     const DarkView view = dark_view(program, eae(), parameters);
     ASSERT_EQ(name(view.status), name(expected.status));
     ASSERT_TRUE(same_words(view.display_file, expected.display_file));

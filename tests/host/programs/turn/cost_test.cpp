@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "host/programs/turn/session.hpp"
+#include "host/programs/turn/turn.hpp"
 #include "tests/host/programs/turn/turned_model.hpp"
 #include "tests/support/effort.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 // Item -> microseconds with the EAE and without, from the table of the notes.
 std::map<std::string, std::array<double, 2>> cost_table() {
-  std::ifstream file(std::string(SIGHTLINE_SOURCE_DIR) + "/firmware/pdp7/turn/NOTES.md");
+  std::ifstream file(SIGHTLINE_SOURCE_DIR "/firmware/pdp7/turn/NOTES.md");
   std::map<std::string, std::array<double, 2>> table;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
@@ -35,20 +35,25 @@ TEST(TurnCost, ModelPredictsEveryPicture) {
   ASSERT_EQ(table.size(), 12U);
   for (const std::string& name : {cube, block, crossed, lshape, star, std::string("roberts"), std::string("boxes-8"), grid}) {
     const bool large = name == grid;
-    const Session both[] = {
-        Session(turned(name, large ? Memory::words_32k : Memory::words_8k, !large).tape, true),
-        Session(turned(name, large ? Memory::words_32k : Memory::words_8k, !large).tape, false)};
+    const Tape& tape = turned(name, large ? Memory::words_32k : Memory::words_8k, !large).tape;
+    const Program both[] = {assemble_program(true, tape.memory), assemble_program(false, tape.memory)};
     for (const std::uint32_t wire : {0U, wire_switch}) {
       for (unsigned without = 0; without < 2; ++without) {
-        RunOptions options;
+        PicturesOrder order;
         // Another turn than the one that the table was fitted to, backwards.
         const std::uint32_t switches = backward_switch | wire | 3001;
-        options.pictures = Session::pictures_of_turn(3001);
-        options.switches = [switches](std::uint32_t) { return switches; };
-        const auto run = both[without].run(options);
-        ASSERT_EQ(run.difference, "");
-        for (std::size_t i = 2; i < run.pictures.size(); ++i) {
-          const Picture& p = run.twins[i];
+        order.pictures = pictures_of_turn(3001);
+        order.switches = [switches](std::uint32_t) { return switches; };
+        order.check = true;
+        const auto run = run_pictures(both[without], tape, order);
+        ASSERT_TRUE(run) << run.error().message();
+        Twin twin(tape.words, model_base(tape.memory));
+        TwinPicture p;
+        for (std::size_t i = 0; i < run->pictures.size(); ++i) {
+          ASSERT_TRUE(twin.next(switches, p));
+          EXPECT_EQ(run->pictures[i].lines, p.lines);
+          EXPECT_EQ(run->pictures[i].junctions, p.junctions_drawn);
+          if (i < 2) continue;
           const auto cost = [&](const char* item) { return table.at(item)[without]; };
           const double predicted =
               cost("picture") + p.vertices * cost("vertex") + p.slots_empty * cost("empty slot") +
@@ -56,7 +61,7 @@ TEST(TurnCost, ModelPredictsEveryPicture) {
               p.junctions_drawn * cost("junction drawn") + p.beginnings * cost("beginning of lines") +
               p.long_lines * cost("line of more than 127 points") + p.long_words * cost("word of 127 points") +
               p.events * cost("event") + p.changes * cost("change");
-          const double measured = static_cast<double>((run.pictures[i].time - run.pictures[i].waiting).count()) / 1e3;
+          const double measured = static_cast<double>((run->pictures[i].time - run->pictures[i].waiting).count()) / 1e3;
           EXPECT_NEAR(predicted / measured, 1, 0.1) << name << " picture " << i << (without ? " without EAE" : " with EAE");
         }
       }

@@ -19,7 +19,7 @@
 #include "host/algorithms/plantinga/frame.hpp"
 #include "host/algorithms/plantinga/visible_edges.hpp"
 #include "host/programs/turn/precision.hpp"
-#include "host/programs/turn/session.hpp"
+#include "host/programs/turn/turn.hpp"
 #include "tests/host/programs/turn/turned_model.hpp"
 #include "tests/support/effort.hpp"
 
@@ -91,24 +91,24 @@ TEST(TurnStructure, IsThatOfTheMachinesOwnAngle) {
     const TurnedModel& of = turned(name);
     std::vector<std::vector<plantinga::Occluder>> occluders;
     for (plantinga::EdgeIndex e = 0; e < of.model.edges().size(); ++e) occluders.push_back(of.model.occluders_of(e));
-    const Session session(of.tape, true);
+    const Program program = assemble_program(true, of.tape.memory);
     for (const std::uint32_t direction : {0U, backward_switch}) {
-      Guest guest(session.program(), of.tape);
-      GuestPicture picture;
+      Machine machine(program, of.tape);
+      Picture shown;
       const std::uint32_t step = turns() > 1 ? 811 : tests::effort(5197U, 20011U);
       const std::uint32_t slots = of.tape.words[6].value();
       int compared = 0;
-      for (std::uint32_t k = 0; k < Session::pictures_of_turn(step); ++k) {
-        ASSERT_TRUE(guest.next(direction | step, picture));
-        const auto sight = sight_of_word(of.list, picture.angle);
+      for (std::uint32_t k = 0; k < pictures_of_turn(step); ++k) {
+        ASSERT_TRUE(machine.next(direction | step, shown));
+        const auto sight = sight_of_word(of.list, shown.angle);
         if (!sight) continue;
         ++compared;
         const auto expected = states_from_nothing(of, *sight, occluders);
         for (std::uint32_t s = 0; s < expected.size(); ++s)
-          ASSERT_EQ(guest.peek(slots + 4 * s).value(), expected[s]) << name << " angle " << picture.angle << " slot " << s;
+          ASSERT_EQ(machine.peek(slots + 4 * s).value(), expected[s]) << name << " angle " << shown.angle << " slot " << s;
       }
       // All but those between two events that are no 2^-40 apart.
-      EXPECT_GE(compared + 1, static_cast<int>(Session::pictures_of_turn(step))) << name;
+      EXPECT_GE(compared + 1, static_cast<int>(pictures_of_turn(step))) << name;
     }
   }
 }
@@ -134,7 +134,7 @@ TEST(TurnStructure, IsThePictureOfTheExactAlgorithm) {
     const TurnedModel& of = turned(name);
     Twin twin(of.tape.words, model_base(of.tape.memory));
     plantinga::FrameMaker frames(of.model);
-    Picture picture;
+    TwinPicture picture;
     int compared = 0;
     for (std::uint32_t k = 0; k < tests::effort(60U, 6U); ++k) {
       ASSERT_TRUE(twin.next(4391, picture));
@@ -214,7 +214,7 @@ TEST(TurnStructure, EndsAreWhereTheWordsCanHaveThem) {
     double bound = 0;
     std::size_t ends = 0;
     std::size_t beyond_a_point = 0;
-    Picture picture;
+    TwinPicture picture;
     for (std::uint32_t k = 0; k < tests::effort(400U, 60U); ++k) {
       ASSERT_TRUE(twin.next(4391, picture));
       const Points corners = corners_of(picture.display_file);
@@ -349,7 +349,7 @@ TEST(TurnStructure, NothingFlickersAtEvents) {
     Twin twin(of.tape.words, model_base(of.tape.memory));
     constexpr std::uint32_t step = 82;  // 0.99 points at the rim
     constexpr int reach = 4;
-    Picture picture;
+    TwinPicture picture;
     ASSERT_TRUE(twin.next(step, picture));
     std::vector<bool> before = raster_of(picture.display_file);
     int events = 0;

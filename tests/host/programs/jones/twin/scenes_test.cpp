@@ -45,7 +45,7 @@ TEST_P(JonesTwinScenes, EveryViewIsCompleteAndStaysOnTheScreen) {
     parameters.stereo = i % 5 == 4;
     parameters.immediate = i % 7 == 6;
     parameters.scale = i % 3 == 2 ? 64 + static_cast<std::int32_t>(engine() % 4033) : 512;
-    const View view = run(words_, TestCore::header, parameters);
+    const TwinView view = run_twin(words_, TestCore::header, parameters);
     EXPECT_EQ(view.status, Status::complete) << name(view.status);
     EXPECT_LE(view.counts.depth, static_cast<int>(std::min<std::size_t>(cells_, 16)));
     EXPECT_LE(view.counts.distinct_cells, cells_);
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, JonesTwinScenes,
 using JonesTwinHouse = JonesTwinScenes;
 // Fig. 5 of the paper: the kitchen is seen by its door, and by the dining room's door and the hatch.
 TEST_P(JonesTwinHouse, SeesTheKitchenTwice) {
-  const View view = run(words_, TestCore::header, default_parameters(words_, TestCore::header));
+  const TwinView view = run_twin(words_, TestCore::header, default_parameters(words_, TestCore::header));
   EXPECT_EQ(view.counts.visits, 4U);
   EXPECT_EQ(view.counts.distinct_cells, 3U);
   EXPECT_EQ(view.counts.depth, 3);

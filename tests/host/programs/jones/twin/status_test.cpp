@@ -14,11 +14,11 @@ namespace {
 
 // A frame is pushed for each level that is left for a deeper one; under a rectangle it takes 9 words.
 TEST(JonesTwinStatus, StackOverflow) {
-  const View full = view_of(grazing_doorways(50));
+  const TwinView full = view_of(grazing_doorways(50));
   EXPECT_EQ(full.status, Status::complete);
   EXPECT_EQ(full.counts.depth, 51);
   EXPECT_EQ(full.counts.stack_words, 450);
-  const View over = view_of(grazing_doorways(51));
+  const TwinView over = view_of(grazing_doorways(51));
   EXPECT_EQ(over.status, Status::stack_overflow);
   EXPECT_EQ(over.counts.depth, 51);
   EXPECT_TRUE(decode(over).well_formed);
@@ -31,7 +31,7 @@ TEST(JonesTwinStatus, SlopedEdgesTakeFourWordsOfAFrame) {
         x, -x / 2, 2 * x, {{false, 2, x}, {false, 3, 2 * x}, {false, 2, -x}, {false, 3, -2 * x}}};
   };
   const auto words = [&](std::vector<TestOpening> openings) {
-    const View view = view_of(TestCore({{}, {}, {}, {}}, openings));
+    const TwinView view = view_of(TestCore({{}, {}, {}, {}}, openings));
     EXPECT_EQ(view.status, Status::complete);
     EXPECT_EQ(view.counts.visits, openings.size() + 1);
     return view.counts.stack_words;
@@ -60,7 +60,7 @@ TEST(JonesTwinStatus, DisplayFileOverflowLeavesRoomForTheStop) {
     chain.vectors.push_back({true, 1, i % 2 ? -10 : 10});
     chain.vectors.push_back({false, 2, i % 2 ? -10 : 10});
   }
-  const View view = view_of(TestCore({chain}, {}));
+  const TwinView view = view_of(TestCore({chain}, {}));
   EXPECT_EQ(view.status, Status::display_file_overflow);
   EXPECT_EQ(view.counts.pieces, 345U) << "four words each in 1384, less the first and the stop";
   EXPECT_EQ(view.display_file.size(), 1382U);
@@ -128,7 +128,7 @@ TEST(JonesTwinStatus, ArithmeticOverflowCannotComeFromAScene) {
   // What is projected is inside the bound, so the farthest corner at the largest scale still divides.
   Parameters parameters;
   parameters.scale = 4096;
-  const View view = view_of(
+  const TwinView view = view_of(
       TestCore(
           {{-16000,
             -16000,
@@ -158,7 +158,7 @@ TEST(JonesTwinStatus, AnyCoreEndsWithSomeStatus) {
     for (std::uint32_t at = 3; at < core_words; at += 4) core.put(at, engine() % 8);
     Parameters parameters;
     parameters.limit = 20000;
-    const View view = run(core.words, static_cast<std::uint32_t>(engine()) & 017777, parameters);
+    const TwinView view = run_twin(core.words, static_cast<std::uint32_t>(engine()) & 017777, parameters);
     seen.insert(view.status);
     EXPECT_LE(view.display_file.size(), display_file_words);
     EXPECT_TRUE(decode(view).well_formed);

@@ -9,7 +9,7 @@
 namespace sightline::programs::jones {
 namespace {
 
-std::vector<std::uint32_t> octal_words(const View& view) {
+std::vector<std::uint32_t> octal_words(const TwinView& view) {
   std::vector<std::uint32_t> words;
   for (const core::Word18 word : view.display_file) words.push_back(word.value());
   return words;
@@ -17,7 +17,7 @@ std::vector<std::uint32_t> octal_words(const View& view) {
 
 TEST(JonesTwinDisplayFile, OneLineIsFiveVectorsOfRoundedShares) {
   // x/z from -1/2 to 1/2: points 256 to 768 at height 512; 512 in five shares 102 103 102 103 102.
-  const View view = view_of(TestCore({{-50, 0, 100, {{true, 1, 100}}}}, {}));
+  const TwinView view = view_of(TestCore({{-50, 0, 100, {{true, 1, 100}}}}, {}));
   EXPECT_EQ(view.status, Status::complete);
   EXPECT_EQ(octal_words(view), (std::vector<std::uint32_t>{010117, 020000, 0221000, 0102400, 0200146, 0200147,
                                                            0200146, 0200147, 0600146, 003000}));
@@ -25,7 +25,7 @@ TEST(JonesTwinDisplayFile, OneLineIsFiveVectorsOfRoundedShares) {
 
 TEST(JonesTwinDisplayFile, AZeroComponentTakesTheSignOfItsWholeDifference) {
   // Down and to the left: dx = -51, dy = 0, and then dy = -51, dx = 0.
-  const View view = view_of(TestCore({{10, 10, 100, {{true, 1, -10}, {true, 2, -10}}}}, {}));
+  const TwinView view = view_of(TestCore({{10, 10, 100, {{true, 1, -10}, {true, 2, -10}}}}, {}));
   EXPECT_EQ(octal_words(view),
             (std::vector<std::uint32_t>{010117, 020000, 0221063, 0103063, 0200263, 0731400, 003000}));
 }
@@ -34,7 +34,7 @@ TEST(JonesTwinDisplayFile, LinesAddedAtOnceAreNotJoined) {
   const TestCore core({{10, 10, 100, {{true, 1, -10}, {true, 2, -10}}}}, {});
   Parameters parameters;
   parameters.immediate = true;
-  const View view = view_of(core, parameters);
+  const TwinView view = view_of(core, parameters);
   EXPECT_EQ(octal_words(view), (std::vector<std::uint32_t>{010117, 020000, 0221063, 0103063, 0600263, 020000,
                                                            0221063, 0103000, 0731400, 003000}));
 }
@@ -68,7 +68,7 @@ TEST(JonesTwinDisplayFile, EyesOfAStereoPairAreTenUnitsApart) {
 // J1: the eye in the plane of an opening.
 TEST(JonesTwinSearch, EdgeOnOpeningIsDrawnButNotEntered) {
   const TestChain ring{0, -5, 50, {{true, 2, 10}, {true, 3, 30}, {true, 2, -10}, {true, 3, -30}}};
-  const View view = view_of(TestCore({{}, {}}, {{0, 1, ring}}));
+  const TwinView view = view_of(TestCore({{}, {}}, {{0, 1, ring}}));
   EXPECT_EQ(view.status, Status::complete);
   EXPECT_EQ(view.counts.visits, 1U);
   EXPECT_EQ(view.counts.openings_tested, 1U);
@@ -101,7 +101,7 @@ TEST(JonesTwinSearch, LinesFromACornerOnTheMask) {
 
 // J7: a row of doorways whose left sides lie on one ray through the eye.
 TEST(JonesTwinSearch, GrazingDoorwaysKeepFourVertices) {
-  const View view = view_of(grazing_doorways(36));
+  const TwinView view = view_of(grazing_doorways(36));
   EXPECT_EQ(view.status, Status::complete);
   EXPECT_EQ(view.counts.depth, 37);
   EXPECT_EQ(view.counts.mask_vertices, 4);
@@ -110,7 +110,7 @@ TEST(JonesTwinSearch, GrazingDoorwaysKeepFourVertices) {
 
 // J16: the opening just come through is in the far cell's list as well.
 TEST(JonesTwinSearch, NeverGoesBack) {
-  const View view = view_of(TestCore({{}, {}}, {{0, 1, doorway(100, -20, 20, -20, 20)}}));
+  const TwinView view = view_of(TestCore({{}, {}}, {{0, 1, doorway(100, -20, 20, -20, 20)}}));
   EXPECT_EQ(view.counts.visits, 2U);
   EXPECT_EQ(view.counts.openings_tested, 1U) << "the entry itself is not tested";
 }
@@ -141,11 +141,11 @@ TEST(JonesTwinSearch, RingIsDrawnUpToAFault) {
   const auto ring = [](std::uint32_t axis) {
     return TestChain{-20, -20, 100, {{true, 1, 40}, {true, 2, 40}, {true, axis, -40}, {true, 2, -40}}};
   };
-  const View whole = view_of(TestCore({{}, {}}, {{0, 1, ring(1)}}));
+  const TwinView whole = view_of(TestCore({{}, {}}, {{0, 1, ring(1)}}));
   EXPECT_EQ(whole.status, Status::complete);
   EXPECT_EQ(whole.counts.pieces, 4U);
   EXPECT_EQ(whole.counts.vectors, 4U) << "one walk";
-  const View broken = view_of(TestCore({{}, {}}, {{0, 1, ring(0)}}));
+  const TwinView broken = view_of(TestCore({{}, {}}, {{0, 1, ring(0)}}));
   EXPECT_EQ(broken.status, Status::bad_data_element);
   EXPECT_EQ(broken.counts.pieces, 2U);
   EXPECT_EQ(decode(broken).vectors.size(), decode(whole).vectors.size() / 2);

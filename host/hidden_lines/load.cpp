@@ -1,0 +1,105 @@
+// Scenes by name, from a text and from memory; see hidden_lines.hpp.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "host/base/file.hpp"
+#include "host/base/nearest_name.hpp"
+#include "host/base/text.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
+#include "host/scene/check/poly_scene.hpp"
+#include "host/scene/read/builtin.hpp"
+#include "host/scene/read/changes.hpp"
+#include "host/scene/read/poly_import.hpp"
+
+namespace sightline::hidden_lines {
+namespace {
+
+// Of a mesh in memory; the readers of files make none that has these.
+std::optional<base::Error> fault_of(const scene::PolyMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    for (const double coordinate : mesh.vertices[v])
+      if (!std::isfinite(coordinate))
+        return base::Error{mesh.source, fmt::format("vertex {}", v), fmt::format("found {}", coordinate), "a finite number"};
+  const auto outside = [&](std::span<const scene::VertexIndex> ring) {
+    for (const scene::VertexIndex v : ring)
+      if (v >= mesh.vertices.size()) return true;
+    return false;
+  };
+  const std::string expected = fmt::format("indices below {}", mesh.vertices.size());
+  for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
+    for (std::size_t f = 0; f < mesh.bodies[b].faces.size(); ++f) {
+      const scene::PolyFace& face = mesh.bodies[b].faces[f];
+      bool wrong = outside(face.outline);
+      for (const auto& hole : face.holes) wrong = wrong || outside(hole);
+      if (wrong) return base::Error{mesh.source, fmt::format("body {}, face {}", b, f), "an index without a vertex", expected};
+    }
+  }
+  for (std::size_t w = 0; w < mesh.wires.size(); ++w)
+    if (outside(mesh.wires[w])) return base::Error{mesh.source, fmt::format("line {}", w), "an index without a vertex", expected};
+  return std::nullopt;
+}
+
+}  // namespace
+
+base::Result<scene::SceneFile> find(const std::string& name) {
+  if (auto named = scene::named_scene(name)) {
+    if (!*named) named->error().kind = base::ErrorKind::usage;
+    return std::move(*named);
+  }
+  std::error_code unknown;
+  if (!std::filesystem::exists(name, unknown)) {
+    std::vector<std::string> names;
+    for (const std::string_view each : scene::builtin_scene_names()) names.emplace_back(each);
+    return base::Error{.file = name,
+                       .found = "no such file, and no built-in scene of that name",
+                       .expected = "a file, FAMILY-SIZE or one of " + base::joined(names, ", "),
+                       .remedy = base::did_you_mean(name, names),
+                       .kind = base::ErrorKind::io};
+  }
+  auto bytes = base::read_file(name);
+  if (!bytes) {
+    bytes.error().kind = base::ErrorKind::io;
+    return std::move(bytes.error());
+  }
+  std::string folder = std::filesystem::path(name).parent_path().string();
+  if (folder.empty()) folder = ".";
+  return scene::SceneFile{.name = name, .text = {bytes->begin(), bytes->end()}, .folder = std::move(folder)};
+}
+
+base::Result<Scene> load(scene::SceneFile file, const LoadOptions& options) { return scene::load_scene(std::move(file), options); }
+
+base::Result<Scene> load(const std::string& name, const LoadOptions& options) {
+  auto file = find(name);
+  if (!file) return std::move(file.error());
+  return load(std::move(*file), options);
+}
+
+base::Result<Scene> load(scene::PolyMesh mesh, const LoadOptions& options) {
+  if (auto fault = fault_of(mesh)) return std::move(*fault);
+  Scene loaded{.name = mesh.source};
+  auto import = scene::import_poly(std::move(mesh), options);
+  if (!import) return std::move(import.error());
+  loaded.scene = std::move(import->scene);
+  loaded.report = std::move(import->report);
+  // What was mended is in order.
+  if (loaded.report.mended) return loaded;
+  scene::SceneReading reading;
+  reading.errors = scene::check_poly_scene(loaded.scene);
+  reading.loaded = std::move(loaded);
+  return scene::scene_or_error(std::move(reading));
+}
+
+std::vector<std::string> notes_of(const scene::PolyImportReport& report) {
+  std::vector<std::string> notes;
+  const std::string unit = report.unit.empty() ? "" : " " + report.unit;
+  if (report.quantised && report.largest_shift > 0)
+    notes.push_back(fmt::format("coordinates rounded to a step of {}{}, by at most {:.3g}{}", report.step, unit, report.largest_shift, unit));
+  if (std::string changes = scene::changes_text(report); !changes.empty()) notes.push_back(std::move(changes));
+  return notes;
+}
+
+}  // namespace sightline::hidden_lines

@@ -1,0 +1,437 @@
+// Views of a scene, and their drawings; see hidden_lines.hpp.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "host/algorithms/oracle/matter_scene.hpp"
+#include "host/base/json.hpp"
+#include "host/hidden_lines/hidden_lines.hpp"
+#include "host/picture/camera_view.hpp"
+#include "host/picture/hatching.hpp"
+#include "host/picture/line_picture_image.hpp"
+#include "host/picture/line_union.hpp"
+#include "host/scene/check/crossings.hpp"
+#include "host/scene/model/edge_table.hpp"
+#include "host/scene/model/eye_place.hpp"
+#include "host/scene/model/face_cut.hpp"
+#include "host/scene/model/file_units.hpp"
+
+namespace sightline::hidden_lines {
+
+namespace {
+
+using algorithms::oracle::MatterScene;
+using picture::ChosenEdges;
+using picture::EdgeKind;
+using picture::LineLayer;
+using picture::LinePicture;
+using picture::LinePiece;
+
+// Pens that are easily distinguished on white paper.
+constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
+                                                      {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
+
+// The body of an edge: of an edge of several bodies and of a line in which two cross the first one. That of a wire is the number of
+// bodies.
+class BodyOfEdge {
+ public:
+  explicit BodyOfEdge(const scene::PolyScene& scene) : scene_(scene), firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
+
+  [[nodiscard]] std::size_t operator()(const picture::LineEdge& edge) const {
+    const std::size_t number = edges_.find(edge.from, edge.to);
+    if (number == edges_.size()) return body_of(scene::crossing_at(scene_, edge.from)->face_a);
+    const auto uses = edges_.uses(number);
+    return uses.empty() ? scene_.bodies.size() : body_of(uses.front().face);
+  }
+
+ private:
+  [[nodiscard]] std::size_t body_of(std::uint32_t face) const {
+    return static_cast<std::size_t>(std::upper_bound(firsts_.begin(), firsts_.end(), face + 1) - firsts_.begin()) - 1;
+  }
+
+  const scene::PolyScene& scene_;
+  std::vector<std::uint32_t> firsts_;
+  scene::EdgeTable edges_;
+};
+
+// Edges as a person knows them: by their ends in the unit of the file and by their faces. The ends of crossings are on no grid.
+class EdgesInFile {
+ public:
+  explicit EdgesInFile(const scene::PolyScene& scene) : scene_(scene), edges_(scene) {}
+
+  void add(std::span<const picture::LineEdge> edges, Stroke& stroke) const {
+    std::set<std::uint32_t> faces;
+    for (const picture::LineEdge& edge : edges) {
+      stroke.edges.push_back({place_in_file(edge.from), place_in_file(edge.to)});
+      if (const scene::PolyCrossing* const crossing = scene::crossing_at(scene_, edge.from)) {
+        faces.insert({crossing->face_a + 1, crossing->face_b + 1});
+      } else {
+        for (const scene::EdgeTable::Use& use : edges_.uses(edges_.find(edge.from, edge.to))) faces.insert(use.face + 1);
+      }
+    }
+    stroke.faces.assign(faces.begin(), faces.end());
+  }
+
+ private:
+  [[nodiscard]] std::array<double, 3> place_in_file(scene::VertexIndex vertex) const {
+    if (scene::crossing_at(scene_, vertex) == nullptr) return scene::file_point(scene_, scene_.vertices[vertex]);
+    std::array<double, 3> place = scene::place_of(scene_, vertex);
+    for (std::size_t a = 0; a < 3; ++a) place[a] = (place[a] + static_cast<double>(scene_.origin[a])) * scene_.step;
+    return place;
+  }
+
+  const scene::PolyScene& scene_;
+  scene::EdgeTable edges_;
+};
+
+// From above left, behind the eye.
+std::array<double, 3> usual_light(const Camera& camera) {
+  const picture::CameraView view(camera);
+  const auto right = view.axis(0);
+  const auto up = view.axis(1);
+  const auto forward = view.axis(2);
+  std::array<double, 3> light{};
+  for (std::size_t a = 0; a < 3; ++a) light[a] = -0.5 * right[a] + 0.7 * up[a] - 0.5 * forward[a];
+  return light;
+}
+
+// Whether an edge of this kind is no side of a face: a line in which bodies pass through each other, or a wire.
+bool is_apart(EdgeKind kind) { return kind == EdgeKind::intersection || kind == EdgeKind::wire; }
+
+void add_all(std::vector<LineLayer>& layers, std::vector<LineLayer>& more) {
+  layers.insert(layers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+base::Error in_file(base::Error error, const std::string& name) {
+  error.file = name;
+  return error;
+}
+
+base::Result<const registry::LineAlgorithm*> algorithm_named(std::string_view name) {
+  if (const registry::LineAlgorithm* const found = registry::find_line_algorithm(name)) return found;
+  std::string names;
+  for (const registry::LineAlgorithm& each : registry::line_algorithms()) names += (names.empty() ? "" : ", ") + std::string(each.name);
+  return base::Error{.file = "algorithm",
+                     .found = fmt::format("found \"{}\"", name),
+                     .expected = "one of " + names,
+                     .kind = base::ErrorKind::usage};
+}
+
+}  // namespace
+
+base::Result<base::Done> check(const EdgeOptions& options) {
+  if (options.kinds.empty() || picture::edge_choice_named(options.kinds)) return base::Done{};
+  return base::Error{.file = "edges",
+                     .found = fmt::format("found \"{}\"", options.kinds),
+                     .expected = "all, feature, or kinds with commas between them: silhouette, boundary, crease, border, intersection, wire",
+                     .kind = base::ErrorKind::usage};
+}
+
+std::optional<picture::EdgeChoice> edge_choice(const EdgeOptions& options, const scene::PolyScene& scene) {
+  if (options.kinds == "all" && scene.crossings.empty() && scene.wires.empty()) return std::nullopt;
+  picture::EdgeChoice choice = *picture::edge_choice_named(options.kinds.empty() ? "feature" : options.kinds);
+  const bool named = !options.kinds.empty() && options.kinds != "all" && options.kinds != "feature";
+  if (scene.materials_are_colours && !named) choice.kinds[static_cast<std::size_t>(EdgeKind::border)] = false;
+  choice.crease = options.crease.value_or(scene.surfaces.empty() ? 0 : choice.crease);
+  return choice;
+}
+
+class Views::Work {
+ public:
+  Work(const Scene& source, const ViewOptions& options, const registry::LineAlgorithm& algorithm)
+      : source_(source), options_(options), algorithm_(algorithm) {}
+
+  base::Result<base::Done> prepare(std::span<const Camera> cameras) {
+    if (auto checked = check(options_.edges); !checked) return checked;
+    find_matter(cameras);
+    if (!matter_) choose_edges();
+    if (const auto reason = algorithm_.why_not(scene()))
+      return base::Error{.file = source_.name,
+                         .found = fmt::format("{} does not apply: {}", algorithm_.name, *reason),
+                         .kind = base::ErrorKind::usage};
+    if (source_.decomposition && algorithm_.prepare_cells != nullptr) {
+      prepared_ = algorithm_.prepare_cells(source_.decomposition->complex);
+      return base::Done{};
+    }
+    auto made = prepared(scene());
+    if (!made) return in_file(std::move(made.error()), source_.name);
+    prepared_ = std::move(*made);
+    return base::Done{};
+  }
+
+  [[nodiscard]] base::Result<Drawing> at(const Camera& camera) const {
+    if (const auto reason = algorithm_.why_not_seen(source_.scene, camera))
+      return base::Error{source_.name, "camera", fmt::format("{} does not apply to this view: {}", algorithm_.name, *reason)};
+    std::optional<ChosenEdges> chosen;
+    if (matter_) chosen = matter_->lines_at(camera.eye);
+    else if (chooser_) chosen = chooser_->at(camera);
+    auto seen = chosen ? registry::view_of(prepared_, camera, *chosen) : prepared_.view(camera);
+    if (!seen) return in_file(std::move(seen.error()), source_.name);
+    Drawing result;
+    result.visible = std::move(seen->picture);
+    result.counts = std::move(seen->counts);
+    if (chosen && (chosen_by_user_ || matter_)) {
+      result.edges = chosen->edges.size();
+      result.by_kind = chosen->counts();
+    }
+    result.visible_length = picture::image_length(result.visible, scene(), camera);
+    const LinePicture drawn = seams_ ? without_seams(result.visible, chosen, camera) : result.visible;
+    result.pieces = drawn.pieces.size();
+    std::vector<LineLayer> layers = divided(drawn, chosen, false);
+    std::vector<LineLayer> hidden;
+    if (options_.hidden) {
+      LinePicture whole = chosen ? picture::only(whole_edges(), *chosen) : whole_edges();
+      if (seams_) whole = without_seams(whole, chosen, camera);
+      hidden = divided(picture::hidden_pieces(whole, drawn), chosen, true);
+    }
+    if (!options_.hatch) {
+      add_all(layers, hidden);
+      draw(layers, scene(), camera, std::nullopt, result);
+    } else if (auto added = add_hatching(camera, std::move(layers), std::move(hidden), result); !added) {
+      return std::move(added.error());
+    }
+    return result;
+  }
+
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  [[nodiscard]] const scene::PolyScene& scene() const {
+    return matter_ ? matter_->scene() : own_scene_ ? *own_scene_ : source_.scene;
+  }
+
+  // Real lines are drawn by an algorithm that draws more than edges of faces, unless edges of faces are asked for.
+  void find_matter(std::span<const Camera> cameras) {
+    if (!source_.cells || !algorithm_.draws_crossings || options_.edges.are_given() || cameras.empty()) return;
+    const auto leave_out_box = [&](std::string_view reason) { note(fmt::format("the outer box is left out: {}", reason)); };
+    for (const Camera& camera : cameras) {
+      if (!camera.perspective) return leave_out_box("parallel projection looks at the scene from outside");
+      if (!scene::locate(*source_.cells, camera.eye)) return leave_out_box("the eye is outside all cells");
+    }
+    auto matter = MatterScene::of(*source_.cells);
+    if (!matter) return leave_out_box("the scene " + matter.error().message());
+    matter_.emplace(std::move(*matter));
+  }
+
+  void choose_edges() {
+    const bool mesh = !source_.scene.surfaces.empty();
+    if (find_crossings()) own_scene_ = scene::with_crossings(source_.scene);
+    seams_ = !mesh && !options_.edges.are_given();
+    if (seams_ && has_lines_apart()) {
+      chooser_.emplace(scene(), *picture::edge_choice_named("all"));
+    } else if (!seams_) {
+      if (const auto choice = edge_choice(options_.edges, scene())) chooser_.emplace(scene(), *choice);
+    }
+    chosen_by_user_ = chooser_.has_value();
+    if (options_.strokes && !chooser_) chooser_.emplace(scene(), *picture::edge_choice_named("all"));
+  }
+
+  void note(const std::string& text) { notes_.push_back(fmt::format("{}: {}", source_.name, text)); }
+
+  [[nodiscard]] base::Result<registry::PreparedScene> prepared(const scene::PolyScene& of) const {
+    return options_.jobs > 1 && algorithm_.prepare_threads != nullptr ? algorithm_.prepare_threads(of, options_.jobs)
+                                                                      : algorithm_.prepare(of);
+  }
+  // Lines that are no sides of faces: what bodies pass through each other in, and wires.
+  [[nodiscard]] bool has_lines_apart() const { return !scene().crossings.empty() || !scene().wires.empty(); }
+
+  // Whether there are lines in which bodies pass through each other, and they are drawn; if not drawn, a note.
+  [[nodiscard]] bool find_crossings() {
+    if (source_.kind != scene::SceneKind::polyhedra) return false;
+    const auto crossings = scene::crossings_of(source_.scene, 1);
+    if (crossings.empty() || algorithm_.draws_crossings) return !crossings.empty();
+    note(fmt::format("bodies pass through each other, the first at faces {} and {} of the file; `sightline draw exact` draws "
+                     "the lines between them",
+                     crossings[0].face_a, crossings[0].face_b));
+    return false;
+  }
+
+  [[nodiscard]] LinePicture whole_edges() const {
+    LinePicture whole = picture::wire_frame(scene());
+    for (const scene::PolyCrossing& crossing : scene().crossings) whole.pieces.push_back({{crossing.from, crossing.to}, 0, 1});
+    return whole;
+  }
+
+  // Seams are between faces; lines that are no sides of faces are none.
+  [[nodiscard]] LinePicture without_seams(const LinePicture& picture, const std::optional<ChosenEdges>& chosen, const Camera& camera) const {
+    if (!has_lines_apart()) return picture::without_seams(picture, scene(), camera);
+    LinePicture sides;
+    LinePicture apart;
+    std::size_t edge = 0;
+    for (const LinePiece& piece : picture.pieces) {
+      while (chosen->edges[edge] < piece.edge) ++edge;
+      (is_apart(chosen->kinds[edge]) ? apart : sides).pieces.push_back(piece);
+    }
+    LinePicture result = picture::without_seams(sides, scene(), camera);
+    const auto end_of_sides = static_cast<std::ptrdiff_t>(result.pieces.size());
+    result.pieces.insert(result.pieces.end(), apart.pieces.begin(), apart.pieces.end());
+    std::inplace_merge(result.pieces.begin(), result.pieces.begin() + end_of_sides, result.pieces.end(),
+                       [](const LinePiece& a, const LinePiece& b) { return a.edge < b.edge; });
+    return result;
+  }
+
+  // A picture as layers: by body if that is asked for, and by kind where the kinds are known; of kinds that share a label those
+  // before others keep what they have in common. Hidden lines are one layer of a drawing.
+  [[nodiscard]] std::vector<LineLayer> divided(const LinePicture& picture, const std::optional<ChosenEdges>& chosen, bool hidden) const {
+    const std::size_t kinds = chosen ? picture::edge_kind_count : 1;
+    const bool by_body = options_.layers == Layers::body && !hidden;
+    std::vector<LineLayer> layers;
+    const std::size_t bodies = scene().bodies.size();
+    for (std::size_t b = 0; b < (by_body ? bodies + (scene().wires.empty() ? 0 : 1) : 1); ++b) {
+      for (std::size_t k = 0; k < kinds; ++k) {
+        LineLayer layer = hidden ? picture::hidden_layer({}) : LineLayer{"visible", {}};
+        if (chosen) layer.kind = picture::edge_kind_names[k];
+        if (by_body) {
+          const std::string name = b < bodies ? scene().bodies[b].name : "wires";
+          layer.label = name.empty() ? fmt::format("body {}", b + 1) : name;
+          layer.colour = body_colours[b % body_colours.size()];
+        } else if (!hidden && options_.layers == Layers::kind && chosen_by_user_ && (!seams_ || is_apart(static_cast<EdgeKind>(k)))) {
+          layer.label = layer.kind;
+        }
+        layers.push_back(std::move(layer));
+      }
+    }
+    std::optional<BodyOfEdge> body_of;
+    if (by_body) body_of.emplace(scene());
+    std::size_t edge = 0;
+    for (const LinePiece& piece : picture.pieces) {
+      std::size_t layer = by_body ? (*body_of)(piece.edge) * kinds : 0;
+      if (chosen) {
+        while (chosen->edges[edge] < piece.edge) ++edge;
+        layer += static_cast<std::size_t>(chosen->kinds[edge]);
+      }
+      layers[layer].picture.pieces.push_back(piece);
+    }
+    if (seams_ && !by_body) {
+      // Sides of faces are one layer of the drawing.
+      std::stable_partition(layers.begin(), layers.end(), [](const LineLayer& layer) { return layer.label != layer.kind; });
+    }
+    return layers;
+  }
+
+  // Into a window if one is given. The layers' pictures are given up.
+  void draw(std::vector<LineLayer>& layers, const scene::PolyScene& of, const Camera& camera,
+            const std::optional<picture::ImageWindow>& given, Drawing& result) const {
+    const picture::DrawingField& field = options_.field;
+    picture::UnitedLines lines = picture::united_lines(layers, of, camera);
+    const picture::ImageWindow window = given ? *given : picture::drawing_window(lines, camera, field);
+    if (options_.hatch) picture::leave_out_hatching_on_lines(lines, layers, window);
+    for (LineLayer& layer : layers) layer.picture = {};
+    const std::vector<picture::LineStroke> strokes = picture::strokes_in(lines, layers, window, field);
+    result.stroke_count = strokes.size();
+    for (const picture::LineStroke& stroke : strokes)
+      result.drawn_length += std::hypot(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1]);
+    result.drawn_length *= window.units(field);
+    result.picture = picture::line_drawing(strokes, layers, window, field);
+    if (!options_.strokes) return;
+    const EdgesInFile edges(of);
+    for (const picture::LineStroke& stroke : strokes) {
+      const LineLayer& layer = layers[stroke.layer];
+      Stroke& added = result.strokes.emplace_back();
+      added = {window.in_field(stroke.from, field), window.in_field(stroke.to, field), layer.kind, layer.label, layer.hidden};
+      edges.add({lines.sources.data() + stroke.first_source, stroke.source_count}, added);
+    }
+  }
+
+  base::Result<base::Done> add_hatching(const Camera& camera, std::vector<LineLayer> layers, std::vector<LineLayer> hidden,
+                                        Drawing& result) const {
+    std::vector<LineLayer> edges = layers;
+    edges.insert(edges.end(), hidden.begin(), hidden.end());
+    const picture::ImageWindow window = picture::drawing_window(picture::united_lines(edges, scene(), camera), camera, options_.field);
+    const double units = window.units(options_.field);
+    const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing, options_.hatch->light.value_or(usual_light(camera))};
+    const auto hatching = picture::hatched(scene(), camera, window, units, wanted);
+    if (!hatching) return in_file(hatching.error(), "hatch");
+    const auto lines = prepared(hatching->scene);
+    if (!lines) return in_file(lines.error(), source_.name);
+    const auto seen = registry::view_of(*lines, camera, hatching->lines);
+    if (!seen) return in_file(seen.error(), source_.name);
+    LineLayer along{"hatching", {}, {}, std::string(picture::hatching_kind)};
+    LineLayer across{"cross-hatching", {}, {}, std::string(picture::cross_hatching_kind)};
+    std::size_t line = 0;
+    for (const LinePiece& piece : seen->picture.pieces) {
+      while (hatching->lines.edges[line] < piece.edge) ++line;
+      (hatching->across[line] != 0 ? across : along).picture.pieces.push_back(piece);
+    }
+    result.hatch_lines = hatching->lines.edges.size();
+    result.hatch_pieces = seen->picture.pieces.size();
+    layers.push_back(std::move(along));
+    layers.push_back(std::move(across));
+    add_all(layers, hidden);
+    draw(layers, hatching->scene, camera, window, result);
+    return base::Done{};
+  }
+
+  const Scene& source_;
+  const ViewOptions options_;
+  const registry::LineAlgorithm& algorithm_;
+  std::optional<MatterScene> matter_;          // of a scene of cells: its real lines are drawn, not the edges of faces
+  std::optional<scene::PolyScene> own_scene_;  // with crossings
+  bool chosen_by_user_ = false;                // or by the scene; else kinds are known for the list of strokes alone
+  bool seams_ = false;                         // are left out: of a scene that is no mesh, and of which nothing is asked
+  std::optional<picture::EdgeChooser> chooser_;
+  registry::PreparedScene prepared_;
+  std::vector<std::string> notes_;
+};
+
+Views::Views(std::unique_ptr<const Work> work) : work_(std::move(work)) {}
+Views::Views(Views&&) noexcept = default;
+Views& Views::operator=(Views&&) noexcept = default;
+Views::~Views() = default;
+
+base::Result<Views> Views::of(const Scene& scene, const ViewOptions& options, std::span<const Camera> cameras) {
+  const auto algorithm = algorithm_named(options.algorithm);
+  if (!algorithm) return algorithm.error();
+  auto work = std::make_unique<Work>(scene, options, **algorithm);
+  if (auto prepared = work->prepare(cameras); !prepared) return std::move(prepared.error());
+  return Views(std::move(work));
+}
+
+base::Result<Drawing> Views::at(const Camera& camera) const { return work_->at(camera); }
+
+const std::vector<std::string>& Views::notes() const { return work_->notes(); }
+
+base::Result<Drawing> view(const Scene& scene, const Camera& camera, const ViewOptions& options) {
+  const auto views = Views::of(scene, options, {&camera, 1});
+  if (!views) return views.error();
+  auto drawing = views->at(camera);
+  if (drawing) drawing->notes = views->notes();
+  return drawing;
+}
+
+base::Result<registry::LineView> visible_edges(const scene::PolyScene& scene, const Camera& camera, std::string_view algorithm) {
+  const auto found = algorithm_named(algorithm);
+  if (!found) return found.error();
+  const registry::LineAlgorithm& by = **found;
+  if (const auto reason = by.why_not(scene)) return base::bad_input(*reason);
+  if (const auto reason = by.why_not_seen(scene, camera)) return base::bad_input(*reason);
+  const auto prepared = by.prepare(scene);
+  if (!prepared) return prepared.error();
+  return prepared->view(camera);
+}
+
+std::string json_lines(std::span<const Stroke> strokes, double margin) {
+  const auto moved = [margin](const std::array<double, 2>& end) {
+    base::Json point = base::Json::array();
+    constexpr double parts = 1e6;  // finer than any file of a drawing
+    for (const double c : end) point.push_back(std::round((c + margin) * parts) / parts);
+    return point;
+  };
+  std::string text;
+  for (const Stroke& stroke : strokes) {
+    base::Json line{{"from", moved(stroke.from)}, {"to", moved(stroke.to)}, {"kind", stroke.kind}, {"layer", stroke.layer},
+                    {"hidden", stroke.hidden}};
+    base::Json ends = base::Json::array();
+    for (const auto& [from, to] : stroke.edges) ends.push_back(base::Json::array({from, to}));
+    line["edges"] = ends;
+    line["faces"] = stroke.faces;
+    text += line.dump() + "\n";
+  }
+  return text;
+}
+
+}  // namespace sightline::hidden_lines

@@ -1,0 +1,129 @@
+// A prepared program's core for another eye against the program assembled for that eye, word for word; its runs against the
+// twin; and what a run that fails says.
+#include "host/programs/jones/jones.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "host/scene/check/problems.hpp"
+#include "tests/firmware/jones_core.hpp"
+#include "tests/support/dice.hpp"
+#include "tests/support/effort.hpp"
+
+namespace sightline::programs::jones {
+namespace {
+
+constexpr int eyes = 50;
+constexpr int run_every = 10;
+
+class JonesRun : public testing::TestWithParam<const char*> {
+ protected:
+  // Anywhere in the scene's box and a little beside it: some of the places are none to stand at.
+  geometry::Point random_eye() {
+    geometry::Point eye{};
+    for (std::size_t a = 0; a < 3; ++a) eye[a] = dice_(scene_.outer.low[a] - 1, scene_.outer.high[a] + 1);
+    return eye;
+  }
+
+  scene::CellScene scene_ = scene::builtin_scene(GetParam());
+  Dice dice_{1};
+};
+
+TEST_P(JonesRun, AnotherEyeIsAnotherAssembly) {
+  if (scene_.name != "house") NEEDS_OPTIMISED_CODE();
+  const auto prepared = Prepared::of(scene_);
+  ASSERT_TRUE(prepared);
+  int stood = 0;
+  for (int n = 0; n < eyes; ++n) {
+    const geometry::Point eye = random_eye();
+    const auto core = prepared->core_at(eye);
+    const auto program = assemble_program(scene_, {}, eye);
+    ASSERT_EQ(core.has_value(), program.has_value());
+    if (!core) {
+      EXPECT_EQ(core.error(), program.error());
+      continue;
+    }
+    const auto& words = *core;
+    ASSERT_EQ(words, program->core) << scene::text_of(eye);
+    if (stood++ % run_every != 0) continue;
+    Order order;
+    order.eye = eye;
+    order.views = 1;
+    order.display = false;
+    order.check = true;
+    const auto there = prepared->run(order);
+    ASSERT_TRUE(there) << scene::text_of(eye) << there.error().message();
+    order.check = false;
+    const Outcome assembled = outcome_of(*program, order);
+    ASSERT_EQ(there->views.size(), 1U);
+    ASSERT_EQ(assembled.views.size(), 1U);
+    EXPECT_EQ(there->views[0].display_file, assembled.views[0].display_file);
+    EXPECT_EQ(there->views[0].time, assembled.views[0].time);
+  }
+  EXPECT_GT(stood, eyes / 4);
+}
+
+TEST_P(JonesRun, ItsTwinKnowsItsModes) {
+  for (const unsigned fraction : {0U, 3U}) {
+    Order order;
+    order.views = 1;
+    order.display = false;
+    order.scale = 700;
+    order.stereo = fraction == 3;
+    order.immediate = fraction == 0;
+    order.check = true;
+    const auto outcome = run(scene_, {fraction == 0, fraction, fraction == 3}, order);
+    EXPECT_TRUE(outcome) << outcome.error().message();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, JonesRun, testing::ValuesIn(scene_names),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(JonesRuns, SayWhatFailed) {
+  const scene::CellScene house = scene::builtin_scene("house");
+  Order order;
+  order.views = 1;
+  order.time_limit = core::Duration(1000);
+  const auto late = run(house, {}, order);
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().kind, base::ErrorKind::program_failed);
+  EXPECT_EQ(late.error().message(), "the program did not complete a view in 0 emulated seconds");
+  order.eye = geometry::Point{-10000, 0, 0};
+  const auto nowhere = run(house, {}, order);
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().kind, base::ErrorKind::bad_input);
+}
+
+// A view is compared with the twin's of another scale.
+TEST(JonesRuns, NameADifference) {
+  const auto prepared = Prepared::of(scene::builtin_scene("house"));
+  ASSERT_TRUE(prepared);
+  Order order;
+  order.views = 1;
+  order.display = false;
+  const auto outcome = prepared->run(order);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(difference_of(outcome->view(), *prepared->twin(order)), "");
+  order.scale = 700;
+  EXPECT_TRUE(difference_of(outcome->view(), *prepared->twin(order)).starts_with("word ")) << "of the display file";
+}
+
+// The scene's own view need not be one that the program accepts.
+TEST(JonesRuns, AreFromAnotherEyeThanTheScenes) {
+  scene::CellScene house = scene::builtin_scene("house");
+  const geometry::Point eye = house.default_view;
+  house.default_view[2] = -1000;
+  Order order;
+  order.views = 1;
+  order.display = false;
+  ASSERT_FALSE(run(house, {}, order));
+  order.eye = eye;
+  const auto outcome = run(house, {}, order);
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  EXPECT_EQ(outcome->view().display_file, run(scene::builtin_scene("house"), {}, order)->view().display_file);
+}
+
+}  // namespace
+}  // namespace sightline::programs::jones
