@@ -11,9 +11,9 @@ namespace sightline::compare {
 // + 1; 0 for none.
 [[nodiscard]] picture::PixelGrid nearest_faces(const CommonScene& scene, const CrossCheckView& view);
 
-// The facets of an algorithm's surface picture, painted far to near: number of the triangle of the scene + 1,
-// 0 outside. A facet that is a whole cell is divided where the picture allows it and the scene is. The scene
-// has heights (precondition). Empty if a facet is no cell of the scene.
+// The facets of a method's surface picture, painted far to near: number of the triangle of the scene + 1,
+// 0 outside. A facet that is a whole cell is divided where the picture allows it and the scene is. The method
+// draws vectors, and the scene has heights (preconditions). Empty if a facet is no cell of the scene.
 [[nodiscard]] picture::PixelGrid surface_faces(const registry::HeightAlgorithm& algorithm, const CommonScene& scene,
                                                const CrossCheckView& view);
 

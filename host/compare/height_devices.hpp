@@ -28,7 +28,7 @@ namespace sightline::compare {
 struct ComparedDevice {
   programs::skala::Device device = programs::skala::Device::ef9365;
   std::string_view name;     // "ef9365", "alt256", "calcomp", "minigraf"
-  std::string difference;    // where the guest is not its twin; empty: nowhere
+  std::string difference;    // where the program is not its twin, or why it failed; empty: nowhere
   core::TStates time{};      // of drawing
   picture::PixelGrid dots;   // lit, or marked by the pen, without the outline of contours
   picture::PixelGrid truth;  // exact lines by the program's rule; of a surface on a board, where a cell is seen

@@ -37,7 +37,7 @@ std::optional<std::string> any_grid(const HeightGrid&, const View&) {
   return std::nullopt;
 }
 
-HeightPicture draw_guest(const HeightGrid& grid, const View& view) {
+HeightPicture draw_on_machine(const HeightGrid& grid, const View& view) {
   const auto run = skala::run({.grid = grid, .view = view, .check = true});
   HeightPicture picture;
   picture.drawing_time = core::TStates{};
@@ -130,7 +130,7 @@ HeightPicture draw_oracle(const HeightGrid& grid, const View& view) {
 
 constexpr std::array rows{
     HeightMethod{"guest", "Skala's program (1985) on the emulated 8080 with its raster board", any_grid,
-                 draw_guest},
+                 draw_on_machine},
     HeightMethod{"twin", "The same program in C++, dot for dot", any_grid, draw_twin},
     HeightMethod{"native", "Skala's masks as a modern algorithm: vectors on masks finer than a dot",
                  why_no_native, draw_native},

@@ -318,10 +318,10 @@ PageGallery stripes_gallery(const DemoResults& results) {
   PageGallery gallery{"Montani and Re 1985: faces in stripes on the 8080", 3, "A grey a face, on the EF9365 board.", {}};
   for (const StripesDemoRow& row : results.stripes) {
     if (row.plotter) continue;
-    const auto& guest = row.drawn.picture;
+    const programs::stripes::MachinePicture& picture = row.drawn.picture;
     gallery.figures.push_back({row.scene + "-stripes.png",
                                fmt::format("{}: {} faces in {:.2f} s", row.scene, row.drawn.scene.faces.size(),
-                                           core::in_seconds(guest.receiving + guest.working())),
+                                           core::in_seconds(picture.receiving + picture.working())),
                                true});
   }
   return gallery;

@@ -155,8 +155,8 @@ Verdict flight_verdict(const DemoResults& results) {
 Verdict stripes_verdict(const DemoResults& results) {
   Range drawing;
   for (const StripesDemoRow& row : results.stripes) {
-    const auto& guest = row.drawn.picture;
-    if (!row.plotter) drawing.add(core::in_seconds(guest.receiving + guest.working()));
+    const programs::stripes::MachinePicture& picture = row.drawn.picture;
+    if (!row.plotter) drawing.add(core::in_seconds(picture.receiving + picture.working()));
   }
   const MethodRange range = range_of(results.answer, compare::stripes_name, "faces");
   const MethodRange pen = range_of(results.answer, fmt::format("{} pen", compare::stripes_name), "lines");

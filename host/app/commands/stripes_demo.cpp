@@ -38,10 +38,10 @@ std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows) {
   std::string text = fmt::format("{:<11}{:>9}{:>7}{:>13}{:>15}{:>12}{:>10}\n", "scene", "device", "faces", "bytes sent",
                                  "priority list", "drawing", "seconds");
   for (const StripesDemoRow& row : rows) {
-    const stripes::MachinePicture& guest = row.drawn.picture;
+    const stripes::MachinePicture& picture = row.drawn.picture;
     text += fmt::format("{:<11}{:>9}{:>7}{:>13}{:>15.2f}{:>12.2f}{:>10.2f}\n", row.scene, row.plotter ? "plotter" : "raster",
-                        row.drawn.scene.faces.size(), row.drawn.stream.bytes.size(), core::in_seconds(guest.ranking),
-                        core::in_seconds(guest.drawing), core::in_seconds(guest.receiving + guest.working()));
+                        row.drawn.scene.faces.size(), row.drawn.stream.bytes.size(), core::in_seconds(picture.ranking),
+                        core::in_seconds(picture.drawing), core::in_seconds(picture.receiving + picture.working()));
   }
   text += "Seconds at 3 MHz; the last column has the receipt, too. Stripes and priority list are made by the 8080.\n";
   return text;
@@ -50,14 +50,14 @@ std::string stripes_demo_table(const std::vector<StripesDemoRow>& rows) {
 void add_stripes_demo(base::Json& document, const std::vector<StripesDemoRow>& rows) {
   document["stripes"] = base::Json::array();
   for (const StripesDemoRow& row : rows) {
-    const stripes::MachinePicture& guest = row.drawn.picture;
+    const stripes::MachinePicture& picture = row.drawn.picture;
     document["stripes"].push_back({{"scene", row.scene},
                                    {"device", row.plotter ? "calcomp" : "raster"},
                                    {"faces", row.drawn.scene.faces.size()},
                                    {"scene_bytes", row.drawn.stream.bytes.size()},
-                                   {"receiving_seconds", core::in_seconds(guest.receiving)},
-                                   {"priority_seconds", core::in_seconds(guest.ranking)},
-                                   {"drawing_seconds", core::in_seconds(guest.drawing)}});
+                                   {"receiving_seconds", core::in_seconds(picture.receiving)},
+                                   {"priority_seconds", core::in_seconds(picture.ranking)},
+                                   {"drawing_seconds", core::in_seconds(picture.drawing)}});
   }
 }
 

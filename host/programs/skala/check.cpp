@@ -21,12 +21,12 @@ void for_places(Action action) {
       if (action(static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y))) return;
 }
 
-std::string difference(const core::Raster& guest, const core::Raster& twin) {
+std::string difference(const core::Raster& machine, const core::Raster& twin) {
   std::string text;
-  if (guest == twin) return text;
+  if (machine == twin) return text;
   for_places([&](std::uint8_t x, std::uint8_t y) {
-    if (guest.at(x, y) == twin.at(x, y)) return false;
-    text = fmt::format("dot ({}, {}): the program {}, its twin {}", x, y, guest.at(x, y), twin.at(x, y));
+    if (machine.at(x, y) == twin.at(x, y)) return false;
+    text = fmt::format("dot ({}, {}): the program {}, its twin {}", x, y, machine.at(x, y), twin.at(x, y));
     return true;
   });
   return text;
@@ -39,28 +39,28 @@ std::string described(std::span<const PlotterMove> moves, std::size_t number) {
   return fmt::format("{} ({}, {})", names[static_cast<std::size_t>(move.action)], move.x, move.y);
 }
 
-std::string difference(std::span<const PlotterMove> guest, std::span<const PlotterMove> twin) {
-  const auto [in_guest, in_twin] = std::mismatch(guest.begin(), guest.end(), twin.begin(), twin.end());
-  if (in_guest == guest.end() && in_twin == twin.end()) return {};
-  const auto number = static_cast<std::size_t>(in_guest - guest.begin());
+std::string difference(std::span<const PlotterMove> machine, std::span<const PlotterMove> twin) {
+  const auto [in_machine, in_twin] = std::mismatch(machine.begin(), machine.end(), twin.begin(), twin.end());
+  if (in_machine == machine.end() && in_twin == twin.end()) return {};
+  const auto number = static_cast<std::size_t>(in_machine - machine.begin());
   return fmt::format("movement {} of the plotter: the program {}, its twin {}", number + 1,
-                     described(guest, number), described(twin, number));
+                     described(machine, number), described(twin, number));
 }
 
 // Of a surface's slices a plotter's program keeps nothing.
-std::string difference(const Columns& guest, const Columns& twin, bool slices) {
-  for (std::size_t x = 0; x < guest.mask_top.size(); ++x) {
-    const auto said = [x](std::string_view mask, int in_guest, int in_twin) {
-      return fmt::format("{} of column {}: the program {}, its twin {}", mask, x, in_guest, in_twin);
+std::string difference(const Columns& machine, const Columns& twin, bool slices) {
+  for (std::size_t x = 0; x < machine.mask_top.size(); ++x) {
+    const auto said = [x](std::string_view mask, int in_machine, int in_twin) {
+      return fmt::format("{} of column {}: the program {}, its twin {}", mask, x, in_machine, in_twin);
     };
-    if (guest.mask_top[x] != twin.mask_top[x]) return said("mask top", guest.mask_top[x], twin.mask_top[x]);
-    if (guest.mask_bottom[x] != twin.mask_bottom[x])
-      return said("mask bottom", guest.mask_bottom[x], twin.mask_bottom[x]);
+    if (machine.mask_top[x] != twin.mask_top[x]) return said("mask top", machine.mask_top[x], twin.mask_top[x]);
+    if (machine.mask_bottom[x] != twin.mask_bottom[x])
+      return said("mask bottom", machine.mask_bottom[x], twin.mask_bottom[x]);
     if (!slices) continue;
-    if (guest.previous_level[x] != twin.previous_level[x])
-      return said("level of the previous slice", guest.previous_level[x], twin.previous_level[x]);
-    if (guest.previous_level[x] != 0 && guest.previous_y[x] != twin.previous_y[x])
-      return said("row of the previous slice", guest.previous_y[x], twin.previous_y[x]);
+    if (machine.previous_level[x] != twin.previous_level[x])
+      return said("level of the previous slice", machine.previous_level[x], twin.previous_level[x]);
+    if (machine.previous_level[x] != 0 && machine.previous_y[x] != twin.previous_y[x])
+      return said("row of the previous slice", machine.previous_y[x], twin.previous_y[x]);
   }
   return {};
 }

@@ -13,7 +13,6 @@ struct Counts {
   std::uint32_t cuts = 0;              // faces cut by another
   std::uint32_t silhouette_most = 0;   // toggles in a line of the silhouette
   std::uint32_t face_most = 0;         // of a face
-  std::uint32_t seen_most = 0;         // of what is seen of it
   std::uint32_t dots = 0;              // shown
   std::uint32_t links = 0;             // drawn by the pen
 

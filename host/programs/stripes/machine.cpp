@@ -20,16 +20,73 @@ namespace sightline::programs::stripes {
 
 namespace {
 
-// Notes the commands to the plotter.
+// Notes the commands to the plotter. Ends a run where the program begins to wait for it and where it need wait no longer: nothing has to be
+// observed there, and a run without an observer is faster.
 class PlotterFront final : public i8080::Front {
  public:
   explicit PlotterFront(i8080::Machine& machine) : Front(machine, devices::CalComp565::info.writes) {}
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
+    const std::uint8_t status = Front::in(port, at);
+    const bool busy = (status & devices::CalComp565::Status::busy) != 0;
+    if (busy != waiting_) machine().request_stop();
+    waiting_ = busy;
+    return status;
+  }
   void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
     commands.push_back(value);
     Front::out(port, value, at);
   }
 
+  [[nodiscard]] bool waiting() const { return waiting_; }
+
   std::vector<std::uint8_t> commands;
+
+ private:
+  bool waiting_ = false;
+};
+
+// Toggles of the list at `at`.
+std::uint32_t toggles_at(const i8080::Machine& machine, i8080::Address at) {
+  std::uint32_t count = 0;
+  while (machine.peek(at++) != picture_size) ++count;
+  return count;
+}
+
+// Counts faces on the raster board, where the program writes a face's colour before it draws the face: its stripes are made by then, and
+// the silhouette is that of all faces before it.
+class ColourFront final : public i8080::Front {
+ public:
+  ColourFront(i8080::Machine& machine, const Labels& labels) : Front(machine, colour), labels_(labels) {}
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override {
+    Front::out(port, value, at);
+    count_silhouette();
+    low_ = machine().peek(labels_.lines);
+    high_ = machine().peek(static_cast<i8080::Address>(labels_.lines + 1));
+    for (int line = low_; line < high_; ++line)
+      face_most_ = std::max(face_most_, toggles_at(machine(), static_cast<i8080::Address>(labels_.face_slots + 16 * line)));
+  }
+
+  // At the end of the run.
+  void add_to(Counts& counts) {
+    count_silhouette();
+    counts.face_most = face_most_;
+    counts.silhouette_most = silhouette_most_;
+  }
+
+ private:
+  static constexpr core::PortRange colour[]{{0x50, 0x50}};
+
+  // Where the last face has changed it.
+  void count_silhouette() {
+    for (int line = low_; line < high_; ++line)
+      silhouette_most_ = std::max(silhouette_most_, toggles_at(machine(), static_cast<i8080::Address>(labels_.silhouette_slots + 32 * line)));
+  }
+
+  const Labels& labels_;
+  int low_ = 0;
+  int high_ = 0;
+  std::uint32_t face_most_ = 0;
+  std::uint32_t silhouette_most_ = 0;
 };
 
 // The machine is a part of this program, so that an error ends the process.
@@ -60,7 +117,9 @@ void add_faults(const devices::CalComp565Counts& counts, MachinePicture& picture
 // Notes when the program comes to its parts, and counts what it does in them.
 class WorkObserver final : public i8080::Observer {
  public:
-  WorkObserver(const i8080::Machine& machine, const Labels& labels, std::size_t faces) : machine_(machine), labels_(labels), faces_(faces) {
+  // `whole`: the drawing is observed, too; else the run ends where it begins.
+  WorkObserver(const i8080::Machine& machine, const Labels& labels, std::size_t faces, bool whole)
+      : machine_(machine), labels_(labels), faces_(faces), whole_(whole) {
     for (const i8080::Address place : {labels.check, labels.drawing, labels.tests, labels.sides, labels.common, labels.first_hides,
                                        labels.second_hides, labels.hides, labels.classes, labels.deleted, labels.line_done})
       places_[place] = i8080::mark::stop;
@@ -71,6 +130,7 @@ class WorkObserver final : public i8080::Observer {
     if (places_[next] == 0) return false;
     if (next == labels_.check) check_ = now;
     if (next == labels_.drawing) drawing_ = now;
+    if (next == labels_.drawing && !whole_) return true;
     if (next == labels_.line_done) count_line();
     if (next == labels_.deleted) ++deletions_;
     if (next == labels_.hides) ++counts_.relations;
@@ -119,23 +179,17 @@ class WorkObserver final : public i8080::Observer {
     const auto word = [this](i8080::Address at) {
       return static_cast<i8080::Address>(machine_.peek(at) | machine_.peek(static_cast<i8080::Address>(at + 1)) << 8U);
     };
-    const auto toggles = [this](i8080::Address at) {
-      std::uint32_t count = 0;
-      while (machine_.peek(at++) != picture_size) ++count;
-      return count;
-    };
-    counts_.face_most = std::max(counts_.face_most, toggles(word(labels_.face_line)));
-    counts_.silhouette_most = std::max(counts_.silhouette_most, toggles(word(labels_.shadow_line)));
-    std::uint32_t seen = 0;
+    counts_.face_most = std::max(counts_.face_most, toggles_at(machine_, word(labels_.face_line)));
+    counts_.silhouette_most = std::max(counts_.silhouette_most, toggles_at(machine_, word(labels_.shadow_line)));
+    bool inside = false;
     std::uint32_t from = 0;
     for (auto at = static_cast<i8080::Address>(labels_.difference - 1);; at = static_cast<i8080::Address>(at - 2)) {
       const std::uint32_t toggle = machine_.peek(at);
-      if (seen % 2 == 1) counts_.dots += toggle - from;
+      if (inside) counts_.dots += toggle - from;
       if (toggle == picture_size) break;
       from = toggle;
-      ++seen;
+      inside = !inside;
     }
-    counts_.seen_most = std::max(counts_.seen_most, seen);
   }
 
   const i8080::Machine& machine_;
@@ -145,6 +199,7 @@ class WorkObserver final : public i8080::Observer {
   core::TStateInstant drawing_ = core::never_t;
   Counts counts_;
   std::size_t faces_;
+  bool whole_;
   std::size_t pairs_ = 0;
   std::uint32_t deletions_ = 0;
   bool ranked_ = false;
@@ -186,8 +241,14 @@ MachinePicture run_machine(const Program& program, std::span<const std::uint8_t>
   machine.start(program.labels.start);
   i8080::Limits limits;
   limits.until = core::at_t_state(options.t_state_limit > 0 ? options.t_state_limit : limit_for(options));
-  WorkObserver work(machine, program.labels, stream.size() >= header_bytes ? stream[header_bytes - 1] : 0U);
-  const i8080::StopReason reason = machine.run(limits, work);
+  std::optional<ColourFront> colour_front;
+  if (options.device == Device::ef9365) colour_front.emplace(machine, program.labels);
+  WorkObserver work(machine, program.labels, stream.size() >= header_bytes ? stream[header_bytes - 1] : 0U,
+                    options.device == Device::calcomp);
+  i8080::StopReason reason = i8080::StopReason::device;
+  while (reason == i8080::StopReason::device)
+    reason = plotter_front && plotter_front->waiting() ? machine.run(limits) : machine.run(limits, work);
+  if (reason == i8080::StopReason::observer) reason = machine.run(limits);
   MachinePicture picture;
   picture.ended = reason == i8080::StopReason::halt;
   picture.status = static_cast<Status>(machine.peek(program.labels.status));
@@ -207,6 +268,11 @@ MachinePicture run_machine(const Program& program, std::span<const std::uint8_t>
   if (plotter_front) picture.commands = std::move(plotter_front->commands);
   picture.counts = work.counts();
   picture.counts.links = links_of(picture.commands);
+  if (colour_front) {
+    colour_front->add_to(picture.counts);
+    const auto dots = picture.raster.points();
+    picture.counts.dots = static_cast<std::uint32_t>(std::count_if(dots.begin(), dots.end(), [](std::uint8_t level) { return level != 0; }));
+  }
   picture.receiving = std::min(work.check(), end).time_since_epoch();
   picture.ranking = std::min(work.drawing(), end) - std::min(work.check(), end);
   picture.drawing = end - std::min(work.drawing(), end);

@@ -1,5 +1,5 @@
 // Runs the program of firmware/i8080/stripes on the emulated 8080 with its parallel link and one device, the EF9365 board or the
-// CalComp 565, and measures it: receipt, priority list, drawing. An observer notes when the program comes to its labels, and counts;
+// CalComp 565, and measures it: receipt, priority list, drawing. An observer notes when the program comes to its labels, and counts with what is put before the ports;
 // nothing is added to the program.
 #pragma once
 

@@ -22,6 +22,9 @@ Program assemble_program() {
   labels.deleted = at("DELETE");
   labels.line_done = at("DRAW8");
   labels.cuts = at("NCUT");
+  labels.lines = at("YLO");
+  labels.face_slots = at("FS");
+  labels.silhouette_slots = at("SS");
   labels.face_line = at("FPTR");
   labels.shadow_line = at("SPTR");
   labels.difference = at("VTOP");

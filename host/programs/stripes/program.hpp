@@ -34,6 +34,9 @@ struct Labels {
   i8080::Address deleted = 0;
   i8080::Address line_done = 0;
   i8080::Address cuts = 0;        // NCUT
+  i8080::Address lines = 0;       // YLO, YHI: of the face at hand, from, to before
+  i8080::Address face_slots = 0;  // FS: its lists, 16 bytes a line
+  i8080::Address silhouette_slots = 0;  // SS: those of the silhouette, 32 bytes a line
   i8080::Address face_line = 0;   // FPTR: where the list of the line of the face is
   i8080::Address shadow_line = 0; // SPTR: that of the silhouette
   i8080::Address difference = 0;  // VTOP: below it the list of what is seen, downwards, two bytes each, the upper one the toggle

@@ -25,7 +25,7 @@ base::Error too_full(const TwinPicture& twin, const ProjectedScene& scene) {
   const Counts& counts = twin.counts;
   if (counts.silhouette_most > most_silhouette_toggles)
     return too_many("a silhouette", counts.silhouette_most, most_silhouette_toggles);
-  if (counts.seen_most > most_seen_toggles) return too_many("what is seen", counts.seen_most, most_seen_toggles);
+  if (twin.seen_most > most_seen_toggles) return too_many("what is seen", twin.seen_most, most_seen_toggles);
   if (twin.cuts.size() == most_cuts)
     return base::Error{"", place, fmt::format("more than {} cuts of cyclic overlaps", most_cuts),
                        fmt::format("at most {} for the 8080", most_cuts)};

@@ -485,7 +485,7 @@ class Drawing {
       line = less(face, shadow);
       shadow = either(shadow, face);
       most(picture_.counts.silhouette_most, shadow.size());
-      most(picture_.counts.seen_most, line.size());
+      most(picture_.seen_most, line.size());
       if (shadow.size() > most_silhouette_toggles) throw Stop{Status::full, f};
       if (vector() && line.size() > most_seen_toggles) throw Stop{Status::full, f};
       fill(line, seen.low + static_cast<int>(k), f);

@@ -22,6 +22,7 @@ struct TwinPicture {
   std::vector<std::uint8_t> order;     // the priority list
   std::vector<std::pair<std::uint8_t, std::uint8_t>> cuts;  // face, what it is cut by
   std::vector<std::uint8_t> items;     // picture_size squared, from the lowest line: face + 1, 0 for none
+  std::uint32_t seen_most = 0;  // toggles in a line of what is seen of a face
   Counts counts;
 };
 

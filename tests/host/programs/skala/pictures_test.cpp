@@ -9,7 +9,7 @@
 #include "host/programs/skala/picture.hpp"
 #include "host/picture/pen_drawing.hpp"
 #include "host/picture/raster_image.hpp"
-#include "tests/host/programs/skala/guest_support.hpp"
+#include "tests/host/programs/skala/machine_support.hpp"
 #include "tests/support/approve_png.hpp"
 
 namespace sightline::programs::skala {

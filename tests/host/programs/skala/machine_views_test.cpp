@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/host/programs/skala/guest_support.hpp"
+#include "tests/host/programs/skala/machine_support.hpp"
 #include "tests/support/effort.hpp"
 
 namespace sightline::programs::skala {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "host/programs/skala/skala.hpp"
-#include "tests/host/programs/skala/guest_support.hpp"
+#include "tests/host/programs/skala/machine_support.hpp"
 #include "tests/host/programs/skala/twin/support.hpp"
 
 namespace sightline::programs::skala {
