@@ -56,11 +56,4 @@ inline constexpr std::size_t prisms_in_block = 35;
 [[nodiscard]] base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size,
                                                      std::uint64_t seed = 1);
 
-// FAMILY-SIZE-SEED.
-struct GeneratedSceneName {
-  std::string_view family;
-  std::size_t size = 0;
-  std::uint64_t seed = 0;
-};
-
 }  // namespace sightline::scene

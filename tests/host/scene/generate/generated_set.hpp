@@ -11,6 +11,12 @@
 
 namespace sightline::scene {
 
+struct GeneratedSceneName {
+  std::string_view family;
+  std::size_t size = 0;
+  std::uint64_t seed = 0;
+};
+
 // Boxes and triangles are convex; in `rooms` a door leaves three rectangles of its wall, a hatch four.
 inline std::size_t convex_faces(const PolyScene& scene) {
   std::size_t count = 0;
