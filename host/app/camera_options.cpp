@@ -11,13 +11,14 @@
 #include "host/base/number.hpp"
 #include "host/base/text.hpp"
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/file_units.hpp"
 
 namespace sightline::app {
 namespace {
 
-using Vector = std::array<double, 3>;
+using Vector = geometry::RealVector;
 
 // --view: how a scene is looked at, in multiples of its right, its up and of away from who stands before it.
 struct Preset {
@@ -92,21 +93,21 @@ bool has_exact_vectors(const CameraArguments& arguments) {
   return !arguments.forward.empty() || !arguments.right.empty();
 }
 
-void refuse_together(const CameraArguments& arguments) {
-  const auto refuse = [](std::string_view a, const std::string& given_a, std::string_view b,
+void reject_mutually_exclusive(const CameraArguments& arguments) {
+  const auto reject = [](std::string_view a, const std::string& given_a, std::string_view b,
                          const std::string& given_b) {
     if (!given_a.empty() && !given_b.empty())
       throw base::usage_error(fmt::format("found {} and {}, expected one of them", a, b));
   };
-  refuse("--orthographic", arguments.orthographic, "--eye", arguments.eye);
-  refuse("--orthographic", arguments.orthographic, "--look-at", arguments.look_at);
-  refuse("--orthographic", arguments.orthographic, "--forward", arguments.forward);
-  refuse("--look-at", arguments.look_at, "--forward", arguments.forward);
-  refuse("--vertical", arguments.vertical, "--forward", arguments.forward);
-  refuse("--view", arguments.view, "--eye", arguments.eye);
-  refuse("--view", arguments.view, "--look-at", arguments.look_at);
-  refuse("--view", arguments.view, "--orthographic", arguments.orthographic);
-  refuse("--view", arguments.view, "--forward", arguments.forward);
+  reject("--orthographic", arguments.orthographic, "--eye", arguments.eye);
+  reject("--orthographic", arguments.orthographic, "--look-at", arguments.look_at);
+  reject("--orthographic", arguments.orthographic, "--forward", arguments.forward);
+  reject("--look-at", arguments.look_at, "--forward", arguments.forward);
+  reject("--vertical", arguments.vertical, "--forward", arguments.forward);
+  reject("--view", arguments.view, "--eye", arguments.eye);
+  reject("--view", arguments.view, "--look-at", arguments.look_at);
+  reject("--view", arguments.view, "--orthographic", arguments.orthographic);
+  reject("--view", arguments.view, "--forward", arguments.forward);
   if (arguments.perspective && arguments.view.empty())
     throw base::usage_error("found --perspective without --view, expected both: other cameras are in perspective anyway");
   if (has_exact_vectors(arguments) &&
@@ -153,14 +154,6 @@ GridPoint grid_point_argument(std::string_view option, const std::string& text, 
   return point;
 }
 
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector vector_of(const scene::PolyPoint& p) {
-  return {double(p[0]), double(p[1]), double(p[2])};
-}
-
 class Aiming {
  public:
   Aiming(const CameraArguments& arguments, const scene::PolyScene& scene)
@@ -175,23 +168,23 @@ class Aiming {
     scene::PolyCamera camera = scene_.camera;
     if (!arguments_.vertical.empty() && !scene_.vertices.empty()) camera = three_quarter_camera(frame_, scene_);
     if (arguments_.eye.empty() && arguments_.look_at.empty()) {
-      return arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, vector_of(camera.forward), camera.perspective);
+      return arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, geometry::real_vector(camera.forward), camera.perspective);
     }
     camera.perspective = true;
-    GridPoint eye{vector_of(camera.eye), camera.eye};
+    GridPoint eye{geometry::real_vector(camera.eye), camera.eye};
     if (!arguments_.eye.empty()) eye = grid_point_argument("--eye", arguments_.eye, arguments_, scene_);
     camera.eye = eye.at;
     const scene::PolyBounds bounds = bounds_of(scene_);
     if (arguments_.look_at.empty() && bounds.contain(camera.eye)) return {camera};
-    Vector target = vector_of(bounds.middle());
+    Vector target = geometry::real_vector(bounds.middle());
     if (!arguments_.look_at.empty()) {
       const GridPoint point = grid_point_argument("--look-at", arguments_.look_at, arguments_, scene_);
       if (point.at == eye.at)
         throw base::usage_error(fmt::format("--look-at: found the eye itself, {}", arguments_.look_at));
       target = point.given;
     }
-    if (target == eye.given) target = vector_of(bounds.low);
-    return towards(camera.eye, difference(target, eye.given), true);
+    if (target == eye.given) target = geometry::real_vector(bounds.low);
+    return towards(camera.eye, geometry::difference(target, eye.given), true);
   }
 
  private:
@@ -207,7 +200,7 @@ class Aiming {
       const scene::PolyCamera camera = camera_outside(frame_, scene_, direction, arguments_.perspective);
       // The direction is the same with --up and without.
       const AimedCamera aimed =
-          arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, vector_of(camera.forward), camera.perspective);
+          arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, geometry::real_vector(camera.forward), camera.perspective);
       return {aimed.camera, angle_to(aimed.camera, direction)};
     }
     throw base::usage_error(fmt::format("--view: found \"{}\", expected {}, or the eye, X,Y,Z", arguments_.view,
@@ -313,7 +306,7 @@ scene::SceneFrame frame_of(const CameraArguments& arguments, const scene::PolySc
 AimedCamera aimed_camera_of(const CameraArguments& given, const scene::PolyScene& scene,
                             const std::string& source) {
   const CameraArguments arguments = with_eye(given);
-  refuse_together(arguments);
+  reject_mutually_exclusive(arguments);
   AimedCamera aimed;
   if (!has_exact_vectors(arguments)) {
     aimed = Aiming(arguments, scene).aim();
@@ -339,7 +332,7 @@ scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyS
 std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                            const scene::PolyCamera& camera, int number, int count) {
   const scene::PolyPoint middle = bounds_of(scene).middle();
-  const Vector moved = turned_by(frame, difference(vector_of(camera.eye), vector_of(middle)), number, count);
+  const Vector moved = turned_by(frame, geometry::difference(geometry::real_vector(camera.eye), geometry::real_vector(middle)), number, count);
   scene::PolyPoint eye{};
   for (std::size_t a = 0; a < 3; ++a) {
     const double place = std::round(middle[a] + moved[a]);
@@ -360,7 +353,7 @@ scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::Poly
     }
     eye = *moved;
   }
-  const Vector direction = turned_by(frame, vector_of(camera.forward), number, count);
+  const Vector direction = turned_by(frame, geometry::real_vector(camera.forward), number, count);
   // An upright picture stays upright.
   scene::PolyPoint upright{};
   upright[frame.vertical] = 1;
@@ -368,7 +361,7 @@ scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::Poly
   const bool is_upright = camera.right[frame.vertical] == 0 && !geometry::is_zero(across);
   if (is_upright && camera.up[frame.vertical] * (frame.downwards ? -1 : 1) > 0)
     return aimed_camera(frame, eye, scene::direction_of(direction), camera.perspective);
-  return turned_camera(frame, eye, direction, turned_by(frame, vector_of(camera.up), number, count), camera.perspective);
+  return turned_camera(frame, eye, direction, turned_by(frame, geometry::real_vector(camera.up), number, count), camera.perspective);
 }
 
 base::Json camera_json(const scene::PolyScene& scene, const AimedCamera& aimed) {

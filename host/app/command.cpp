@@ -67,7 +67,7 @@ std::string shown_name(const std::string& path) {
 base::Bytes read_input(const std::string& path) {
   if (path == "-") return read_stdin();
   auto bytes = base::read_file(path, largest_input);
-  if (!bytes) throw base::io_error(bytes.error().message());
+  if (!bytes) throw bytes.error();
   return std::move(*bytes);
 }
 
@@ -95,7 +95,7 @@ void print_json(const base::Json& document) {
 Output::Output(const std::string& path) {
   if (path == "-") return;
   auto file = base::AtomicFile::create(path);
-  if (!file) throw base::io_error(file.error().message());
+  if (!file) throw file.error();
   file_ = std::make_unique<base::AtomicFile>(std::move(*file));
 }
 
@@ -118,7 +118,7 @@ void Output::write(std::span<const std::uint8_t> bytes) {
 void Output::commit() {
   if (!file_) return check_stdout();
   const auto done = file_->commit();
-  if (!done) throw base::io_error(done.error().message());
+  if (!done) throw done.error();
 }
 
 std::string why_no_whole_number(const std::string& text) {

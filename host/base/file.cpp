@@ -16,7 +16,7 @@ namespace sightline::base {
 namespace {
 
 Error system_error(const std::string& path, const char* doing, int code) {
-  return {path, "", std::string(doing) + ": " + std::generic_category().message(code), ""};
+  return {.file = path, .found = std::string(doing) + ": " + std::generic_category().message(code), .kind = ErrorKind::io};
 }
 
 // Where a symbolic link leads, so that the link itself is kept.
@@ -94,8 +94,12 @@ AtomicFile::~AtomicFile() {
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
   std::error_code failed;
   if (std::filesystem::is_symlink(path, failed) && !std::filesystem::exists(path, failed))
-    return Error{path, "", "cannot write: found a symbolic link to " + std::filesystem::read_symlink(path, failed).string() +
-                     ", where there is no file", "a link to a file", "remove the link, or make the file first"};
+    return Error{.file = path,
+                 .found = "cannot write: found a symbolic link to " + std::filesystem::read_symlink(path, failed).string() +
+                          ", where there is no file",
+                 .expected = "a link to a file",
+                 .remedy = "remove the link, or make the file first",
+                 .kind = ErrorKind::io};
   std::string target = follow_links(path);
   const auto status = std::filesystem::status(target, failed);
   if (failed == std::errc::filename_too_long) return system_error(path, "cannot write", ENAMETOOLONG);
@@ -119,7 +123,10 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
     }
     if (errno != EEXIST) return system_error(path, "cannot write", errno);
   }
-  return Error{path, "", "cannot write: too many left-over files " + target + ".partial*", "none"};
+  return Error{.file = path,
+               .found = "cannot write: too many left-over files " + target + ".partial*",
+               .expected = "none",
+               .kind = ErrorKind::io};
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -189,7 +196,7 @@ Result<Bytes> read_file(const std::string& path, std::size_t limit) {
     const std::size_t n = std::fread(block.data(), 1, block.size(), file.get());
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(n));
     if (bytes.size() > limit) {
-      return Error{path, "", "more than " + std::to_string(limit) + " bytes", "a smaller file"};
+      return Error{.file = path, .found = "more than " + std::to_string(limit) + " bytes", .expected = "a smaller file", .kind = ErrorKind::io};
     }
     if (n == block.size()) continue;
     if (std::ferror(file.get()) != 0) return system_error(path, "cannot read", errno != 0 ? errno : EIO);

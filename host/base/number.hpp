@@ -62,8 +62,9 @@ template <std::integral Number, std::size_t count>
 // The same without a leading '+' and without an exponent, from `least` to `most`.
 [[nodiscard]] std::optional<double> fixed_number(std::string_view text, double least, double most);
 
-// The shortest text that reads as the same number, fixed or with an exponent, whichever is shorter (fixed if both are), as
-// std::to_chars writes it; whose tables are a fourteenth of a module for browsers.
+// The shortest text that reads as the same number, as std::to_chars writes it: fixed or with an exponent, whichever is
+// shorter, and fixed if both are equally short. Our own, because the tables of std::to_chars would be a fourteenth of the
+// page's module.
 [[nodiscard]] std::string shortest_number(double value);
 
 // A time in seconds with three digits, in the unit that suits it: "1.5 s", "12.3 ms", "7 us".

@@ -33,14 +33,14 @@ std::string_view without_mark(std::string_view text, int radix) {
   return text;
 }
 
-std::string with_case(std::string_view text, int (*change)(int)) {
-  std::string changed(text);
-  for (char& c : changed) c = static_cast<char>(change(static_cast<unsigned char>(c)));
-  return changed;
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return upper;
 }
 
 std::string register_name(std::string_view setting) {
-  return with_case(setting.substr(0, setting.find('=')), &std::toupper);
+  return upper_case(setting.substr(0, setting.find('=')));
 }
 
 std::string address_text(const MachineDescription& machine, std::uint32_t address) {
@@ -381,7 +381,7 @@ bool has_endings(const MachineDescription& machine) {
 const Format* format_by_name(const MachineDescription& machine, std::string_view path) {
   for (const Format& format : machine.formats) {
     if (!format.ending.empty() &&
-        (path.ends_with(format.ending) || path.ends_with(with_case(format.ending, &std::toupper))))
+        (path.ends_with(format.ending) || path.ends_with(upper_case(format.ending))))
       return &format;
   }
   return nullptr;
@@ -568,7 +568,7 @@ base::Json json_report(const MachineDescription& description, const Machine& mac
   base::Json& registers = report["registers"] = base::Json::object();
   for (std::size_t n = 0; n < description.registers.size(); ++n) {
     const Register& each = description.registers[n];
-    base::Json& value = registers[with_case(each.name, &std::tolower)];
+    base::Json& value = registers[base::lower_case(each.name)];
     if (each.bits == 1) {
       value = machine.get(n);
     } else {

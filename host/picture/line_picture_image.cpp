@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/geometry/predicates.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/scene/model/face_cut.hpp"
 
 namespace sightline::picture {
@@ -74,13 +75,11 @@ ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
 // Where a place on a crossing is seen, not scaled by lengths; its ends are no points of the grid.
 std::array<double, 2> crossing_image(const LineEdge& edge, double s, const scene::PolyScene& scene,
                                      const scene::PolyCamera& camera) {
-  const std::array<double, 3> from = scene::place_of(scene, edge.from);
-  const std::array<double, 3> to = scene::place_of(scene, edge.to);
-  const auto along = [&](const scene::PolyPoint& axis) {
-    double sum = 0;
-    for (std::size_t a = 0; a < 3; ++a) sum += axis[a] * (from[a] + s * (to[a] - from[a]) - camera.eye[a]);
-    return sum;
-  };
+  const geometry::RealVector from = scene::place_of(scene, edge.from);
+  const geometry::RealVector to = scene::place_of(scene, edge.to);
+  geometry::RealVector d{};
+  for (std::size_t a = 0; a < 3; ++a) d[a] = from[a] + s * (to[a] - from[a]) - camera.eye[a];
+  const auto along = [&d](const scene::PolyPoint& axis) { return geometry::dot(geometry::real_vector(axis), d); };
   const double over = camera.perspective ? along(camera.forward) : 1;
   return {along(camera.right) / over, along(camera.up) / over};
 }

@@ -115,7 +115,7 @@ std::optional<base::Error> make_temporary(Temporary& folder) {
   std::string name = (files::temp_directory_path(error) / "sightline-plot-XXXXXX").string();
   if (error || ::mkdtemp(name.data()) == nullptr) {
     const std::string why = error ? error.message() : std::generic_category().message(errno);
-    return base::Error{base::ErrorKind::io, fmt::format("{}: cannot make a folder for a plot: {}", name, why)};
+    return base::io_error(fmt::format("{}: cannot make a folder for a plot: {}", name, why));
   }
   folder.path = name;
   return std::nullopt;
@@ -145,8 +145,8 @@ int run_gnuplot(const std::string& argument, const std::string& said) {
 }
 
 base::Error not_run(int code) {
-  if (code == ENOENT) return {base::ErrorKind::io, std::string(missing)};
-  return {base::ErrorKind::io, "gnuplot cannot be run: " + std::generic_category().message(code)};
+  if (code == ENOENT) return base::io_error(missing);
+  return base::io_error("gnuplot cannot be run: " + std::generic_category().message(code));
 }
 
 std::string text_of(const files::path& path) {
@@ -206,19 +206,19 @@ base::Result<Figure> draw_plot(const Plot& plot) {
   const files::path said = folder.path / "said.txt";
   const auto written = base::write_file_atomically(
       script.string(), fmt::format("set output {}\n", in_quotes(drawing.string())) + gnuplot_script(plot));
-  if (!written) return base::Error{base::ErrorKind::io, written.error().message()};
+  if (!written) return written.error();
   const int status = run_gnuplot(script.string(), said.string());
   if (status < 0) return not_run(errno);
   auto bytes = base::read_file(drawing.string());
   if (status != 0 || !bytes || bytes->empty())
-    return base::Error{base::ErrorKind::io, fmt::format("{}: gnuplot drew nothing: {}", plot.id, text_of(said))};
+    return base::io_error(fmt::format("{}: gnuplot drew nothing: {}", plot.id, text_of(said)));
   return Figure{plot.id, plot.title, plot.caption, plot.alternative, "image/svg+xml", std::move(*bytes)};
 }
 
 std::optional<base::Error> gnuplot_missing() {
   const int status = run_gnuplot("--version", "/dev/null");
   if (status < 0) return not_run(errno);
-  if (status != 0) return base::Error{base::ErrorKind::io, std::string(missing)};
+  if (status != 0) return base::io_error(missing);
   return std::nullopt;
 }
 

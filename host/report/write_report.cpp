@@ -20,10 +20,6 @@ namespace {
 
 namespace files = std::filesystem;
 
-base::Error file_error(const std::string& message) {
-  return {base::ErrorKind::io, message};
-}
-
 // Directories made, and gone again unless kept.
 class MadeDirectories {
  public:
@@ -43,11 +39,11 @@ class MadeDirectories {
       if (files::create_directory(so_far, error)) {
         made_.push_back(so_far);
       } else if (error) {
-        return file_error(so_far.string() + ": cannot make a directory: " + error.message());
+        return base::io_error(so_far.string() + ": cannot make a directory: " + error.message());
       }
     }
     if (files::is_directory(path, error)) return std::nullopt;
-    return file_error(path.string() + ": found a file, expected a directory");
+    return base::io_error(path.string() + ": found a file, expected a directory");
   }
 
   void keep() { made_.clear(); }
@@ -107,8 +103,8 @@ class Checker {
     if (!ids_.insert(text).second) wrong(fmt::format("id {}: found twice in the report", text));
   }
 
-  void wrong(std::string message) {
-    if (!error_) error_ = base::Error{base::ErrorKind::bad_input, std::move(message)};
+  void wrong(const std::string& message) {
+    if (!error_) error_ = base::bad_input(message);
   }
 
   std::set<std::string> ids_;
@@ -120,7 +116,7 @@ class FileSet {
  public:
   std::optional<base::Error> add(const files::path& path, std::string_view text) {
     auto file = base::AtomicFile::create(path.string());
-    if (!file) return file_error(file.error().message());
+    if (!file) return file.error();
     file->write(text);
     paths_.push_back(path.string());
     files_.push_back(std::move(*file));
@@ -129,7 +125,7 @@ class FileSet {
 
   base::Result<std::vector<std::string>> commit() {
     for (auto& file : files_)
-      if (const auto done = file.commit(); !done) return file_error(done.error().message());
+      if (const auto done = file.commit(); !done) return done.error();
     std::rotate(paths_.begin(), paths_.end() - 1, paths_.end());
     return std::move(paths_);
   }
@@ -163,7 +159,7 @@ base::Result<base::Done> prepare_directory(const std::string& directory) {
   for (const files::path& path :
        {files::path(directory) / page_name, files::path(directory) / tables_name / "try"}) {
     const auto file = base::AtomicFile::create(path.string());
-    if (!file) return file_error(file.error().message());
+    if (!file) return file.error();
   }
   made.keep();
   return base::Done{};

@@ -31,17 +31,17 @@
 
 namespace sightline::algorithms::jones {
 
-// What a view has met of a complex, without clearing anything between views, which would cost as much as the
-// complex is large: an entry counts if it bears the view's number.
-struct Met {
+// The openings and cells that a view has reached. Nothing is cleared between views, which would take time in proportion to
+// the complex: an entry is valid if it has the number of the view.
+struct Reached {
   struct Opening {
     std::uint32_t view = 0;
     std::uint32_t first_plane = 0;  // 0 if its planes of sight are not worked out yet
     std::int16_t eye_side = 0;      // of its plane
-    std::uint16_t shutting = 0;     // its side (modulo 2^16) beyond which the last mask lay that it did not meet
+    std::uint16_t excluding_side = 0;  // the side (modulo 2^16) beyond which the last mask lay that did not overlap the opening
   };
 
-  explicit Met(const scene::CellComplex& complex)
+  explicit Reached(const scene::CellComplex& complex)
       : openings(complex.openings.size()), cells(complex.cells.size()) {}
 
   void begin_view() {
@@ -63,7 +63,7 @@ class Search {
  public:
   explicit Search(Listener listener = {}) : listener_(listener) {}
 
-  [[nodiscard]] base::Result<View> run(const PreparedComplex& prepared, Met& met,
+  [[nodiscard]] base::Result<View> run(const PreparedComplex& prepared, Reached& reached,
                                        const scene::PolyCamera& camera, const Start& start);
 
  private:
@@ -81,7 +81,7 @@ class Search {
   // One view: the search with what it looks at.
   struct Pass {
     const PreparedComplex& prepared;
-    Met& met;
+    Reached& reached;
     const Sight sight;
     Search& search;
     Counts counts;
@@ -102,10 +102,10 @@ class Search {
     void look_out(const Waiting& waiting, std::uint32_t opening);
     void look_through(std::uint32_t number, bool from_negative_side, std::uint32_t depth);
     [[nodiscard]] bool faces_eye(std::uint32_t number, bool from_negative_side);
-    void make_planes(const scene::ComplexOpening& opening, Met::Opening& state);
+    void make_planes(const scene::ComplexOpening& opening, Reached::Opening& state);
     [[nodiscard]] std::span<const Side> first_mask(std::uint32_t first_plane, std::uint32_t count);
     [[nodiscard]] std::span<const Side> clipped(std::span<const Side> mask, std::uint32_t plane);
-    [[nodiscard]] std::span<const Side> clipped_by_sides(std::span<const Side> mask, Met::Opening& opening,
+    [[nodiscard]] std::span<const Side> clipped_by_sides(std::span<const Side> mask, Reached::Opening& opening,
                                                          std::uint32_t count);
   };
 
@@ -127,14 +127,14 @@ class Search {
 };
 
 template <class Arithmetic, class Listener>
-base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prepared, Met& met,
+base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prepared, Reached& reached,
                                            const scene::PolyCamera& camera, const Start& start) {
-  met.begin_view();
+  reached.begin_view();
   planes_.clear();
   waiting_.clear();
   waiting_sides_.clear();
   fragments_.clear();
-  Pass pass{prepared, met, Sight(camera), *this, {}};
+  Pass pass{prepared, reached, Sight(camera), *this, {}};
   planes_.push_back(pass.sight.template before_eye<Number>());
   if (start.outside) {
     pass.see_all();
@@ -170,8 +170,8 @@ void Search<Arithmetic, Listener>::Pass::visit(const Waiting& waiting) {
   search.listener_.entered(waiting.cell, waiting.depth, search.mask_planes_);
   ++counts.visits;
   counts.depth = std::max<std::uint64_t>(counts.depth, waiting.depth);
-  if (met.cells[waiting.cell] != met.view) {
-    met.cells[waiting.cell] = met.view;
+  if (reached.cells[waiting.cell] != reached.view) {
+    reached.cells[waiting.cell] = reached.view;
     ++counts.cells;
   }
   const scene::CellComplex& complex = prepared.complex();
@@ -218,7 +218,7 @@ void Search<Arithmetic, Listener>::Pass::look_through(std::uint32_t number, bool
                                             std::uint32_t depth) {
   const scene::ComplexOpening& opening = prepared.complex().openings[number];
   ++counts.openings_tested;
-  Met::Opening& state = met.openings[number];
+  Reached::Opening& state = reached.openings[number];
   if (state.first_plane == 0) make_planes(opening, state);
   const std::uint32_t first = state.first_plane;
   std::span<const Side> left = search.mask_;
@@ -243,17 +243,17 @@ void Search<Arithmetic, Listener>::Pass::look_through(std::uint32_t number, bool
 // The eye is off the opening's plane, on its negative side or on the other.
 template <class Arithmetic, class Listener>
 inline bool Search<Arithmetic, Listener>::Pass::faces_eye(std::uint32_t number, bool from_negative_side) {
-  Met::Opening& state = met.openings[number];
-  if (state.view != met.view) {
+  Reached::Opening& state = reached.openings[number];
+  if (state.view != reached.view) {
     const std::uint32_t plane = prepared.complex().openings[number].plane;
-    state = {met.view, 0, static_cast<std::int16_t>(geometry::sign(sight.eye_value(prepared.planes()[plane]))), 0};
+    state = {reached.view, 0, static_cast<std::int16_t>(geometry::sign(sight.eye_value(prepared.planes()[plane]))), 0};
   }
   return state.eye_side == (from_negative_side ? -1 : 1);
 }
 
 // In the order in which they go round as a mask does.
 template <class Arithmetic, class Listener>
-void Search<Arithmetic, Listener>::Pass::make_planes(const scene::ComplexOpening& opening, Met::Opening& state) {
+void Search<Arithmetic, Listener>::Pass::make_planes(const scene::ComplexOpening& opening, Reached::Opening& state) {
   const std::size_t first = search.planes_.size();
   state.first_plane = static_cast<std::uint32_t>(first);
   const geometry::Plane& plane = prepared.planes()[opening.plane];
@@ -301,10 +301,10 @@ auto Search<Arithmetic, Listener>::Pass::clipped(std::span<const Side> mask, std
 // Most openings are beside the mask, so all sides are asked first whether they leave anything of it, beginning with the
 // one that did not the last time; and a side that cuts nothing off the mask cuts nothing off what the others leave.
 template <class Arithmetic, class Listener>
-auto Search<Arithmetic, Listener>::Pass::clipped_by_sides(std::span<const Side> mask, Met::Opening& opening,
+auto Search<Arithmetic, Listener>::Pass::clipped_by_sides(std::span<const Side> mask, Reached::Opening& opening,
                                                           std::uint32_t count) -> std::span<const Side> {
   if (search.cutting_planes_.size() < count) search.cutting_planes_.resize(count);
-  std::uint32_t side = opening.shutting;
+  std::uint32_t side = opening.excluding_side;
   for (std::uint32_t i = 0; i < count; ++i) {
     const typename Arithmetic::Line line = image(opening.first_plane + side);
     unsigned inside = 0;
@@ -315,7 +315,7 @@ auto Search<Arithmetic, Listener>::Pass::clipped_by_sides(std::span<const Side> 
       outside |= static_cast<unsigned>(sign < 0);
     }
     if (inside == 0) {
-      opening.shutting = static_cast<std::uint16_t>(side);
+      opening.excluding_side = static_cast<std::uint16_t>(side);
       return {};
     }
     search.cutting_planes_[side] = static_cast<std::uint8_t>(outside);

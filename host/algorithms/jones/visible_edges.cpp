@@ -47,10 +47,10 @@ bool too_far(const scene::PolyPoint& eye) {
 }  // namespace
 
 struct Walker::State {
-  explicit State(const PreparedComplex& complex) : prepared(&complex), met(complex.complex()) {}
+  explicit State(const PreparedComplex& complex) : prepared(&complex), reached(complex.complex()) {}
 
   const PreparedComplex* prepared;
-  Met met;
+  Reached reached;
   Search<NarrowArithmetic> narrow;
   Search<MediumArithmetic> medium;
   Search<WideArithmetic> wide;
@@ -69,11 +69,11 @@ base::Result<View> Walker::visible_edges(const scene::PolyCamera& camera) {
   const std::optional<Start> start = find_start(prepared, camera);
   if (!start) return base::bad_input(eye_in_solid);
   switch (*width) {
-    case Width::narrow: return state_->narrow.run(prepared, state_->met, camera, *start);
-    case Width::medium: return state_->medium.run(prepared, state_->met, camera, *start);
+    case Width::narrow: return state_->narrow.run(prepared, state_->reached, camera, *start);
+    case Width::medium: return state_->medium.run(prepared, state_->reached, camera, *start);
     case Width::wide: break;
   }
-  return state_->wide.run(prepared, state_->met, camera, *start);
+  return state_->wide.run(prepared, state_->reached, camera, *start);
 }
 
 base::Result<View> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera, Trace& trace) {
@@ -83,10 +83,10 @@ base::Result<View> visible_edges(const scene::CellComplex& complex, const scene:
   const std::optional<Start> start = find_start(prepared, camera);
   if (!start) return base::bad_input(eye_in_solid);
   trace.start(start->cells, start->outside);
-  Met met(complex);
+  Reached reached(complex);
   // The widest numbers do for every view, and give the same.
   Search<WideArithmetic, Watched> search{Watched(trace)};
-  return search.run(prepared, met, camera, *start);
+  return search.run(prepared, reached, camera, *start);
 }
 
 base::Result<View> visible_edges(const scene::CellComplex& complex, const scene::PolyCamera& camera) {

@@ -74,39 +74,6 @@ class Writer {
   Bytes bytes_;
 };
 
-}  // namespace
-
-Bytes encode_events(const EventList& list) {
-  Writer writer;
-  for (const char c : mark) writer.bytes().push_back(static_cast<std::uint8_t>(c));
-  writer.bytes().push_back(version);
-  writer.fixed(list.fingerprint);
-  writer.fixed(std::bit_cast<std::uint64_t>(list.tolerance));
-  for (const EdgeStructure& structure : list.first) writer.pieces(structure);
-  writer.number(list.events.size());
-  for (const Event& event : list.events) {
-    writer.direction(event.direction);
-    writer.number(event.change_count);
-    for (const Change& change : list.changes_of(event)) {
-      writer.number(change.edge);
-      writer.pieces(list.added_by(change));
-    }
-  }
-  writer.fixed(checksum(writer.bytes().data(), writer.bytes().size()));
-  return std::move(writer.bytes());
-}
-
-base::Result<base::Done> write_events(const std::string& path, const EventList& list) {
-  return base::write_file_atomically(path, encode_events(list));
-}
-
-// The reader, which believes nothing.
-
-namespace {
-
-using base::Bytes;
-using base::Error;
-
 // Nothing in a file of this many bytes needs larger run numbers.
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
@@ -307,6 +274,30 @@ class Reader {
 };
 
 }  // namespace
+
+Bytes encode_events(const EventList& list) {
+  Writer writer;
+  for (const char c : mark) writer.bytes().push_back(static_cast<std::uint8_t>(c));
+  writer.bytes().push_back(version);
+  writer.fixed(list.fingerprint);
+  writer.fixed(std::bit_cast<std::uint64_t>(list.tolerance));
+  for (const EdgeStructure& structure : list.first) writer.pieces(structure);
+  writer.number(list.events.size());
+  for (const Event& event : list.events) {
+    writer.direction(event.direction);
+    writer.number(event.change_count);
+    for (const Change& change : list.changes_of(event)) {
+      writer.number(change.edge);
+      writer.pieces(list.added_by(change));
+    }
+  }
+  writer.fixed(checksum(writer.bytes().data(), writer.bytes().size()));
+  return std::move(writer.bytes());
+}
+
+base::Result<base::Done> write_events(const std::string& path, const EventList& list) {
+  return base::write_file_atomically(path, encode_events(list));
+}
 
 base::Result<EventList> decode_events(const Bytes& bytes, const std::string& name,
                                       const RotationModel& model) {

@@ -15,6 +15,32 @@ namespace {
 constexpr std::uint32_t above_top = 1;
 constexpr std::uint32_t below_bottom = 1U << 16;  // above any number of columns
 
+// Compilers make vector code of loops whose length they know.
+constexpr std::size_t columns_at_once = 16;
+
+// Replaces each mask[i] by choose(mask[i], heights[i]). The two do not overlap (precondition).
+template <class Choose>
+void merge_heights(float* __restrict mask, const float* __restrict heights, std::size_t count, Choose choose) {
+  std::size_t i = 0;
+  for (; i + columns_at_once <= count; i += columns_at_once)
+    for (std::size_t k = 0; k < columns_at_once; ++k) mask[i + k] = choose(mask[i + k], heights[i + k]);
+  for (; i < count; ++i) mask[i] = choose(mask[i], heights[i]);
+}
+
+// The flags of each column: whether its height is above the top mask or below the bottom mask by more than the slack.
+void flag_columns(std::uint32_t* __restrict flags, const float* heights, const float* top, const float* bottom, std::size_t count,
+                  float slack) {
+  const auto flag = [=](std::size_t i) {
+    const std::uint32_t above = heights[i] - top[i] > slack ? above_top : 0U;
+    const std::uint32_t below = bottom[i] - heights[i] > slack ? below_bottom : 0U;
+    return above | below;
+  };
+  std::size_t i = 0;
+  for (; i + columns_at_once <= count; i += columns_at_once)
+    for (std::size_t k = 0; k < columns_at_once; ++k) flags[i + k] = flag(i + k);
+  for (; i < count; ++i) flags[i] = flag(i);
+}
+
 }  // namespace
 
 // The masks' columns that a segment crosses are those after the one of its left end, up to the one of its
@@ -65,12 +91,7 @@ void Horizon::compare_chain(Columns columns) {
   std::uint32_t sum = 0;
   for (std::size_t begin = 0; begin < count; begin += flags.size()) {
     const std::size_t length = std::min(flags.size(), count - begin);
-    for (std::size_t i = 0; i < length; ++i) {
-      const float height = heights[begin + i];
-      const std::uint32_t above = height - top[begin + i] > usual_slack ? above_top : 0U;
-      const std::uint32_t below = bottom[begin + i] - height > usual_slack ? below_bottom : 0U;
-      flags[i] = above | below;
-    }
+    flag_columns(flags.data(), heights + begin, top + begin, bottom + begin, length, usual_slack);
     for (std::size_t i = 0; i < length; ++i) {
       before[begin + i] = sum;
       sum += flags[i];
@@ -108,11 +129,8 @@ void Horizon::raise_chain(Columns columns, bool leftwards, Wake& wake) {
   const auto count = static_cast<std::size_t>(columns.last - columns.first + 1);
   const std::size_t end = leftwards ? first : first + count - 1;
   wake = {static_cast<int>(end), top_[end], bottom_[end]};
-  const float* const heights = heights_.data() + first;
-  float* const top = top_.data() + first;
-  float* const bottom = bottom_.data() + first;
-  for (std::size_t i = 0; i < count; ++i) top[i] = std::max(top[i], heights[i]);
-  for (std::size_t i = 0; i < count; ++i) bottom[i] = std::min(bottom[i], heights[i]);
+  merge_heights(top_.data() + first, heights_.data() + first, count, [](float a, float b) { return std::max(a, b); });
+  merge_heights(bottom_.data() + first, heights_.data() + first, count, [](float a, float b) { return std::min(a, b); });
 }
 
 bool Horizon::draw_chain(std::span<const Vertex> chain, Wake& wake) {

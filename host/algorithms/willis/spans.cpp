@@ -7,6 +7,9 @@
 #include <cstddef>
 #include <numbers>
 
+#include "host/geometry/vector.hpp"
+#include "host/picture/camera_view.hpp"
+
 namespace sightline::algorithms::willis {
 
 namespace {
@@ -14,7 +17,7 @@ namespace {
 constexpr double overlap = 1e-6;  // of pieces of a face, in points
 constexpr double nearest = 1e-3;  // scene units before the eye, where surfaces are clipped
 
-using SpaceVector = std::array<double, 3>;
+using SpaceVector = geometry::RealVector;
 
 struct ImagePoint {
   double x = 0;
@@ -24,16 +27,14 @@ struct ImagePoint {
 // Right, up and forward distance of a point from the eye.
 class Eye {
  public:
-  explicit Eye(const scene::PolyCamera& camera) : perspective_(camera.perspective) {
-    axes_ = {unit(camera.right), unit(camera.up), unit(camera.forward)};
-    for (std::size_t i = 0; i < 3; ++i) eye_[i] = camera.eye[i];
+  explicit Eye(const scene::PolyCamera& camera) : perspective_(camera.perspective), eye_(geometry::real_vector(camera.eye)) {
+    const picture::CameraView view(camera);
+    axes_ = {view.axis(0), view.axis(1), view.axis(2)};
   }
 
   [[nodiscard]] SpaceVector seen(const SpaceVector& p) const {
-    SpaceVector d{};
-    for (std::size_t i = 0; i < 3; ++i)
-      d[i] = axes_[i][0] * (p[0] - eye_[0]) + axes_[i][1] * (p[1] - eye_[1]) + axes_[i][2] * (p[2] - eye_[2]);
-    return d;
+    const SpaceVector d = geometry::difference(p, eye_);
+    return {geometry::dot(axes_[0], d), geometry::dot(axes_[1], d), geometry::dot(axes_[2], d)};
   }
   [[nodiscard]] bool perspective() const { return perspective_; }
   [[nodiscard]] ImagePoint image(const SpaceVector& seen) const {
@@ -42,17 +43,9 @@ class Eye {
   }
 
  private:
-  static SpaceVector unit(const scene::PolyPoint& v) {
-    const double x = v[0];
-    const double y = v[1];
-    const double z = v[2];
-    const double length = std::sqrt(x * x + y * y + z * z);
-    return {x / length, y / length, z / length};
-  }
-
   bool perspective_;
+  SpaceVector eye_;
   std::array<SpaceVector, 3> axes_{};
-  SpaceVector eye_{};
 };
 
 SpaceVector in_scene(const Point& p) {

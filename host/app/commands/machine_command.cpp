@@ -83,7 +83,7 @@ void check_disk(const machines::Arguments& arguments) {
 void write_media_back(const machines::Machine& machine) {
   for (const auto& medium : machine.changed_media()) {
     const auto done = base::write_file_atomically(medium.path, medium.content);
-    if (!done) throw base::io_error(done.error().message());
+    if (!done) throw done.error();
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "host/algorithms/oracle/face_raster.hpp"
 #include "host/algorithms/willis/spans.hpp"
+#include "host/geometry/vector.hpp"
 #include "host/scene/model/eye_place.hpp"
 #include "host/scene/model/poly_scene.hpp"
 
@@ -27,11 +28,8 @@ using scene::PolyScene;
 
 // Along right, up and forward; in an image 90 degrees wide what is seen has |x|, |y| <= z.
 std::array<double, 3> before_camera(const PolyCamera& camera, const PolyPoint& p) {
-  const auto along = [&](const PolyPoint& axis) {
-    double sum = 0;
-    for (std::size_t a = 0; a < 3; ++a) sum += double{1} * axis[a] * (double{1} * p[a] - camera.eye[a]);
-    return sum;
-  };
+  const geometry::RealVector d = geometry::difference(geometry::real_vector(p), geometry::real_vector(camera.eye));
+  const auto along = [&d](const PolyPoint& axis) { return geometry::dot(geometry::real_vector(axis), d); };
   return {along(camera.right), along(camera.up), along(camera.forward)};
 }
 

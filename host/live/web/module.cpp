@@ -13,7 +13,7 @@
 
 namespace {
 
-using sightline::live::web::Desk;
+using sightline::live::web::MachineSession;
 using sightline::live::web::reason_text;
 using sightline::live::web::Rooms;
 
@@ -67,55 +67,55 @@ SIGHTLINE_EXPORT(file_put) void file_put(int name, int bytes) {
 // To a time in the machine's unit and at most so many instructions; 0: come there, 1: a breakpoint, 2: the machine has
 // stopped. The reason is the answer.
 SIGHTLINE_EXPORT(run) int run(int id, double until, double instructions) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  if (desk == nullptr) return 2;
-  const auto halted = desk->run(static_cast<std::int64_t>(until), static_cast<std::uint64_t>(instructions));
+  MachineSession* const session = page().rooms.workbench.session(id);
+  if (session == nullptr) return 2;
+  const auto halted = session->run(static_cast<std::int64_t>(until), static_cast<std::uint64_t>(instructions));
   give(reason_text(halted));
   return static_cast<int>(halted.why);
 }
 SIGHTLINE_EXPORT(answer_size) int answer_size() { return static_cast<int>(page().answer.size()); }
 SIGHTLINE_EXPORT(ticks) double ticks(int id) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  return desk != nullptr ? static_cast<double>(desk->machine().ticks()) : 0;
+  MachineSession* const session = page().rooms.workbench.session(id);
+  return session != nullptr ? static_cast<double>(session->machine().ticks()) : 0;
 }
 SIGHTLINE_EXPORT(instructions) double instructions(int id) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  return desk != nullptr ? static_cast<double>(desk->machine().instructions()) : 0;
+  MachineSession* const session = page().rooms.workbench.session(id);
+  return session != nullptr ? static_cast<double>(session->machine().instructions()) : 0;
 }
 SIGHTLINE_EXPORT(get) std::uint32_t get(int id, int number) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  return desk != nullptr ? desk->machine().get(static_cast<std::size_t>(number)) : 0;
+  MachineSession* const session = page().rooms.workbench.session(id);
+  return session != nullptr ? session->machine().get(static_cast<std::size_t>(number)) : 0;
 }
 SIGHTLINE_EXPORT(set) void set(int id, int number, std::uint32_t value) {
-  if (Desk* const desk = page().rooms.workbench.desk(id)) desk->debugger().set(static_cast<std::size_t>(number), value);
+  if (MachineSession* const session = page().rooms.workbench.session(id)) session->debugger().set(static_cast<std::size_t>(number), value);
 }
 SIGHTLINE_EXPORT(word) std::uint32_t word(int id, std::uint32_t at) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  return desk != nullptr && at < desk->machine().words() ? desk->machine().word(at) : 0;
+  MachineSession* const session = page().rooms.workbench.session(id);
+  return session != nullptr && at < session->machine().words() ? session->machine().word(at) : 0;
 }
 // A key as the teletype of that machine sends it.
 SIGHTLINE_EXPORT(type) void type(int id, int key) {
-  if (Desk* const desk = page().rooms.workbench.desk(id)) desk->type(static_cast<char>(key));
+  if (MachineSession* const session = page().rooms.workbench.session(id)) session->type(static_cast<char>(key));
 }
 // What has been printed since the last call: its length; the text is the answer.
 SIGHTLINE_EXPORT(printed) int printed(int id) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  return desk != nullptr ? give(desk->take_printed()) : 0;
+  MachineSession* const session = page().rooms.workbench.session(id);
+  return session != nullptr ? give(session->take_printed()) : 0;
 }
 // What has been drawn since the last call: how many flashes of 16 bytes (nanoseconds in 64 bits; x and y of 16; the intensity of 8) lie at
 // flashes_data.
 SIGHTLINE_EXPORT(flashes) int flashes(int id) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  if (desk == nullptr) return 0;
-  const auto taken = desk->take_flashes();
+  MachineSession* const session = page().rooms.workbench.session(id);
+  if (session == nullptr) return 0;
+  const auto taken = session->take_flashes();
   taken_flashes = taken.data();
   return static_cast<int>(taken.size());
 }
 SIGHTLINE_EXPORT(flashes_data) const void* flashes_data() { return taken_flashes; }
 // 256 by 256 bytes, the bottom row first; null without a raster board.
 SIGHTLINE_EXPORT(raster) const void* raster(int id) {
-  Desk* const desk = page().rooms.workbench.desk(id);
-  const auto* const shown = desk != nullptr ? desk->machine().raster() : nullptr;
+  MachineSession* const session = page().rooms.workbench.session(id);
+  const auto* const shown = session != nullptr ? session->machine().raster() : nullptr;
   return shown != nullptr ? shown->points().data() : nullptr;
 }
 

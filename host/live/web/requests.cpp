@@ -80,21 +80,21 @@ Json make_pdp7(Workbench& workbench, const std::string& file, const CoreProgram&
   Json options{{"--load", file}, {"--display", true}, {program.eae ? "--eae" : "--no-eae", true}};
   options.update(program.options);
   Json made = workbench.answer(Json{{"do", "make"}, {"machine", "pdp7"}, {"options", std::move(options)}});
-  Desk* const desk = desk_of(workbench, made);
-  if (desk == nullptr) return made;
-  if (const auto number = desk->debugger().register_named("SR")) desk->debugger().set(*number, switches);
+  MachineSession* const session = session_of(workbench, made);
+  if (session == nullptr) return made;
+  if (const auto number = session->debugger().register_named("SR")) session->debugger().set(*number, switches);
   std::string table;
   for (const auto& [name, value] : program.symbols) table += fmt::format("{} {:o}\n", name, value);
   Symbols symbols(8);
   static_cast<void>(symbols.add_table(table));
-  desk->debugger().set_symbols(std::move(symbols));
-  desk->debugger().start(*program.image.start);
+  session->debugger().set_symbols(std::move(symbols));
+  session->debugger().start(*program.image.start);
   return made;
 }
 
-Desk* desk_of(Workbench& workbench, const Json& made) {
+MachineSession* session_of(Workbench& workbench, const Json& made) {
   const Json* const id = made.find("id");
-  return id != nullptr ? workbench.desk(static_cast<int>(*id->integer())) : nullptr;
+  return id != nullptr ? workbench.session(static_cast<int>(*id->integer())) : nullptr;
 }
 
 }  // namespace sightline::live::web

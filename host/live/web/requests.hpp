@@ -38,6 +38,6 @@ struct CoreProgram {
 // page under that name.
 [[nodiscard]] Json make_pdp7(Workbench& workbench, const std::string& file, const CoreProgram& program, std::uint32_t switches);
 // The machine of such an answer; null if it is a refusal.
-[[nodiscard]] Desk* desk_of(Workbench& workbench, const Json& made);
+[[nodiscard]] MachineSession* session_of(Workbench& workbench, const Json& made);
 
 }  // namespace sightline::live::web

@@ -178,10 +178,10 @@ Json make_jones(Workbench& workbench, const Json& request) {
   std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
   if (request.find("switches") != nullptr) switches |= static_cast<std::uint32_t>(number_of(request, "switches", 0)) & 0777777U;
   Json made = make_pdp7(workbench, ".jones.oct", {std::move(image), eae, Json::object(), program->symbols}, switches);
-  Desk* const desk = desk_of(workbench, made);
-  if (desk == nullptr) return made;
+  MachineSession* const session = session_of(workbench, made);
+  if (session == nullptr) return made;
   if (request.find("scale") != nullptr)
-    desk->machine().put(program->labels.scale, static_cast<std::uint32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0)));
+    session->machine().put(program->labels.scale, static_cast<std::uint32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0)));
   Json labels = Json::object();
   for (const char* const name : {"ex", "ey", "ez", "scale", "views", "status", "file", "shown", "runing"}) {
     const auto found = program->symbols.find(name);

@@ -26,14 +26,14 @@ turn::Memory memory_of(const Json& request) {
 }
 
 // How many pictures the program makes in a second of the machine's time, from its first ones.
-double pictures_a_second(Desk& desk, const turn::Labels& labels) {
+double pictures_a_second(MachineSession& session, const turn::Labels& labels) {
   constexpr std::int64_t begun = 100'000'000;
   constexpr std::int64_t ended = 800'000'000;
   constexpr std::uint64_t most = 10'000'000;
-  static_cast<void>(desk.run(begun, most));
-  const std::uint32_t from = desk.machine().word(labels.angle);
-  static_cast<void>(desk.run(ended, most));
-  const std::uint32_t passed = (desk.machine().word(labels.angle) - from) % angles;
+  static_cast<void>(session.run(begun, most));
+  const std::uint32_t from = session.machine().word(labels.angle);
+  static_cast<void>(session.run(ended, most));
+  const std::uint32_t passed = (session.machine().word(labels.angle) - from) % angles;
   return passed / (static_cast<double>(ended - begun) / 1e9);
 }
 
@@ -58,7 +58,7 @@ Json make_turn(Workbench& workbench, const Json& request) {
 
   // At one word of angle from picture to picture the angle counts the pictures.
   const Json trial = make_pdp7(workbench, ".turn.oct", core, 1);
-  Desk* const tried = desk_of(workbench, trial);
+  MachineSession* const tried = session_of(workbench, trial);
   if (tried == nullptr) return trial;
   const double rate = pictures_a_second(*tried, program.labels);
   static_cast<void>(workbench.answer(Json{{"do", "drop"}, {"id", *trial.find("id")}}));

@@ -86,31 +86,31 @@ Json halted_json(const Halted& halted) {
               {"reason", halted.why == Halted::Why::machine ? reason_text(halted) : halted.reason}};
 }
 
-Json state_json(Desk& desk) {
-  Debugger& debugger = desk.debugger();
+Json state_json(MachineSession& session) {
+  Debugger& debugger = session.debugger();
   Json registers = Json::array();
-  for (std::size_t n = 0; n < desk.description().registers.size(); ++n) {
-    const auto& each = desk.description().registers[n];
+  for (std::size_t n = 0; n < session.description().registers.size(); ++n) {
+    const auto& each = session.description().registers[n];
     registers.push_back(Json{{"name", each.name},
-                             {"value", desk.machine().get(n)},
+                             {"value", session.machine().get(n)},
                              {"bits", each.bits},
-                             {"text", machines::digits(desk.description(), desk.machine().get(n), each.bits)}});
+                             {"text", machines::digits(session.description(), session.machine().get(n), each.bits)}});
   }
   Json flags = Json::array();
-  for (const auto& [name, up] : desk.machine().conditions()) flags.push_back(Json{{"name", name}, {"up", up}});
+  for (const auto& [name, up] : session.machine().conditions()) flags.push_back(Json{{"name", name}, {"up", up}});
   Json devices = Json::array();
-  for (const auto& line : desk.machine().device_lines()) devices.push_back(Json{{"label", line.label}, {"text", line.text}});
+  for (const auto& line : session.machine().device_lines()) devices.push_back(Json{{"label", line.label}, {"text", line.text}});
   Json display = Json::array();
-  for (const auto& line : desk.machine().display_lines()) display.push_back(Json{{"label", line.label}, {"text", line.text}});
+  for (const auto& line : session.machine().display_lines()) display.push_back(Json{{"label", line.label}, {"text", line.text}});
   Json times = Json::object();
-  desk.machine().add_times(times);
+  session.machine().add_times(times);
   Json warnings = Json::array();
-  for (const std::string& each : desk.machine().warnings()) warnings.push_back(each);
+  for (const std::string& each : session.machine().warnings()) warnings.push_back(each);
   return Json{{"status", debugger.status()},
               {"pc", debugger.pc()},
-              {"time", debugger.time_text(desk.machine().ticks())},
-              {"ticks", desk.machine().ticks()},
-              {"instructions", desk.machine().instructions()},
+              {"time", debugger.time_text(session.machine().ticks())},
+              {"ticks", session.machine().ticks()},
+              {"instructions", session.machine().instructions()},
               {"registers", std::move(registers)},
               {"flags", std::move(flags)},
               {"devices", std::move(devices)},
@@ -119,21 +119,21 @@ Json state_json(Desk& desk) {
               {"warnings", std::move(warnings)}};
 }
 
-Json rows_json(Desk& desk, std::uint32_t from, std::int64_t before, std::int64_t count) {
-  Debugger& debugger = desk.debugger();
-  const std::uint32_t words = desk.machine().words();
+Json rows_json(MachineSession& session, std::uint32_t from, std::int64_t before, std::int64_t count) {
+  Debugger& debugger = session.debugger();
+  const std::uint32_t words = session.machine().words();
   std::vector<std::uint32_t> rows;
   if (before > 0) rows = debugger.instructions_before(from, static_cast<std::size_t>(before));
   for (std::uint32_t at = from; std::cmp_less(rows.size(), before + count) && at < words;) {
     rows.push_back(at);
-    at += std::max(1U, desk.machine().instruction_at(at).words);
+    at += std::max(1U, session.machine().instruction_at(at).words);
   }
   Json lines = Json::array();
   for (const std::uint32_t at : rows) {
-    const Machine::Instruction instruction = desk.machine().instruction_at(at);
+    const Machine::Instruction instruction = session.machine().instruction_at(at);
     std::string code;
     for (std::uint32_t i = 0; i < std::max(1U, instruction.words) && at + i < words; ++i)
-      code += (code.empty() ? "" : " ") + debugger.word(desk.machine().word(at + i));
+      code += (code.empty() ? "" : " ") + debugger.word(session.machine().word(at + i));
     const Symbols::Place* const place = debugger.symbols().place(at);
     lines.push_back(Json{{"at", at},
                          {"address", debugger.address(at)},
@@ -162,7 +162,7 @@ std::string reason_text(const Halted& halted) {
 
 Json refusal(std::string_view complaint) { return Json{{"error", complaint}}; }
 
-Desk::Desk(const MachineDescription& description, machines::Prepared prepared, Symbols symbols)
+MachineSession::MachineSession(const MachineDescription& description, machines::Prepared prepared, Symbols symbols)
     : description_(description),
       prepared_(std::move(prepared)),
       debugger_(description, *prepared_.machine, prepared_.limits, std::move(symbols),
@@ -183,27 +183,27 @@ Desk::Desk(const MachineDescription& description, machines::Prepared prepared, S
   prepared_.machine->keep_strokes(true);
 }
 
-void Desk::begin() {
+void MachineSession::begin() {
   slices_ = 0;
   begun_at_ = machine().instructions();
 }
 
-bool Desk::spent() const {
+bool MachineSession::spent() const {
   const std::uint64_t now = prepared_.machine->instructions();
   return slices_ > most_slices || (now > begun_at_ && now - begun_at_ > most_instructions);
 }
 
-std::string Desk::take_printed() {
+std::string MachineSession::take_printed() {
   printed_ += machine().take_printed();
   debugger_.forget_printed(debugger_.printed().size());
   return std::exchange(printed_, {});
 }
 
-void Desk::type(char key) {
+void MachineSession::type(char key) {
   machine().type(code_of_key(description_.radix == 8 ? KeyCodes::parity : KeyCodes::ascii, key));
 }
 
-Halted Desk::run(std::int64_t until, std::uint64_t instructions) {
+Halted MachineSession::run(std::int64_t until, std::uint64_t instructions) {
   begin();
   Goal goal;
   goal.until = until;
@@ -211,20 +211,20 @@ Halted Desk::run(std::int64_t until, std::uint64_t instructions) {
   return debugger_.run(goal);
 }
 
-std::span<const core::Stroke> Desk::take_flashes() { return machine().take_strokes(); }
+std::span<const core::Stroke> MachineSession::take_flashes() { return machine().take_strokes(); }
 
 const Bytes* Workbench::file(const std::string& name) const {
   const auto found = files_.find(name);
   return found == files_.end() ? nullptr : &found->second;
 }
 
-Desk* Workbench::desk(int number) {
-  const auto found = desks_.find(number);
-  return found == desks_.end() ? nullptr : found->second.get();
+MachineSession* Workbench::session(int number) {
+  const auto found = sessions_.find(number);
+  return found == sessions_.end() ? nullptr : found->second.get();
 }
 
-int Workbench::add(std::unique_ptr<Desk> desk) {
-  desks_[++last_] = std::move(desk);
+int Workbench::add(std::unique_ptr<MachineSession> session) {
+  sessions_[++last_] = std::move(session);
   return last_;
 }
 
@@ -275,8 +275,8 @@ Json Workbench::make(const Json& request) {
   }
   Json warnings = Json::array();
   for (const std::string& warning : prepared->warnings) warnings.push_back(warning);
-  const int number = add(std::make_unique<Desk>(*description, std::move(*prepared), std::move(symbols)));
-  return Json{{"id", number}, {"warnings", std::move(warnings)}, {"ticks_a_second", desk(number)->machine().ticks_a_second()}};
+  const int number = add(std::make_unique<MachineSession>(*description, std::move(*prepared), std::move(symbols)));
+  return Json{{"id", number}, {"warnings", std::move(warnings)}, {"ticks_a_second", session(number)->machine().ticks_a_second()}};
 }
 
 Json Workbench::assemble(const Json& request) {
@@ -332,17 +332,17 @@ Json Workbench::assemble(const Json& request) {
               {"program", right ? Json(name) : Json()}};
 }
 
-Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) {
-  desk.begin();
-  Debugger& debugger = desk.debugger();
-  Machine& machine = desk.machine();
+Json Workbench::of_session(MachineSession& session, std::string_view what, const Json& request) {
+  session.begin();
+  Debugger& debugger = session.debugger();
+  Machine& machine = session.machine();
   const auto address = [&]() -> base::Result<std::uint32_t> {
     if (const Json* const at = request.find("at"); at != nullptr && at->text() != nullptr) return debugger.address_of(*at->text());
     const auto number = whole_of(request, "at", -1);
     if (number < 0 || number >= std::int64_t{machine.words()}) return base::bad_input("found no address of this memory");
     return static_cast<std::uint32_t>(number);
   };
-  if (what == "state") return state_json(desk);
+  if (what == "state") return state_json(session);
   if (what == "warnings") {
     Json warnings = Json::array();
     for (const std::string& each : machine.take_early_warnings(!flag_of(request, "halted"))) warnings.push_back(each);
@@ -409,7 +409,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
   if (what == "rows") {
     const auto at = address();
     if (!at) return refusal(at.error().message());
-    return Json{{"rows", rows_json(desk, *at, std::clamp<std::int64_t>(whole_of(request, "before"), 0, 200),
+    return Json{{"rows", rows_json(session, *at, std::clamp<std::int64_t>(whole_of(request, "before"), 0, 200),
                                    std::clamp<std::int64_t>(whole_of(request, "count", 20), 1, 400))}};
   }
   if (what == "memory") {
@@ -429,8 +429,8 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
       return done ? Json::object() : refusal(done.error().message());
     }
     const auto word = whole_of(request, "word", -1);
-    if (word < 0 || (word >> desk.description().word_bits) != 0)
-      return refusal(fmt::format("found no word of {} bits", desk.description().word_bits));
+    if (word < 0 || (word >> session.description().word_bits) != 0)
+      return refusal(fmt::format("found no word of {} bits", session.description().word_bits));
     debugger.put(*at, static_cast<std::uint32_t>(word));
     return Json::object();
   }
@@ -438,7 +438,7 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
     const auto number = debugger.register_named(text_of(request, "register"));
     if (!number) return refusal("there is no register of that name");
     const auto value = whole_of(request, "value", -1);
-    if (value < 0 || (value >> desk.description().registers[*number].bits) != 0) return refusal("the register is too small for that value");
+    if (value < 0 || (value >> session.description().registers[*number].bits) != 0) return refusal("the register is too small for that value");
     debugger.set(*number, static_cast<std::uint32_t>(value));
     return Json::object();
   }
@@ -493,13 +493,13 @@ Json Workbench::of_desk(Desk& desk, std::string_view what, const Json& request) 
     const std::string name = text_of(request, "file");
     const Bytes* const bytes = file(name);
     if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", name));
-    const auto program = machines::read_program(desk.description(), {name, {}}, {name, *bytes}, {}, nullptr);
+    const auto program = machines::read_program(session.description(), {name, {}}, {name, *bytes}, {}, nullptr);
     if (!program) return refusal(program.error().message());
     for (const auto& [where, word] : program->words) {
       if (where >= machine.words()) return refusal(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));
       debugger.put(where, word);
     }
-    debugger.set_symbols(Symbols(desk.description().radix));  // those of the program that was there
+    debugger.set_symbols(Symbols(session.description().radix));  // those of the program that was there
     if (program->start && flag_of(request, "start")) debugger.start(*program->start);
     return Json{{"words", program->words.size()}, {"start", program->start ? Json(*program->start) : Json()}};
   }
@@ -529,12 +529,12 @@ Json Workbench::answer(const Json& request) {
   }
   const auto number = static_cast<int>(whole_of(request, "id", -1));
   if (what == "drop") {
-    desks_.erase(number);
+    sessions_.erase(number);
     return Json::object();
   }
-  Desk* const found = desk(number);
+  MachineSession* const found = session(number);
   if (found == nullptr) return refusal("there is no machine of that number");
-  return of_desk(*found, what, request);
+  return of_session(*found, what, request);
 }
 
 }  // namespace sightline::live::web

@@ -20,10 +20,10 @@ namespace sightline::live::web {
 using base::Json;
 using machines::Bytes;
 
-// A machine on the page.
-class Desk {
+// A machine on the page with its debugger.
+class MachineSession {
  public:
-  Desk(const machines::MachineDescription& description, machines::Prepared prepared, Symbols symbols);
+  MachineSession(const machines::MachineDescription& description, machines::Prepared prepared, Symbols symbols);
 
   [[nodiscard]] machines::Machine& machine() { return *prepared_.machine; }
   [[nodiscard]] Debugger& debugger() { return debugger_; }
@@ -59,8 +59,8 @@ class Workbench {
   [[nodiscard]] const Bytes* file(const std::string& name) const;
 
   // Null if there is none of that number.
-  [[nodiscard]] Desk* desk(int number);
-  int add(std::unique_ptr<Desk> desk);
+  [[nodiscard]] MachineSession* session(int number);
+  int add(std::unique_ptr<MachineSession> session);
 
   // An object with what was asked for, or with `error`, a text for a person. Never anything else, whatever the request.
   [[nodiscard]] Json answer(const Json& request);
@@ -70,10 +70,10 @@ class Workbench {
  private:
   [[nodiscard]] Json make(const Json& request);
   [[nodiscard]] Json assemble(const Json& request);
-  [[nodiscard]] Json of_desk(Desk& desk, std::string_view what, const Json& request);
+  [[nodiscard]] Json of_session(MachineSession& session, std::string_view what, const Json& request);
 
   std::map<std::string, Bytes> files_;
-  std::map<int, std::unique_ptr<Desk>> desks_;
+  std::map<int, std::unique_ptr<MachineSession>> sessions_;
   int last_ = 0;
   Bytes made_;
 };

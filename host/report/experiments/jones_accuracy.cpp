@@ -30,15 +30,15 @@ constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
 // An error below this is numerical noise: the measure is computed in double precision.
 constexpr double noise_floor = 1e-9;
 
-double told(double error) {
+double without_noise(double error) {
   return error < noise_floor ? 0 : error;
 }
 
 double wrong_per_cent(const PictureError& error) {
-  return told(error.symmetric_per_cent());
+  return without_noise(error.symmetric_per_cent());
 }
 double farthest(const PictureError& error) {
-  return told(error.hausdorff);
+  return without_noise(error.hausdorff);
 }
 
 std::string place_of(const geometry::Point& p) {

@@ -1,4 +1,4 @@
-// Families by name, and the generated set. See scene.hpp.
+// Families by name. See scene.hpp.
 #include "host/scene/generate/scene.hpp"
 
 #include <array>
@@ -39,15 +39,6 @@ const Family* find_family(std::string_view name) {
   return nullptr;
 }
 
-// Boxes and triangles are convex; in `rooms` a door leaves three rectangles of its wall, a hatch four.
-std::size_t convex_faces(const PolyScene& scene) {
-  std::size_t count = 0;
-  for (const PolyBody& body : scene.bodies)
-    for (const PolyFace& face : body.faces)
-      count += !face.holes.empty() ? 4 : face.outline.size() == 8 ? 3 : 1;
-  return count;
-}
-
 }  // namespace
 
 std::vector<std::string_view> generator_names() {
@@ -74,28 +65,6 @@ base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size
                            ".." + std::to_string(found->largest)};
   }
   return found->generate(size, seed);
-}
-
-std::vector<GeneratedSceneName> generated_set() {
-  struct Range {
-    std::string_view family;
-    std::size_t sizes;
-  };
-  constexpr std::array<Range, 5> ranges{
-      {{"boxes", 10}, {"town", 9}, {"triangles", 16}, {"bricks", 10}, {"rooms", 3}}};
-  constexpr std::size_t scenes_a_family = 100;
-  constexpr std::size_t most_convex_faces = 60;
-  std::vector<GeneratedSceneName> set;
-  for (const Range& range : ranges) {
-    std::size_t taken = 0;
-    for (std::uint64_t seed = 1; taken < scenes_a_family; ++seed) {
-      const GeneratedSceneName name{range.family, static_cast<std::size_t>(1 + seed % range.sizes), seed};
-      if (convex_faces(find_family(name.family)->generate(name.size, seed)) > most_convex_faces) continue;
-      set.push_back(name);
-      ++taken;
-    }
-  }
-  return set;
 }
 
 }  // namespace sightline::scene

@@ -56,15 +56,4 @@ inline constexpr std::size_t prisms_in_block = 35;
 [[nodiscard]] base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size,
                                                      std::uint64_t seed = 1);
 
-struct GeneratedSceneName {
-  std::string_view family;
-  std::size_t size = 0;
-  std::uint64_t seed = 0;
-};
-
-// The 500 small scenes on which algorithms are compared: of boxes, town, triangles, bricks and rooms the
-// first 100 seeds from 1 whose scene has at most 60 convex faces (a wall with a door counts 3, with a hatch
-// 4).
-[[nodiscard]] std::vector<GeneratedSceneName> generated_set();
-
 }  // namespace sightline::scene

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "host/base/number.hpp"
 #include "host/base/result.hpp"
+#include "host/base/text.hpp"
 
 namespace sightline::scene {
 namespace {
@@ -27,15 +27,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-bool is_word(std::string_view field, std::string_view word) {
-  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
-  return std::equal(field.begin(), field.end(), word.begin(), word.end(), same);
-}
-
 // As spreadsheets and statistics programs write a missing value.
 bool is_missing(std::string_view field) {
   constexpr std::array<std::string_view, 5> words{"nan", "-nan", "na", "n/a", "null"};
-  return field.empty() || std::any_of(words.begin(), words.end(), [field](std::string_view word) { return is_word(field, word); });
+  return field.empty() || std::any_of(words.begin(), words.end(), [lower = base::lower_case(field)](std::string_view word) { return lower == word; });
 }
 
 // What a message can show of a field: short, and no control characters.

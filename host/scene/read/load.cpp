@@ -22,6 +22,12 @@
 namespace sightline::scene {
 namespace {
 
+struct GeneratedSceneName {
+  std::string_view family;
+  std::size_t size = 0;
+  std::uint64_t seed = 0;
+};
+
 // "boxes-100" or "boxes-100-7", of a known family.
 std::optional<GeneratedSceneName> generated_name(std::string_view text) {
   for (const std::string_view family : generator_names()) {

@@ -33,16 +33,16 @@ std::uint64_t spread(std::uint64_t key) {  // the bits of a key over all bits of
   return key ^ key >> 31U;
 }
 
-// A table of numbers found again by what they stand for. There is room for `most` of them.
-class Numbers {
+// A hash table of indices, found by a key of what they stand for. It has room for `most` of them.
+class IndexSet {
  public:
-  explicit Numbers(std::size_t most) {
+  explicit IndexSet(std::size_t most) {
     std::size_t size = 16;
     while (size < 2 * most) size *= 2;
     places_.assign(size, no_part);
   }
 
-  // The number found before for which `same` holds, or else `number`, which is kept.
+  // The index in the table for which `same` holds, else `number`, which is added.
   template <class Same>
   std::uint32_t find_or_add(std::uint64_t key, std::uint32_t number, Same same) {
     for (std::size_t at = spread(key) & (places_.size() - 1);; at = (at + 1) & (places_.size() - 1)) {
@@ -71,7 +71,7 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
 
 // For each vertex the one that it becomes: of equal ones the first.
 std::vector<VertexIndex> equal_points(const std::vector<PolyPoint>& points) {
-  Numbers numbers(points.size());
+  IndexSet numbers(points.size());
   std::vector<VertexIndex> target(points.size());
   for (VertexIndex v = 0; v < points.size(); ++v)
     target[v] = numbers.find_or_add(key_of(points[v]), v, [&](VertexIndex w) { return points[w] == points[v]; });
@@ -187,14 +187,14 @@ class Mending {
   std::vector<MendedFace> run() {
     take_faces();
     put_in_order();
-    lend();
+    share_faces();
     std::optional<EdgeTable> edges;
     edges.emplace(scene_);
     for (const auto close : {&Mending::join_ends, &Mending::divide_edges}) {
       const std::vector<OpenEdge> open = open_edges_of(*edges, [this](std::uint32_t face) { return pieces_[face].body; });
       if (open.empty() || !(this->*close)(*edges, open)) continue;
       put_in_order();
-      lend();
+      share_faces();
       edges.emplace(scene_);
     }
     for (PolyWire& wire : scene_.wires) wire = {target_[wire[0]], target_[wire[1]]};
@@ -293,7 +293,7 @@ class Mending {
   }
 
   void drop_duplicates() {
-    Numbers numbers(pieces_.size());
+    IndexSet numbers(pieces_.size());
     Ring mine;
     Ring other;
     const auto sorted_into = [](Ring& sorted, const Ring& ring) {
@@ -350,13 +350,13 @@ class Mending {
     }
     for (bool changed = true; changed;) {
       changed = false;
-      for (const std::uint32_t p : flat) changed = (!pieces_[p].left_out && give_away(p, faces_at)) || changed;
+      for (const std::uint32_t p : flat) changed = (!pieces_[p].left_out && move_face_to_body(p, faces_at)) || changed;
     }
     for (const std::uint32_t p : flat)
       if (!pieces_[p].left_out) leave_out(pieces_[p], report_.dropped_faces);
   }
 
-  bool give_away(std::uint32_t p, std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>& faces_at) {
+  bool move_face_to_body(std::uint32_t p, std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>& faces_at) {
     const Ring flat = pieces_[p].ring;
     const std::size_t middle = middle_of_flat(flat);
     const VertexIndex b = flat[middle];
@@ -390,7 +390,7 @@ class Mending {
   // --- parts
 
   // The edge table wants a scene: the faces lend it their rings.
-  void lend() {
+  void share_faces() {
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) scene_.bodies[b].faces.clear();
     for (Piece& piece : pieces_) scene_.bodies[piece.body].faces.push_back({std::move(piece.ring), {}});
   }
@@ -503,7 +503,7 @@ class Mending {
       first = end;
     }
     if (divided) sort_pieces();
-    else lend();
+    else share_faces();
     return divided;
   }
 

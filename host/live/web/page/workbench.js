@@ -64,7 +64,7 @@ export class Workbench {
     this.status = element('p', {className: 'status', role: 'status'});
     this.question = field('Value of', '', () => this.evaluate(), {placeholder: 'begin+3, AC, time', spellcheck: false}, 'An expression of names of the program, registers and numbers');
     this.answer = element('output', {});
-    const desk = act => () => this.act(act);
+    const perform = act => () => this.act(act);
     return element('div', {className: 'bench'}, this.intro = introduction(),
       element('p', {className: 'bar pick'}, this.shelf),
       element('p', {className: 'bar tools'}, this.machine, this.dialect,
@@ -75,9 +75,9 @@ export class Workbench {
       this.message,
       element('p', {className: 'bar run'},
         this.running = button('Run', () => this.go(!this.on), 'Run or pause (F5)'),
-        button('Step', desk({do: 'step'}), 'One instruction (F11)'), button('Over', desk({do: 'over'}), 'One instruction; a call with all of its subroutine (F10)'), button('Out', desk({do: 'out'}), 'To the end of the subroutine'),
-        button('Back', desk({do: 'back'}), 'One instruction back in time'), button('Back 100', desk({do: 'back', count: 100}), 'A hundred instructions back'),
-        button('Back to break', desk({do: 'back_to_breakpoint'}), 'Back to the last breakpoint'),
+        button('Step', perform({do: 'step'}), 'One instruction (F11)'), button('Over', perform({do: 'over'}), 'One instruction; a call with all of its subroutine (F10)'), button('Out', perform({do: 'out'}), 'To the end of the subroutine'),
+        button('Back', perform({do: 'back'}), 'One instruction back in time'), button('Back 100', perform({do: 'back', count: 100}), 'A hundred instructions back'),
+        button('Back to break', perform({do: 'back_to_breakpoint'}), 'Back to the last breakpoint'),
         button('Reset', () => this.load(), 'Load the program again')),
       element('div', {className: 'source'}, this.errors, element('div', {className: 'sheet'}, this.numbers, this.editor)),
       element('div', {className: 'view'}, this.screen, group('Console', this.output, this.keys)),

@@ -5,6 +5,7 @@
 #include "host/picture/line_picture_image.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
+#include "tests/host/scene/generate/generated_set.hpp"
 
 namespace sightline::algorithms {
 namespace {

@@ -13,6 +13,7 @@
 #include "host/scene/cells/grid/decompose.hpp"
 #include "host/scene/generate/scene.hpp"
 #include "tests/host/algorithms/exact/edge_scenes.hpp"
+#include "tests/host/scene/generate/generated_set.hpp"
 
 namespace sightline::algorithms {
 namespace {

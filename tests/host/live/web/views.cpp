@@ -18,7 +18,7 @@
 namespace {
 
 using sightline::base::Json;
-using sightline::live::web::Desk;
+using sightline::live::web::MachineSession;
 using sightline::live::web::Rooms;
 
 // Two sums of 32 bits, as views.mjs computes them.
@@ -69,17 +69,17 @@ Json fly(Rooms& rooms) {
 }
 
 Json run(Rooms& rooms, const Json& made, std::int64_t until) {
-  Desk* const desk = sightline::live::web::desk_of(rooms.workbench, made);
-  if (desk == nullptr) return Json::object();
-  const std::int64_t slice = desk->machine().ticks_a_second() / 20;
+  MachineSession* const session = sightline::live::web::session_of(rooms.workbench, made);
+  if (session == nullptr) return Json::object();
+  const std::int64_t slice = session->machine().ticks_a_second() / 20;
   constexpr std::uint64_t no_limit = std::uint64_t{1} << 50U;
   Hash strokes;
   std::int64_t count = 0;
   bool running = true;
   for (std::int64_t at = 0; running && at < until;) {
     at = std::min(at + slice, until);
-    running = desk->run(at, no_limit).why == sightline::live::Halted::Why::goal;
-    for (const auto& stroke : desk->take_flashes()) {
+    running = session->run(at, no_limit).why == sightline::live::Halted::Why::goal;
+    for (const auto& stroke : session->take_flashes()) {
       std::array<std::uint32_t, 4> words{};
       std::memcpy(words.data(), &stroke, sizeof words);
       words[3] &= 0xFFU;  // the rest is room between strokes
@@ -88,14 +88,14 @@ Json run(Rooms& rooms, const Json& made, std::int64_t until) {
     }
   }
   Json result = Json::object();
-  result["ticks"] = desk->machine().ticks();
-  result["instructions"] = desk->machine().instructions();
+  result["ticks"] = session->machine().ticks();
+  result["instructions"] = session->machine().instructions();
   result["flashes"] = count;
   result["strokes"] = sums(strokes);
   Hash raster;
-  if (const auto* const shown = desk->machine().raster()) raster.add_bytes(shown->points());
+  if (const auto* const shown = session->machine().raster()) raster.add_bytes(shown->points());
   result["raster"] = sums(raster);
-  const auto snapshot = desk->debugger().save();
+  const auto snapshot = session->debugger().save();
   Hash state;
   state.add_bytes(snapshot);
   result["state"] = sums(state);

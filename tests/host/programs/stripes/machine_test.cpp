@@ -9,6 +9,7 @@
 
 #include "host/scene/generate/scene.hpp"
 #include "tests/host/programs/stripes/views.hpp"
+#include "tests/host/scene/generate/generated_set.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
 

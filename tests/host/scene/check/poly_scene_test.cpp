@@ -9,6 +9,7 @@
 
 #include "host/scene/generate/scene.hpp"
 #include "host/scene/model/poly_builder.hpp"
+#include "tests/host/scene/generate/generated_set.hpp"
 #include "tests/host/scene/poly_support.hpp"
 
 namespace sightline::scene {

@@ -14,6 +14,7 @@
 #include "host/geometry/predicates.hpp"
 #include "host/scene/check/poly_scene.hpp"
 #include "host/scene/model/poly_from_cells.hpp"
+#include "tests/host/scene/generate/generated_set.hpp"
 #include "tests/host/scene/scene_support.hpp"
 #include "tests/support/effort.hpp"
 

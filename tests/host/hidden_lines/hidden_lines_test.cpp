@@ -1,0 +1,180 @@
+// The public face: what a program that uses the library gets for arrays, names, wrong requests and files. The cube's edges are counted
+// by hand; that drawings are right is tested through the command (tests/host/app) and the algorithms.
+#include "host/hidden_lines/hidden_lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sightline::hidden_lines {
+namespace {
+
+// From 0 to 10 along each axis, its faces counterclockwise seen from outside.
+scene::PolyMesh cube() {
+  scene::PolyMesh mesh;
+  mesh.source = "cube";
+  for (const double z : {0.0, 10.0})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}}) mesh.vertices.push_back({x, y, z});
+  scene::PolyBody body;
+  for (const auto& outline : std::vector<std::vector<scene::VertexIndex>>{
+           {3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}})
+    body.faces.push_back({outline, {}});
+  mesh.bodies.push_back(body);
+  return mesh;
+}
+
+// Looks at three sides of the cube at once.
+Camera oblique() { return {false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}}; }
+
+TEST(HiddenLines, OfACubeInMemoryNineEdgesAreSeenAndThreeHidden) {
+  const auto scene = load(cube());
+  ASSERT_TRUE(scene) << scene.error().message();
+  EXPECT_EQ(scene->name, "cube");
+  ViewOptions options;
+  options.strokes = true;
+  options.hidden = true;
+  const auto drawing = view(*scene, oblique(), options);
+  ASSERT_TRUE(drawing) << drawing.error().message();
+  EXPECT_EQ(drawing->visible.pieces.size(), 9U);
+  std::size_t hidden = 0;
+  for (const Stroke& stroke : drawing->strokes) {
+    hidden += stroke.hidden ? 1 : 0;
+    ASSERT_EQ(stroke.edges.size(), 1U);
+    double length = 0;
+    for (std::size_t a = 0; a < 3; ++a) length += std::abs(stroke.edges[0][0][a] - stroke.edges[0][1][a]);
+    EXPECT_EQ(length, 10) << "in the unit of the arrays";
+    EXPECT_EQ(stroke.faces.size(), 2U);
+  }
+  EXPECT_EQ(drawing->strokes.size(), 12U);
+  EXPECT_EQ(hidden, 3U);
+  const std::string text = json_lines(drawing->strokes, 5);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 12);
+}
+
+TEST(HiddenLines, ViewsOfOnePreparationAreTheViewsOfEach) {
+  const auto scene = load("house");
+  ASSERT_TRUE(scene) << scene.error().message();
+  const auto views = Views::of(*scene);
+  ASSERT_TRUE(views) << views.error().message();
+  for (const scene::PolyPoint& forward : {scene::PolyPoint{-1, -1, -1}, {1, -1, 1}}) {
+    Camera camera = oblique();
+    camera.forward = forward;
+    camera.right = {-forward[2], 0, forward[0]};
+    camera.up = {forward[0], 2, forward[2]};
+    const auto one = views->at(camera);
+    const auto alone = view(*scene, camera);
+    ASSERT_TRUE(one && alone);
+    EXPECT_FALSE(one->visible.pieces.empty());
+    EXPECT_EQ(one->visible, alone->visible);
+    EXPECT_EQ(one->picture.points, alone->picture.points);
+    const auto edges = visible_edges(scene->scene, camera);
+    ASSERT_TRUE(edges);
+    EXPECT_EQ(edges->picture, one->visible) << "all edges are chosen";
+  }
+}
+
+TEST(HiddenLines, ArraysThatAreNoMeshAreRefusedWithTheirPlace) {
+  scene::PolyMesh mesh = cube();
+  mesh.vertices[5][1] = std::numeric_limits<double>::quiet_NaN();
+  auto refused = load(mesh);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().place, "vertex 5");
+  mesh = cube();
+  mesh.bodies[0].faces[2].outline[1] = 8;
+  refused = load(mesh);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().place, "body 0, face 2");
+  mesh = cube();
+  mesh.wires.push_back({0, 99});
+  refused = load(mesh);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().place, "line 0");
+  // A corner is moved, so that a face is not plane: an error, or mended.
+  mesh = cube();
+  mesh.vertices[6] = {10, 10, 13};
+  EXPECT_FALSE(load(mesh, {}));
+  const auto mended = load(mesh);
+  ASSERT_TRUE(mended);
+  EXPECT_FALSE(notes_of(mended->report).empty());
+}
+
+TEST(HiddenLines, ErrorsHaveAKindAndNameTheOption) {
+  const auto missing = load("no-such-file.off");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, base::ErrorKind::io);
+  const auto too_large = load("boxes-999999999999");
+  ASSERT_FALSE(too_large);
+  EXPECT_EQ(too_large.error().kind, base::ErrorKind::usage);
+
+  const auto scene = load(cube());
+  ASSERT_TRUE(scene);
+  const auto wrong = [&](const ViewOptions& options) {
+    const auto views = Views::of(*scene, options);
+    EXPECT_FALSE(views);
+    return views ? base::Error{} : views.error();
+  };
+  ViewOptions options;
+  options.algorithm = "painter";
+  EXPECT_EQ(wrong(options).file, "algorithm");
+  EXPECT_EQ(wrong(options).kind, base::ErrorKind::usage);
+  options = {};
+  options.edges.kinds = "creases";
+  EXPECT_EQ(wrong(options).file, "edges");
+  EXPECT_EQ(wrong(options).kind, base::ErrorKind::usage);
+  EXPECT_FALSE(visible_edges(scene->scene, oblique(), "painter"));
+  // Steeply from above: no moment of a turn about the vertical.
+  const auto seen = visible_edges(scene->scene, oblique(), "plantinga");
+  ASSERT_FALSE(seen);
+  EXPECT_EQ(seen.error().kind, base::ErrorKind::bad_input);
+}
+
+TEST(HiddenLines, WhatIsLeftOutIsANote) {
+  scene::PolyMesh mesh = cube();
+  const auto first = static_cast<scene::VertexIndex>(mesh.vertices.size());
+  for (std::size_t v = 0; v < first; ++v) mesh.vertices.push_back({mesh.vertices[v][0] + 5, mesh.vertices[v][1] + 5, mesh.vertices[v][2] + 5});
+  scene::PolyBody second = mesh.bodies[0];
+  for (scene::PolyFace& face : second.faces)
+    for (scene::VertexIndex& v : face.outline) v += first;
+  mesh.bodies.push_back(second);
+  mesh.grouped = true;
+  const auto scene = load(mesh);
+  ASSERT_TRUE(scene) << scene.error().message();
+  ViewOptions options;
+  EXPECT_TRUE(Views::of(*scene, options)->notes().empty()) << "exact draws where bodies cross";
+  options.algorithm = "montani-re";
+  const auto views = Views::of(*scene, options);
+  ASSERT_TRUE(views) << views.error().message();
+  ASSERT_EQ(views->notes().size(), 1U);
+  EXPECT_NE(views->notes()[0].find("bodies pass through each other"), std::string::npos);
+}
+
+TEST(HiddenLines, FilesBeginAsTheirFormatsDo) {
+  const auto scene = load(cube());
+  const auto drawing = view(*scene, oblique());
+  ASSERT_TRUE(drawing);
+  for (const auto& [ending, begins] : {std::pair<std::string_view, std::string_view>{"svg", "<?xml"},
+                                       {"PNG", "\x89PNG"},
+                                       {"plt", "IN;"},
+                                       {"hpgl", "IN;"},
+                                       {"pdf", "%PDF-1.5"},
+                                       {"dxf", "  0\nSECTION"}}) {
+    const auto format = format_named(ending);
+    ASSERT_TRUE(format) << ending;
+    const auto file = write(drawing->picture, {.format = *format});
+    ASSERT_TRUE(file) << file.error().message();
+    EXPECT_TRUE(file->bytes.starts_with(begins)) << ending << ": " << file->bytes.substr(0, 12);
+    EXPECT_EQ(file->plot.has_value(), *format != Format::png);
+    EXPECT_TRUE(file->notes.empty());
+  }
+  EXPECT_FALSE(format_named("gif"));
+  picture::VectorDrawing nothing;
+  nothing.width = nothing.height = 10;
+  const auto empty = write(nothing);
+  ASSERT_TRUE(empty);
+  EXPECT_EQ(empty->notes.size(), 1U);
+}
+
+}  // namespace
+}  // namespace sightline::hidden_lines
