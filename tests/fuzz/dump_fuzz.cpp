@@ -7,7 +7,7 @@
 #include "host/machines/engine.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  namespace run = sightline::machines;
+  using namespace sightline;
   const machines::Input input{"fuzz", {data, data + size}};
   for (const machines::MachineDescription* const machine : machines::machines()) {
     const bool begins = machines::is_dump(*machine, input.bytes);

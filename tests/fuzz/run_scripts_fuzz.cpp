@@ -7,7 +7,7 @@
 #include "host/machines/machine.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  namespace run = sightline::machines;
+  using namespace sightline;
   const machines::MachineDescription& pdp7 = machines::pdp7();
   for (const char* const option : {"--switches", "--keyboard", "--light-pen"}) {
     machines::Arguments arguments(pdp7.options);

@@ -45,7 +45,7 @@ std::string refused(const std::function<void()>& work) {
   try {
     work();
   } catch (const base::Error& error) {
-    EXPECT_EQ(failure.error().kind, base::ErrorKind::bad_input);
+    EXPECT_EQ(error.kind, base::ErrorKind::bad_input);
     return error.message();
   }
   return "nothing was refused";

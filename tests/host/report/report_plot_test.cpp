@@ -101,7 +101,7 @@ TEST(ReportPlot, AMissingGnuplotIsSaid) {
   ASSERT_TRUE(missing);
   EXPECT_EQ(missing->kind, base::ErrorKind::io);
   EXPECT_EQ(drawn.error().kind, base::ErrorKind::io);
-  EXPECT_NE(missing->message.find("gnuplot-nox"), std::string::npos);
+  EXPECT_NE(missing->message().find("gnuplot-nox"), std::string::npos);
   EXPECT_FALSE(gnuplot_missing());
 }
 
