@@ -109,6 +109,50 @@ std::optional<scene::PolyCamera> camera_between_events(const plantinga::Rotation
   return std::nullopt;
 }
 
+// The pieces of the machine's structure and the exact ones. Edges that lie on each other in the image, such as the level ones of a
+// level face, are one line and count once, as in the pictures of all other methods (lines.hpp).
+picture::LineMetrics metrics_on_lines(const Turning& turning, const TurnPicture& shown, const picture::LinePicture& exact) {
+  struct Line {
+    picture::LineId id = 0;
+    picture::PixelSegment along;                // the longest edge
+    std::vector<picture::PixelSegment> edges;
+    std::vector<picture::PixelSegment> visible;
+  };
+  std::map<std::array<std::int64_t, 4>, Line> lines;
+  const auto line_of = [&](const picture::LineEdge& edge) -> Line& {
+    const auto plane = picture::in_lowest_terms(picture::image_plane(edge, turning.standing(), shown.camera));
+    const auto [line, is_new] = lines.try_emplace(plane);
+    if (is_new) line->second.id = static_cast<picture::LineId>(lines.size() - 1);
+    return line->second;
+  };
+  const auto whole = [&](const picture::LineEdge& edge) {
+    return turning.on_screen({{{edge, geometry::Rational(0), geometry::Rational(1)}}}, shown.angle).front();
+  };
+  const auto add_edge = [&](const picture::LineEdge& edge) -> Line& {
+    Line& line = line_of(edge);
+    line.edges.push_back(whole(edge));
+    if (picture::length_of(line.along) < picture::length_of(line.edges.back())) line.along = line.edges.back();
+    return line;
+  };
+  for (const picture::LinePiece& piece : exact.pieces)
+    add_edge(piece.edge).visible.push_back(picture::part_of(whole(piece.edge), {piece.low.to_double(), piece.high.to_double()}));
+  std::vector<picture::DrawnPiece> drawn;
+  for (const TurnPicture::Piece& piece : shown.pieces)
+    drawn.push_back({add_edge(piece.edge).id, picture::part_of(whole(piece.edge), piece.part)});
+  std::vector<picture::ReferenceLine> truth;
+  for (const auto& [plane, line] : lines) {
+    const auto parts_on = [](const picture::PixelSegment& image, const std::vector<picture::PixelSegment>& segments) {
+      picture::LineParts parts;
+      for (const picture::PixelSegment& each : segments) parts.push_back({picture::place_on(image, each.a), picture::place_on(image, each.b)});
+      return picture::united(std::move(parts));
+    };
+    const picture::LineParts reach = parts_on(line.along, line.edges);
+    const picture::PixelSegment image{picture::point_at(line.along, reach.front().low), picture::point_at(line.along, reach.back().high)};
+    truth.push_back({line.id, image, parts_on(image, line.edges), parts_on(image, line.visible)});
+  }
+  return picture::line_metrics(truth, drawn);
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> turn_angle_of(const scene::PolyCamera& camera) {
@@ -250,54 +294,6 @@ std::string structure_difference(const TurnPicture& turn, const picture::LinePic
   if (i == turn.pieces.size()) return "";
   return fmt::format("edge {}-{}: the machine shows more pieces", turn.pieces[i].edge.from, turn.pieces[i].edge.to);
 }
-
-namespace {
-
-// The pieces of the machine's structure and the exact ones. Edges that lie on each other in the image, such as the level ones of a
-// level face, are one line and count once, as in the pictures of all other methods (lines.hpp).
-picture::LineMetrics metrics_on_lines(const Turning& turning, const TurnPicture& shown, const picture::LinePicture& exact) {
-  struct Line {
-    picture::LineId id = 0;
-    picture::PixelSegment along;                // the longest edge
-    std::vector<picture::PixelSegment> edges;
-    std::vector<picture::PixelSegment> visible;
-  };
-  std::map<std::array<std::int64_t, 4>, Line> lines;
-  const auto line_of = [&](const picture::LineEdge& edge) -> Line& {
-    const auto plane = picture::in_lowest_terms(picture::image_plane(edge, turning.standing(), shown.camera));
-    const auto [line, is_new] = lines.try_emplace(plane);
-    if (is_new) line->second.id = static_cast<picture::LineId>(lines.size() - 1);
-    return line->second;
-  };
-  const auto whole = [&](const picture::LineEdge& edge) {
-    return turning.on_screen({{{edge, geometry::Rational(0), geometry::Rational(1)}}}, shown.angle).front();
-  };
-  const auto add_edge = [&](const picture::LineEdge& edge) -> Line& {
-    Line& line = line_of(edge);
-    line.edges.push_back(whole(edge));
-    if (picture::length_of(line.along) < picture::length_of(line.edges.back())) line.along = line.edges.back();
-    return line;
-  };
-  for (const picture::LinePiece& piece : exact.pieces)
-    add_edge(piece.edge).visible.push_back(picture::part_of(whole(piece.edge), {piece.low.to_double(), piece.high.to_double()}));
-  std::vector<picture::DrawnPiece> drawn;
-  for (const TurnPicture::Piece& piece : shown.pieces)
-    drawn.push_back({add_edge(piece.edge).id, picture::part_of(whole(piece.edge), piece.part)});
-  std::vector<picture::ReferenceLine> truth;
-  for (const auto& [plane, line] : lines) {
-    const auto parts_on = [](const picture::PixelSegment& image, const std::vector<picture::PixelSegment>& segments) {
-      picture::LineParts parts;
-      for (const picture::PixelSegment& each : segments) parts.push_back({picture::place_on(image, each.a), picture::place_on(image, each.b)});
-      return picture::united(std::move(parts));
-    };
-    const picture::LineParts reach = parts_on(line.along, line.edges);
-    const picture::PixelSegment image{picture::point_at(line.along, reach.front().low), picture::point_at(line.along, reach.back().high)};
-    truth.push_back({line.id, image, parts_on(image, line.edges), parts_on(image, line.visible)});
-  }
-  return picture::line_metrics(truth, drawn);
-}
-
-}  // namespace
 
 base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t angle) {
   const auto turning = Turning::of(scene);

@@ -174,26 +174,6 @@ class Hatcher {
   Hatching result_;
 };
 
-}  // namespace
-
-Tone tone_of(double facing) {
-  constexpr double no_lines = 0.85;
-  constexpr double every_fourth = 0.6;
-  constexpr double every_second = 0.35;
-  constexpr double all = 0.1;
-  if (facing >= no_lines) return Tone::light;
-  if (facing >= every_fourth) return Tone::fourth;
-  if (facing >= every_second) return Tone::half;
-  return facing >= all ? Tone::full : Tone::crossed;
-}
-
-base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
-                               const ImageWindow& window, double units, const HatchOptions& options) {
-  return Hatcher(scene, camera, window, units, options).run();
-}
-
-namespace {
-
 // A straight line of the image: where it is across a direction, and from where to where along it.
 struct Ruled {
   double offset = 0;
@@ -272,6 +252,22 @@ void take_out(UnitedLines& lines, const Along& along, const IsTaken& is_taken, c
 }
 
 }  // namespace
+
+Tone tone_of(double facing) {
+  constexpr double no_lines = 0.85;
+  constexpr double every_fourth = 0.6;
+  constexpr double every_second = 0.35;
+  constexpr double all = 0.1;
+  if (facing >= no_lines) return Tone::light;
+  if (facing >= every_fourth) return Tone::fourth;
+  if (facing >= every_second) return Tone::half;
+  return facing >= all ? Tone::full : Tone::crossed;
+}
+
+base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+                               const ImageWindow& window, double units, const HatchOptions& options) {
+  return Hatcher(scene, camera, window, units, options).run();
+}
 
 void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window) {
   const auto kind_of = [&](const UnitedLine& line) -> std::string_view { return layers[line.layer].kind; };

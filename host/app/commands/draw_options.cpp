@@ -73,11 +73,6 @@ constexpr std::array paper_sizes{
     PaperSize{"Tabloid", 279.4, 431.8},
 };
 
-bool same_letters(std::string_view a, std::string_view b) {
-  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [small](char c, char d) { return small(c) == small(d); });
-}
-
 void read_paper(DrawOutput& output) {
   picture::Paper& paper = output.paper;
   if (output.command->is_given("--device") && !output.command->is_given("--size")) {
@@ -90,7 +85,7 @@ void read_paper(DrawOutput& output) {
   std::string names;
   for (const PaperSize& size : paper_sizes) {
     names += std::string(size.name) + ", ";
-    if (!same_letters(size.name, output.size)) continue;
+    if (base::lower_case(size.name) != base::lower_case(output.size)) continue;
     paper.width = size.width;
     paper.height = size.height;
     if (output.landscape) std::swap(paper.width, paper.height);
@@ -155,6 +150,57 @@ void read_margin(DrawOutput& output) {
     if (!area) throw base::usage_error(area.error().message());
   }
   paper.margin = 0;
+}
+
+picture::HpglOptions hpgl_options(const DrawOutput& output) {
+  return {output.plotter(), output.pens, output.speed, output.relative};
+}
+
+void warn_of_speed(const DrawOutput& output) {
+  const auto reached = picture::reachable_speed(hpgl_options(output));
+  if (reached == output.speed) return;
+  warn(fmt::format("--speed: found {:g} cm/s, which {} does not reach: the file says {:g}", *output.speed, output.plotter()->name,
+                   *reached));
+}
+
+// "a", "a and b", "a, b, c and 5 more"
+std::string list_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 4;
+  if (names.size() == 1) return names[0];
+  const std::size_t shown = names.size() > most ? most - 1 : names.size() - 1;
+  const std::vector<std::string> first(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown));
+  return base::joined(first, ", ") + " and " + (names.size() > most ? fmt::format("{} more", names.size() - shown) : names.back());
+}
+
+// More layers than pens, or pens without a layer.
+void warn_of_pens(const std::vector<std::string>& labels, const DrawOutput& output) {
+  const picture::Plotter* const plotter = output.plotter();
+  const picture::HpglOptions options = hpgl_options(output);
+  const std::size_t layers = labels.size();
+  const std::size_t pens = picture::pen_count(options);
+  const std::string count = fmt::format("{}: {} layer{} for {}{} pen{}{}", output.file, layers, layers == 1 ? "" : "s",
+                                        output.pens.empty() && plotter == nullptr ? "" : "the ", pens == 1 ? "one" : std::to_string(pens),
+                                        pens == 1 ? "" : "s",
+                                        !output.pens.empty()  ? " of --pens"
+                                        : plotter != nullptr ? fmt::format(" of {}", plotter->name)
+                                                             : std::string());
+  if (layers > pens) {
+    const int last = picture::pen_of_layer(layers - 1, options);
+    std::vector<std::string> sharing;
+    for (std::size_t layer = 0; layer < layers; ++layer)
+      if (picture::pen_of_layer(layer, options) == last) sharing.push_back(labels[layer]);
+    warn(fmt::format("{}: {} share {}", count, list_of(sharing), pens == 1 ? std::string("it") : fmt::format("pen {}", last)));
+  } else if (!output.pens.empty() && layers < pens && layers > 0) {
+    std::vector<std::string> idle;
+    for (std::size_t i = layers; i < pens; ++i) idle.push_back(std::to_string(output.pens[i]));
+    warn(fmt::format("{}: pen{} {} draw{} nothing", count, idle.size() == 1 ? "" : "s", list_of(idle), idle.size() == 1 ? "s" : ""));
+  }
+}
+
+base::Json plot_json(const hidden_lines::PenPlot& plot) {
+  const auto metres = [](double millimetres) { return std::round(millimetres) / 1000; };
+  return {{"pen_down_m", metres(plot.down)}, {"pen_up_m", metres(plot.up)}, {"lifts", plot.lifts},
+          {"pens", plot.pens},               {"plotter", plot.plotter},     {"seconds", std::round(10 * plot.seconds) / 10}};
 }
 
 }  // namespace
@@ -339,61 +385,6 @@ void require_room(const picture::VectorDrawing& drawing, const DrawOutput& outpu
                                                                       : fmt::format("{:g} mm a side", widest_paper))
                                      : fmt::format("{}, expected {}{}", found, paper, sheet.empty() ? std::string() : ", such as " + sheet));
 }
-
-namespace {
-
-picture::HpglOptions hpgl_options(const DrawOutput& output) {
-  return {output.plotter(), output.pens, output.speed, output.relative};
-}
-
-void warn_of_speed(const DrawOutput& output) {
-  const auto reached = picture::reachable_speed(hpgl_options(output));
-  if (reached == output.speed) return;
-  warn(fmt::format("--speed: found {:g} cm/s, which {} does not reach: the file says {:g}", *output.speed, output.plotter()->name,
-                   *reached));
-}
-
-// "a", "a and b", "a, b, c and 5 more"
-std::string list_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 4;
-  if (names.size() == 1) return names[0];
-  const std::size_t shown = names.size() > most ? most - 1 : names.size() - 1;
-  const std::vector<std::string> first(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown));
-  return base::joined(first, ", ") + " and " + (names.size() > most ? fmt::format("{} more", names.size() - shown) : names.back());
-}
-
-// More layers than pens, or pens without a layer.
-void warn_of_pens(const std::vector<std::string>& labels, const DrawOutput& output) {
-  const picture::Plotter* const plotter = output.plotter();
-  const picture::HpglOptions options = hpgl_options(output);
-  const std::size_t layers = labels.size();
-  const std::size_t pens = picture::pen_count(options);
-  const std::string count = fmt::format("{}: {} layer{} for {}{} pen{}{}", output.file, layers, layers == 1 ? "" : "s",
-                                        output.pens.empty() && plotter == nullptr ? "" : "the ", pens == 1 ? "one" : std::to_string(pens),
-                                        pens == 1 ? "" : "s",
-                                        !output.pens.empty()  ? " of --pens"
-                                        : plotter != nullptr ? fmt::format(" of {}", plotter->name)
-                                                             : std::string());
-  if (layers > pens) {
-    const int last = picture::pen_of_layer(layers - 1, options);
-    std::vector<std::string> sharing;
-    for (std::size_t layer = 0; layer < layers; ++layer)
-      if (picture::pen_of_layer(layer, options) == last) sharing.push_back(labels[layer]);
-    warn(fmt::format("{}: {} share {}", count, list_of(sharing), pens == 1 ? std::string("it") : fmt::format("pen {}", last)));
-  } else if (!output.pens.empty() && layers < pens && layers > 0) {
-    std::vector<std::string> idle;
-    for (std::size_t i = layers; i < pens; ++i) idle.push_back(std::to_string(output.pens[i]));
-    warn(fmt::format("{}: pen{} {} draw{} nothing", count, idle.size() == 1 ? "" : "s", list_of(idle), idle.size() == 1 ? "s" : ""));
-  }
-}
-
-base::Json plot_json(const hidden_lines::PenPlot& plot) {
-  const auto metres = [](double millimetres) { return std::round(millimetres) / 1000; };
-  return {{"pen_down_m", metres(plot.down)}, {"pen_up_m", metres(plot.up)}, {"lifts", plot.lifts},
-          {"pens", plot.pens},               {"plotter", plot.plotter},     {"seconds", std::round(10 * plot.seconds) / 10}};
-}
-
-}  // namespace
 
 std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, hidden_lines::Format format,
                                         const std::string& title, Output& file) {

@@ -75,51 +75,6 @@ int bits_of(Precision precision) {
   return 8;
 }
 
-}  // namespace
-
-base::Result<Model> flight_model(const scene::PolyScene& scene, const willis::ModelOptions& options, const scene::PolyPoint& eye,
-                                 std::optional<std::size_t> pieces) {
-  auto made = willis::make_model(scene, options);
-  if (!made) return made.error();
-  Model model = std::move(*made);
-  if (!pieces)
-    if (auto error = too_many(model)) return *error;
-  if (model.pieces.empty()) return base::Error{.found = "no pieces", .expected = "at least one"};
-  const willis::Point from = eye_point(model, eye);
-  std::vector<std::size_t> order(model.pieces.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<std::uint64_t> distances;
-  for (const willis::Surface& piece : model.pieces) distances.push_back(willis::squared_distance(from, piece.points[0]));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
-  if (pieces) order.resize(std::min({order.size(), *pieces, most_pieces}));
-  choose(model, order);
-  // Planes between those that are left take room, too.
-  while (pieces && model.pieces.size() > 1) {
-    const std::size_t points = points_of(model, cells_of(model));
-    if (points <= most_pieces) break;
-    order.resize(model.pieces.size() - std::min(model.pieces.size() - 1, points - most_pieces));
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    choose(model, order);
-  }
-  if (auto error = too_many(model)) return *error;
-  return model;
-}
-
-base::Result<Model> view_model(const scene::PolyScene& scene, const willis::ModelOptions& options, const scene::PolyCamera& camera) {
-  auto made = willis::make_model(scene, options);
-  if (!made) return made.error();
-  Model model = std::move(*made);
-  // Frames has the farthest first.
-  willis::Frames frames(model);
-  const auto facing = frames.order(camera);
-  choose(model, {facing.rbegin(), facing.rend()});
-  if (auto error = too_many(model)) return *error;
-  if (model.pieces.empty()) return base::Error{.found = "no pieces turned to the eye", .expected = "at least one"};
-  return model;
-}
-
-namespace {
-
 // Points in the space in which the machine measures: the axes of the scene or of its plan, or the depth along a direction.
 class Space {
  public:
@@ -168,6 +123,47 @@ double distance(const Space::Place& a, const Space::Place& b) {
 }
 
 }  // namespace
+
+base::Result<Model> flight_model(const scene::PolyScene& scene, const willis::ModelOptions& options, const scene::PolyPoint& eye,
+                                 std::optional<std::size_t> pieces) {
+  auto made = willis::make_model(scene, options);
+  if (!made) return made.error();
+  Model model = std::move(*made);
+  if (!pieces)
+    if (auto error = too_many(model)) return *error;
+  if (model.pieces.empty()) return base::Error{.found = "no pieces", .expected = "at least one"};
+  const willis::Point from = eye_point(model, eye);
+  std::vector<std::size_t> order(model.pieces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::uint64_t> distances;
+  for (const willis::Surface& piece : model.pieces) distances.push_back(willis::squared_distance(from, piece.points[0]));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  if (pieces) order.resize(std::min({order.size(), *pieces, most_pieces}));
+  choose(model, order);
+  // Planes between those that are left take room, too.
+  while (pieces && model.pieces.size() > 1) {
+    const std::size_t points = points_of(model, cells_of(model));
+    if (points <= most_pieces) break;
+    order.resize(model.pieces.size() - std::min(model.pieces.size() - 1, points - most_pieces));
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    choose(model, order);
+  }
+  if (auto error = too_many(model)) return *error;
+  return model;
+}
+
+base::Result<Model> view_model(const scene::PolyScene& scene, const willis::ModelOptions& options, const scene::PolyCamera& camera) {
+  auto made = willis::make_model(scene, options);
+  if (!made) return made.error();
+  Model model = std::move(*made);
+  // Frames has the farthest first.
+  willis::Frames frames(model);
+  const auto facing = frames.order(camera);
+  choose(model, {facing.rbegin(), facing.rend()});
+  if (auto error = too_many(model)) return *error;
+  if (model.pieces.empty()) return base::Error{.found = "no pieces turned to the eye", .expected = "at least one"};
+  return model;
+}
 
 Packed pack(const Model& model, std::span<const scene::PolyCamera> cameras, Precision precision) {
   const Space space(model, cameras.front());

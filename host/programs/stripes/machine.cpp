@@ -24,8 +24,11 @@ namespace {
 // observed there, and a run without an observer is faster.
 class PlotterFront final : public i8080::Front {
  public:
-  explicit PlotterFront(i8080::Machine& machine) : Front(machine, devices::CalComp565::info.writes) {}
+  explicit PlotterFront(i8080::Machine& machine)
+      : Front(machine, devices::CalComp565::info.writes), plotter_(*machine.find<devices::CalComp565>()) {}
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
+    // Nothing changes in a plotter that is busy, and no line of it has to be polled.
+    if (waiting_ && at < plotter_.busy_until()) return plotter_.read_status(at);
     const std::uint8_t status = Front::in(port, at);
     const bool busy = (status & devices::CalComp565::Status::busy) != 0;
     if (busy != waiting_) machine().request_stop();
@@ -42,6 +45,7 @@ class PlotterFront final : public i8080::Front {
   std::vector<std::uint8_t> commands;
 
  private:
+  devices::CalComp565& plotter_;
   bool waiting_ = false;
 };
 

@@ -129,15 +129,15 @@ struct EveryCycle final : pdp7::Observer {
     return false;
   }
   [[nodiscard]] bool is_marked(const pdp7::Cycle& c) const {
-    const std::uint8_t marks = others[c.address & pdp7::address_mask];
+    const std::uint8_t here = others[c.address & pdp7::address_mask];
     switch (c.verb) {
-      case pdp7::Verb::fetch: return (marks & pdp7::mark::fetched) != 0;
+      case pdp7::Verb::fetch: return (here & pdp7::mark::fetched) != 0;
       case pdp7::Verb::read:
-      case pdp7::Verb::break_read: return (marks & pdp7::mark::read) != 0;
+      case pdp7::Verb::break_read: return (here & pdp7::mark::read) != 0;
       case pdp7::Verb::write:
-      case pdp7::Verb::break_write: return (marks & pdp7::mark::written) != 0;
+      case pdp7::Verb::break_write: return (here & pdp7::mark::written) != 0;
       case pdp7::Verb::modify:
-      case pdp7::Verb::break_modify: return (marks & (pdp7::mark::read | pdp7::mark::written)) != 0;
+      case pdp7::Verb::break_modify: return (here & (pdp7::mark::read | pdp7::mark::written)) != 0;
       case pdp7::Verb::interrupt:
       case pdp7::Verb::iot: return true;
       case pdp7::Verb::idle: return false;

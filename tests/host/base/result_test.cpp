@@ -16,7 +16,16 @@ TEST(Error, MessageLeavesOutWhatIsEmpty) {
   EXPECT_EQ((Error{"a.png", "", "cannot read: No such file or directory"}).message(),
             "a.png: cannot read: No such file or directory");
   EXPECT_EQ((Error{"", "cell 3", "overlaps cell 4"}).message(), "cell 3: overlaps cell 4");
-  EXPECT_EQ(fail("the eye is inside a solid").message(), "the eye is inside a solid");
+  EXPECT_EQ(bad_input("the eye is inside a solid").message(), "the eye is inside a solid");
+}
+
+TEST(Error, KnowsItsKind) {
+  EXPECT_EQ(Error{}.kind, ErrorKind::bad_input);
+  EXPECT_EQ(usage_error("--at: found 3").kind, ErrorKind::usage);
+  EXPECT_EQ(program_failed("it stopped").kind, ErrorKind::program_failed);
+  EXPECT_EQ(difference("word 3").kind, ErrorKind::differs);
+  EXPECT_EQ(io_error("cannot write").kind, ErrorKind::io);
+  EXPECT_NE(usage_error("one complaint"), io_error("one complaint"));
 }
 
 TEST(Error, MessageEndsWithTheRemedyAndTheExcerpt) {
@@ -41,9 +50,9 @@ TEST(Result, HoldsAValueOrAnError) {
   EXPECT_EQ(*good, "text");
   EXPECT_EQ(good->size(), 4U);
   EXPECT_THROW(static_cast<void>(good.error()), std::bad_variant_access);
-  const Result<std::string> bad = fail("nothing");
+  const Result<std::string> bad = bad_input("nothing");
   ASSERT_FALSE(bad.has_value());
-  EXPECT_EQ(bad.error(), fail("nothing"));
+  EXPECT_EQ(bad.error(), bad_input("nothing"));
   EXPECT_THROW(static_cast<void>(*bad), std::bad_variant_access);
 }
 
@@ -54,7 +63,7 @@ TEST(Result, GivesAwayWhatCannotBeCopied) {
 }
 
 TEST(Result, HoldsAListOfErrors) {
-  const Result<Done, std::vector<Error>> checked(std::vector{fail("one"), fail("two")});
+  const Result<Done, std::vector<Error>> checked(std::vector{bad_input("one"), bad_input("two")});
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().size(), 2U);
 }
