@@ -42,11 +42,6 @@ double points_of_unit_height(const scene::HeightGrid& grid, const algorithms::sk
   return image[1] > image[0] ? (screen[1] - screen[0]) / (image[1] - image[0]) * 0.6 * elevation.cosine : 0;
 }
 
-double distance(const picture::PixelPoint& point, const picture::PixelSegment& chord) {
-  const auto foot = picture::point_at(chord, std::clamp(picture::place_on(chord, point), 0.0, 1.0));
-  return std::hypot(point.x - foot.x, point.y - foot.y);
-}
-
 }  // namespace
 
 std::optional<ChordError> chord_error(const HeightLines& lines, const scene::HeightGrid& grid,
@@ -82,7 +77,7 @@ std::optional<ChordError> chord_error(const HeightLines& lines, const scene::Hei
       if (!std::isfinite(height)) continue;
       picture::PixelPoint point = picture::point_at(chord.image, place);
       point.y += (height - (low + place * (high - low))) * unit;
-      error.greatest = std::max(error.greatest, distance(point, chord.image));
+      error.greatest = std::max(error.greatest, picture::distance(point, chord.image));
     }
   }
   return error;

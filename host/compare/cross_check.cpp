@@ -22,7 +22,7 @@
 namespace sightline::compare {
 namespace {
 
-constexpr std::string_view oracle = "oracle";
+constexpr std::string_view oracle_name = "oracle";
 
 std::vector<Participant> find_participants() {
   std::vector<Participant> found;
@@ -37,7 +37,7 @@ std::vector<Participant> find_participants() {
     at(algorithm.name).faces = true;
   for (const registry::HeightAlgorithm& algorithm : registry::height_algorithms()) at(algorithm.name).faces = true;
   at(stripes_name).faces = true;
-  at(oracle).faces = true;
+  at(oracle_name).faces = true;
   at(willis_on_8080().name).faces = true;
   at(turn_name).screen = true;
   for (const std::string_view name : {jones_pdp7_name, jones_no_eae_name, jones_twin_name}) at(name).jones = true;
@@ -269,7 +269,7 @@ class Drawing {
   }
 
   void draw_faces() {
-    if (who_.name == oracle) {
+    if (who_.name == oracle_name) {
       for_each_view([&](const CrossCheckView& view, CrossCheckPicture& picture) {
         picture.faces = nearest_faces(scene_, view);
       });
@@ -337,7 +337,7 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView
   if (b.jones) return {compare_pictures(scene, view, NamedJones{b.name, &*of_b.builds}, lines(a, of_a))};
   if (a.ink || b.ink) {
     const NamedInk ink = a.ink ? NamedInk{a.name, &*of_a.ink} : NamedInk{b.name, &*of_b.ink};
-    return {(a.ink ? b : a).name == oracle ? compare_with_oracle(scene, ink) : compare_with_native(scene, ink)};
+    return {(a.ink ? b : a).name == oracle_name ? compare_with_oracle(scene, ink) : compare_with_native(scene, ink)};
   }
   if (a.screen || b.screen) {
     const NamedScreen screen = a.screen ? NamedScreen{a.name, &*of_a.screen} : NamedScreen{b.name, &*of_b.screen};
@@ -427,7 +427,7 @@ std::optional<std::string_view> listed_reason(std::string_view who, std::string_
 std::optional<std::string_view> nothing_in_common(std::string_view a, std::string_view b) {
   if (a != skala_8080_name && b != skala_8080_name) return std::nullopt;
   const std::string_view other = a == skala_8080_name ? b : a;
-  if (other == oracle || registry::find_height_algorithm(other) != nullptr) return std::nullopt;
+  if (other == oracle_name || registry::find_height_algorithm(other) != nullptr) return std::nullopt;
   return "skala-8080 draws slices, the other one triangles between them, which reach beyond the slices";
 }
 

@@ -68,11 +68,6 @@ bool runs_along_x(algorithms::skala::Family family, const programs::skala::SineC
   return family != algorithms::skala::Family::along_z;
 }
 
-double distance(const PixelPoint& p, const PixelSegment& segment) {
-  const PixelPoint foot = picture::point_at(segment, std::clamp(picture::place_on(segment, p), 0.0, 1.0));
-  return std::hypot(p.x - foot.x, p.y - foot.y);
-}
-
 using picture::PixelGrid;
 using picture::PixelPoint;
 
@@ -82,7 +77,7 @@ struct Corner {
 };
 using Triangle = std::array<Corner, 3>;
 
-double turn(const PixelPoint& a, const PixelPoint& b, const PixelPoint& c) {
+double doubled_area(const PixelPoint& a, const PixelPoint& b, const PixelPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -90,7 +85,7 @@ double turn(const PixelPoint& a, const PixelPoint& b, const PixelPoint& c) {
 template <class Visit>
 void for_points(const Triangle& triangle, const Visit& visit) {
   const auto& [a, b, c] = triangle;
-  const double area = turn(a.point, b.point, c.point);
+  const double area = doubled_area(a.point, b.point, c.point);
   if (area == 0) return;
   const auto [low_x, high_x] = std::minmax({a.point.x, b.point.x, c.point.x});
   const auto [low_y, high_y] = std::minmax({a.point.y, b.point.y, c.point.y});
@@ -101,8 +96,8 @@ void for_points(const Triangle& triangle, const Visit& visit) {
   for (int y = first(low_y); y <= last(high_y); ++y) {
     for (int x = first(low_x); x <= last(high_x); ++x) {
       const PixelPoint p{static_cast<double>(x), static_cast<double>(y)};
-      const double to_a = turn(b.point, c.point, p) / area;
-      const double to_b = turn(c.point, a.point, p) / area;
+      const double to_a = doubled_area(b.point, c.point, p) / area;
+      const double to_b = doubled_area(c.point, a.point, p) / area;
       const double to_c = 1 - to_a - to_b;
       if (to_a < 0 || to_b < 0 || to_c < 0) continue;
       visit(x, y, to_a * a.depth + to_b * b.depth + to_c * c.depth);
@@ -342,7 +337,7 @@ LineId HeightLines::line_at(const PixelSegment& piece, std::uint32_t level) cons
   for (const std::uint32_t number : lines_in_[column_of((piece.a.x + piece.b.x) / 2)]) {
     if (levels_[number] != level) continue;
     const PixelSegment& image = lines_[number].image;
-    const double away = std::max(distance(piece.a, image), distance(piece.b, image));
+    const double away = std::max(picture::distance(piece.a, image), picture::distance(piece.b, image));
     if (away >= nearest) continue;
     nearest = away;
     best = number;

@@ -19,7 +19,7 @@ namespace {
 using picture::PixelGrid;
 using picture::PixelSegment;
 
-constexpr std::string_view oracle = "oracle";
+constexpr std::string_view oracle_method = "oracle";
 
 PixelGrid lit_where_painted(PixelGrid cells) {
   for (std::uint32_t& value : cells.values) value = value != 0 ? 1 : 0;
@@ -56,7 +56,7 @@ std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
                                               const algorithms::skala::View& view) {
   if (const std::size_t points = grid.points() * grid.slices(); points > most_grid_points)
     return fmt::format("{} points of the grid are too many for the truth of its lines, which takes {}", points, most_grid_points);
-  return find_height_method(oracle)->why_not(grid, view);
+  return find_height_method(oracle_method)->why_not(grid, view);
 }
 
 HeightComparison compare_heights(const scene::HeightGrid& grid, const algorithms::skala::View& asked,
@@ -100,7 +100,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const algorithms
                                   picture::line_difference(lines->lines(), pieces, 1)});
   };
   for (const HeightMethod& method : height_methods()) {
-    if (method.name == oracle || method.why_not(grid, view)) continue;
+    if (method.name == oracle_method || method.why_not(grid, view)) continue;
     progress(method.name);
     HeightPicture drawn = method.draw(grid, view);
     if (drawn.drawing) {

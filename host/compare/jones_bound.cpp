@@ -55,11 +55,11 @@ Side projected(const PixelPoint& a, const PixelPoint& b) {
   return side;
 }
 
-struct Corner {
+struct ClipCorner {
   PixelPoint place;
   Side next;  // to the next corner
 };
-using Polygon = std::vector<Corner>;  // counter-clockwise
+using Polygon = std::vector<ClipCorner>;  // counter-clockwise
 
 // What cuts: the left of a line.
 struct ClipLine {
@@ -81,7 +81,7 @@ std::vector<ClipLine> clip_lines(const Polygon& mask) {
   constexpr std::array<PixelPoint, 4> ways{{{0, -1}, {0, 1}, {1, 0}, {-1, 0}}};  // x >= xlo, x <= xhi, y >= ylo, y <= yhi
   for (const PixelPoint& way : ways) {
     ClipLine line{mask.front().place, {way, {}, false}, 0};
-    for (const Corner& c : mask)
+    for (const ClipCorner& c : mask)
       if (line.distance(c.place) < 0) line.at = c.place;
     // As far off as a side that lies on it, or else a corner.
     double away = corner;
@@ -222,8 +222,8 @@ class Bound {
     std::optional<std::size_t> closing;  // the side on the clip line, which begins where the polygon leaves
     double entered = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Corner& p = polygon[i];
-      const Corner& q = polygon[(i + 1) % polygon.size()];
+      const ClipCorner& p = polygon[i];
+      const ClipCorner& q = polygon[(i + 1) % polygon.size()];
       const bool holds_p = clip.holds(p.place);
       if (holds_p) left.push_back(p);
       if (holds_p == clip.holds(q.place)) continue;

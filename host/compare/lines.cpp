@@ -49,7 +49,7 @@ LinePart part_on(const PixelSegment& image, const PixelSegment& pixels) {
   return {picture::place_on(image, pixels.a), picture::place_on(image, pixels.b)};
 }
 
-constexpr double screen_centre = 512;  // of the one window of a mono view
+constexpr double mono_window_centre = 512;  // of the one window of a mono view
 
 // Two's complement of 18 bits.
 std::int32_t number_in(std::uint32_t word) {
@@ -253,11 +253,11 @@ std::map<std::uint32_t, LineId> lines_of_vectors(const programs::jones::EncodedS
 }
 
 std::vector<DrawnPiece> twin_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
-  return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.points(at) + screen_centre; });
+  return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.points(at) + mono_window_centre; });
 }
 
 std::vector<DrawnPiece> display_pieces(const programs::jones::TwinView& view, const std::map<std::uint32_t, LineId>& lines, int fraction_bits) {
-  return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + screen_centre; });
+  return pieces_of(view, lines, [number = words_of(fraction_bits)](std::int32_t at) { return number.point(at) + mono_window_centre; });
 }
 
 SeenEdge::SeenEdge(const scene::PolyPoint& from, const scene::PolyPoint& to, const scene::PolyCamera& camera) {

@@ -84,6 +84,11 @@ double place_on(const PixelSegment& segment, const PixelPoint& point) {
   return square > 0 ? ((point.x - segment.a.x) * dx + (point.y - segment.a.y) * dy) / square : 0;
 }
 
+double distance(const PixelPoint& point, const PixelSegment& segment) {
+  const PixelPoint foot = point_at(segment, std::clamp(place_on(segment, point), 0.0, 1.0));
+  return std::hypot(point.x - foot.x, point.y - foot.y);
+}
+
 std::vector<MeasuredLine> measured_lines(const std::vector<ReferenceLine>& truth,
                                          const std::vector<DrawnPiece>& drawn) {
   std::vector<const ReferenceLine*> order;

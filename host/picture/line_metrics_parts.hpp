@@ -22,6 +22,8 @@ using LineParts = std::vector<LinePart>;  // ascending, disjoint, each of a posi
 [[nodiscard]] PixelSegment part_of(const PixelSegment& segment, const LinePart& part);
 // Of the foot of the perpendicular; 0 on a segment of no length.
 [[nodiscard]] double place_on(const PixelSegment& segment, const PixelPoint& point);
+// Between a point and the nearest point of a segment.
+[[nodiscard]] double distance(const PixelPoint& point, const PixelSegment& segment);
 
 // Of distances from another picture: the greatest, and what all but one in a thousand do not exceed. Of none: 0.
 [[nodiscard]] HausdorffDistance one_way(std::vector<double> distances);

@@ -14,7 +14,7 @@ namespace sightline::compare {
 
 namespace {
 
-namespace native = algorithms::montani_re;
+namespace montani_re = algorithms::montani_re;
 namespace oracle = algorithms::oracle;
 using picture::PixelGrid;
 using scene::PolyPoint;
@@ -26,7 +26,7 @@ double dot(const PolyPoint& a, const geometry::RealVector& b) { return geometry:
 
 double squared(const PolyPoint& v) { return dot(v, geometry::real_vector(v)); }
 
-std::vector<picture::PixelSegment> edges_of(const PolyScene& scene, const native::StripeFrame& frame) {
+std::vector<picture::PixelSegment> edges_of(const PolyScene& scene, const montani_re::StripeFrame& frame) {
   const PixelPlane plane(scene.camera, frame);
   std::vector<picture::PixelSegment> segments;
   for (const picture::LineEdge& edge : picture::edges_of(scene))
@@ -91,7 +91,7 @@ PixelView pixels_along_z(const PolyScene& scene, const PixelParts& parts) {
   return view;
 }
 
-PixelView pixels_in_perspective(const PolyScene& scene, const native::FaceSet& set, std::int32_t size) {
+PixelView pixels_in_perspective(const PolyScene& scene, const montani_re::FaceSet& set, std::int32_t size) {
   const scene::PolyCamera& camera = scene.camera;
   const double right = squared(camera.right);
   const double up = squared(camera.up);
@@ -104,7 +104,7 @@ PixelView pixels_in_perspective(const PolyScene& scene, const native::FaceSet& s
                                    squared(camera.forward) / (2 * step[1] * up)};
   std::array<double, 2> low{1e300, 1e300};
   std::array<double, 2> high{-1e300, -1e300};
-  for (const native::Face& face : set.faces) {
+  for (const montani_re::Face& face : set.faces) {
     for (std::size_t a = 0; a < 2; ++a) {
       low[a] = std::min(low[a], face.low[a].approximate);
       high[a] = std::max(high[a], face.high[a].approximate);
@@ -133,21 +133,21 @@ PixelView pixels_in_perspective(const PolyScene& scene, const native::FaceSet& s
   return view;
 }
 
-PixelGrid grid_of(const PolyScene& scene, const native::FaceSet& set, const native::StripeRaster& raster) {
+PixelGrid grid_of(const PolyScene& scene, const montani_re::FaceSet& set, const montani_re::StripeRaster& raster) {
   const auto firsts = scene::first_face_numbers(scene);
   PixelGrid grid(raster.width, raster.height);
   for (std::size_t i = 0; i < raster.faces.size(); ++i) {
-    if (raster.faces[i] == native::none) continue;
-    const native::Face& face = set.faces[raster.faces[i]];
+    if (raster.faces[i] == montani_re::none) continue;
+    const montani_re::Face& face = set.faces[raster.faces[i]];
     grid.values[i] = firsts[face.body] + face.index;
   }
   return grid;
 }
 
-double square_pixels(const native::StripePcs& pcs, std::int32_t units) {
+double square_pixels(const montani_re::StripePcs& pcs, std::int32_t units) {
   double sixteenths = 0;
   for (const auto& stripe : pcs.stripes) {
-    for (const native::StripeBand& band : stripe) {
+    for (const montani_re::StripeBand& band : stripe) {
       for (std::size_t k = 0; k + 1 < band.sides.size(); k += 2) {
         const auto across = [&](std::int32_t at) {
           return static_cast<double>(band.sides[k + 1].at(at) - band.sides[k].at(at)) / (16 * 65536);
