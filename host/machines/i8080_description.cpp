@@ -297,7 +297,7 @@ Result<Done> put_together(const Wanted& wanted, I8080Setup& setup) {
   return Done{};
 }
 
-Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
+Result<std::unique_ptr<Machine>> make_i8080(const Arguments& arguments, const FileReader& read) {
   I8080Setup setup;
   Wanted wanted;
   const std::string& clock = arguments.text("--clock");
@@ -331,7 +331,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   return make_i8080(std::move(setup));
 }
 
-Result<std::int64_t> parse_time(std::string_view option, std::string_view text) {
+Result<std::int64_t> parse_i8080_time(std::string_view option, std::string_view text) {
   constexpr std::uint64_t longest = std::uint64_t{1} << 62;
   const auto count = count_argument(option, text);
   if (!count) return count.error();
@@ -380,20 +380,20 @@ bool begins_with_hex_record(std::span<const std::uint8_t> bytes) {
 }
 
 using View = std::span<const std::uint8_t>;
-using Address = std::optional<std::uint32_t>;
+using LoadAddress = std::optional<std::uint32_t>;
 
 base::Error address_refused(const std::string& file, std::string_view why) {
   return base::usage_error(fmt::format("{}: found an address, expected none: {}", file, why));
 }
 
-Result<Program> read_com(View bytes, const std::string& file, Address address) {
+Result<Program> read_com(View bytes, const std::string& file, LoadAddress address) {
   if (address && *address != image::com_origin) return address_refused(file, "a .com file goes to 0100");
   return program_of(image::read_com(bytes, file));
 }
-Result<Program> read_bin(View bytes, const std::string& file, Address address) {
+Result<Program> read_bin(View bytes, const std::string& file, LoadAddress address) {
   return program_of(image::read_binary(bytes, file, static_cast<std::uint16_t>(address.value_or(0))));
 }
-Result<Program> read_hex(View bytes, const std::string& file, Address address) {
+Result<Program> read_hex(View bytes, const std::string& file, LoadAddress address) {
   if (address) return address_refused(file, "Intel HEX has its own");
   return program_of(image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file));
 }
@@ -403,7 +403,7 @@ std::string_view instead_of(const Arguments& arguments, std::string_view format,
   return arguments.given("--cpm") && format == "bin" && !address ? "com" : format;
 }
 
-Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
+Result<Assembled> assemble_i8080(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
                            const TextReader& include) {
   assembler::I8080Options options;
   auto defines = read_defines(arguments, assembler::parse_i8080_define);
@@ -422,7 +422,7 @@ Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const
 
 using enum OptionKind;
 
-std::vector<Option> run_options() {
+std::vector<Option> i8080_options() {
   std::vector<Option> options{
       {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Sources, programs and data, in order; @ADDRESS in hexadecimal"},
       {text, "--start", "ADDRESS", "Begin at this address"},
@@ -508,7 +508,7 @@ std::vector<Option> run_options() {
   return options;
 }
 
-MachineDescription described() {
+MachineDescription describe_i8080() {
   MachineDescription i8080;
   i8080.name = "i8080";
   i8080.help = "Run a program on the 8080";
@@ -524,7 +524,7 @@ MachineDescription described() {
   i8080.registers.push_back({"SP", 16, "a value"});
   i8080.registers.push_back({"PC", 16, "a value"});
   i8080.registers.push_back({"INTE", 1, "a value"});
-  i8080.options = run_options();
+  i8080.options = i8080_options();
   i8080.formats = {{"com", ".com", [](View) { return false; }, read_com,
                     [](const Program& program, const std::string& file) {
                       return bytes_of(image::write_com(byte_image(program), file));
@@ -543,8 +543,8 @@ MachineDescription described() {
                     }}};
   i8080.instead_of = instead_of;
   i8080.time_limit = "--max-states";
-  i8080.parse_time = parse_time;
-  i8080.make = make;
+  i8080.parse_time = parse_i8080_time;
+  i8080.make = make_i8080;
   i8080.assembler = {"Assemble 8080 source (Intel ASM80, CP/M ASM and MAC, MACRO-80)",
                      "as in a source (10, 0AH, 0x0A)",
                      "Write address, bytes and source, line by line, and the symbols",
@@ -554,7 +554,7 @@ MachineDescription described() {
                        .choices = {assembler::i8080_dialect_names.begin(), assembler::i8080_dialect_names.end()},
                        .initial = assembler::i8080_dialect_names.front()}},
                      "hex",
-                     assemble};
+                     assemble_i8080};
   i8080.disassemblers = {
       {"i8080", "8080 instructions", "Program, FILE[@ADDRESS], ADDRESS in hexadecimal; - is standard input",
        [](const Program& program) { return disassembler::disassemble_i8080(byte_image(program)); }}};
@@ -564,7 +564,7 @@ MachineDescription described() {
 }  // namespace
 
 const MachineDescription& i8080() {
-  static const MachineDescription description = described();
+  static const MachineDescription description = describe_i8080();
   return description;
 }
 

@@ -11,13 +11,13 @@ namespace sightline::machines {
 namespace {
 
 // The rows of i8080_signals(), by number; those of the status byte from its lowest bit on.
-namespace signal {
+namespace i8080_signal {
 enum : std::size_t {
   address, data, sync, dbin, wr, wait, ready, interrupt, hold, hlda, t, inta, wo, stack, hlta, out, m1, inp, memr, pc, sp, a, f, bc, de, hl, inte, count
 };
 }
 
-constexpr std::array<VcdSignal, signal::count> signals{{
+constexpr std::array<VcdSignal, i8080_signal::count> i8080_rows{{
     {"pins", "address", 16, "A15-A0; z while a board has the bus"},
     {"pins", "data", 8, "D7-D0: the status byte with SYNC, then the byte; z while nobody drives them"},
     {"pins", "sync", 1, "a machine cycle begins"},
@@ -50,7 +50,7 @@ constexpr std::array<VcdSignal, signal::count> signals{{
 }  // namespace
 
 std::span<const VcdSignal> i8080_signals() {
-  return signals;
+  return i8080_rows;
 }
 
 void I8080Vcd::finish(core::TStateInstant now) {
@@ -65,8 +65,8 @@ void I8080Vcd::cycle(const i8080::BusCycle& cycle) {
   if (first) opcode_ = cycle.data;
   // INTE falls as the interrupt is acknowledged.
   if (first && (cycle.status & status::acknowledge) != 0) {
-    show(cycle.time, signal::interrupt, 1);
-    show(cycle.time, signal::inte, 0);
+    show(cycle.time, i8080_signal::interrupt, 1);
+    show(cycle.time, i8080_signal::inte, 0);
   }
   if (!first && (cycle.status & status::halt) != 0) {
     begin_halt(cycle);
@@ -78,15 +78,15 @@ void I8080Vcd::cycle(const i8080::BusCycle& cycle) {
 void I8080Vcd::instruction(const i8080::InstructionRecord& record) {
   end_cycle(record.end);
   const i8080::State& s = record.after;
-  show(record.end, signal::pc, s.pc);
-  show(record.end, signal::sp, s.sp);
-  show(record.end, signal::a, s.a);
-  show(record.end, signal::f, s.f);
-  show(record.end, signal::bc, s.bc);
-  show(record.end, signal::de, s.de);
-  show(record.end, signal::hl, s.hl);
-  show(record.end, signal::inte, s.interrupts_on ? 1 : 0);
-  show(record.end, signal::interrupt, requested_() ? 1 : 0);
+  show(record.end, i8080_signal::pc, s.pc);
+  show(record.end, i8080_signal::sp, s.sp);
+  show(record.end, i8080_signal::a, s.a);
+  show(record.end, i8080_signal::f, s.f);
+  show(record.end, i8080_signal::bc, s.bc);
+  show(record.end, i8080_signal::de, s.de);
+  show(record.end, i8080_signal::hl, s.hl);
+  show(record.end, i8080_signal::inte, s.interrupts_on ? 1 : 0);
+  show(record.end, i8080_signal::interrupt, requested_() ? 1 : 0);
 }
 
 void I8080Vcd::hold(const i8080::HoldPins& pins) {
@@ -103,13 +103,13 @@ void I8080Vcd::show_holds(core::TStateInstant at) {
   while (!holds_.empty() && holds_.front().time <= at) {
     const i8080::HoldPins pins = holds_.front();
     holds_.pop_front();
-    show_pin(pins.time, signal::hold, pins.hold ? 1 : 0);
-    show_pin(pins.time, signal::hlda, pins.acknowledge ? 1 : 0);
+    show_pin(pins.time, i8080_signal::hold, pins.hold ? 1 : 0);
+    show_pin(pins.time, i8080_signal::hlda, pins.acknowledge ? 1 : 0);
     if (pins.acknowledge) {
-      show_pin(pins.time, signal::address, VcdWriter::floating);
-      show_pin(pins.time, signal::data, VcdWriter::floating);
+      show_pin(pins.time, i8080_signal::address, VcdWriter::floating);
+      show_pin(pins.time, i8080_signal::data, VcdWriter::floating);
     }
-    if (pins.stands) show_pin(pins.time, signal::t, 0);
+    if (pins.stands) show_pin(pins.time, i8080_signal::t, 0);
   }
 }
 
@@ -119,28 +119,28 @@ void I8080Vcd::show_pin(core::TStateInstant at, std::size_t row, std::uint32_t v
 }
 
 void I8080Vcd::first_t_state(const i8080::BusCycle& cycle) {
-  show(cycle.time, signal::address, cycle.address);
-  show(cycle.time, signal::data, cycle.status);
-  show(cycle.time, signal::sync, 1);
-  for (const std::size_t pin : {signal::dbin, signal::wr, signal::wait}) show(cycle.time, pin, 0);
-  show(cycle.time, signal::ready, 1);
+  show(cycle.time, i8080_signal::address, cycle.address);
+  show(cycle.time, i8080_signal::data, cycle.status);
+  show(cycle.time, i8080_signal::sync, 1);
+  for (const std::size_t pin : {i8080_signal::dbin, i8080_signal::wr, i8080_signal::wait}) show(cycle.time, pin, 0);
+  show(cycle.time, i8080_signal::ready, 1);
   if (!begun_) {
     begun_ = true;
-    show(cycle.time, signal::hold, 0);
-    show(cycle.time, signal::hlda, 0);
+    show(cycle.time, i8080_signal::hold, 0);
+    show(cycle.time, i8080_signal::hlda, 0);
   }
-  show(cycle.time, signal::t, 1);
-  for (std::size_t bit = 0; bit < 8; ++bit) show(cycle.time, signal::inta + bit, cycle.status >> bit & 1U);
+  show(cycle.time, i8080_signal::t, 1);
+  for (std::size_t bit = 0; bit < 8; ++bit) show(cycle.time, i8080_signal::inta + bit, cycle.status >> bit & 1U);
 }
 
 void I8080Vcd::begin_halt(const i8080::BusCycle& cycle) {
   first_t_state(cycle);
   const core::TStateInstant second = cycle.time + core::TStates(1);
-  show(second, signal::data, VcdWriter::floating);
-  show(second, signal::sync, 0);
-  show(second, signal::t, 2);
-  show(second + core::TStates(1), signal::wait, 1);
-  show(second + core::TStates(1), signal::t, 6);
+  show(second, i8080_signal::data, VcdWriter::floating);
+  show(second, i8080_signal::sync, 0);
+  show(second, i8080_signal::t, 2);
+  show(second + core::TStates(1), i8080_signal::wait, 1);
+  show(second + core::TStates(1), i8080_signal::t, 6);
 }
 
 void I8080Vcd::end_cycle(core::TStateInstant end) {
@@ -156,27 +156,27 @@ void I8080Vcd::end_cycle(core::TStateInstant end) {
   const std::int64_t own = opcode_ == xthl && !reads && length >= 5 ? 5 : 3;
   const std::int64_t waits = (cycle.status & status::first) != 0 ? 0 : length - own;
   first_t_state(cycle);
-  show(at(1), signal::data, cycle.data);
-  show(at(1), signal::sync, 0);
-  show(at(1), signal::dbin, reads ? 1 : 0);
-  show(at(1), signal::t, 2);
+  show(at(1), i8080_signal::data, cycle.data);
+  show(at(1), i8080_signal::sync, 0);
+  show(at(1), i8080_signal::dbin, reads ? 1 : 0);
+  show(at(1), i8080_signal::t, 2);
   if (waits > 0) {
-    show(at(1), signal::ready, 0);
-    show(at(2), signal::wait, 1);
-    show(at(2), signal::t, 6);
-    if (!reads) show(at(2), signal::wr, 1);
-    show(at(1 + waits), signal::ready, 1);  // which the last wait state sees
+    show(at(1), i8080_signal::ready, 0);
+    show(at(2), i8080_signal::wait, 1);
+    show(at(2), i8080_signal::t, 6);
+    if (!reads) show(at(2), i8080_signal::wr, 1);
+    show(at(1 + waits), i8080_signal::ready, 1);  // which the last wait state sees
   }
   const std::int64_t third = 2 + waits;
-  show(at(third), signal::wait, 0);
-  show(at(third), signal::dbin, 0);
-  if (reads) show(at(third), signal::data, VcdWriter::floating);
-  if (!reads) show(at(third), signal::wr, 1);
-  show(at(third), signal::t, 3);
-  if (!reads) show(at(third + 1), signal::wr, 0);
+  show(at(third), i8080_signal::wait, 0);
+  show(at(third), i8080_signal::dbin, 0);
+  if (reads) show(at(third), i8080_signal::data, VcdWriter::floating);
+  if (!reads) show(at(third), i8080_signal::wr, 1);
+  show(at(third), i8080_signal::t, 3);
+  if (!reads) show(at(third + 1), i8080_signal::wr, 0);
   // DAD goes on inside after T4.
   const std::int64_t inside = (cycle.data & 0xCFU) == 0x09 ? 4 : 5;
-  for (std::int64_t n = third + 1; n < length; ++n) show(at(n), signal::t, n < inside ? static_cast<std::uint32_t>(n + 1) : 7U);
+  for (std::int64_t n = third + 1; n < length; ++n) show(at(n), i8080_signal::t, n < inside ? static_cast<std::uint32_t>(n + 1) : 7U);
 }
 
 }  // namespace sightline::machines

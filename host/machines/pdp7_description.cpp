@@ -257,7 +257,7 @@ const std::vector<ListedDevice>& further_devices() {
   return devices;
 }
 
-Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileReader& read) {
+Result<std::unique_ptr<Machine>> make_pdp7(const Arguments& arguments, const FileReader& read) {
   Pdp7Setup setup;
   const std::string& memory = arguments.text("--memory");  // "8k"
   setup.machine.core_words =
@@ -304,7 +304,7 @@ Result<std::unique_ptr<Machine>> make(const Arguments& arguments, const FileRead
   return make_pdp7(std::move(setup));
 }
 
-Result<std::int64_t> parse_time(std::string_view option, std::string_view text) {
+Result<std::int64_t> parse_pdp7_time(std::string_view option, std::string_view text) {
   if (const auto seconds = parse_seconds(text)) return core::nanoseconds_of(*seconds);
   return base::usage_error(fmt::format("{}: found \"{}\", expected {}", option, text, seconds_expected));
 }
@@ -356,7 +356,7 @@ Result<Bytes> write_octal(const Program& program, const std::string&) {
 
 constexpr std::string_view bell_dialect = "bell";
 
-Result<Assembled> assemble(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
+Result<Assembled> assemble_pdp7(std::span<const assembler::SourceFile> sources, const Arguments& arguments,
                            const TextReader&) {
   assembler::Options options;
   auto defines = read_defines(arguments, assembler::parse_define);
@@ -395,7 +395,7 @@ std::string disassemble(const Program& program) {
 
 using enum OptionKind;
 
-std::vector<Option> run_options() {
+std::vector<Option> pdp7_options() {
   std::vector<Option> options{
       {files, "PROGRAM,--load", "FILE[@ADDRESS]", "Sources, tapes and core images, in order; @ADDRESS in octal"},
       {text, "--start", "ADDRESS", "Press START at this address"},
@@ -460,7 +460,7 @@ std::vector<Option> run_options() {
   return options;
 }
 
-MachineDescription described() {
+MachineDescription describe_pdp7() {
   MachineDescription pdp7;
   pdp7.name = "pdp7";
   pdp7.help = "Run a program on the PDP-7";
@@ -481,13 +481,13 @@ MachineDescription described() {
                     {"SC", 6, "a step count"},
                     {"SR", 18, "a word", false, false},
                     {"ION", 1, "a bit", false, false}};
-  pdp7.options = run_options();
+  pdp7.options = pdp7_options();
   pdp7.formats = {{"rim", {}, is<image::Format::rim>, read_image, write_tape<image::write_rim>},
                   {"hri", {}, is<image::Format::hri>, read_image, write_tape<image::write_hri>, true},
                   {"octal", {}, is<image::Format::octal>, read_image, write_octal}};
   pdp7.time_limit = "--max-time";
-  pdp7.parse_time = parse_time;
-  pdp7.make = make;
+  pdp7.parse_time = parse_pdp7_time;
+  pdp7.make = make_pdp7;
   pdp7.assembler = {"Assemble PDP-7 symbolic source (DEC, DIGITAL-7-3-S; or `as` of Bell Laboratories)",
                     "in octal",
                     "Write address, octal word and source, line by line",
@@ -503,7 +503,7 @@ MachineDescription described() {
                       "DEC's rule: an undefined symbol is a variable (default: an error)"},
                      {flag, "--title", {}, "The first line of each source is a title, not assembled"}},
                     "rim",
-                    assemble};
+                    assemble_pdp7};
   constexpr std::string_view file_help = "Tape or octal core image, FILE[@ADDRESS], ADDRESS in octal";
   pdp7.disassemblers = {
       {"pdp7", "PDP-7 instructions", file_help, disassemble<disassembler::disassemble_pdp7>,
@@ -516,7 +516,7 @@ MachineDescription described() {
 }  // namespace
 
 const MachineDescription& pdp7() {
-  static const MachineDescription description = described();
+  static const MachineDescription description = describe_pdp7();
   return description;
 }
 

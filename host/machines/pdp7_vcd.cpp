@@ -10,14 +10,14 @@ namespace sightline::machines {
 namespace {
 
 // The rows of pdp7_signals(), by number.
-namespace signal {
+namespace pdp7_signal {
 enum : std::size_t {
   fetch, defer, execute, eae, brk, tick, interrupt, address, data, write, device, pulses, pc, ac, link, mq, ion, request, edge, pen,
   stop, count
 };
 }
 
-constexpr std::array<VcdSignal, signal::count> signals{{
+constexpr std::array<VcdSignal, pdp7_signal::count> pdp7_rows{{
     {"cycle", "fetch", 1, "the cycle that takes an instruction"},
     {"cycle", "defer", 1, "of an indirect address"},
     {"cycle", "execute", 1, "of the operand, and of an instruction that XCT leads to"},
@@ -44,7 +44,7 @@ constexpr std::array<VcdSignal, signal::count> signals{{
 }  // namespace
 
 std::span<const VcdSignal> pdp7_signals() {
-  return signals;
+  return pdp7_rows;
 }
 
 void Pdp7Vcd::finish(core::Instant now) { writer_.finish(core::nanoseconds_of(now)); }
@@ -54,49 +54,49 @@ void Pdp7Vcd::cycle(const pdp7::Cycle& cycle) {
   if (cycle.verb == pdp7::Verb::iot) return iot(cycle, at);
   clear_pulses(at);
   const std::size_t kind = kind_of(cycle);
-  for (std::size_t each = signal::fetch; each <= signal::interrupt; ++each) writer_.show(at, each, each == kind ? 1 : 0);
+  for (std::size_t each = pdp7_signal::fetch; each <= pdp7_signal::interrupt; ++each) writer_.show(at, each, each == kind ? 1 : 0);
   const bool asynchronous = cycle.verb == pdp7::Verb::idle;
-  writer_.show(at, signal::address, asynchronous ? VcdWriter::floating : cycle.address);
-  writer_.show(at, signal::data, asynchronous ? VcdWriter::floating : cycle.data.value());
+  writer_.show(at, pdp7_signal::address, asynchronous ? VcdWriter::floating : cycle.address);
+  writer_.show(at, pdp7_signal::data, asynchronous ? VcdWriter::floating : cycle.data.value());
   const bool writes = cycle.verb == pdp7::Verb::write || cycle.verb == pdp7::Verb::modify ||
                       cycle.verb == pdp7::Verb::interrupt || cycle.verb == pdp7::Verb::break_write ||
                       cycle.verb == pdp7::Verb::break_modify;
-  if (cycle.verb == pdp7::Verb::interrupt) writer_.show(at, signal::ion, 0);
-  writer_.show(at, signal::write, writes ? 1 : 0);
+  if (cycle.verb == pdp7::Verb::interrupt) writer_.show(at, pdp7_signal::ion, 0);
+  writer_.show(at, pdp7_signal::write, writes ? 1 : 0);
 }
 
 void Pdp7Vcd::instruction(const pdp7::InstructionRecord& record) {
   const std::int64_t at = core::nanoseconds_of(record.end);
   clear_pulses(at);
-  writer_.show(at, signal::pc, record.after.pc);
-  writer_.show(at, signal::ac, record.after.ac.value());
-  writer_.show(at, signal::link, record.after.link ? 1 : 0);
-  writer_.show(at, signal::mq, record.after.mq.value());
-  writer_.show(at, signal::ion, record.after.interrupts_on ? 1 : 0);
+  writer_.show(at, pdp7_signal::pc, record.after.pc);
+  writer_.show(at, pdp7_signal::ac, record.after.ac.value());
+  writer_.show(at, pdp7_signal::link, record.after.link ? 1 : 0);
+  writer_.show(at, pdp7_signal::mq, record.after.mq.value());
+  writer_.show(at, pdp7_signal::ion, record.after.interrupts_on ? 1 : 0);
   const type340::Registers* const display = display_();
   if (display == nullptr) return;
-  writer_.show(at, signal::request, display->request ? 1 : 0);
-  writer_.show(at, signal::edge, display->edge() ? 1 : 0);
-  writer_.show(at, signal::pen, display->pen_flag ? 1 : 0);
-  writer_.show(at, signal::stop, display->stop ? 1 : 0);
+  writer_.show(at, pdp7_signal::request, display->request ? 1 : 0);
+  writer_.show(at, pdp7_signal::edge, display->edge() ? 1 : 0);
+  writer_.show(at, pdp7_signal::pen, display->pen_flag ? 1 : 0);
+  writer_.show(at, pdp7_signal::stop, display->stop ? 1 : 0);
 }
 
 std::size_t Pdp7Vcd::kind_of(const pdp7::Cycle& cycle) {
   switch (cycle.verb) {
-    case pdp7::Verb::idle: return signal::eae;
+    case pdp7::Verb::idle: return pdp7_signal::eae;
     case pdp7::Verb::break_read:
-    case pdp7::Verb::break_write: return signal::brk;
-    case pdp7::Verb::break_modify: return signal::tick;
-    case pdp7::Verb::interrupt: return signal::interrupt;
-    case pdp7::Verb::fetch: follow(cycle.data.value()); return signal::fetch;
+    case pdp7::Verb::break_write: return pdp7_signal::brk;
+    case pdp7::Verb::break_modify: return pdp7_signal::tick;
+    case pdp7::Verb::interrupt: return pdp7_signal::interrupt;
+    case pdp7::Verb::fetch: follow(cycle.data.value()); return pdp7_signal::fetch;
     default: break;
   }
   if (defers_) {
     defers_ = false;
-    return signal::defer;
+    return pdp7_signal::defer;
   }
   if (executes_another_) follow(cycle.data.value());
-  return signal::execute;
+  return pdp7_signal::execute;
 }
 
 void Pdp7Vcd::follow(std::uint32_t word) {
@@ -107,13 +107,13 @@ void Pdp7Vcd::follow(std::uint32_t word) {
 
 void Pdp7Vcd::iot(const pdp7::Cycle& cycle, std::int64_t end) {
   constexpr std::int64_t shown = 500;
-  writer_.show(end - shown, signal::device, (cycle.address >> 6) & 077U);
-  writer_.show(end - shown, signal::pulses, cycle.address & 7U);
+  writer_.show(end - shown, pdp7_signal::device, (cycle.address >> 6) & 077U);
+  writer_.show(end - shown, pdp7_signal::pulses, cycle.address & 7U);
   pulses_ = true;
 }
 
 void Pdp7Vcd::clear_pulses(std::int64_t at) {
-  if (pulses_) writer_.show(at, signal::pulses, 0);
+  if (pulses_) writer_.show(at, pdp7_signal::pulses, 0);
   pulses_ = false;
 }
 

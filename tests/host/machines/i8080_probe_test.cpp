@@ -163,7 +163,7 @@ void walk(std::uint32_t seed, Walk& found) {
   auto watched = machine_of(memory, hold);
   ASSERT_TRUE(watched);
   marks.put_into(*watched->probe());
-  const std::uint64_t end = sightline::tests::effort(4000, 1500);
+  const std::uint64_t end = sightline::tests::effort(4000U, 1500U);
   while (!oracle.ended() && watched->instructions() < end) {
     // A run that begins at a marked place passes over it; the limit falls between two stops, too.
     const std::uint64_t part = std::min(end, watched->instructions() + 1 + below(1000));

@@ -305,7 +305,7 @@ void expect_same_stops(std::uint64_t seed, std::uint64_t instructions, std::size
 
 TEST(Pdp7Watch, RandomProgramsStopWhereEachInstructionIsAsked) {
   std::size_t stops = 0;
-  const std::uint64_t programs = tests::effort(100, 10);
+  const std::uint64_t programs = tests::effort(100U, 10U);
   for (std::uint64_t seed = 1; seed <= programs && !::testing::Test::HasFatalFailure(); ++seed) expect_same_stops(seed, 2000, stops);
   EXPECT_GT(stops, programs * 10);
 }

@@ -94,7 +94,7 @@ TEST(TurnGuest, StopsWhenTheSpeedIsNothing) {
 TEST(TurnGuest, DoesNotDrift) {
   const Tape& tape = turned(block).tape;
   constexpr std::uint32_t step = 1U << 14U;
-  const std::uint32_t count = 16 * (turns() > 1 ? 1000 : tests::effort(40, 3));
+  const std::uint32_t count = 16U * (turns() > 1 ? 1000U : tests::effort(40U, 3U));
   Machine machine(assemble_program(true, tape.memory), tape);
   Picture picture;
   std::vector<std::vector<core::Word18>> first(16);
