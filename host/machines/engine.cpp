@@ -507,12 +507,11 @@ Result<Program> read_dump(const MachineDescription& description, const Input& in
   std::string_view text = text_of(input.bytes);
   std::size_t line = 1;
   const auto refused = [&](std::string_view found, std::string_view expected) {
-    return base::bad_input(base::Error{.file = input.name,
-                                 .place = fmt::format("line {}", line),
-                                 .found = fmt::format("found {}", found),
-                                 .expected = std::string(expected),
-                                 .remedy = "make the dump again with --dump"}
-                         .message());
+    return base::Error{.file = input.name,
+                       .place = fmt::format("line {}", line),
+                       .found = fmt::format("found {}", found),
+                       .expected = std::string(expected),
+                       .remedy = "make the dump again with --dump"};
   };
   const auto expected = [&](std::string_view what, unsigned bits) {
     return fmt::format("{}, {} with {} digits", what, radix_name(description.radix), digits(description, 0, bits).size());

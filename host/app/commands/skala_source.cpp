@@ -81,18 +81,17 @@ SkalaFunction from_file(const SkalaSource& source) {
   if (file != "-" && !std::filesystem::exists(file, unknown)) {
     std::vector<std::string> names;
     for (const auto& function : scene::height_functions()) names.emplace_back(function.name);
-    throw base::io_error(base::Error{.file = file,
-                                            .found = "no such file, and no function of that name",
-                                            .expected = "a grid file or one of " + scene::height_function_names(),
-                                            .remedy = base::did_you_mean(file, names)}
-                                    .message());
+    throw base::Error{.file = file,
+                      .found = "no such file, and no function of that name",
+                      .expected = "a grid file or one of " + scene::height_function_names(),
+                      .remedy = base::did_you_mean(file, names),
+                      .kind = base::ErrorKind::io};
   }
   if (named_as_mesh(file)) {
-    throw base::bad_input(base::Error{.file = file,
-                                                   .found = "found a mesh",
-                                                   .expected = "a grid of heights",
-                                                   .remedy = "draw it by: sightline draw exact " + file}
-                                           .message());
+    throw base::Error{.file = file,
+                      .found = "found a mesh",
+                      .expected = "a grid of heights",
+                      .remedy = "draw it by: sightline draw exact " + file};
   }
   if (source.points || source.slices)
     throw base::usage_error(fmt::format("{}: a grid file has its own size; found --points or --slices", file));
