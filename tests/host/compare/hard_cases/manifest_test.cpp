@@ -220,7 +220,7 @@ TEST(HardCaseRecords, WhatIsOtherwiseIsFound) {
   const auto first = [&] { return run_family(family)->front(); };
   ASSERT_TRUE(first().search.first.has_value());
   EXPECT_FALSE(first().as_recorded);
-  const auto& [value, trial] = first().search.tried[*first().search.first];
+  const auto [value, trial] = first().search.tried[*first().search.first];
   family.builds[0].first = trial.shown.value_or(value);
   EXPECT_TRUE(first().as_recorded);
   family.builds[0].first = *family.builds[0].first + 1;
