@@ -19,29 +19,6 @@ namespace {
 
 namespace display = devices::priority_display;
 
-// The pieces' numbers by distance, and how they change from frame to frame.
-class Ranks {
- public:
-  // `order`: the nearest first. The first one is compared with the order of the numbers.
-  void take(std::span<const std::uint8_t> order, MachineFrame& frame) {
-    if (place_.empty()) {
-      place_.resize(256);
-      std::iota(place_.begin(), place_.end(), 0U);
-    }
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const unsigned here = place_[order[i]];
-      const auto passed = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i) + 1, order.end(),
-                                        [&](std::uint8_t other) { return place_[other] < here; });
-      frame.exchanges += static_cast<std::uint32_t>(passed);
-      frame.moved += passed > 0 ? 1 : 0;
-    }
-    for (std::size_t i = 0; i < order.size(); ++i) place_[order[i]] = static_cast<unsigned>(i);
-  }
-
- private:
-  std::vector<unsigned> place_;  // in the order of the frame before, by number
-};
-
 }  // namespace
 
 // Notes every frame, and how long the program waited for the display to be free.
@@ -70,6 +47,29 @@ class FlightMachine::DisplayFront final : public i8080::Front {
   }
 
  private:
+  // The pieces' numbers by distance, and how they change from frame to frame.
+  class Ranks {
+   public:
+    // `order`: the nearest first. The first one is compared with the order of the numbers.
+    void take(std::span<const std::uint8_t> order, MachineFrame& frame) {
+      if (place_.empty()) {
+        place_.resize(256);
+        std::iota(place_.begin(), place_.end(), 0U);
+      }
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        const unsigned here = place_[order[i]];
+        const auto passed = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(i) + 1, order.end(),
+                                          [&](std::uint8_t other) { return place_[other] < here; });
+        frame.exchanges += static_cast<std::uint32_t>(passed);
+        frame.moved += passed > 0 ? 1 : 0;
+      }
+      for (std::size_t i = 0; i < order.size(); ++i) place_[order[i]] = static_cast<unsigned>(i);
+    }
+
+   private:
+    std::vector<unsigned> place_;  // in the order of the frame before, by number
+  };
+
   static constexpr std::uint8_t control_port = devices::PriorityBoard::info.writes[0].first + devices::PriorityBoard::Register::control;
   static constexpr core::PortRange control[]{{control_port, control_port}};
 
