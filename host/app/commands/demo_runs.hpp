@@ -22,7 +22,7 @@ struct JonesRow {
   programs::jones::View view;
   double refreshes = 0;
 };
-// Writes SCENE.png, -phosphor.png and .svg into `directory`. Error as the session's.
+// Writes SCENE.png, -phosphor.png and .svg into `directory`. Errors as of jones::run, or io.
 [[nodiscard]] std::vector<JonesRow> run_jones_demo(const std::string& directory);
 [[nodiscard]] std::string jones_table(const std::vector<JonesRow>& rows);
 // Adds "views".

@@ -31,7 +31,7 @@ struct JonesRun {
   [[nodiscard]] const programs::jones::View& view() const { return outcome.view(); }
 };
 
-// Throws base::Error: guest_failed, if the program stopped with a status or took too long; differs, if its display
+// Throws base::Error: program_failed, if the program stopped with a status or took too long; differs, if its display
 // file is not its twin's.
 [[nodiscard]] JonesRun run_jones(const JonesOrder& order);
 

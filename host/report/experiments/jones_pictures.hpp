@@ -71,7 +71,7 @@ struct MachineBuild {
   double plain_s = 0;  // without the EAE; the pieces are the same
 };
 
-// Throws base::Error: differs, if the build without the EAE draws other pieces than that with it; guest_failed.
+// Throws base::Error: differs, if the build without the EAE draws other pieces than that with it; program_failed.
 [[nodiscard]] MachineBuild measure_build(const SceneViews& views, const compare::jones_precision::Precision& precision);
 
 // In C++.
