@@ -82,7 +82,7 @@ struct EdgeOptions {
   [[nodiscard]] bool are_given() const { return !kinds.empty() || crease.has_value(); }
 };
 
-// Error usage: no kind of that name.
+// Error usage: no kind of that name, or no finite number.
 [[nodiscard]] base::Result<base::Done> check(const EdgeOptions& options);
 // What the options mean for a scene; empty: all edges. They were checked (precondition).
 [[nodiscard]] std::optional<picture::EdgeChoice> edge_choice(const EdgeOptions& options, const scene::PolyScene& scene);

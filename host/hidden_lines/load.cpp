@@ -24,6 +24,10 @@ std::optional<base::Error> fault_of(const scene::PolyMesh& mesh) {
     for (const double coordinate : mesh.vertices[v])
       if (!std::isfinite(coordinate))
         return base::Error{mesh.source, fmt::format("vertex {}", v), fmt::format("found {}", coordinate), "a finite number"};
+  std::size_t faces = 0;
+  for (const scene::PolyBody& body : mesh.bodies) faces += body.faces.size();
+  if (!mesh.materials.empty() && mesh.materials.size() != faces)
+    return base::Error{mesh.source, "materials", fmt::format("found {}", mesh.materials.size()), fmt::format("none, or {}, one for each face", faces)};
   const auto outside = [&](std::span<const scene::VertexIndex> ring) {
     for (const scene::VertexIndex v : ring)
       if (v >= mesh.vertices.size()) return true;

@@ -121,9 +121,29 @@ base::Result<const registry::LineAlgorithm*> algorithm_named(std::string_view na
                      .kind = base::ErrorKind::usage};
 }
 
+base::Result<base::Done> check(const HatchOptions& options) {
+  const auto wrong = [](std::string found, std::string expected) {
+    return base::Error{.file = "hatch", .found = std::move(found), .expected = std::move(expected), .kind = base::ErrorKind::usage};
+  };
+  if (!std::isfinite(options.angle)) return wrong(fmt::format("found an angle of {}", options.angle), "a finite number of degrees");
+  if (!(options.spacing > 0) || !std::isfinite(options.spacing))
+    return wrong(fmt::format("found a spacing of {}", options.spacing), "a finite number above 0");
+  if (options.light) {
+    const auto& [x, y, z] = *options.light;
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (x == 0 && y == 0 && z == 0))
+      return wrong(fmt::format("found light from {},{},{}", x, y, z), "a direction");
+  }
+  return base::Done{};
+}
+
 }  // namespace
 
 base::Result<base::Done> check(const EdgeOptions& options) {
+  if (options.crease && !std::isfinite(*options.crease))
+    return base::Error{.file = "crease",
+                       .found = fmt::format("found {}", *options.crease),
+                       .expected = "a finite number of degrees",
+                       .kind = base::ErrorKind::usage};
   if (options.kinds.empty() || picture::edge_choice_named(options.kinds)) return base::Done{};
   return base::Error{.file = "edges",
                      .found = fmt::format("found \"{}\"", options.kinds),
@@ -147,6 +167,8 @@ class Views::Work {
 
   base::Result<base::Done> prepare(std::span<const Camera> cameras) {
     if (auto checked = check(options_.edges); !checked) return checked;
+    if (options_.hatch)
+      if (auto checked = check(*options_.hatch); !checked) return checked;
     find_matter(cameras);
     if (!matter_) choose_edges();
     if (const auto reason = algorithm_.why_not(scene()))

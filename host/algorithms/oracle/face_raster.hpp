@@ -13,7 +13,7 @@ namespace sightline::algorithms::oracle {
 // The sight line of the middle of a pixel, rows from the bottom.
 using PixelSight = std::function<SightLine(int column, int row)>;
 
-// Numbers of faces over all bodies (host/scene/model/face_numbers.hpp), 0 where none is met. The scene is a checked
+// Numbers of faces over all bodies (host/scene/model/poly_scene.hpp), 0 where none is met. The scene is a checked
 // one, no line's direction zero (preconditions).
 [[nodiscard]] picture::PixelGrid nearest_faces(const scene::PolyScene& scene, int width, int height,
                                                const PixelSight& sight);

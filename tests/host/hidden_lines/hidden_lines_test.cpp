@@ -91,6 +91,11 @@ TEST(HiddenLines, ArraysThatAreNoMeshAreRefusedWithTheirPlace) {
   refused = load(mesh);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "line 0");
+  mesh = cube();
+  mesh.materials = {0, 1, 0};
+  refused = load(mesh);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().place, "materials");
   // A corner is moved, so that a face is not plane: an error, or mended.
   mesh = cube();
   mesh.vertices[6] = {10, 10, 13};
@@ -123,6 +128,16 @@ TEST(HiddenLines, ErrorsHaveAKindAndNameTheOption) {
   options.edges.kinds = "creases";
   EXPECT_EQ(wrong(options).file, "edges");
   EXPECT_EQ(wrong(options).kind, base::ErrorKind::usage);
+  options = {};
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+  options.edges.crease = no_number;
+  EXPECT_EQ(wrong(options).file, "crease");
+  for (const HatchOptions& hatch : {HatchOptions{45, 0}, HatchOptions{45, -1}, HatchOptions{45, no_number}, HatchOptions{no_number, 1},
+                                    HatchOptions{45, 1, std::array{0.0, 0.0, 0.0}}, HatchOptions{45, 1, std::array{1.0, no_number, 0.0}}}) {
+    options = {};
+    options.hatch = hatch;
+    EXPECT_EQ(wrong(options).file, "hatch") << hatch.angle << ", " << hatch.spacing;
+  }
   EXPECT_FALSE(visible_edges(scene->scene, oblique(), "painter"));
   // Steeply from above: no moment of a turn about the vertical.
   const auto seen = visible_edges(scene->scene, oblique(), "plantinga");

@@ -1,7 +1,7 @@
 // The hard cases P1 to P22 of Plantinga, Seales and Dyer (1990) from within: potential events of a few edges
 // and vertices, and what must be so of the structures of a turn; P18, a large model, is in
 // model_turns_test.cpp. Pictures of the turning scenes are in the report
-// (host/compare/hard_cases/data/manifest.json).
+// (host/compare/hard_cases/manifest.json).
 //
 // A file has one edge or vertex per line: "edge x y z  x y z", "vertex x y z"; "#" begins a remark.
 #include <gtest/gtest.h>

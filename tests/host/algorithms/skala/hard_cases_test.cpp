@@ -1,5 +1,5 @@
 // The hard cases S1 to S16 of a floating horizon as lines: small grids, flat and end-on surfaces, equal
-// heights, holes, cliffs. Their dots are in the report (host/compare/hard_cases/data/manifest.json).
+// heights, holes, cliffs. Their dots are in the report (host/compare/hard_cases/manifest.json).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // The hard cases W1 to W16 of Willis (1977) from within: boundaries, pair tests, cuts, orders. Pictures and
-// counts of the same files are in the report (host/compare/hard_cases/data/manifest.json).
+// counts of the same files are in the report (host/compare/hard_cases/manifest.json).
 //
 // Walls are sheets, seen from both sides: side 2 i and side 2 i + 1 are those of wall i, and a cluster of two
 // of the paper's one-sided walls counts twice.
