@@ -79,7 +79,7 @@ class Output {
 // numbers have no other bounds. Empty if `text` is a whole number from 0 to 2^64 - 1, else the complaint.
 [[nodiscard]] std::string why_no_whole_number(const std::string& text);
 
-// The option parser takes nan and inf for numbers: a Error usage for them.
+// The option parser takes nan and inf for numbers: an error of usage for them.
 void require_finite(const char* option, double value);
 
 }  // namespace sightline::app

@@ -51,7 +51,7 @@ enum class Wires { left_out, kept };
 // error. Error as find_scene, or bad_input: the first thing that is wrong, or nothing but wires to leave out.
 [[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {},
                                             Wires wires = Wires::left_out);
-// The same; anything but a scene of cells is a Error usage or bad_input.
+// The same; anything but a scene of cells is an error of usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
 
 // --go-on: of a command that draws by one method.

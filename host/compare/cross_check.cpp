@@ -245,7 +245,7 @@ class Drawing {
       picture.ink = skala_pictures(*scene_.heights, program_view(scene_));
       for (const SkalaInk& ink : *picture.ink)
         if (picture.problem.empty() && !ink.difference.empty())
-          picture.problem = fmt::format("{}: the program is not its twin: {}", name_of(ink), ink.difference);
+          picture.problem = fmt::format("{}: {}", name_of(ink), ink.difference);
     });
   }
 
@@ -281,7 +281,7 @@ class Drawing {
         if (!drawn)
           picture.problem = drawn.error().message();
         else if (!drawn->difference.empty())
-          picture.problem = "the program is not its twin: " + drawn->difference;
+          picture.problem = drawn->difference;
         else
           picture.faces = std::move(drawn->faces);
       });

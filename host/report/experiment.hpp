@@ -1,4 +1,4 @@
-// What an experiment is told. One that cannot go on throws a base::Error, which make_report returns. An experiment is a function that runs programs and returns plain structs;
+// What an experiment is told. An experiment is a function that runs programs and returns plain structs, or throws a base::Error;
 // its chapters (page.hpp) say what the page shows of them. sections.cpp lists both.
 #pragma once
 

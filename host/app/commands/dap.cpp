@@ -90,7 +90,7 @@ base::Result<live::Launched> launch(const Json& request) {
     return live::Launched{&machine, std::move(made.prepared), std::move(made.symbols), std::move(warnings),
                           radix_of(arguments), keys, dialect_of(arguments)};
   } catch (const base::Error& error) {
-    return base::bad_input(error.message());
+    return error;
   }
 }
 
@@ -109,7 +109,7 @@ ExitCode serve() {
     try {
       write_media_back(machine);
     } catch (const base::Error& error) {
-      return base::bad_input(error.message());
+      return error;
     }
     return base::Done{};
   };

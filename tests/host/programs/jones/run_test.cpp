@@ -110,6 +110,20 @@ TEST(JonesRuns, NameADifference) {
   EXPECT_TRUE(difference_of(outcome->view(), *prepared->twin(order)).starts_with("word ")) << "of the display file";
 }
 
+// At the console the switch for a stereo pair is up, of which the twin is not told.
+TEST(JonesRuns, CheckOnlyWhereItIsAskedFor) {
+  const scene::CellScene house = scene::builtin_scene("house");
+  Order order;
+  order.views = 1;
+  order.display = false;
+  order.switches = {{core::Instant{}, core::Word18(1)}};
+  EXPECT_TRUE(run(house, {}, order));
+  order.check = true;
+  const auto checked = run(house, {}, order);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().kind, base::ErrorKind::differs);
+}
+
 // The scene's own view need not be one that the program accepts.
 TEST(JonesRuns, AreFromAnotherEyeThanTheScenes) {
   scene::CellScene house = scene::builtin_scene("house");
