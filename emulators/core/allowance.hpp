@@ -1,5 +1,5 @@
-// How long a processor may run before its machine attends to a boundary: a time, and a number of instructions, in one host
-// register, so that an instruction takes its time and its count off in one subtraction.
+// How long a processor may run before its machine serves a boundary: a time and a number of instructions, packed into one
+// host register so that an instruction updates both with one subtraction.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ class Allowance {
   // at the end of a function into a jump (threads.hpp).
   static constexpr std::int64_t most = 4095;
 
-  // The machine attends to the first boundary that is later than `left` from now. `instructions`, 0 to `most`, must be
-  // as many as can end within that time.
+  // The machine serves the first boundary later than `left` from now. `instructions`, 0 to `most`, must not exceed the
+  // number that can end within that time.
   constexpr Allowance(TickCount<Tick> left, std::int64_t instructions)
       : packed_(left.count() * one_tick + instructions) {}
   explicit constexpr Allowance(std::uint64_t host_word) : packed_(static_cast<std::int64_t>(host_word)) {}
@@ -27,10 +27,10 @@ class Allowance {
   SIGHTLINE_INLINE constexpr void pass(TickCount<Tick> time) { packed_ -= time.count() * one_tick; }
   SIGHTLINE_INLINE constexpr void count_instruction() { --packed_; }
   [[nodiscard]] SIGHTLINE_INLINE constexpr bool over() const { return packed_ < 0; }
-  // The machine attends to the next boundary.
+  // The machine serves the next boundary.
   constexpr void end() { packed_ = instructions() - one_tick; }
 
-  // Negative: so long ago.
+  // Negative once the time has been exceeded, by that much.
   [[nodiscard]] constexpr TickCount<Tick> left() const { return TickCount<Tick>(packed_ >> bits); }
   [[nodiscard]] constexpr std::int64_t instructions() const { return packed_ & (one_tick - 1); }
 

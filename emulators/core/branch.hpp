@@ -1,4 +1,4 @@
-// A condition that the host has to guess.
+// A condition that the host evaluates by a predicted branch.
 #pragma once
 
 #include <type_traits>
@@ -7,9 +7,9 @@
 
 namespace sightline::core {
 
-// Sets `value` to `other` if `condition` holds, by a branch. What follows must not wait for the condition, as it would if a
-// compiler made a conditional move or a sum of it: a processor's PC after a skip or a conditional jump is an example. The
-// empty statement keeps compilers from that.
+// Sets `value` to `other` if `condition` holds, by a branch. With a conditional move or a sum the code that follows would
+// wait for the condition; a processor's PC after a skip or a conditional jump is an example. The empty asm statement stops
+// compilers from making one.
 template <class Value>
 SIGHTLINE_INLINE constexpr void set_by_branch(bool condition, Value& value, Value other) {
   if (!condition) return;

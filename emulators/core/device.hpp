@@ -1,8 +1,8 @@
-// What a machine knows of every device on it, on whichever machine. iot_device.hpp and port_device.hpp say what is
-// special to the PDP-7's and the 8080's.
+// What a machine knows about every device on it. iot_device.hpp and port_device.hpp add what is special to the PDP-7 and to
+// the 8080.
 //
-// A device is brought up to date when it is touched and publishes the next instant at which it asks for anything by
-// itself. One that is not attached costs nothing.
+// The machine brings a device up to date when the processor accesses it or when its deadline has passed. A device that is
+// not attached costs nothing.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,12 @@ struct DeviceOption {
   std::int64_t least;
   std::int64_t most;
 };
-// The value of one of them.
+// The value chosen for an option.
 struct Setting {
   std::string_view name;
   std::int64_t value;
 };
-// That of one of `options`: as it is set, or as it is initially.
+// The value of one of `options`: as set, or else its initial value.
 [[nodiscard]] constexpr std::int64_t value_of(std::string_view option, std::span<const DeviceOption> options,
                                               std::span<const Setting> settings) {
   for (const Setting& setting : settings) {
@@ -41,7 +41,7 @@ struct Setting {
   return 0;
 }
 
-// Something a device has counted, for reports.
+// A number that a device has counted, for reports.
 struct Count {
   std::string_view name;  // words joined by _
   std::uint64_t value;
@@ -57,14 +57,15 @@ class Device {
   Device& operator=(const Device&) = delete;
   virtual ~Device() = default;
 
-  // Everything up to and including `now` has happened, but for what needs the processor. Time never goes back.
+  // Performs everything up to and including `now`, except what needs the processor. Time never goes back.
   virtual void advance(Time now) { static_cast<void>(now); }
-  // No later than the instant at which the device, left alone, changes a line to the processor or wants something of
-  // it, nor than now while it wants something; the largest instant: never.
+  // The latest instant at which the machine must call advance(): no later than the first change of a line to the processor
+  // or request to it that happens without an access, and at most `now` while a request is pending. The largest instant
+  // means never.
   [[nodiscard]] virtual Time deadline() const { return Time::max(); }
-  // In a section under the name of the device.
+  // The device's section of a snapshot, which has the device's name.
   virtual void visit_state(StateVisitor& visit) { static_cast<void>(visit); }
-  // In the order of reports.
+  // In the order in which reports list them.
   [[nodiscard]] virtual std::vector<Count> counts() const { return {}; }
 };
 

@@ -1,4 +1,4 @@
-// The texts of errors when a device is attached to a machine by name.
+// The error texts for attaching a device to a machine by name.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace sightline::core {
 
-// Characters to be inserted, removed or replaced to make one of the other.
+// The number of characters to insert, remove or replace to turn one into the other.
 [[nodiscard]] inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -48,7 +48,7 @@ namespace sightline::core {
   return text;
 }
 
-// What is wrong with the settings of a device; empty: nothing.
+// What is wrong with the settings of a device; empty if nothing is.
 [[nodiscard]] inline std::string wrong_setting(std::string_view device, std::span<const DeviceOption> options,
                                                std::span<const Setting> settings) {
   for (const Setting& setting : settings) {

@@ -1,13 +1,13 @@
-// Turns a code at run time into one at compile time, so that each instruction is compiled by itself: operands become fixed
-// registers and times become sums. Written out because a switch is what compilers turn into one indirect jump; tables of
-// functions would keep the registers of the plain loop in memory.
+// Turns a run-time code into a compile-time one, so that each instruction is compiled separately: operands become fixed
+// registers and times become constants. It is a written-out switch because compilers turn that into one indirect jump; a
+// table of functions would keep the registers of the plain loop in memory.
 #pragma once
 
 #include "inline.hpp"
 
 namespace sightline::core {
 
-// Calls executor.execute<code>() and gives what it gives. Of 32 codes only the last five bits of `code` count, of 256 it must be less.
+// Returns executor.execute<code>(). With 32 codes only the last five bits of `code` count; with 256 it must be below 256.
 template <unsigned codes, class Executor>
 SIGHTLINE_INLINE constexpr auto dispatch(unsigned code, Executor executor) {
   static_assert(codes == 32 || codes == 256);

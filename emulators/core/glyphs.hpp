@@ -1,7 +1,7 @@
-// Character shapes for the character generators: seven rows of five dots each, top row first, bit 4 of a row its
+// Character shapes for the character generators: seven rows of five dots each, top row first; bit 4 of a row is its
 // leftmost dot.
 //
-// APPROXIMATE. DEC's stroke tables and Thomson's character ROM are not available: the shapes are ours. Known are the
+// APPROXIMATE. DEC's stroke tables and Thomson's character ROM are not available: the shapes are chosen here. Known are the
 // 5x7 cell of the Type 342, the codes of its first set (DEC trimmed ASCII), that its second set holds the small letters,
 // and that the EF9365 draws ASCII 20h to 7Fh in a 5x8 cell.
 #pragma once
@@ -118,7 +118,7 @@ inline constexpr std::array signs_after_capitals{
     Glyph{010, 004, 002, 000, 000, 000, 000},  // `
 };
 
-// ASCII 7Bh-7Fh. What the chips draw for 7Fh, the code of a deleted character, is unknown: a grey cell here.
+// ASCII 7Bh-7Fh. What the chips draw for 7Fh (delete) is unknown: here a grey cell.
 inline constexpr std::array signs_after_small_letters{
     Glyph{002, 004, 004, 010, 004, 004, 002},  // {
     Glyph{004, 004, 004, 004, 004, 004, 004},  // |
@@ -129,7 +129,7 @@ inline constexpr std::array signs_after_small_letters{
 
 inline constexpr Glyph commercial_at{016, 021, 025, 027, 026, 020, 017};
 
-// The shape of an ASCII code; nothing for codes below 21h and above 7Fh.
+// The shape of an ASCII code; empty for codes below 21h and above 7Fh.
 [[nodiscard]] constexpr Glyph ascii_glyph(std::uint8_t code) {
   if (code < 0x21 || code > 0x7F) return {};
   if (code < 0x40) return signs_and_digits[code - 0x21U];

@@ -1,6 +1,6 @@
-// What an instruction does in a few host instructions has to be made in place of every call, or the registers of the host are spilled
-// around it. Where nothing is optimised that gains nothing, and with sanitizers, which check every access in every copy, such code
-// takes several times as long to compile and is no faster: there the same functions are called.
+// A function that takes a few host instructions must be inlined, or the host's registers are spilled around its call.
+// Without optimisation inlining gains nothing, and with sanitizers, which check every access in every copy, it multiplies
+// compile time and gains no speed: those builds call the functions.
 #pragma once
 
 #if defined(__clang__)

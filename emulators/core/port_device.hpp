@@ -19,31 +19,31 @@ struct PortRange {
   std::uint8_t last;  // included
 };
 
-// What a device is: a host offers the devices of a kind under one option. Any other device it attaches by name.
+// The kind of a device. A host offers the devices of one kind under one option, and attaches any other device by name.
 enum class PortDeviceKind : std::uint8_t {
   raster_board,  // has a raster
   plotter,       // draws strokes
   link,          // exchanges bytes with a host
-  terminal,      // has a keyboard and a printer: where a console can be
+  terminal,      // has a keyboard and a printer: can be the console
   other,
-  special,       // of one program's machine, or not chosen by name: a host does not offer it with the others
+  special,       // for one program's machine, or not chosen by name: a host does not list it with the others
 };
 
-// What an 8080 knows of a device before it is attached.
+// What an 8080 knows about a device before it is attached.
 struct PortDeviceInfo {
-  std::string_view name;  // of the device, of its section in a snapshot
+  std::string_view name;  // and of its section in a snapshot
   std::string_view help;  // one line
-  std::string_view choice = {};  // of its kind's option; of a link: its chip
+  std::string_view choice = {};  // value of its kind's option that selects it; for a link its chip
   PortDeviceKind kind = PortDeviceKind::other;
   std::span<const PortRange> reads = {};         // ports that answer an IN
   std::span<const PortRange> writes = {};        // ports that take an OUT
-  std::span<const std::string_view> lines = {};  // of interrupt: names for options
+  std::span<const std::string_view> lines = {};  // interrupt lines: names for options
   std::span<const DeviceOption> options = {};
-  bool has_state = true;  // false: a snapshot has no section of it
-  std::string_view received = {};  // of a link: what the host has had from it, one line
+  bool has_state = true;  // false: snapshots have no section for it
+  std::string_view received = {};  // of a link: caption for the bytes the host received, one line
 };
 
-// What a device is made from.
+// The arguments of a device's constructor.
 struct PortDeviceSetup {
   ClockRate clock;
   StrokeBuffer& strokes;              // of a plotter
@@ -55,12 +55,12 @@ struct PortDeviceSetup {
   }
 };
 
-// The other end of a link: a host computer that sends bytes and takes some.
+// The other end of a link: a host computer that sends and receives bytes.
 class LinkHost {
  public:
-  // Before the machine runs, once. The bytes must stay where they are.
+  // Call once, before the machine runs. The bytes must outlive the link.
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
-  // What the host has taken, and how many bytes beyond what is kept.
+  // The bytes the host has received, up to a bound, and how many more came after them.
   [[nodiscard]] virtual std::vector<std::uint8_t> received() const = 0;
   [[nodiscard]] virtual std::uint64_t left_out() const = 0;
 
@@ -71,9 +71,9 @@ class LinkHost {
 class Terminal {
  public:
   virtual void type(std::uint8_t code) = 0;
-  // All keys have been read, and the program has polled for another.
+  // The program has read all keys and polled for another.
   [[nodiscard]] virtual bool wants_key() const = 0;
-  // What has been printed since the last call.
+  // The characters printed since the last call.
   [[nodiscard]] virtual std::vector<std::uint8_t> take_printed() = 0;
 
  protected:
@@ -91,32 +91,32 @@ class PortDevice : public Device<TState> {
     static_cast<void>(port), static_cast<void>(value), static_cast<void>(at);
   }
 
-  // Bit n: interrupt line n of its PortDeviceInfo is up, as of the last call of in(), out(), advance() or acknowledge().
+  // Bit n: interrupt line n of its PortDeviceInfo is high, as of the last call of in(), out(), advance() or acknowledge().
   [[nodiscard]] virtual unsigned requests() const { return 0; }
 
-  // A device that drives INT itself does so with line 0, and puts the instruction on the bus, byte by byte, at T3 of each
-  // acknowledge cycle.
+  // True for a device that drives INT directly. Its line 0 is INT, and it puts the instruction on the bus byte by byte, at
+  // T3 of each acknowledge cycle.
   [[nodiscard]] virtual bool drives_interrupt() const { return false; }
   [[nodiscard]] virtual std::uint8_t acknowledge(TStateInstant at) { return static_cast<void>(at), std::uint8_t{0xFF}; }
 
-  // A device that takes the bus knows beforehand when: the first T-state at or after t in which HOLD is high (or never_t), and
-  // the first in which it is low, which there must be.
+  // True for a device that takes the bus. It must know in advance the first T-state at or after t in which HOLD is high (or
+  // never_t), and the first in which it is low, which must exist.
   [[nodiscard]] virtual bool drives_hold() const { return false; }
   [[nodiscard]] virtual TStateInstant next_hold(TStateInstant t) const { return static_cast<void>(t), never_t; }
   [[nodiscard]] virtual TStateInstant hold_ends(TStateInstant t) const { return t; }
 
-  // A device that makes the processor wait: T-states with READY low from T2 at `at` on, in each machine cycle, by its status
-  // byte (i8080/bus.hpp) and address.
+  // True for a device that makes the processor wait. It returns the number of T-states with READY low, counted from T2 at
+  // `at`, of each machine cycle, given by its status byte (i8080/bus.hpp) and address.
   [[nodiscard]] virtual bool drives_ready() const { return false; }
   [[nodiscard]] virtual int wait_states(std::uint8_t status, std::uint16_t address, TStateInstant at) const {
     return static_cast<void>(status), static_cast<void>(address), static_cast<void>(at), 0;
   }
 
-  // What a kind of device gives; null: it does not.
+  // The interfaces of some kinds of device; null if the device lacks one.
   [[nodiscard]] virtual const Raster* raster() const { return nullptr; }
   [[nodiscard]] virtual LinkHost* link_host() { return nullptr; }
   [[nodiscard]] virtual Terminal* terminal() { return nullptr; }
-  // Of a plotter: how long a step is.
+  // Of a plotter: the length of a step.
   [[nodiscard]] virtual std::int64_t micrometres_a_step() const { return 0; }
 };
 

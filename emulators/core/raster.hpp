@@ -1,9 +1,8 @@
 // The image memory of a raster board: 256 by 256 points of eight colours, one byte per point.
 //
-// y counts UP, as the boards and the paper do: at(0, 0) is the lower left point. In memory the bottom row
-// comes first, each row from left to right, so a writer of image files that begin with the top row reads the
-// rows backwards. The value of a point is 0 (background) to 7; on a colour monitor bit 2 is red, bit 1 green,
-// bit 0 blue, on a grey one the number is the brightness.
+// y counts UP, as on the boards and on paper: at(0, 0) is the lower left point. The bottom row comes first in memory, each
+// row from left to right, so a writer of image files that begin with the top row reads the rows backwards. A point is 0
+// (background) to 7; on a colour monitor bit 2 is red, bit 1 green, bit 0 blue, on a grey one the number is the brightness.
 #pragma once
 
 #include <array>
@@ -21,7 +20,7 @@ class Raster {
   static constexpr int height = 256;
   static constexpr std::size_t size = std::size_t{width} * height;
 
-  // x from the left and y from the bottom, both 0..255 by their type.
+  // x from the left and y from the bottom, both 0..255.
   [[nodiscard]] constexpr std::uint8_t at(std::uint8_t x, std::uint8_t y) const {
     return points_[index(x, y)];
   }

@@ -1,25 +1,25 @@
-// How a machine shows its state to a snapshot. Each class with state has one member
+// How a machine exposes its state to a snapshot. Each class with state has one member
 //
 //   void visit_state(core::StateVisitor& visit);
 //
-// that names its members in a fixed order. The same function serves saving, restoring and describing, so that they
-// cannot differ; what a visitor does with them is the caller's (host/machines/state.hpp).
+// that names its members in a fixed order. The same function serves to save, restore and describe, so that the three cannot
+// differ; host/machines/state.hpp has the visitors.
 //
 //   visit(name, member)                   a bool, integer, core::Word, TickCount or TickInstant
 //   visit(name, member, most)             an integer or enumerator from 0 to `most`
-//   visit.count(name, member, most)       the same for a std::size_t, which has another width elsewhere
+//   visit.count(name, member, most)       the same for a size_t, whose width depends on the host
 //   visit.words(name, span)               core memory; its size is a part of the configuration
 //   visit.bytes(name, span, most)         the same for bytes of 0 to `most`
 //   visit.part(name, what)                what.visit_state(visit), or what(visit) for a callable
 //   visit.section(name, what)             the same; a section has a name and a length in the snapshot
 //   visit.list(name, vector, each)        each(element) visits an element; elements are default-constructed
 //   visit.present(name, optional, each)   likewise, for none or one
-//   visit.input(name, span)               bytes that the configuration supplies: only length and checksum are stored
-//   visit.output(name, vector, before)    what the machine has produced: only the count of it is stored. `before` counts
-//                                         what was produced before the vector begins, because the machine was restored
-//   visit.require(holds, name, expected)  a relation of members; on restoring, the snapshot is refused if it is false
-//   visit.restores()                      members are being assigned, and what follows from them is to be set again
-//   visit.cuts_outputs()                  the same, and outputs later than the snapshot are to be dropped
+//   visit.input(name, span)               bytes from the configuration: only length and checksum are stored
+//   visit.output(name, vector, before)    what the machine has produced: only its count is stored. `before` counts
+//                                         what was produced before the machine was restored, which the vector lacks
+//   visit.require(holds, name, expected)  a relation of members; on restoring, the snapshot is rejected if it is false
+//   visit.restores()                      members are being assigned: recompute what depends on them
+//   visit.cuts_outputs()                  the same, and drop outputs later than the snapshot
 //
 // A member that a constructor sets and nothing changes is configuration, not state, and is not visited. A restored
 // member is within its bounds, but relations hold only after `require`: until then no member may be used as an index.
@@ -39,7 +39,7 @@
 
 namespace sightline::core {
 
-// How a member is stored: as an unsigned integer of `bytes` bytes, whose value is 0 to `most`.
+// How a member is stored: as an unsigned integer of `bytes` bytes with a value of 0 to `most`.
 template <class T>
 struct StoredAs;
 
@@ -78,7 +78,7 @@ struct StoredAs<Word<Bits>> {
   static Word<Bits> member(std::uint64_t number) { return Word<Bits>(static_cast<std::uint32_t>(number)); }
 };
 
-// The longest times that machines can count on from without an overflow; `never` is stored as the largest number.
+// The longest times from which machines can continue without overflow; `never` is stored as the largest number.
 template <class Tick>
 inline constexpr std::uint64_t longest_time = std::uint64_t{1} << 62;
 template <>
@@ -110,10 +110,10 @@ struct StoredNumber {
   enum class Kind : std::uint8_t { flag, number, signed_number, word, time, output };
   Kind kind;
   std::uint64_t value;
-  unsigned bytes;             // of the snapshot
-  std::uint64_t most;         // of the values it can have
+  unsigned bytes;             // in the snapshot
+  std::uint64_t most;         // largest value
   bool bounded = false;       // `most` is less than the type's
-  bool may_be_never = false;  // beside 0 to `most`: the largest signed number
+  bool may_be_never = false;  // beside 0 to `most` it can be the largest signed number
 };
 
 class StateVisitor {
@@ -168,7 +168,7 @@ class StateVisitor {
     StoredNumber stored{StoredNumber::Kind::output, before + elements.size(), 8, ~std::uint64_t{0}};
     number(name, stored);
     if (!cuts_outputs()) return;
-    // What was produced later than the snapshot is dropped; of what another run produced before it nothing is there.
+    // Drops what was produced after the snapshot. Output from before it that another run produced is not available.
     if (stored.value >= before && stored.value - before <= elements.size()) {
       elements.resize(static_cast<std::size_t>(stored.value - before));
     } else {
@@ -188,11 +188,11 @@ class StateVisitor {
   StateVisitor() = default;
   ~StateVisitor() = default;
 
-  // Takes the number as it is, or makes it what it is to be.
+  // Reads the number, or assigns it.
   virtual void number(std::string_view name, StoredNumber& number) = 0;
 
   enum class Group : std::uint8_t { part, section, list, optional };
-  // So many elements are there; gives how many are to be: of a section none if it is not to be visited.
+  // Begins a group that has `elements` elements; returns how many it shall have. For a section, 0 means: do not visit it.
   virtual std::size_t begin(Group group, std::string_view name, std::size_t elements) = 0;
   virtual void end() = 0;
 

@@ -1,7 +1,7 @@
-// The output of calligraphic display hardware, and the interface of those that take it.
+// The output of calligraphic display hardware, and the interface of its consumers.
 //
-// One Stroke is one flash of the beam: everything the Type 340 draws consists of them. A plotter makes one of each step of
-// its lowered pen. A device puts them into a StrokeBuffer, which hands them on in blocks.
+// One Stroke is one flash of the beam: everything the Type 340 draws consists of them. A plotter emits one for each step
+// made with the pen down. A device puts them into a StrokeBuffer, which passes them to the taker in blocks.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@ struct Stroke {
   std::uint16_t x = 0;        // 0..1023, 0 = left
   std::uint16_t y = 0;        // 0..1023, 0 = bottom
   std::uint8_t intensity = 0; // 0..7, 7 brightest
-  std::uint16_t address = 0;  // core address of the display word that lit it
+  std::uint16_t address = 0;  // core address of the display word that drew it
 
   friend constexpr bool operator==(const Stroke&, const Stroke&) = default;
 };
 
-// A consumer of what is drawn: raster, phosphor, logs, statistics. It uses no other output of a display.
+// A consumer of strokes: raster, phosphor, logs, statistics. It uses no other output of a display.
 class StrokeTaker {
  public:
-  // In the order of time within one device.
+  // In order of time within one device.
   virtual void strokes(std::span<const Stroke> strokes) = 0;
   virtual void begin_pass(Instant) {}  // the program started the display (IDLA)
   virtual void end_pass(Instant) {}    // the display stopped (stop word or edge)
@@ -37,7 +37,7 @@ class StrokeTaker {
 
 class StrokeBuffer {
  public:
-  // Null: nobody wants strokes, and a device may skip the work of finding single ones. The taker must outlive the buffer.
+  // Null: there is no consumer, and a device may skip computing single strokes. The taker must outlive the buffer.
   void hand_to(StrokeTaker* taker) {
     flush();
     taker_ = taker;
@@ -56,7 +56,7 @@ class StrokeBuffer {
     flush();
     if (taker_ != nullptr) taker_->end_pass(t);
   }
-  // What is waiting goes to the taker; a machine does so at the end of each run.
+  // Passes the waiting strokes to the taker; a machine calls it at the end of each run.
   void flush() {
     const std::size_t count = count_;
     count_ = 0;

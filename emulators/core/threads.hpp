@@ -1,29 +1,29 @@
-// The fast engine of a processor: its instructions as functions of which each ends with a jump to the next one.
+// The fast engine of a processor: one function per instruction code, each ending with a jump to the next.
 //
-// Each of the processor's codes becomes a function that executes one instruction and jumps to the function of the next. The
-// registers that instructions need most are the arguments of these functions, so they stay in the host's registers by the rules
-// of calls, whatever a compiler thinks of the rest: no function is large, and none depends on where another one lies. What
-// instructions need less lies in a frame in memory. Whether something outside the processor is due costs one test an
-// instruction (allowance.hpp); if it is, all goes into the frame and Threads::run returns.
+// Each function executes one instruction and jumps to the function of the next. The registers that instructions need most
+// are arguments, so the calling convention keeps them in host registers: no function is large, and the speed does not
+// depend on a compiler's register allocation for a large loop. Registers needed less are in a frame in memory. A test per
+// instruction finds out whether anything outside the processor is due (allowance.hpp); if so, all registers go into the
+// frame and Threads::run returns.
 //
-// A processor of this kind is a type
-//   using Frame                         what stays in memory
+// Such a processor is a type with
+//   using Frame                         the state kept in memory
 //   static constexpr unsigned codes     32 or 256
 //   static constexpr bool has_spare_word    HostWords::e is not used
-//   static Thread resume(Frame&, HostWords)     and, with a spare word, takes the instruction again
-//   HostWords host_words() const        all that is not in the frame
-//   explicit Thread(Frame&)             from what leave() has put there
-//   unsigned code()                     takes the next instruction, gives its code
-//   template <unsigned code> bool is_rare() const    the instruction taken has to be executed by execute_any()
-//   template <unsigned code> void execute()          without a call, which would spill the host's registers
+//   static Thread resume(Frame&, HostWords)     and, with a spare word, fetches the instruction again
+//   HostWords host_words() const        all state that is not in the frame
+//   explicit Thread(Frame&)             from the state that leave() stored there
+//   unsigned code()                     fetches the next instruction and returns its code
+//   template <unsigned code> bool is_rare() const    the fetched instruction must be executed by execute_any()
+//   template <unsigned code> void execute()          makes no call, which would spill the host's registers
 //   void execute_any()                  any instruction
-//   bool leaves() const                 something is due at the boundary after it
-//   void leave()                        puts all into the frame
+//   bool leaves() const                 something is due at the boundary that follows
+//   void leave()                        stores all state in the frame
 //
-// The jump is a call in tail position. clang turns it into a jump because of an attribute; g++ does so where it optimises
-// (-O2). Where a compiler makes a real call after all, Allowance::most bounds the depth of the stack. WebAssembly has no such
-// call, and checks of addresses spoil it: there is no fast engine (SIGHTLINE_THREADS is 0), and a machine runs by the plain loop
-// that serves its observers.
+// The jump is a call in tail position. clang turns it into a jump because of an attribute, g++ because it optimises (-O2).
+// Where a compiler makes a real call after all, Allowance::most bounds the depth of the stack. WebAssembly has no such
+// call, and address sanitizers prevent it: then there is no fast engine (SIGHTLINE_THREADS is 0), and a machine always uses
+// the plain loop that observed runs use.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@
 
 #include "inline.hpp"
 
-// A function that stays one, with its arguments where the rules of calls put them.
+// A function that is never inlined and has its arguments where the calling convention puts them.
 #if defined(__clang__)
 #define SIGHTLINE_OUT_OF_LINE [[gnu::noinline]]
 #else
@@ -59,9 +59,9 @@
 
 namespace sightline::core {
 
-// As much as fits into the host's registers beside the address of the frame. If a processor does not use `e`, the dispatch
-// table is passed in its register, which saves an instruction of the host each time, and `d` has 64 bits, so that an index into
-// memory need not be widened; else `d` has 32.
+// As much as fits into host registers beside the address of the frame. If a processor does not use `e`, the dispatch table
+// is passed in its register, which saves one host instruction per instruction, and `d` has 64 bits, so that a memory index
+// need not be widened; otherwise `d` has 32.
 struct HostWords {
   std::uint64_t a;
   std::uint64_t b;
@@ -107,7 +107,7 @@ class Threads {
     else return &table;
   }
 
-  // Each begins a line of the host's cache, so that its speed does not depend on what a linker puts before it.
+  // Each function begins a cache line of the host, so that its speed does not depend on the linker's layout.
   template <unsigned code>
   [[gnu::aligned(64)]] static void one(Frame& frame, Long a, Long b, Word c, Index d, Last e) {
     Thread thread = Thread::resume(frame, words_of(a, b, c, d, e));

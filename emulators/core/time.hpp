@@ -1,10 +1,8 @@
-// Emulated time. The PDP-7 and the Type 340 share one clock that counts whole nanoseconds from the start of a
-// run.
+// Emulated time. The PDP-7 and the Type 340 share one clock that counts whole nanoseconds from the start of a run.
 //
-// `Duration` and `Instant` are distinct types, and so are those of the 8080's clock
-// (tstates.hpp): adding or comparing nanoseconds and T-states does not compile. They are not std::chrono's,
-// because <chrono> reads twenty thousand lines of streams into every file that names a time. No emulated time
-// ever comes from the host's clock.
+// `Duration` and `Instant` are distinct types, and so are those of the 8080's clock (tstates.hpp): adding or comparing
+// nanoseconds and T-states does not compile. They are not std::chrono's, because <chrono> adds twenty thousand lines of
+// stream headers to every file that includes it. No emulated time comes from the host's clock.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +46,7 @@ class TickCount {
   std::int64_t ticks_ = 0;
 };
 
-// So many ticks after the start of a run.
+// An instant: a number of ticks after the start of a run.
 template <class Tick>
 class TickInstant {
  public:

@@ -1,7 +1,7 @@
-// Emulated time of the 8080's side: T-states, the periods of the processor's clock, counted from the start of a run.
+// Emulated time of the 8080 machines: T-states, the periods of the processor's clock, counted from the start of a run.
 //
-// How long a T-state lasts is a parameter of the machine: ClockRate converts, in whole arithmetic, where a device's data
-// sheet speaks of seconds. Nothing else does: T-states and nanoseconds are different types (time.hpp).
+// The length of a T-state is a parameter of the machine. ClockRate converts, in integer arithmetic, where a device's data
+// sheet gives seconds. No other conversion exists: T-states and nanoseconds are different types (time.hpp).
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ inline constexpr TStateInstant never_t = TStateInstant::max();
 [[nodiscard]] constexpr TStateInstant at_t_state(std::int64_t t) { return TStateInstant(TStates(t)); }
 [[nodiscard]] constexpr std::int64_t t_states_of(TStateInstant t) { return t.time_since_epoch().count(); }
 
-// The frequency of the processor's clock. Both conversions are exact for 1 Hz to 1 GHz, without overflow within 290
-// years; `never_t` and what lies beyond becomes `never`.
+// The frequency of the processor's clock. Both conversions are exact for 1 Hz to 1 GHz and do not overflow within 290
+// years; later instants, `never_t` included, become `never`.
 struct ClockRate {
   std::int64_t hertz = 3'000'000;
 
-  // The beginning of T-state t, rounded down to a whole nanosecond. t must not lie before the run.
+  // The beginning of T-state t, rounded down to a whole nanosecond. t must not be negative.
   [[nodiscard]] constexpr Instant to_nanoseconds(TStateInstant t) const {
     const std::int64_t seconds = t_states_of(t) / hertz;
     const std::int64_t rest = t_states_of(t) % hertz;

@@ -1,8 +1,8 @@
-// A machine word of fixed width, and DEC's way of counting its bits.
+// A machine word of fixed width, with DEC's bit numbering.
 //
-// Word<18> is the word of the PDP-7 and of the Type 340. Arithmetic wraps modulo 2^Bits (two's complement, as TAD
-// and ISZ do); one's complement addition is an instruction of the machine and is in its CPU. A word never
-// converts to or from an integer by itself, so that an address, a count and a word cannot be mixed up.
+// Word<18> is the word of the PDP-7 and of the Type 340. Arithmetic wraps modulo 2^Bits (two's complement, as TAD and ISZ
+// do); one's complement addition is an instruction of the machine and is in its CPU. A word never converts to or from an
+// integer implicitly, so that an address, a count and a word cannot be mixed up.
 #pragma once
 
 #include <cstdint>
