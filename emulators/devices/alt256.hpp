@@ -1,19 +1,17 @@
-// The other raster board: three Matrox ALT-256 cards, one bit plane each, behind one set of ports.
+// The alternative raster board: three Matrox ALT-256 cards, one bit plane each, behind one set of ports.
 //
 // Four outputs and one input are documented, their order is not. Chosen here: ports 30-33, 0 DATA (bits 2-0; the write
-// draws the dot), 1 X, 2 Y, 3 ERASE (the whole screen to bits 2-0); reading 0 gives bit 7 ready, bit 6
-// horizontal blanking. The board writes one dot a scan line, in horizontal blanking: a dot ordered at any
-// time is written when the next blanking begins, and the board is ready again then. A write to any
-// port before that is lost and counted, as on the maker's other boards. 262 lines of 63.5 us make a field (60
-// Hz); 240 of the 256 rows can be seen.
+// draws the dot), 1 X, 2 Y, 3 ERASE (the whole screen to bits 2-0); reading 0 gives bit 7 ready, bit 6 horizontal blanking.
+// The board writes one dot per scan line, in horizontal blanking: a dot ordered at any time is written when the next
+// blanking begins, and then the board is ready again. A write to any port before that is lost and counted, as on the
+// maker's other boards. A field has 262 lines of 63.5 us (60 Hz); 240 of the 256 rows are visible.
 //
-// The direction of Y is not documented for this board; up is chosen, `y_counts_down` makes it as on its LSI-11
-// sibling, where y = 0 is at the top and the rows lost to the frame's blanking are the first ones. Either way
-// those are the rows above 239 of the Raster, and dots there are counted. The dot is in the raster from its
-// order on, not from its slot. Left out: the blanking's exact place in the line is the standard's (10.9 us at
-// its end), not the board's. Sources: Holden 2019 (memory, visible rows, three cards for eight colours); E.
-// Smith, classiccmp (ports); J. Battle, cctech 2007 (one dot a scan line); the NIH header of the MLSI 512
-// (register set, Y direction).
+// The direction of Y is not documented for this board. Up is chosen; `y_counts_down` selects that of its LSI-11 sibling,
+// where y = 0 is at the top and vertical blanking hides the first rows. Either way the hidden rows are those above 239 of
+// the Raster, and dots there are counted. The raster shows a dot when it is ordered, not when it is written. Approximate:
+// the place of blanking in the line is the television standard's (10.9 us at its end), not the board's. Sources: Holden
+// 2019 (memory, visible rows, three cards for eight colours); E. Smith, classiccmp (ports); J. Battle, cctech 2007 (one dot
+// per scan line); the NIH header of the MLSI 512 (register set, Y direction).
 #pragma once
 
 #include <array>
@@ -28,14 +26,14 @@ namespace sightline::devices {
 
 namespace alt256 {
 inline constexpr core::Duration line{63'500};
-inline constexpr core::Duration blanking_begins{52'600};  // in each line, until its end
+inline constexpr core::Duration blanking_begins{52'600};  // in each line; lasts to the end of the line
 inline constexpr core::Duration erase{33'300'000};        // two fields
 inline constexpr int visible_rows = 240;
 }  // namespace alt256
 
 struct Alt256Counts {
   std::uint64_t dots = 0;
-  std::uint64_t dots_invisible = 0;  // in the 16 rows the frame does not show; also in `dots`
+  std::uint64_t dots_invisible = 0;  // in the 16 rows that the frame does not show; also in `dots`
   std::uint64_t erases = 0;
   std::uint64_t writes_lost = 0;  // while not ready: a driver's error
 };
@@ -88,7 +86,7 @@ class Alt256 final : public core::PortDevice {
   }
 
   [[nodiscard]] bool ready(core::TStateInstant at) const { return at >= ready_at_; }
-  // The end of the last order.
+  // The end of the last command.
   [[nodiscard]] core::TStateInstant ready_at() const { return ready_at_; }
   [[nodiscard]] const core::Raster* raster() const override { return &raster_; }
   [[nodiscard]] const Alt256Counts& totals() const { return counts_; }
@@ -122,7 +120,7 @@ class Alt256 final : public core::PortDevice {
     ready_at_ = core::TStateInstant(rate_.t_states_in(next_blanking(at)));
   }
 
-  // Beginning of the first blanking after `at`.
+  // The beginning of the first blanking after `at`.
   [[nodiscard]] core::Duration next_blanking(core::TStateInstant at) const {
     const core::Instant now = rate_.to_nanoseconds(at);
     if (now == core::never) return now.time_since_epoch();  // beyond what nanoseconds can count

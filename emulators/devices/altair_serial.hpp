@@ -1,5 +1,5 @@
-// The serial boards of the Altair 8800, each with a terminal at the other end of its line: the 88-SIO (revision 1) and the first
-// channel of the 88-2SIO, a Motorola 6850.
+// The serial boards of the Altair 8800, each with a terminal at the other end of its line: the 88-SIO (revision 1) and the
+// first channel of the 88-2SIO, which is a Motorola 6850.
 //
 // The 88-SIO is on ports 00-01, the 88-2SIO on 10-11, the addresses of MITS's software.
 //
@@ -9,13 +9,13 @@
 //   88-2SIO  bit 0: 1 there is a character      bits 1-0 both 1: reset; bit 7 receive interrupt,
 //            bit 1: 1 one can be sent           bits 6-5 01: send interrupt; bit 7 of the status: a request
 //
-// A character takes ten bits' time of the line, eleven at up to 110 baud, in either direction. One more can be written while one is
-// sent; what is written on top of that takes its place and is counted. The terminal's next character comes when the last one has
-// been read, but not sooner than the line allows: it is a terminal that is asked to wait, so that nothing typed is lost. What is sent
-// is on the terminal when its transmission begins.
-// Left out: parity and framing errors, overrun, modem lines, word lengths (the terminal takes what comes), and the board's jumpers for
-// other speeds while it runs. Bits of the 88-SIO that revision 1 does not use (6, 5 and 1: those of the receiver and transmitter moved to 0
-// and 7) are 0 here; no manual says what an open input of the board reads.
+// A character takes ten bit times in either direction, eleven at up to 110 baud. One more can be written while one is being
+// sent; another write replaces it and is counted. The terminal's next character comes when the last one has been read, but
+// no sooner than the line allows: the terminal waits for the program, so that no typed character is lost. A character is on
+// the terminal when its transmission begins.
+// Left out: parity and framing errors, overrun, modem lines, word lengths (the terminal accepts any), and changes of the
+// speed jumpers while the board runs. Bits of the 88-SIO that revision 1 does not use (6, 5 and 1: it moved the receiver's
+// and transmitter's to 0 and 7) read 0 here; no manual says what an open input of the board reads.
 // Sources: MITS 88-SIO manual (1975), "Theory of Operation", table "Bit Definition", with the errata sheet that makes it revision 1; MITS
 // 88-2SIO manual (1977), register tables; Motorola MC6850 data sheet (1978).
 #pragma once
@@ -38,7 +38,7 @@ enum class AltairBoard : std::uint8_t { sio, two_sio };
 struct AltairSerialCounts {
   std::uint64_t received = 0;     // characters that the program has read
   std::uint64_t sent = 0;
-  std::uint64_t overwritten = 0;  // before they were sent: a driver's error
+  std::uint64_t overwritten = 0;  // before they were sent: an error of the driver
 };
 
 class AltairSerial : public core::PortDevice, public core::Terminal {
@@ -82,14 +82,14 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
     held_ = value;
     holding_ = true;
   }
-  // All that happens up to and including `now` has happened.
+  // Performs everything up to and including `now`.
   void advance(core::TStateInstant now) override {
     now_ = std::max(now_, now);
     if (!holding_ || line_free_ > now_) return;
     holding_ = false;
     send(held_, line_free_);
   }
-  // The next instant at which a flag changes by itself.
+  // The next instant at which a flag changes without an access.
   [[nodiscard]] core::TStateInstant deadline() const override {
     core::TStateInstant next = core::never_t;
     if (holding_) next = line_free_;
@@ -102,14 +102,14 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
     return (receives && key_is_there()) || (sends && !holding_);
   }
 
-  // The terminal's side. A key that is typed is sent as soon as the line and the program allow.
+  // The terminal's side. A typed key is sent as soon as the line and the program allow.
   void type(std::uint8_t code) override {
     keys_.push_back(code);
     asked_ = false;
   }
-  // All keys have been read, and the program has polled for another.
+  // The program has read all keys and polled for another.
   [[nodiscard]] bool wants_key() const override { return keys_.empty() && asked_; }
-  // What has been sent since the last call.
+  // The characters sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> take_printed() override { return std::exchange(printed_, {}); }
 
   [[nodiscard]] const AltairSerialCounts& totals() const { return counts_; }
@@ -117,7 +117,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
     return {{"received", counts_.received}, {"sent", counts_.sent}, {"overwritten", counts_.overwritten}};
   }
 
-  // Between two runs nothing printed waits to be taken.
+  // Between two runs all printed characters have been taken.
   void visit_state(core::StateVisitor& visit) override {
     visit("now", now_);
     visit("control", control_);
@@ -154,11 +154,11 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
   core::TStateInstant now_{};
   std::uint8_t control_ = 0;
   std::uint8_t last_read_ = 0;
-  std::uint8_t held_ = 0;  // written, and waiting for the line
+  std::uint8_t held_ = 0;  // written, waits for the line
   bool holding_ = false;
-  core::TStateInstant line_free_{};  // the character before has been sent
-  core::TStateInstant next_key_{};   // the next one cannot be there sooner
-  bool asked_ = false;               // for a key, since the last was typed
+  core::TStateInstant line_free_{};  // when the character before has been sent
+  core::TStateInstant next_key_{};   // earliest instant of the next key
+  bool asked_ = false;               // the program has polled for a key since the last was typed
   std::vector<std::uint8_t> keys_;
   std::vector<std::uint8_t> printed_;
   AltairSerialCounts counts_;

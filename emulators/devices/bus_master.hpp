@@ -1,5 +1,5 @@
-// A board that takes the bus from the processor by HOLD, once or again and again, for as long as it always does. It has no
-// ports, and does nothing with the bus.
+// A board that takes the bus from the processor by HOLD, once or periodically, always for the same time. It has no ports
+// and does nothing with the bus.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace sightline::devices {
 
-// HOLD is high for `length` T-states from T-state `first` on, and again `period` after the beginning of each.
+// HOLD is high for `length` T-states from T-state `first` on, and again every `period` T-states.
 struct HoldTimes {
   std::int64_t first = 0;   // at least 0
   std::int64_t length = 0;  // at least 1; 0: never
@@ -25,7 +25,7 @@ struct HoldTimes {
     if (within(since) < length) return t;
     return period == 0 ? core::never_t : t + core::TStates(period - within(since));
   }
-  // The first at or after `t` in which it is low.
+  // The first T-state at or after `t` in which HOLD is low.
   [[nodiscard]] constexpr core::TStateInstant hold_ends(core::TStateInstant t) const {
     const std::int64_t since = core::t_states_of(t) - first;
     if (since < 0 || within(since) >= length) return t;
@@ -33,7 +33,7 @@ struct HoldTimes {
   }
 
  private:
-  // Since HOLD last rose.
+  // T-states since HOLD last rose.
   [[nodiscard]] constexpr std::int64_t within(std::int64_t since) const { return period == 0 ? since : since % period; }
 };
 
@@ -61,7 +61,7 @@ class BusMaster final : public core::PortDevice {
 
   explicit BusMaster(const core::PortDeviceSetup& setup)
       : BusMaster(HoldTimes{setup.value(info, "first"), setup.value(info, "length"), setup.value(info, "period")}) {}
-  // A period that is not longer than what is held: once.
+  // A period that is not longer than the length means once.
   explicit BusMaster(const HoldTimes& times) : times_(times) {
     if (times_.period <= times_.length) times_.period = 0;
   }

@@ -1,21 +1,19 @@
-// The CalComp 565 drum plotter (IBM 1627 model 1) behind a byte port with a status, 60.
+// The CalComp 565 drum plotter (IBM 1627 model 1) behind a byte port with a status, port 60.
 //
-// A command of 0-7 makes one step of 0.01 inch: 0 is +y, then clockwise in eighths of a turn (1 +x+y, 2 +x,
-// ... 7 -x+y); 08h lifts the pen, 09h lowers it. The drum moves the paper along x without limit, the carriage
-// moves the pen along y, 0..1100 steps (11 inches). The plotter itself knows no position and has no end stop
-// to report: the driver board here counts. A step takes 3.333 ms, a pen command 100 ms, whether or not the
-// pen moves.
+// A command of 0-7 makes one step of 0.01 inch: 0 is +y, then clockwise in eighths of a turn (1 +x+y, 2 +x, ... 7 -x+y);
+// 08h lifts the pen, 09h lowers it. The drum moves the paper along x without limit, the carriage moves the pen along y,
+// 0..1100 steps (11 inches). The plotter has no position sensor and no end stop to report: the driver board here counts. A
+// step takes 3.333 ms, a pen command 100 ms, whether or not the pen moves.
 //
-// Status: bit 0 BUSY, bit 1 DONE (a command has ended; cleared by the next command), bit 2 PEN down, bit 7
-// ERROR (a command while busy, off the carriage, or an unknown code; cleared by the next command that is
-// obeyed). A step off the carriage moves the drum's part of it and takes its time. DONE can drive an
-// interrupt: the line follows the bit.
+// Status: bit 0 BUSY, bit 1 DONE (a command has ended; cleared by the next command), bit 2 PEN down, bit 7 ERROR (a command
+// while busy, off the carriage, or an unknown code; cleared by the next accepted command). A step off the carriage moves
+// the drum by its x part and takes its time. DONE can drive an interrupt: the line follows the bit.
 //
-// Strokes: one where the pen comes down and one at the end of every step made with the pen down, with the
-// time of the end of that command; they are handed over when the command is given. Intensity 7, address 0.
-// Drum positions that a Stroke cannot hold (below 0, above 65535) are counted instead: choose the paper's
-// starting place accordingly. Sources: ibm1130.net (1627 functional description), retro-1620's Plotter.js
-// (codes, periods), PDP-X memo 15; the byte port and its status are this machine's own.
+// Strokes: one where the pen comes down and one at the end of every step made with the pen down, with the time at which
+// that command ends; they are emitted when the command is given. Intensity 7, address 0. Drum positions that a Stroke
+// cannot hold (below 0, above 65535) are only counted: choose the start position accordingly. Sources: ibm1130.net (1627
+// functional description), retro-1620's Plotter.js (codes, periods), PDP-X memo 15; the byte port and its status are chosen
+// here.
 #pragma once
 
 #include <algorithm>
@@ -40,14 +38,14 @@ inline constexpr std::uint8_t pen_down = 0x09;
 }  // namespace calcomp565
 
 struct CalComp565Counts {
-  std::uint64_t steps = 0;         // obeyed, pen up or down
-  std::uint64_t steps_pen_up = 0;  // of them without drawing
+  std::uint64_t steps = 0;         // executed, pen up or down
+  std::uint64_t steps_pen_up = 0;  // those of them with the pen up
   std::uint64_t pen_lifts = 0;     // down to up
-  std::uint64_t pen_commands = 0;  // 08h and 09h obeyed
+  std::uint64_t pen_commands = 0;  // 08h and 09h executed
   std::uint64_t commands_while_busy = 0;
   std::uint64_t off_carriage = 0;
   std::uint64_t unknown_codes = 0;
-  std::uint64_t off_paper = 0;  // strokes whose x no Stroke can hold
+  std::uint64_t off_paper = 0;  // strokes whose x is out of a Stroke's range
   core::TStates busy{};         // sum of all busy times
 };
 
@@ -125,7 +123,7 @@ class CalComp565 final : public core::PortDevice {
     busy_ = false;
     done_ = true;
   }
-  // When DONE rises by itself.
+  // When DONE rises.
   [[nodiscard]] core::TStateInstant deadline() const override { return busy_ ? busy_until_ : core::never_t; }
   [[nodiscard]] bool done() const { return done_; }
 

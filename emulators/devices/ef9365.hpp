@@ -1,20 +1,18 @@
 // The raster board: a Thomson EF9365 graphic display processor with three bit planes and a colour latch.
 //
-// Sixteen registers, as the chip has them, on ports 40-4F, and the latch on 50 (chosen): 0 status (read) and command (write), 1 CTRL1, 2 CTRL2, 3 CSIZE, 5
-// DELTAX, 7 DELTAY, 8/9 X high and low, A/B Y high and low, C/D light pen; 4, 6, E and F do not exist (read
-// as FFh). The latch beside the chip says what each plane gets when the pen writes: bits 2-0, 0 erases all
-// planes.
+// The chip's sixteen registers are on ports 40-4F, the latch on 50 (chosen): 0 status (read) and command (write), 1 CTRL1,
+// 2 CTRL2, 3 CSIZE, 5 DELTAX, 7 DELTAY, 8/9 X high and low, A/B Y high and low, C/D light pen; 4, 6, E and F do not exist
+// (read as FFh). The latch beside the chip holds what the pen writes into each plane, bits 2-0; 0 erases all planes.
 //
-// A command takes effect in the raster at once, whole; only its busy time passes afterwards. A command given
-// while the chip is busy is ignored and counted: what the chip would do is not specified. A register or
-// the latch written while the chip is busy is stored at once and counted too, because on the chip it could
-// reach the drawing under way; here it cannot. Status bits 5 and 6 rise with their event when CTRL1 enables
-// it, and fall when status is read; bit 7 and the interrupt line are their sum.
+// A command takes effect in the raster at once and completely; only its busy time passes afterwards. A command given while
+// the chip is busy is ignored and counted: what the chip would do is not specified. A register or the latch written while
+// the chip is busy is stored at once and counted too: on the chip such a write could affect the drawing in progress, here
+// it cannot. Status bits 5 and 6 rise with their event when CTRL1 enables it, and fall when status is read; bit 7 and the
+// interrupt line are their OR.
 //
-// Left out: the light pen (XLP and YLP read as 0, status bits 0 and 4 stay 0, commands 08 and 09 only take
-// time) and reading the planes back (command 0F only takes time); both are counted. Waiting for the next
-// field before a clear. Sources: MAME's ef9365 device and Wikipedia's article, which agree; times in
-// ef9365_timing.hpp.
+// Left out: the light pen (XLP and YLP read as 0, status bits 0 and 4 stay 0, commands 08 and 09 only take time) and
+// reading the planes back (command 0F only takes time); both are counted. Also left out: waiting for the next field before
+// a clear. Sources: MAME's ef9365 device and Wikipedia's article, which agree; times in ef9365_timing.hpp.
 #pragma once
 
 #include <algorithm>
@@ -34,9 +32,9 @@
 namespace sightline::devices {
 
 struct Ef9365Counts {
-  std::uint64_t commands = 0;             // obeyed
-  std::uint64_t commands_while_busy = 0;  // ignored: a driver's error
-  std::uint64_t writes_while_busy = 0;    // registers and latch: a driver's error
+  std::uint64_t commands = 0;             // executed
+  std::uint64_t commands_while_busy = 0;  // ignored: an error of the driver
+  std::uint64_t writes_while_busy = 0;    // registers and latch: an error of the driver
   std::uint64_t unanswered = 0;    // light pen, memory access, writes to registers that cannot be written
   std::uint64_t dots = 0;          // written into the planes
   std::uint64_t dots_outside = 0;  // beyond 256 by 256
@@ -80,7 +78,7 @@ class Ef9365 final : public core::PortDevice {
   }
   [[nodiscard]] unsigned requests() const override { return interrupt() ? 1 : 0; }
 
-  // Register 0..15 at an instant not before any earlier one.
+  // Register 0..15. `at` must not be before that of any earlier call.
   [[nodiscard]] std::uint8_t read(std::uint8_t number, core::TStateInstant at) {
     switch (number & 0x0FU) {
       case 0x0: return status(at);
@@ -128,7 +126,7 @@ class Ef9365 final : public core::PortDevice {
 
   // The interrupt line, as of the last read, write or advance.
   [[nodiscard]] bool interrupt() const { return raised_ != 0; }
-  // When the line may rise by itself.
+  // When the line may rise without an access.
   [[nodiscard]] core::TStateInstant deadline() const override {
     if (control_ == 0 || raised_ != 0) return core::never_t;
     return std::min((control_ & blanking_enable) != 0 ? next_blanking_ : core::never_t,
@@ -199,7 +197,7 @@ class Ef9365 final : public core::PortDevice {
     return static_cast<std::uint8_t>(bits);
   }
 
-  // Events before `at` were decided by the enables before.
+  // Events before `at` are decided by the old enable bits.
   void set_control(std::uint8_t value, core::TStateInstant at) {
     advance(at);
     drawing_.pen = value & pen_bits;
@@ -231,14 +229,14 @@ class Ef9365 final : public core::PortDevice {
       busy_until_ = at + rate_.t_states_in(obey(code));
   }
 
-  // Returns the number of dots. Single dots, the commonest case, do not take the path of a line.
+  // Returns the number of dots. Single dots, the most frequent case, skip the code for lines.
   SIGHTLINE_INLINE std::size_t small_vector(std::uint8_t code) {
     if ((code & 0x78U) != 0) return directed(code, (code >> 5) & 3, (code >> 3) & 3);
     drawing_.single_dot();
     return 1;
   }
 
-  // All but the small vectors. Returns the busy time.
+  // All commands except small vectors. Returns the busy time.
   [[gnu::noinline]] core::Duration obey(std::uint8_t code) {
     if (code >= 0x20) return drawn(drawing_.symbol(ef9365::character(code)));
     if (code < 0x10) return basic(code);
@@ -253,7 +251,7 @@ class Ef9365 final : public core::PortDevice {
     return ef9365::clocks(dots + ef9365::start_up_clocks);
   }
 
-  // A vector whose signs are in bits 2-0 of the command: odd for both axes, even for one of them.
+  // A vector whose signs are in bits 2-0 of the command: an odd code moves along both axes, an even one along one.
   std::size_t directed(std::uint8_t code, int dx, int dy) {
     constexpr std::array<std::int8_t, 8> sign_x{1, 1, 0, -1, 0, 1, -1, -1};
     constexpr std::array<std::int8_t, 8> sign_y{0, 1, 1, 1, -1, -1, 0, -1};
@@ -299,8 +297,7 @@ class Ef9365 final : public core::PortDevice {
     return ef9365::sweep;
   }
 
-  // Command 07: CSIZE to the smallest size, all other registers of the chip to 0; the latch is not the
-  // chip's.
+  // Command 07: CSIZE to the smallest size, all other registers of the chip to 0; the latch is outside the chip.
   void reset_registers() {
     drawing_.x = drawing_.y = 0;
     drawing_.pen = drawing_.style = 0;
@@ -317,7 +314,7 @@ class Ef9365 final : public core::PortDevice {
   std::uint8_t delta_y_ = 0;
   std::uint8_t control_ = 0;  // CTRL1's interrupt enables
   std::uint8_t raised_ = 0;   // status bits 4-6
-  bool working_ = false;      // the end of the busy time has not been seen yet
+  bool working_ = false;      // the end of the busy time has not been processed yet
   core::TStateInstant busy_until_{};
   core::TStateInstant next_blanking_{};
   Ef9365Counts counts_;

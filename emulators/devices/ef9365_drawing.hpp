@@ -1,15 +1,14 @@
-// The drawing half of the EF9365: the pen, vectors with their line styles, characters and blocks, on three
-// bit planes.
+// The drawing half of the EF9365: the pen, vectors with their line styles, characters and blocks, on three bit planes.
 //
-// X and Y are 12 bits and wrap; a dot is written only where both are below 256. Both end dots of a vector are
-// drawn, and a vector of no length is one dot. Of two equally near dots a vector takes the one on its
-// starting side, in either direction. A line style starts again with every vector.
+// X and Y are 12 bits and wrap; a dot is written only where both are below 256. Both end dots of a vector are drawn, and a
+// vector of no length is one dot. Of two equally near dots a vector takes the one on its starting side, in either
+// direction. Every vector begins its line style anew.
 //
-// Not known of the chip, and chosen here: the rounding just named; where the eighth row of a character lies
-// (below, for the tails of g j p q y); that vertical writing is horizontal writing turned by 90 degrees,
-// leaning letters included; that the 4x4 block leaves a column's gap like a character (so does the emulator
-// this follows). Shapes of characters are approximate: see glyphs.hpp. Sources: the register and command
-// tables agreed on by MAME's ef9365 device and by Wikipedia's article.
+// Unknown for the chip and chosen here: that rounding; the place of the eighth row of a character (below, for the tails of
+// g j p q y); that vertical writing is horizontal writing turned by 90 degrees, leaning letters included; that the 4x4
+// block leaves a column's gap like a character (as the emulator used as a source does). Shapes of characters are
+// approximate: see glyphs.hpp. Sources: the register and command tables on which MAME's ef9365 device and Wikipedia's
+// article agree.
 #pragma once
 
 #include <algorithm>
@@ -62,13 +61,13 @@ class Drawing {
   std::uint16_t y = 0;
   std::uint8_t pen = 0;    // CTRL1, see Pen
   std::uint8_t style = 0;  // CTRL2, see Style
-  std::uint8_t size = 0;   // CSIZE: P (width factor) in the high half, Q (height) in the low; 0 stands for 16
+  std::uint8_t size = 0;   // CSIZE: P (width factor) in the high half, Q (height) in the low; 0 means 16
   std::uint8_t colour = 0;  // of the planes' latch, 0..7
 
   [[nodiscard]] const core::Raster& raster() const { return raster_; }
   [[nodiscard]] bool outside() const { return ((x | y) & 0xF00U) != 0; }
 
-  // Dots written into the planes, and dots that fell outside them, with the pen down.
+  // Dots written into the planes, and dots outside them, with the pen down.
   [[nodiscard]] std::uint64_t dots() const { return dots_; }
   [[nodiscard]] std::uint64_t dots_outside() const { return dots_outside_; }
 
@@ -86,14 +85,14 @@ class Drawing {
   }
 
   void clear() { raster_.fill(0); }
-  // Screen scanning: every dot becomes what the pen or the eraser would write, whether it is down or not.
+  // Screen scanning: sets every dot to what the pen or the eraser would write, whether it is down or not.
   void fill() { raster_.fill(ink()); }
 
   // A vector of no length.
   void single_dot() {
     if ((pen & Pen::is_down) != 0) dot(x, y);
   }
-  // From the pen's place by (dx, dy), each -255..255. Returns the dots scanned.
+  // Draws from the pen's position by (dx, dy), each -255..255. Returns the number of dots scanned.
   std::size_t vector(int dx, int dy) {
     if ((pen & Pen::is_down) != 0) draw(dx, dy);
     x = wrap(x + dx);
@@ -101,7 +100,7 @@ class Drawing {
     return static_cast<std::size_t>(std::max(std::abs(dx), std::abs(dy))) + 1;
   }
 
-  // At the pen's place, which then moves on by one column more than the symbol has. Returns the dots scanned.
+  // Draws at the pen's position, then moves the pen by the symbol's columns and one. Returns the number of dots scanned.
   std::int64_t symbol(const Symbol& shape) {
     const int width_factor = factor(size >> 4);
     const int height_factor = factor(size & 0x0FU);
@@ -119,8 +118,7 @@ class Drawing {
   }
 
  private:
-  // Bit n of a style says whether dot n (modulo 16) is drawn: all; 2 on, 2 off; 4 and 4; 10 on, 2 off, 2 on,
-  // 2 off.
+  // Bit n of a style says whether dot n (modulo 16) is drawn: all; 2 on, 2 off; 4 and 4; 10 on, 2 off, 2 on, 2 off.
   static constexpr std::array<std::uint16_t, 4> styles{0xFFFF, 0x3333, 0x0F0F, 0x33FF};
 
   static constexpr std::uint16_t wrap(int coordinate) {
@@ -128,7 +126,7 @@ class Drawing {
   }
   static constexpr int factor(int half) { return half == 0 ? 16 : half; }
 
-  // The eraser clears all planes; the pen sets each as the latch says.
+  // The eraser clears all planes; the pen sets each as the latch tells.
   [[nodiscard]] std::uint8_t ink() const { return (pen & Pen::writes) != 0 ? colour : std::uint8_t{0}; }
 
   void dot(std::uint16_t at_x, std::uint16_t at_y) {

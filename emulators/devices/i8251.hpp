@@ -1,18 +1,17 @@
 // The 8251 serial interface (USART) in its asynchronous modes.
 //
-// After a reset the first control word is the mode: bits 1-0 the clock factor (01 x1, 10 x16, 11 x64), 3-2
-// the length (5 to 8 bits), 4 parity on, 5 even, 7-6 the stop bits (01 one, 10 one and a half, 11 two). All
-// later ones are commands: bit 0 transmitter on, 1 DTR, 2 receiver on, 3 send break, 4 clear the errors, 5
-// RTS, 6 reset, 7 hunt. Status: 0 TxRDY (its place is empty, whatever the enables say), 1 RxRDY, 2 TxEMPTY, 3
-// parity error, 4 overrun, 5 framing error, 6 SYNDET, 7 DSR.
+// After a reset the first control word is the mode: bits 1-0 the clock factor (01 x1, 10 x16, 11 x64), 3-2 the length (5 to
+// 8 bits), 4 parity on, 5 even, 7-6 the stop bits (01 one, 10 one and a half, 11 two). All later ones are commands: bit 0
+// transmitter on, 1 DTR, 2 receiver on, 3 send break, 4 clear the errors, 5 RTS, 6 reset, 7 hunt. Status: 0 TxRDY (the
+// holding register is empty, whatever the enables say), 1 RxRDY, 2 TxEMPTY, 3 parity error, 4 overrun, 5 framing error, 6
+// SYNDET, 7 DSR.
 //
-// A character is in the receiver at the middle of its first stop bit; if the last one has not been read
-// by then it is lost and overrun is set. The receiver samples the line in the middle of each of its own bits,
-// so a sender of another speed or format gives the errors it really gives; what is left of a longer foreign
-// character is not taken for a new start bit. CTS is always granted. Left out, and counted where a program
-// asks for it: synchronous operation (the sequence of control words is kept, characters go nowhere), break as
-// a level on the line. Times are rounded up to T-states, character by character. Sources: Intel's 8251 data
-// sheet as kept by chipdir; usenet 516293 for the sequence.
+// The receiver has a character at the middle of its first stop bit; if the last one has not been read by then it is lost
+// and overrun is set. The receiver samples the line in the middle of each of its own bits, so a sender of another speed or
+// format causes the real errors; the rest of a longer foreign character is not taken for a new start bit. CTS is always
+// granted. Left out, and counted where a program uses them: synchronous operation (control words are interpreted in
+// sequence, characters are dropped) and break as a level on the line. Times are rounded up to T-states, character by
+// character. Sources: Intel's 8251 data sheet as kept by chipdir; usenet 516293 for the sequence.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +22,7 @@
 
 namespace sightline::devices {
 
-// One character on a line, bit 0 first: start bit, data, parity, then mark for ever.
+// One character on a line, bit 0 first: start bit, data, parity, then mark indefinitely.
 struct SerialFrame {
   std::uint32_t levels = ~0U;  // bit n: the level during the n-th bit time
   std::int64_t baud = 9600;
@@ -38,7 +37,7 @@ struct SerialFrame {
   }
 };
 
-// How characters are framed.
+// The frame format of characters.
 struct SerialFormat {
   int data_bits = 8;  // 5..8
   bool parity = false;
@@ -73,7 +72,7 @@ struct I8251Counts {
   std::uint64_t parity_errors = 0;
   std::uint64_t framing_errors = 0;
   std::uint64_t transmitted = 0;
-  std::uint64_t transmit_overwritten = 0;  // written before TxRDY: a driver's error
+  std::uint64_t transmit_overwritten = 0;  // written before TxRDY: an error of the driver
   std::uint64_t unanswered = 0;            // synchronous operation, breaks
 };
 
@@ -130,7 +129,7 @@ class I8251 {
     errors_ = 0;
   }
 
-  // What goes on by itself: the transmitter.
+  // Runs the transmitter up to `now`.
   void advance(core::TStateInstant now) {
     while (shifting_ && shift_ends_ <= now) {
       ++counts_.transmitted;
@@ -139,10 +138,10 @@ class I8251 {
       shift(shift_ends_);
     }
   }
-  // When TxRDY or TxEMPTY change.
+  // When TxRDY or TxEMPTY changes.
   [[nodiscard]] core::TStateInstant deadline() const { return shifting_ ? shift_ends_ : core::never_t; }
 
-  // The line brings a character that began some time ago; to be called when its sampling ends.
+  // Receives a character that began some time ago; call it when its sampling ends.
   void receive(const SerialFrame& frame) {
     if (expects_ != Expects::command || synchronous_ || (command_ & 0x04U) == 0) {
       ++counts_.received_lost;
@@ -156,7 +155,7 @@ class I8251 {
     ready_ = true;
     sample(frame);
   }
-  // From the beginning of the start bit until the receiver has the character; needs a mode.
+  // From the beginning of the start bit until the receiver has the character; the mode must be set.
   [[nodiscard]] core::TStates sampling_time() const {
     return half_bit_times(format_.half_bits() - format_.half_stop_bits + 1);
   }
@@ -166,7 +165,7 @@ class I8251 {
   [[nodiscard]] bool request_to_send() const { return (command_ & 0x20U) != 0; }
   [[nodiscard]] bool receive_ready() const { return ready_; }                     // the RxRDY pin
   [[nodiscard]] bool transmit_ready() const { return !holding_ && transmits(); }  // the TxRDY pin
-  // Characters whose last stop bit has left, in order.
+  // Characters whose last stop bit has been sent, in order.
   [[nodiscard]] const KeptBytes& sent() const { return sent_; }
   [[nodiscard]] const I8251Counts& counts() const { return counts_; }
 
@@ -213,7 +212,7 @@ class I8251 {
     format_.data_bits = 5 + static_cast<int>(word >> 2 & 3U);
     format_.parity = (word & 0x10U) != 0;
     format_.even = (word & 0x20U) != 0;
-    // 00 is not allowed; it is taken for one.
+    // 00 is not allowed; it is treated as one stop bit.
     format_.half_stop_bits = (word >> 6) < 2 ? 2 : 1 + static_cast<int>(word >> 6);
     expects_ = Expects::command;
   }
@@ -230,7 +229,7 @@ class I8251 {
     if (!shifting_) shift(at);
   }
 
-  // A character written while the transmitter was on leaves even if it is switched off before its turn.
+  // A character written while the transmitter was on is sent even if it is then switched off.
   void shift(core::TStateInstant at) {
     if (!holding_ || !released_) return;
     shifter_ = static_cast<std::uint8_t>(to_send_ & ((1U << format_.data_bits) - 1U));
@@ -271,7 +270,7 @@ class I8251 {
   bool synchronous_ = false;
   bool ready_ = false;     // RxRDY
   bool holding_ = false;   // a character waits for the transmitter
-  bool released_ = false;  // and may leave
+  bool released_ = false;  // and may be sent
   bool shifting_ = false;
   std::uint8_t received_ = 0;
   std::uint8_t to_send_ = 0;

@@ -1,20 +1,18 @@
 // The 8255 programmable peripheral interface: three ports of eight lines in two groups.
 //
-// Mode 0 on all ports, the mode 1 handshakes for input and output on ports A and B, mode 2 on port A, and the
-// bit set/reset word, which in modes 1 and 2 also sets the interrupt enables. Reading port C gives the levels
-// of its lines; where a line of a handshake is an input (STB#, ACK#), its place shows the interrupt enable it
-// shares a bit with. After reset all ports are inputs of mode 0. Setting a mode clears all output latches and
-// handshakes.
+// Mode 0 on all ports, the mode 1 handshakes for input and output on ports A and B, mode 2 on port A, and the bit set/reset
+// word, which in modes 1 and 2 also sets the interrupt enables. Reading port C gives the levels of its lines; the bit of a
+// handshake input (STB#, ACK#) reads as the interrupt enable that shares it. After reset all ports are inputs of mode 0.
+// Setting a mode clears all output latches and handshakes.
 //
 //   line     7     6     5     4     3      2     1     0
 //   A in                IBF   STB#  INTR    STB#  IBF   INTR    B in
 //   A out    OBF#  ACK#             INTR    ACK#  OBF#  INTR    B out
 //   A mode 2 OBF#  ACK#  IBF   STB#  INTR
 //
-// The outside of the chip is a set of edges: strobe_falls() and strobe_rises(), acknowledge_falls() and
-// acknowledge_rises(), and the levels on lines that are inputs of mode 0. The chip itself knows no time; what
-// sits behind it has the delays. Reading the control word gives FFh, as the data sheet forbids it. Source:
-// Intel's 8255A data sheet.
+// The outside drives the chip by edges: strobe_falls() and strobe_rises(), acknowledge_falls() and acknowledge_rises(), and
+// by the levels on lines that are inputs of mode 0. The chip itself has no delays; the device connected to it has them.
+// Reading the control word gives FFh; the data sheet forbids it. Source: Intel's 8255A data sheet.
 #pragma once
 
 #include <array>
@@ -59,7 +57,7 @@ class I8255 {
     side.strobe_low = true;
   }
   void strobe_rises(Port port) { side_of(port).strobe_low = false; }
-  // ACK#: the outside takes what is in the output latch; OBF# rises.
+  // ACK#: the outside reads the output latch; OBF# rises.
   std::uint8_t acknowledge_falls(Port port) {
     Side& side = side_of(port);
     side.pending = false;
@@ -67,7 +65,7 @@ class I8255 {
     return side.out_latch;
   }
   void acknowledge_rises(Port port) { side_of(port).acknowledge_low = false; }
-  // Levels the outside puts on the lines that are inputs.
+  // The levels that the outside puts on lines that are inputs.
   void set_levels(Port port, std::uint8_t levels) { side_of(port).levels = levels; }
   void set_levels_c(std::uint8_t levels) { c_levels_ = levels; }
 
@@ -101,7 +99,7 @@ class I8255 {
 
  private:
   struct Side {
-    // As the mode word has it.
+    // As set by the mode word.
     bool drives = false;          // output of mode 0 or 1
     bool strobed_input = false;   // mode 1 in, mode 2
     bool strobed_output = false;  // mode 1 out, mode 2

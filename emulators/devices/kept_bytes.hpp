@@ -1,5 +1,5 @@
-// The bytes a device has handed to the outside world, in order: the first of them, up to a bound, so that no
-// program can fill the host's memory. Later bytes are only counted.
+// The first bytes that a device has sent to the outside, in order, up to a bound that protects the host's memory. Later
+// bytes are only counted.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ class KeptBytes {
 
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
-  // All that were handed out, also before the machine was restored, and what was not kept.
+  // The number of all bytes sent, including those before the machine was restored and those beyond the bound.
   [[nodiscard]] std::uint64_t total() const { return before_ + bytes_.size() + left_out_; }
 
   void visit_state(core::StateVisitor& visit) {
@@ -37,7 +37,7 @@ class KeptBytes {
  private:
   std::size_t bound_ = usual_bound;
   std::vector<std::uint8_t> bytes_;
-  std::uint64_t before_ = 0;  // bytes before the first of bytes_: the machine was restored after them
+  std::uint64_t before_ = 0;  // bytes sent before the machine was restored, which bytes_ lacks
   std::uint64_t left_out_ = 0;
 };
 

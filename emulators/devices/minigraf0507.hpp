@@ -1,19 +1,17 @@
-// The Aritma Minigraf 0507 plotter, its stepping motors driven straight from one output port, F0.
+// The Aritma Minigraf 0507 plotter, whose stepping motors are driven directly from one output port, F0.
 //
-// Bits 2-0 are the phase of the X motor, 5-3 that of the Y motor: one more (modulo 8) is a step of 1/8 mm
-// forward, one less a step back, both in one byte a diagonal. Bit 7 lowers the pen, bit 6 is not connected.
-// There is no status. A step that follows the last one of its motor too soon is missed, and so is any change
-// of phase by 2 to 6: the motor stays where it is, the program's idea of the place is wrong from then on, and
-// only the count tells. After power on both phases are 0 and the pen is up.
+// Bits 2-0 are the phase of the X motor, 5-3 that of the Y motor: one more (modulo 8) is a step of 1/8 mm forward, one less
+// a step back, both in one byte a diagonal. Bit 7 lowers the pen, bit 6 is not connected. There is no status. A motor
+// misses a step that comes too soon after its last, and any change of phase by 2 to 6: it stays where it is, the program's
+// position is wrong from then on, and only the count shows it. After power-on both phases are 0 and the pen is up.
 //
-// The field is 1500 by 2100 steps; nothing stops the pen at its edge, as the maker warns: steps beyond are
-// made and counted. How fast the motors follow and how long the pen takes is not known (machines of 1985 were
-// slower by 40 per cent than later ones): both are parameters. A step made before the pen has had its time
-// draws nothing and is counted. Strokes: one where the pen is lowered (with the time it touches) and one for
-// each port write that moved a lowered pen, at the instant of the write; a pen lowered in the same write as a
-// step touches where the step ends. Intensity 7, address 0. A place left of or below the field cannot be a
-// Stroke and is only counted. Sources: the maker's description for the PMD-85 (sapi.cz 0507_pmd85), MAME's
-// iq151 minigraf for the bits.
+// The field is 1500 by 2100 steps. Nothing stops the pen at its edge, as the maker warns: steps beyond are made and
+// counted. The speed of the motors and of the pen is unknown (machines of 1985 were 40 per cent slower than later ones):
+// both are parameters. A step made before the pen has touched draws nothing and is counted. Strokes: one where the pen is
+// lowered (with the time it touches) and one for each port write that moved a lowered pen, at the instant of the write; a
+// pen lowered in the same write as a step touches where the step ends. Intensity 7, address 0. A position left of or below
+// the field cannot be a Stroke and is only counted. Sources: the maker's description for the PMD-85 (sapi.cz 0507_pmd85),
+// MAME's iq151 minigraf for the bits.
 #pragma once
 
 #include <array>
@@ -34,14 +32,14 @@ inline constexpr std::uint8_t pen_bit = 0x80;
 
 struct MinigrafTimes {
   core::Duration shortest_step{3'333'333};  // of one motor; chosen: 300 a second
-  core::Duration pen{0};                    // from the order until it touches
+  core::Duration pen{0};                    // from the command until it touches
 };
 
 struct MinigrafCounts {
   std::uint64_t steps = 0;         // port writes that moved the pen, up or down
-  std::uint64_t steps_pen_up = 0;  // of them without drawing
+  std::uint64_t steps_pen_up = 0;  // those of them with the pen up
   std::uint64_t pen_lifts = 0;
-  std::uint64_t missed_fast = 0;  // steps of a motor that came too soon
+  std::uint64_t missed_fast = 0;  // steps of a motor that came too soon after its last
   std::uint64_t missed_jump = 0;  // phases changed by more than one
   std::uint64_t steps_early = 0;  // before the lowered pen had touched; also in steps_pen_up
   std::uint64_t off_field = 0;

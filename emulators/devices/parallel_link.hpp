@@ -1,14 +1,14 @@
-// The fast link to the host computer: an 8255, on ports E4-E7, whose port A takes the host's bytes by strobed input, mode 1.
+// The fast link to the host computer: an 8255, on ports E4-E7, whose port A receives the host's bytes by strobed input,
+// mode 1.
 //
-// The host watches IBF. While it is low the host puts the next byte on the lines and pulses STB# low for 500
-// ns; when the processor reads port A, IBF falls and the host answers after its response time (2 us unless
-// set). Until the program has set port A to mode 1 input (or mode 2) the line floats high and the host waits;
-// setting the mode counts as IBF falling. The other way, when the program writes to a port that is a strobed
-// output, the host takes the byte after its response time by pulsing ACK# low for 500 ns: port B, and port A
-// as far as its mode has an output.
+// The host watches IBF. While it is low the host puts the next byte on the lines and pulses STB# low for 500 ns; when the
+// processor reads port A, IBF falls and the host answers after its response time (2 us unless set). Until the program has
+// set port A to mode 1 input (or mode 2) the line floats high and the host waits; setting the mode counts as IBF falling.
+// In the other direction, when the program writes to a port that is a strobed output, the host takes the byte after its
+// response time by pulsing ACK# low for 500 ns: port B, and port A if its mode has an output.
 //
-// Times are rounded up to T-states. Between two accesses the host's pulses are caught up with, in order. The ports are those of
-// Intel's SBC 80/10.
+// Times are rounded up to T-states. At each access the host's pulses since the last access are processed in order. The
+// ports are those of Intel's SBC 80/10.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@
 namespace sightline::devices {
 
 struct ParallelHost {
-  core::Duration response{2'000};  // from IBF or OBF# falling until the host's pulse begins
+  core::Duration response{2'000};  // from the fall of IBF or OBF# until the host's pulse begins
   core::Duration pulse{500};       // STB# or ACK# low
 };
 
@@ -37,7 +37,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
   static constexpr std::array ports{core::PortRange{first_port, 0xE7}};
   static constexpr std::array<std::string_view, 1> lines{"parallel"};  // on INTR of port A or B
   static constexpr std::array options{
-      core::DeviceOption{"response", "time of the host to answer, in nanoseconds", ParallelHost{}.response.count(), 0, 1'000'000'000},
+      core::DeviceOption{"response", "response time of the host, in nanoseconds", ParallelHost{}.response.count(), 0, 1'000'000'000},
       core::DeviceOption{"pulse", "length of the host's pulses, in nanoseconds", ParallelHost{}.pulse.count(), 0, 1'000'000'000}};
   static constexpr core::PortDeviceInfo info{.name = "parallel",
                                              .help = "parallel link to a host computer, an 8255",
@@ -51,7 +51,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
 
   explicit ParallelLink(const core::PortDeviceSetup& setup)
       : ParallelLink(setup.clock, {}, {core::Duration(setup.value(info, "response")), core::Duration(setup.value(info, "pulse"))}) {}
-  // The bytes the host will send must stay where they are.
+  // The bytes that the host will send must outlive the link.
   ParallelLink(core::ClockRate rate, std::span<const std::uint8_t> bytes, ParallelHost host = {})
       : response_(rate.t_states_in(host.response)), pulse_(rate.t_states_in(host.pulse)), bytes_(bytes) {}
 
@@ -89,7 +89,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
     for (Taker& taker : takers_)
       while (taker.pulse.due <= now) take_byte(taker);
   }
-  // When one of the lines, and with it an interrupt request, may change by itself.
+  // When one of the lines, and with it an interrupt request, may change without an access.
   [[nodiscard]] core::TStateInstant deadline() const override {
     return std::min({strobe_.due, takers_[0].pulse.due, takers_[1].pulse.due});
   }
@@ -108,7 +108,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
     return {{"sent_by_host", sent_}, {"received_by_host", takers_[0].bytes.total() + takers_[1].bytes.total()}, {"not_kept", left_out()}};
   }
 
-  // What the host sends is configuration.
+  // The bytes that the host sends are configuration.
   void visit_state(core::StateVisitor& visit) override {
     visit.part("chip", chip_);
     visit.input("bytes", bytes_);
@@ -121,7 +121,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
   }
 
  private:
-  // A pulse of the host's: its next edge, and whether the line is low until then.
+  // A pulse from the host: its next edge, and whether the line is low until then.
   struct Pulse {
     core::TStateInstant due = core::never_t;
     bool low = false;
@@ -175,7 +175,7 @@ class ParallelLink final : public core::PortDevice, public core::LinkHost {
         taker.pulse.due = at + response_;
   }
 
-  // A new mode clears the handshakes: what the host was about to do is void, and it samples the lines again.
+  // A new mode clears the handshakes: the host's pending pulses are cancelled, and it samples the lines again.
   void drop_pulses() {
     strobe_ = {};
     for (Taker& taker : takers_) taker.pulse = {};

@@ -1,6 +1,6 @@
-// The common part of the incremental plotters: a position counted in steps, and the mark the pen leaves there.
+// The common part of the incremental plotters: a position counted in steps, and the mark that the pen makes there.
 //
-// A Stroke holds coordinates of 0 to 65535; a place outside cannot be drawn, and the plotter counts it.
+// A Stroke holds coordinates of 0 to 65535; a position outside cannot be drawn, and the plotter counts it.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,14 @@ struct PlotterPlace {
   friend constexpr bool operator==(const PlotterPlace&, const PlotterPlace&) = default;
 };
 
-// One step along an axis without an end; the count stays where its numbers end.
+// One step along an unlimited axis; the count saturates.
 [[nodiscard]] constexpr std::int32_t stepped(std::int32_t from, std::int32_t by) {
   using Range = std::numeric_limits<std::int32_t>;
   return static_cast<std::int32_t>(
       std::clamp<std::int64_t>(std::int64_t{from} + by, Range::min(), Range::max()));
 }
 
-// Draws the mark at `place`. False when no Stroke can hold it.
+// Draws the mark at `place`. Returns false if a Stroke cannot hold it.
 inline bool mark(core::StrokeBuffer& strokes, PlotterPlace place, core::Instant when) {
   constexpr std::int32_t largest = 0xFFFF;
   if (place.x < 0 || place.x > largest || place.y < 0 || place.y > largest) return false;

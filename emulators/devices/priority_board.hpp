@@ -1,15 +1,16 @@
 // The priority display on an 8-bit bus, between two computers: a host that knows where surfaces are on the screen, and a
-// processor that knows no more than their priorities.
+// processor that knows only their priorities.
 //
-// The host gives the surfaces of the frame to come, each with a number from 0 to 255 in place of its priority, over a connection of its own; the
-// processor writes a priority of 8 bits for each number. When the processor says so, both go into the display, and are shown together.
-// Registers, on ports 70-72 (all chosen here; no document has any):
-//   0 write NUMBER    of the surfaces whose priority comes next
+// Over its own connection the host gives the surfaces of the next frame, each with a number from 0 to 255 instead of a
+// priority; the processor writes an 8-bit priority for each number. On the processor's command both go to the display and
+// are shown together.
+// Registers, on ports 70-72 (all chosen here; no document describes any):
+//   0 write NUMBER    of the surfaces whose priority is written next
 //   1 write PRIORITY  of that number, kept until it is written again
-//   2 write CONTROL   bit 0: show, from the next frame on, what the host has given, with these priorities
-//     read  STATUS    bit 0: vertical blanking; bit 1: a frame waits to be shown: nothing is to be written
-// While a frame waits writes are lost and counted. A register that is not there reads as FF. Left out: its state in snapshots. Source: Willis 1977, for what the display does;
-// priority_display.hpp is the display itself.
+//   2 write CONTROL   bit 0: from the next frame on, show the surfaces the host has given, with these priorities
+//     read  STATUS    bit 0: vertical blanking; bit 1: a frame waits to be shown: write nothing
+// While a frame waits, writes are lost and counted. A register that does not exist reads as FF. Left out: its state in
+// snapshots. Source: Willis 1977, for what the display does; priority_display.hpp is the display.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ struct PriorityBoardCounts {
   std::uint64_t priorities = 0;   // written
   std::uint64_t shows = 0;        // commands to show
   std::uint64_t writes_lost = 0;  // while a frame waited
-  std::uint64_t unanswered = 0;   // registers that are not there
+  std::uint64_t unanswered = 0;   // registers that do not exist
 };
 
 class PriorityBoard final : public core::PortDevice {
@@ -50,14 +51,14 @@ class PriorityBoard final : public core::PortDevice {
   };
   struct HostSpan {
     std::uint16_t from = 0;  // column
-    std::uint16_t to = 0;    // the one after the last
+    std::uint16_t to = 0;    // one past the last column
   };
-  // What the host says of one surface.
+  // One surface as the host gives it.
   struct HostSurface {
     std::uint8_t number = 0;
     std::uint32_t colour = 0;  // 24 bits
     std::uint32_t first_line = 0;
-    std::uint32_t first_span = 0;  // of the list's spans, one per line
+    std::uint32_t first_span = 0;  // index into the list of spans; one span per line
     std::uint32_t line_count = 0;
   };
 
@@ -96,7 +97,7 @@ class PriorityBoard final : public core::PortDevice {
     if (number == Register::control && (value & 1U) != 0) show(now);
   }
 
-  // The host's side: the frame that the next command shows.
+  // The host's side: sets the frame that the next command shows.
   void give(std::span<const HostSurface> surfaces, std::span<const HostSpan> spans) {
     surfaces_.assign(surfaces.begin(), surfaces.end());
     spans_.assign(spans.begin(), spans.end());

@@ -18,7 +18,7 @@ PriorityDisplay::PriorityDisplay(std::size_t most_surfaces, std::size_t most_spa
 
 std::uint32_t PriorityDisplay::read(std::uint8_t number, core::Instant at) {
   advance(at);
-  // The scan is always one line ahead of what it has begun.
+  // The scan is always one line past the last line it has begun.
   const std::uint32_t line = (next_number_ + frame_lines - 1) % frame_lines;
   switch (number) {
     case Register::status:

@@ -1,10 +1,9 @@
-// The slow, authentic link to the host computer: an 8251 on a line at 9600 baud, on ports EC-EF (Intel's SBC 80/10): data even,
-// control odd.
+// The slow link to the host computer, as in period systems: an 8251 on a line at 9600 baud, on ports EC-EF (Intel's SBC
+// 80/10): data even, control odd.
 //
-// The host sends its bytes one after the other. By itself it samples RTS before each character and waits
-// while the program has it off; set to send blindly it starts at a given instant and never does, so that a
-// program that is late loses characters (overrun) as it would have. What the program transmits is collected
-// by the chip.
+// The host sends its bytes one after the other. It samples RTS before each character and waits while the program has it
+// off. Set to send blindly, it starts at a given instant and ignores RTS, so that a slow program loses characters (overrun)
+// as it would in reality. The chip collects what the program transmits.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +51,7 @@ class SerialLink final : public core::PortDevice, public core::LinkHost {
                                              .received = "What the 8251 sent to the host"};
 
   explicit SerialLink(const core::PortDeviceSetup& setup) : SerialLink(setup.clock, {}, host_of(setup)) {}
-  // The bytes the host will send must stay where they are.
+  // The bytes that the host will send must outlive the link.
   SerialLink(core::ClockRate rate, std::span<const std::uint8_t> bytes, SerialHost host = {})
       : rate_(rate),
         chip_(rate, host.chip_clock_hertz),
@@ -110,7 +109,7 @@ class SerialLink final : public core::PortDevice, public core::LinkHost {
   [[nodiscard]] const I8251& chip() const { return chip_; }
   // Characters the host has begun to send.
   [[nodiscard]] std::size_t sent() const { return sent_; }
-  // Of them those that began while a receiver set to a slower line was still sampling the last one.
+  // Those of them that began while a receiver set to a slower line was still sampling the last one.
   [[nodiscard]] std::uint64_t unseen() const { return unseen_; }
   [[nodiscard]] std::vector<core::Count> counts() const override {
     const I8251Counts& n = chip_.counts();
@@ -127,7 +126,7 @@ class SerialLink final : public core::PortDevice, public core::LinkHost {
             {"unanswered", n.unanswered}};
   }
 
-  // What the host sends is configuration.
+  // The bytes that the host sends are configuration.
   void visit_state(core::StateVisitor& visit) override {
     visit.part("chip", chip_);
     visit.input("bytes", bytes_);
@@ -154,7 +153,7 @@ class SerialLink final : public core::PortDevice, public core::LinkHost {
   [[nodiscard]] core::TStateInstant next_event() const { return std::min(start_, sampled_); }
   [[nodiscard]] bool allowed() const { return !host_.watches_rts || chip_.request_to_send(); }
 
-  // The next start bit at `when`, if there is anything left to send.
+  // The next start bit is at `when`, if any bytes are left.
   void plan(core::TStateInstant when) { start_ = sent_ < bytes_.size() ? when : core::never_t; }
 
   void deliver() {
@@ -162,7 +161,7 @@ class SerialLink final : public core::PortDevice, public core::LinkHost {
     chip_.receive(frame_);
   }
 
-  // A start bit, unless RTS has gone: then the host waits until it is asserted again.
+  // Begins a start bit. If RTS is off, the host waits until it is asserted again.
   void begin() {
     const core::TStateInstant now = start_;
     start_ = core::never_t;
@@ -192,8 +191,8 @@ class SerialLink final : public core::PortDevice, public core::LinkHost {
   SerialFrame frame_;
   std::uint64_t unseen_ = 0;
   core::TStateInstant line_free_;
-  core::TStateInstant start_ = core::never_t;    // of the next character
-  core::TStateInstant sampled_ = core::never_t;  // the one on the line is in the receiver
+  core::TStateInstant start_ = core::never_t;    // of the next start bit
+  core::TStateInstant sampled_ = core::never_t;  // when the receiver has the character on the line
 };
 
 }  // namespace sightline::devices

@@ -1,8 +1,8 @@
-// The effect of the 8080's arithmetic on the accumulator and on F (S Z 0 AC 0 P 1 CY).
+// The effect of the 8080's arithmetic and logic on the accumulator and on F (S Z 0 AC 0 P 1 CY).
 //
-// Source: Intel MCS-80 User's Manual, chapter 4; where it is silent (AC of the logical operations and of DAA, the
-// constant bits of F) the chip itself, as measured on the gate-level model of the KR580VM80A. Not modelled: the NEC
-// uPD8080A without F and AMD's Am9080A, whose AC differs.
+// Source: Intel MCS-80 User's Manual, chapter 4; where it is silent (AC of the logical operations and of DAA, the constant
+// bits of F) measurements on the gate-level model of the KR580VM80A. Not modelled: the NEC uPD8080A, without these constant
+// bits, and AMD's Am9080A, whose AC differs.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct Result {
 
 namespace detail {
 
-// S, Z and P of every byte, and the bit that is always one. P is even parity.
+// S, Z and P of every byte, and the constant 1 bit. P is even parity.
 inline constexpr auto sign_zero_parity = [] {
   std::array<Byte, 256> table{};
   for (unsigned value = 0; value < 256; ++value) {
@@ -34,14 +34,14 @@ inline constexpr auto sign_zero_parity = [] {
   return table;
 }();
 
-// The same of a sum of nine bits, whose highest is CY.
+// The same for a sum of nine bits, whose highest is CY.
 inline constexpr auto sign_zero_parity_carry = [] {
   std::array<Byte, 512> table{};
   for (unsigned sum = 0; sum < 512; ++sum) table[sum] = static_cast<Byte>(sign_zero_parity[sum % 256] | sum >> 8);
   return table;
 }();
 
-// F after a count that gave a byte, without CY: AC is 1 where the low digit became 0 (up), or did not become F (down).
+// F after INR or DCR gave a byte, without CY: AC is 1 where the low digit became 0 (INR), or did not become F (DCR).
 inline constexpr auto counted_up = [] {
   std::array<Byte, 256> table = sign_zero_parity;
   for (unsigned value = 0; value < 256; value += 16) table[value] |= flag::auxiliary;
@@ -63,7 +63,7 @@ inline constexpr auto counted_down = [] {
 }
 
 // a - operand - borrow (0 or 1). The machine adds the complement: AC is the carry of that sum, so 1 means that the low
-// digit did not borrow, while CY is turned round and means a borrow.
+// digit did not borrow, while CY is inverted and means a borrow.
 [[nodiscard]] SIGHTLINE_INLINE constexpr Result subtract(Byte a, Byte operand, unsigned borrow) {
   const unsigned difference = static_cast<unsigned>(a) - operand - borrow;
   const unsigned borrows = a ^ operand ^ difference;
@@ -71,7 +71,7 @@ inline constexpr auto counted_down = [] {
           static_cast<Byte>(detail::sign_zero_parity_carry[difference & 0x1FFU] | (~borrows & flag::auxiliary))};
 }
 
-// AC is the OR of the operands' bits 3: the state of the adder's carry chain during an AND.
+// AC is the OR of bit 3 of the operands: the state of the adder's carry chain during an AND.
 [[nodiscard]] SIGHTLINE_INLINE constexpr Result and_(Byte a, Byte operand) {
   const Byte value = a & operand;
   return {value, static_cast<Byte>(detail::sign_zero_parity[value] | ((a | operand) << 1 & flag::auxiliary))};
@@ -85,7 +85,7 @@ inline constexpr auto counted_down = [] {
   return {value, detail::sign_zero_parity[value]};
 }
 
-// INR and DCR leave CY alone.
+// INR and DCR do not change CY.
 [[nodiscard]] SIGHTLINE_INLINE constexpr Result increment(Byte value, Byte flags) {
   const Byte result = static_cast<Byte>(value + 1);
   return {result, static_cast<Byte>(detail::counted_up[result] | (flags & flag::carry))};
@@ -95,7 +95,7 @@ inline constexpr auto counted_down = [] {
   return {result, static_cast<Byte>(detail::counted_down[result] | (flags & flag::carry))};
 }
 
-// DAA corrects a sum of two packed decimal numbers; it knows nothing of subtraction. CY is set, never cleared.
+// DAA corrects a sum of two packed decimal numbers; it cannot correct a difference. It sets CY but never clears it.
 [[nodiscard]] constexpr Result decimal_adjust(Byte a, Byte flags) {
   const bool low_digit = (flags & flag::auxiliary) != 0 || (a & 0x0FU) > 9;
   const bool high_digit = (flags & flag::carry) != 0 || a > 0x99;
@@ -115,7 +115,7 @@ inline constexpr auto counted_down = [] {
   return {static_cast<Byte>(static_cast<unsigned>(a) >> 1 | into_bit_7 << 7), with_carry(flags, a & 1U)};
 }
 
-// One of RLC to CMP (but CMA, STC and CMC) on the accumulator; those of the accumulator alone ignore the operand.
+// One of RLC to CMP (except CMA, STC and CMC) on the accumulator; those with no operand ignore `operand`.
 template <Operation O>
 [[nodiscard]] SIGHTLINE_INLINE constexpr Result operate(Byte a, Byte operand, Byte f) {
   const unsigned carry = f & flag::carry;

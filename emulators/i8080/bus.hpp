@@ -1,24 +1,24 @@
-// The bus interface of the 8080: one verb is one machine cycle and advances time by itself.
+// The bus interface of the 8080. Each verb is one machine cycle and advances the time.
 //
-//   fetch(status, address)          M1, T1 to T4; gives the opcode
-//   operand(status, address)        a byte of the instruction behind its opcode: 3 T-states; gives the byte taken in T3
+//   fetch(status, address)          M1, T1 to T4; returns the opcode
+//   operand(status, address)        a byte of the instruction after its opcode: 3 T-states; returns the byte read in T3
 //   read(status, address)           the same for any other byte
-//   write(status, address, byte)    3 T-states; the byte is there from T3 on
-//   in(status, port)                3 T-states; the device is asked in T3
+//   write(status, address, byte)    3 T-states; memory has the byte from T3 on
+//   in(status, port)                3 T-states; the device is read in T3
 //   out(status, port, byte)         3 T-states; the device gets the byte in T3
-//   internal(first, then)           3 T-states without SYNC (DAD); the bytes the data pins show in T1 and after it
+//   internal(first, then)           3 T-states without SYNC (DAD); the bytes that the data pins show in T1 and afterwards
 //   extend(n)                       n T-states more of the cycle before: T5 of a fetch, T4 and T5 of XTHL's last write
 //   halt(status, address)           T1, T2 and one TW of the halt acknowledge; the address is still that of the fetch
-// The fetch that ends a halt carries HLTA as well, because the instruction register still holds HLT: the bus, which
-// knows what its last cycle was, adds it. These take no time:
+// The fetch that ends a halt carries HLTA as well, because the instruction register still holds HLT: the bus, which knows
+// its last cycle, adds it. These take no time:
 //   interrupt_enable(bool)          INTE changes, in T1 of the next cycle
 //   acknowledging()                 INT has stayed high since the acknowledge cycle began
-//   end_acknowledge()               RST, EI and DI end it whatever INT does
-//   attention()                     the next instruction boundary is to be attended (EI, HLT)
+//   end_acknowledge()               RST, EI and DI end it regardless of INT
+//   attention()                     the machine must serve the next instruction boundary (EI, HLT)
 //
-// READY and HOLD are handled by the bus: a bus that knows them stretches its verbs and waits before it begins one
-// (pin_bus.hpp does, T-state by T-state); for a bus without them nothing is asked and nothing is paid. INT is
-// likewise sampled by the processor's caller: at the end of each instruction, as the level in the last T-state.
+// The bus handles READY and HOLD: one with these lines stretches its verbs and waits before it begins one (pin_bus.hpp
+// does, T-state by T-state); one without them spends no time on them. The processor's caller samples INT at the end of each
+// instruction, as the level in the last T-state.
 #pragma once
 
 #include <concepts>

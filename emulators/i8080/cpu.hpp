@@ -1,10 +1,9 @@
-// The 8080 processor: each opcode is compiled from its row of isa.hpp and does everything else through bus verbs, so
-// that the time of an instruction is the consequence of the cycles it asks for (a test compares their sum with the
-// table).
+// The 8080 processor. Each opcode is compiled from its row of isa.hpp and does everything else through bus verbs, so that
+// the time of an instruction is the consequence of its bus cycles (a test compares their sum with the table).
 //
-// Left out: ALU results appear when the instruction ends, not in T2 of the next fetch, which no program can tell; that the
-// chip is said to garble an XTHL or HLT given by an interrupting device while INT stays high, which no data at hand shows.
-// Sources: Intel MCS-80 User's Manual, chapters 2 and 4; the gate-level model of the KR580VM80A where that is silent.
+// Left out: ALU results appear when the instruction ends, not in T2 of the next fetch, which no program can observe. The
+// chip is said to garble an XTHL or HLT supplied by an interrupting device while INT stays high; no available data shows
+// it. Sources: Intel MCS-80 User's Manual, chapters 2 and 4; the gate-level model of the KR580VM80A where that is silent.
 #pragma once
 
 #include <bit>
@@ -23,22 +22,22 @@ namespace sightline::i8080 {
 
 enum class Outcome : std::uint8_t { completed, halted };
 
-// The processor at work: a value that holds its bus, A, HL and PC, so that a compiler keeps them in host registers. The other
-// registers are in a Registers, in which save() puts these, too; Control, which hardly any instruction touches, is elsewhere
-// again. `B` may be a reference to a bus.
+// A running processor: a value that holds its bus, A, HL and PC, so that a compiler keeps them in host registers. The other
+// registers are in a Registers object, where save() stores these too; Control, which few instructions use, is separate. `B`
+// may be a reference to a bus.
 template <class B>
   requires Bus<std::remove_reference_t<B>>
 class Execution {
  public:
   static constexpr unsigned codes = 256;
 
-  // The registers and `control` must outlive it.
+  // The registers and `control` must outlive the execution.
   SIGHTLINE_INLINE constexpr Execution(B bus, Registers& registers, Control& control)
       : Execution(bus, registers, control, registers.a, registers.hl, registers.pc) {}
   SIGHTLINE_INLINE constexpr Execution(B bus, Registers& registers, Control& control, std::uint32_t a,
                                              std::uint32_t hl, std::uint32_t pc)
       : bus_(bus), control_(&control), registers_(&registers), a_(a), hl_(hl), pc_(pc) {
-    // So that a compiler need not cut them to size each time.
+    // Tells the compiler that it need not truncate them.
     if (a > 0xFF || hl > 0xFFFF) __builtin_unreachable();
   }
 
@@ -53,24 +52,24 @@ class Execution {
   [[nodiscard]] constexpr auto& bus() { return bus_; }
   [[nodiscard]] constexpr std::uint32_t a() const { return a_; }
   [[nodiscard]] constexpr std::uint32_t hl() const { return hl_; }
-  // Only 16 bits of it count.
+  // Only the low 16 bits count.
   [[nodiscard]] constexpr std::uint32_t pc() const { return pc_; }
 
-  // One instruction from memory.
+  // Executes one instruction from memory.
   constexpr Outcome step() {
     const Byte opcode = bus_.fetch(status::fetch_cycle, static_cast<Address>(pc_));
     step_pc();
     return core::dispatch<codes>(opcode, Executor<false>{this});
   }
 
-  // The same, compiled for one opcode, of an instruction that a bus with fetch_peeked() has shown.
+  // The same, compiled for one opcode, for an instruction that a bus with fetch_peeked() has shown.
   template <unsigned opcode>
   SIGHTLINE_INLINE constexpr Outcome step_as() {
     bus_.fetch_peeked(status::fetch_cycle, static_cast<Address>(pc_), static_cast<Byte>(opcode));
     step_pc();
     return execute<static_cast<Byte>(opcode), false>();
   }
-  // Those that leave the processor and its memory.
+  // Opcodes that access more than the processor and its memory.
   template <unsigned opcode>
   static constexpr bool is_rare = lookup(static_cast<Byte>(opcode)).operation == Operation::in ||
                                   lookup(static_cast<Byte>(opcode)).operation == Operation::out ||
@@ -84,8 +83,8 @@ class Execution {
     return step_as<0x76>();
   }
 
-  // The interrupt: one instruction from the device that answers the acknowledge. PC does not change while it is read, so
-  // a CALL or RST pushes the address of the instruction that was to come next.
+  // The interrupt: executes one instruction from the device that answers the acknowledge. PC does not change while it is
+  // read, so a CALL or RST pushes the address of the instruction that would have come next.
   constexpr Outcome acknowledge() {
     control_->interrupts_on = control_->halted = false;
     bus_.interrupt_enable(false);
@@ -93,7 +92,7 @@ class Execution {
     return core::dispatch<codes>(opcode, Executor<true>{this});
   }
 
-  // The RESET pin: A, F, B to L and SP stay. The next fetch is at 0000.
+  // The RESET pin. A, F, B to L and SP keep their values. The next fetch is at 0000.
   constexpr void reset() {
     pc_ = 0;
     *control_ = {};
@@ -139,7 +138,7 @@ class Execution {
     }
   }
 
-  // NOP to LDA in the order of Operation: transfers, and the counting of registers, pairs and M.
+  // NOP to LDA in the order of Operation: transfers, and increments and decrements of registers, pairs and M.
   template <Byte Opcode, bool Jammed>
   SIGHTLINE_INLINE constexpr void move() {
     constexpr Operation operation = lookup(Opcode).operation;
@@ -193,7 +192,7 @@ class Execution {
     }
   }
 
-  // RLC to CMP: the accumulator with itself, a register, M or the byte that follows.
+  // RLC to CMP: the accumulator alone, or with a register, M or the byte that follows.
   template <Byte Opcode, bool Jammed>
   SIGHTLINE_INLINE constexpr void calculate() {
     constexpr const Instruction& row = lookup(Opcode);
@@ -307,7 +306,7 @@ class Execution {
 
   template <bool Jammed>
   SIGHTLINE_INLINE constexpr void push(Address word) {
-    // By itself: for all a compiler knows, SP lies in the memory that is written.
+    // A local copy: for all the compiler knows, SP lies in the memory that is written.
     const Address top = registers_->sp;
     bus_.write(cycle<Jammed>(status::stack_write_cycle), static_cast<Address>(top - 1), high(word));
     bus_.write(cycle<Jammed>(status::stack_write_cycle), static_cast<Address>(top - 2), low(word));
@@ -342,7 +341,7 @@ class Execution {
     return joined(next_byte<Jammed>(), low_byte);
   }
 
-  // While the instruction of an acknowledge runs, no cycle says MEMR, and INTA stays as long as INT does (measured).
+  // During an instruction from an acknowledge cycle no cycle says MEMR, and INTA stays as long as INT does (measured).
   template <bool Jammed>
   SIGHTLINE_INLINE constexpr Status cycle(Status plain) {
     if constexpr (!Jammed) return plain;
@@ -394,13 +393,13 @@ class Execution {
 
   B bus_;
   Control* control_;
-  Registers* registers_;  // but A, HL and PC
+  Registers* registers_;  // except A, HL and PC
   std::uint32_t a_;       // 8 bits
   std::uint32_t hl_;      // 16 bits
-  std::uint32_t pc_;      // 16 bits; those above mean nothing, so that no instruction waits for their removal
+  std::uint32_t pc_;      // 16 bits; higher bits are undefined, so that no instruction waits for their removal
 };
 
-// A processor with a bus of its own, instruction by instruction.
+// A processor that owns its bus and executes one instruction per call.
 template <Bus B>
 class Cpu {
  public:

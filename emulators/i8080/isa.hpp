@@ -1,12 +1,12 @@
 // The 8080's instruction set: one table that the processor, the assembler, the disassembler and the trace read.
 //
-// A row describes the opcodes that differ only in a field its operands name; every opcode matches exactly one row
-// (static_assert below). A register field never names M, the byte HL points to: forms with M take other machine cycles
-// and have rows of their own. The twelve opcodes Intel left undefined repeat others, with the same length, time and
-// bus cycles; `duplicate` marks them: a disassembler cannot write them as the instruction and get the same byte back.
+// A row describes the opcodes that differ only in a field named by its operands; every opcode matches exactly one row
+// (static_assert below). A register field never means M, the byte HL points to: forms with M take other machine cycles and
+// have separate rows. The twelve opcodes that Intel left undefined repeat others, with the same length, time and bus
+// cycles; `duplicate` marks them: a disassembler cannot write them as the instruction and get the same byte back.
 //
-// Sources: Intel = MCS-80 User's Manual (1977), chapter 4, and its table of machine cycles; measured = the same bus
-// cycles found on a gate-level model of the KR580VM80A, which covers the opcodes the manual leaves out.
+// Sources: Intel = MCS-80 User's Manual (1977), chapter 4, and its table of machine cycles; measured = the same bus cycles
+// found on a gate-level model of the KR580VM80A, which covers the opcodes that the manual leaves out.
 #pragma once
 
 #include <array>
@@ -24,11 +24,10 @@ enum class Operation : std::uint8_t {
   rst, push, pop, xthl, sphl, pchl, xchg, in, out, ei, di,
 };
 
-// The contents of the operand column. The operands down to `restart` lie in the opcode; the others
-// follow it.
+// The contents of the operand column. The operands up to `restart` are in the opcode; the others follow it.
 enum class Operand : std::uint8_t {
   none,
-  to_register,    // bits 5-3: B C D E H L - A; 6 is M and not of this row
+  to_register,    // bits 5-3: B C D E H L - A; 6 would be M, which has its own row
   from_register,  // bits 2-0, likewise
   memory,         // M, written out; no bits
   pair,           // bits 5-4: B D H SP
@@ -61,8 +60,8 @@ struct MachineCycle {
 // The machine cycles of one instruction, in order.
 class Cycles {
  public:
-  // Text as in tables of the field: "F4 R3 R3": F fetch, R W memory, r w stack, I O port, H halt, x internal, each
-  // with its T-states. Any other text does not compile.
+  // The text has the notation of common instruction tables, "F4 R3 R3": F fetch, R W memory, r w stack, I O port, H halt, x
+  // internal, each with its T-states. Any other text does not compile.
   consteval explicit Cycles(std::string_view text) {
     for (std::size_t i = 0; i + 1 < text.size(); i += 3) {
       cycles_[count_++] = {kind_of(text[i]), static_cast<std::uint8_t>(text[i + 1] - '0')};
@@ -92,7 +91,7 @@ class Cycles {
   std::size_t count_ = 0;
 };
 
-// Bits of F, the low byte of the PSW. Bit 1 always reads 1, bits 3 and 5 read 0.
+// Bits of F, the low byte of the PSW. Bit 1 always reads 1; bits 3 and 5 always read 0.
 namespace flag {
 inline constexpr std::uint8_t sign = 0x80;
 inline constexpr std::uint8_t zero = 0x40;
@@ -111,7 +110,7 @@ struct Instruction {
   std::array<Operand, 2> operands;
   Cycles cycles;      // conditional forms: the condition is false
   Cycles taken;       // the condition is true; all others: as `cycles`
-  std::uint8_t flags;  // those it can change; POP changes them for PSW only
+  std::uint8_t flags;  // flags that it can change; POP changes them for PSW only
   bool duplicate = false;
 
   // Length in bytes, 1 to 3.

@@ -1,15 +1,16 @@
-// The 8080's bus T-state by T-state: READY, HOLD and INT sampled when the chip samples them, and what every pin shows
-// at the end of each T-state.
+// The 8080's bus T-state by T-state: READY, HOLD and INT are sampled when the chip samples them, and every pin has its
+// level at the end of each T-state.
 //
-// For boards whose memory makes the processor wait or that take the bus from it, and for the reference data. A board
-// is a type with
-//   PinInputs inputs()                          the levels during the T-state that is about to pass
-//   Byte read(Status, Address)                  asked once a cycle, in T2; also ports and the acknowledge
+// For boards whose memory makes the processor wait or that take the bus from it, and for the reference data. A board is a
+// type with
+//   PinInputs inputs()                          the levels during the next T-state
+//   Byte read(Status, Address)                  called once per cycle, in T2; also for ports and the acknowledge
 //   void write(Status, Address, Byte)           in T3
-//   void t_state(const PinState&)               what the pins showed
+//   void t_state(const PinState&)               the levels of the pins in the last T-state
 // It may have
-//   static constexpr bool answers_in_t3         true: it is asked in T3, when the byte is taken; the pins show 0 before
-//   void pass_held()                            HOLD is granted: T-states in which it stays so may be left out
+//   static constexpr bool answers_in_t3         true: read() is called in T3, when the byte is latched; before, the pins
+// show 0
+//   void pass_held()                            HOLD is granted: the board may skip T-states in which it stays granted
 //
 // Left out: what the address pins show in T4 and T5 (undefined on the real part; here they keep the cycle's address).
 // Sources: MCS-80 User's Manual, chapter 2; the instants at which flip-flops are set are those of the gate-level model
@@ -45,7 +46,7 @@ struct PinState {
   bool waiting;       // WAIT
   bool hold_acknowledge;
   bool interrupts_on;  // INTE
-  Status status;       // of the last cycle that had one
+  Status status;       // of the last cycle with a status
 };
 
 // What a bus keeps from one instruction to the next.
@@ -54,11 +55,11 @@ struct PinLatches {
   bool acknowledged = false;      // the INTA latch
   bool hold = false;              // the HOLD flip-flop
   bool hold_acknowledge = false;  // HLDA
-  bool after_write = false;       // the last T-state was T3 of a write, or of a cycle inside
+  bool after_write = false;       // the last T-state was T3 of a write or of an internal cycle
   bool passed_over = false;       // HOLD was granted after the last instruction: INT is not sampled before the next
-  bool halted = false;            // since the halt cycle no other has begun
-  bool waking = false;            // one more TW, and the halt is over
-  bool woken = false;             // it is over
+  bool halted = false;            // no other cycle has begun since the halt cycle
+  bool waking = false;            // one more TW ends the halt
+  bool woken = false;             // the halt has ended
 
   friend constexpr bool operator==(const PinLatches&, const PinLatches&) = default;
 };
@@ -107,7 +108,7 @@ class PinBus {
   Byte in(Status cycle, Byte port) { return read(cycle, joined(port, port)); }
   void out(Status cycle, Byte port, Byte byte) { write(cycle, joined(port, port), byte); }
 
-  // READY is not sampled, the status and the address stay; HOLD is met as in a write.
+  // READY is not sampled, the status and the address stay; HOLD is sampled as in a write.
   void internal(Byte first, Byte then) {
     wait_while_held();
     reading_ = false;
@@ -132,8 +133,8 @@ class PinBus {
     wait_in_halt();
   }
 
-  // One more TW; true: it was the last, the next T-state is T1 of a fetch or an acknowledge. An INT that the chip saw
-  // ends the halt three T-states later even if it has gone by then.
+  // One more TW. True: it was the last, and the next T-state is T1 of a fetch or an acknowledge. An INT that the chip has
+  // sampled ends the halt three T-states later even if it is low by then.
   bool wait_in_halt() {
     const bool last = latches_.waking;
     tick(TState::wait);
@@ -144,7 +145,7 @@ class PinBus {
     return true;
   }
 
-  // One more T-state of a HOLD that was granted between two instructions; false: there is none.
+  // One more T-state of a HOLD that was granted between two instructions. False: HOLD is not granted.
   bool wait_in_hold() {
     if (!stands_still()) return false;
     latches_.passed_over = true;
@@ -152,7 +153,7 @@ class PinBus {
     return true;
   }
 
-  // RESET: of a halt nothing is left.
+  // RESET ends a halt.
   void reset() { latches_.halted = latches_.waking = latches_.woken = false; }
 
   void interrupt_enable(bool on) { next_interrupts_on_ = on; }
@@ -163,8 +164,8 @@ class PinBus {
     return latches_.acknowledged && latches_.interrupt;
   }
 
-  // INT in the last T-state of the instruction. Where HOLD is granted between two instructions it is not sampled
-  // there; the second runs first.
+  // INT in the last T-state of the instruction. If HOLD is granted between two instructions, INT is not sampled there but
+  // after the second.
   bool interrupt() {
     const bool held = latches_.hold || latches_.passed_over;
     latches_.passed_over = false;
@@ -192,7 +193,7 @@ class PinBus {
     tick(TState::t1);
   }
 
-  // A cycle does not begin while HOLD is granted. The end of a halt does not ask.
+  // A cycle does not begin while HOLD is granted, except the one that ends a halt.
   [[nodiscard]] bool stands_still() const { return latches_.hold && !latches_.woken; }
   void wait_while_held() {
     while (stands_still()) {

@@ -1,6 +1,6 @@
 // The registers of the 8080, and its state between instructions.
 //
-// The 8080 keeps its registers in pairs, and so does this; a single register is half of one. Bits 3 and 5 of F read 0
+// The 8080 keeps its registers in pairs, and so does this; a single register is half of a pair. Bits 3 and 5 of F read 0
 // and bit 1 reads 1 (measured: POP PSW cannot change them).
 #pragma once
 
@@ -20,7 +20,7 @@ using Address = std::uint16_t;
   return static_cast<Address>(high_byte << 8 | low_byte);
 }
 
-// F with its constant bits as the machine has them, whatever was asked for.
+// F with its constant bits as the machine has them.
 [[nodiscard]] constexpr Byte as_flags(Byte value) {
   return static_cast<Byte>((value & flag::all) | flag::always_one);
 }
@@ -37,11 +37,11 @@ struct Registers {
   friend constexpr bool operator==(const Registers&, const Registers&) = default;
 };
 
-// What decides at the end of an instruction what comes next.
+// The state that decides after an instruction what comes next.
 struct Control {
   bool interrupts_on = false;  // INTE
   bool deferred = false;       // the last instruction was EI: INT is not sampled after it
-  bool halted = false;         // HLT was executed and nothing has ended it yet
+  bool halted = false;         // HLT was executed and has not been ended
 
   friend constexpr bool operator==(const Control&, const Control&) = default;
 };

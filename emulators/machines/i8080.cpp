@@ -21,7 +21,7 @@ class Run {
  public:
   Run(MachineParts& machine, const Limits& limits, Watch& watch, Engine engine)
       : machine_(machine), limits_(limits), watch_(watch), engine_(engine), begun_(machine.instructions) {
-    // Memory that makes the processor wait is known to the plain engine only.
+    // Only the plain engine supports memory that makes the processor wait.
     if (machine.ports.has_wait_states()) engine_ = Engine::plain;
   }
 
@@ -30,7 +30,7 @@ class Run {
     machine_.ports.poll_all();
     machine_.attend_next();
     while (!reason_) advance();
-    // A processor that waits in a halt samples INT from halt_sampled on: devices must not be ahead of it.
+    // A halted processor samples INT from halt_sampled on: devices must not be ahead of it.
     const bool waits = machine_.state.halted && machine_.state.interrupts_on;
     const core::TStateInstant end = waits ? std::min(machine_.now, machine_.halt_sampled) : machine_.now;
     if (end > core::at_t_state(0)) machine_.ports.advance_all(end - MachineParts::one);
@@ -68,7 +68,7 @@ class Run {
     if (state.halted) return wait_in_halt();
     bring_devices_to(machine_.now);
     if (machine_.pins_under_way() || machine_.hold_is_near(machine_.now)) return Next::by_pins;
-    // INT is not sampled after EI, nor before the first instruction, where no T-state could have seen it.
+    // INT is not sampled after EI, nor before the first instruction, where no T-state has sampled it.
     const bool samples = !state.deferred && machine_.now > core::at_t_state(0);
     if (samples && state.interrupts_on && machine_.ports.interrupt()) return Next::by_pins;
     most_ = static_cast<std::int64_t>(std::min<std::uint64_t>(limits_.instructions - count, core::Allowance<core::TState>::most));
@@ -84,8 +84,8 @@ class Run {
     return Next::stop;
   }
 
-  // The last instant that must be over before the next boundary is attended. An instruction lasts at least 4 T-states, so most_ of them
-  // cannot end earlier than 4 * most_ from now: that bounds their number without a count to compare.
+  // The last instant that must be over before the next boundary is served. An instruction lasts at least 4 T-states, so
+  // most_ of them cannot end earlier than 4 * most_ from now: that bounds their number without comparing a count.
   [[nodiscard]] core::TStateInstant next_deadline() const {
     const core::TStateInstant now = machine_.now;
     core::TStateInstant deadline = std::min(machine_.ports.deadline(), now + core::TStates(4) * most_ - MachineParts::one);
@@ -94,9 +94,9 @@ class Run {
     return limits_.until != core::never_t ? std::min(deadline, limits_.until - MachineParts::one) : deadline;
   }
 
-  // HLT waits from T2 of its halt cycle on. The T-state t that finds INT high is followed by two more; T1 of the next
-  // instruction is t + 3, a boundary like any other: whether INT is still high decides what is fetched there. HOLD is sampled
-  // from t + 1 on, and is low before t + 2.
+  // HLT waits from T2 of its halt cycle on. The T-state t that samples INT high is followed by two more; T1 of the next
+  // instruction is t + 3, an ordinary boundary: the level of INT there decides what is fetched. HOLD is sampled from t + 1
+  // on, and is low before t + 2.
   Next wait_in_halt() {
     State& state = machine_.state;
     core::TStateInstant& now = machine_.now;
@@ -135,7 +135,7 @@ class Run {
     return stop(StopReason::halt);
   }
 
-  // Everything before `now` has happened.
+  // Performs everything before `now`.
   void bring_devices_to(core::TStateInstant now) {
     if (now > core::at_t_state(0)) machine_.ports.advance(now - MachineParts::one);
   }
@@ -145,8 +145,8 @@ class Run {
   Watch& watch_;
   Engine engine_;
   std::uint64_t begun_;
-  std::int64_t most_ = 1;  // instructions that the deadline allows
-  bool in_hold_ = false;   // where the run has to end: no boundary
+  std::int64_t most_ = 1;  // number of instructions that the deadline allows
+  bool in_hold_ = false;   // the run has to end in a HOLD, not at a boundary
   std::optional<StopReason> reason_;
 };
 
@@ -227,7 +227,7 @@ void Machine::visit_state(core::StateVisitor& visit) {
     fields("after_halt", after_halt);
     machine.halt_ended = after_halt ? machine.now : core::never_t;
   });
-  // T-states in hand when the run stopped: an interrupt's instruction, or a HOLD.
+  // The state of T-states in progress when the run stopped: an interrupt's instruction, or a HOLD.
   visit.section("pins", [&machine](core::StateVisitor& fields) {
     fields("acknowledging", machine.pins.acknowledged);
     fields("hold", machine.pins.hold);

@@ -1,16 +1,16 @@
-// An 8080 with 64K of RAM and whatever is attached to its ports.
+// An 8080 with 64K of RAM and the devices attached to its ports.
 //
 //   i8080::Machine machine;
 //   machine.load(0x100, program);
-//   std::string error = machine.attach("ef9365");      // a device of i8080_devices.hpp, or one's own
+//   std::string error = machine.attach("ef9365");      // a device of i8080_devices.hpp, or your own
 //   machine.start(0x100);
 //   i8080::StopReason why = machine.run({.until = core::at_t_state(3'000'000)});
 //   const core::Raster* raster = machine.device("ef9365")->raster();
 //
 // Between two runs everything can be read and changed. Time is counted in T-states (core/tstates.hpp). A port without a
-// device reads as FFh, the level of the undriven bus, and swallows what is written; such accesses are counted.
+// device reads as FFh, the level of the undriven bus, and ignores writes; such accesses are counted.
 //
-// Left out: ROM, and memory banks. Source: the processor's (../i8080/cpu.hpp).
+// Left out: ROM, and memory banks. Source: see ../i8080/cpu.hpp.
 #pragma once
 
 #include <array>
@@ -36,8 +36,8 @@ struct Options {
 };
 
 enum class StopReason : std::uint8_t {
-  halt,               // HLT, and no interrupt can ever end it
-  instruction_limit,  // Limits::instructions done
+  halt,               // HLT, and no interrupt can end it
+  instruction_limit,  // Limits::instructions have been executed
   time_limit,         // the first boundary at or after Limits::until
   observer,           // Observer::stop()
   device,             // Machine::request_stop()
@@ -53,19 +53,19 @@ struct InstructionRecord {
   core::TStateInstant time;  // T1 of its fetch
   core::TStateInstant end;
   Address pc;                 // its address; PC, if a device supplied the instruction
-  std::array<Byte, 3> bytes;  // the bytes there; as many count as the instruction is long
+  std::array<Byte, 3> bytes;  // the bytes there; those beyond the instruction's length do not count
   bool acknowledged;          // a device supplied it
   const State& before;
   const State& after;
 };
 
-// A machine cycle with a SYNC; the internal cycles of DAD have none.
+// A machine cycle with a SYNC; the internal cycles of DAD have none and are not reported.
 struct BusCycle {
   core::TStateInstant time;  // its T1
   Status status;
-  Address address;  // of IN and OUT: the port, in both halves
-  Byte data;        // nothing is on the bus in the halt cycle: 0
-  bool operand = false;  // a byte of the instruction behind its opcode
+  Address address;  // for IN and OUT: the port, in both halves
+  Byte data;        // 0 in the halt cycle, where nothing is on the bus
+  bool operand = false;  // a byte of the instruction after its opcode
 
   friend constexpr bool operator==(const BusCycle&, const BusCycle&) = default;
 };
@@ -74,7 +74,7 @@ struct HoldPins {
   core::TStateInstant time;
   bool hold;
   bool acknowledge;  // HLDA
-  bool stands;       // the processor waits for the end of HOLD before its next cycle
+  bool stands;       // the processor waits for the end of HOLD
 
   friend constexpr bool operator==(const HoldPins&, const HoldPins&) = default;
 };
@@ -86,31 +86,31 @@ inline constexpr std::uint8_t read = 4;  // cycle() is called after such an acce
 inline constexpr std::uint8_t written = 8;
 }  // namespace mark
 
-// Sees a run; it must not write to the machine. The members are read when a run begins.
+// Observes a run; it must not write to the machine. The members are read when a run begins.
 class Observer {
  public:
   virtual ~Observer() = default;
 
   const std::uint8_t* marks = nullptr;       // 65536; null: every cycle is reported, and stop() is called at every boundary
-  const std::uint8_t* port_marks = nullptr;  // 256, where there are marks; null: no port is marked
-  bool every_boundary = false;               // where there are marks: stop() is called at every boundary all the same
+  const std::uint8_t* port_marks = nullptr;  // 256, used only with marks; null: no port is marked
+  bool every_boundary = false;               // with marks: stop() is called at every boundary nevertheless
   bool instructions = false;                 // instruction() is called after each
 
   virtual void instruction(const InstructionRecord& record) { static_cast<void>(record); }
-  // When the byte is known. Where there are marks: accesses that are marked, but for bytes of the instruction itself; and each
-  // acknowledge cycle that fetches.
+  // Called when the byte is known. With marks: for accesses that are marked, except bytes of the instruction itself, and
+  // for each acknowledge cycle that fetches.
   virtual void cycle(const BusCycle& cycle) { static_cast<void>(cycle); }
   // One of the pins has changed.
   virtual void hold(const HoldPins& pins) { static_cast<void>(pins); }
-  // Before the instruction at `next`, not while a halt lasts, also at the boundary where Limits::instructions are done. Where there
-  // are marks: before an instruction with mark::stop, at the boundary after a reported cycle, and where the run begins. The
-  // machine's registers, time and counts are those of the boundary. True: the run ends there.
+  // Called before the instruction at `next`, not during a halt, also at the boundary where Limits::instructions are done.
+  // With marks: before an instruction with mark::stop, at the boundary after a reported cycle, and where the run begins.
+  // The machine's registers, time and counts are those of the boundary. True: the run ends there.
   [[nodiscard]] virtual bool stop(core::TStateInstant now, Address next) {
     return static_cast<void>(now), static_cast<void>(next), false;
   }
 };
 
-// Accesses of a port that no device answered.
+// The accesses of a port that no device answered.
 struct UnansweredPort {
   std::uint64_t reads = 0;
   std::uint64_t writes = 0;
@@ -130,15 +130,16 @@ class Machine {
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
-  // --- Devices, between runs. Each call gives the text of an error, and changes nothing then; or an empty text.
+  // --- Devices, between runs. Each call returns an empty text, or the text of an error and then changes nothing.
 
-  // A device of the list in i8080_devices.hpp, once each. Errors: no such name, no such option, a value beyond its bounds, a
-  // port that another device has.
+  // Attaches a device of the list in i8080_devices.hpp, each at most once. Errors: no such name, no such option, a value
+  // beyond its bounds, a port that another device has.
   [[nodiscard]] std::string attach(std::string_view name, std::span<const core::Setting> settings = {});
-  // Another one; `info` must outlive the machine. Error: a port that another device has, a name that is taken.
+  // Attaches any other device; `info` must outlive the machine. Errors: a port that another device has, a name that is
+  // taken.
   [[nodiscard]] std::string attach(const core::PortDeviceInfo& info, std::unique_ptr<core::PortDevice> device);
-  // Connects an interrupt line of an attached device to RST 0..7. Of several requests the highest restart wins, as an 8214 would
-  // have it, and RST 7 is what the bus gives when none is left. Errors: no such line, no such restart.
+  // Connects an interrupt line of an attached device to RST 0..7. Of several requests the highest restart wins, as with an
+  // 8214; RST 7 is what the bus gives when no request is left. Errors: no such line, no such restart.
   [[nodiscard]] std::string wire(std::string_view line, std::uint8_t restart);
 
   // Null: not attached.
@@ -147,17 +148,17 @@ class Machine {
   [[nodiscard]] Device* find() const {
     return static_cast<Device*>(device(Device::info.name));
   }
-  // In the order of the list, those that are not in it last.
+  // In the order of the list; other devices come last.
   [[nodiscard]] std::span<const AttachedDevice> devices() const;
   // Where plotters draw.
   [[nodiscard]] core::StrokeBuffer& strokes();
 
-  // `front` gets the IN and OUT of these ports in place of the device there, and hands on what it likes by in_behind() and
-  // out_behind(). It must live as long as the machine runs. One front a port: the last. i8080_front.hpp has one to derive from.
+  // `front` gets the IN and OUT of these ports instead of the device there, and passes accesses on by in_behind() and
+  // out_behind(). It must outlive all later runs. A port has one front: the last. i8080_front.hpp has a base class.
   void put_before(core::PortRange ports, core::PortDevice& front);
   [[nodiscard]] std::uint8_t in_behind(std::uint8_t port, core::TStateInstant at);
   void out_behind(std::uint8_t port, std::uint8_t value, core::TStateInstant at);
-  // By port.
+  // Indexed by port.
   [[nodiscard]] std::span<const UnansweredPort, 256> unanswered() const;
 
   // --- Registers and memory, between runs
@@ -166,36 +167,36 @@ class Machine {
   [[nodiscard]] const State& registers() const;
   [[nodiscard]] Byte peek(Address address) const;
   void deposit(Address address, Byte byte);
-  // Beyond FFFFh it goes on at 0.
+  // Addresses wrap from FFFFh to 0.
   void load(Address address, std::span<const Byte> bytes);
   [[nodiscard]] std::span<Byte> memory();
   [[nodiscard]] std::span<const Byte> memory() const;
   // Sets PC.
   void start(Address address);
-  // The RESET pin; memory stays, and so do all registers but PC and INTE.
+  // The RESET pin: only PC and INTE change; memory and the other registers stay.
   void reset();
 
   // --- Runs
 
-  // From the state as it is until something stops it. What is due at the boundary where it stops is left to the next run, so
-  // that a run in pieces is the same as a run in one.
+  // Runs from the current state until something stops it. Work that is due at the boundary where it stops is left to the
+  // next run, so that a run in pieces equals a run in one piece.
   StopReason run(const Limits& limits = {});
   StopReason run(const Limits& limits, Observer& observer);
-  // Without an observer, but by the engine that observed runs have: for tests.
+  // Without an observer, but by the engine for observed runs: for tests.
   StopReason run_plainly(const Limits& limits);
-  // For devices, fronts and takers of strokes: the run, or the next one, ends at the next boundary, with StopReason::device.
+  // For devices, fronts and stroke takers: ends the current or the next run at the next boundary, with StopReason::device.
   void request_stop();
 
   [[nodiscard]] const Options& options() const;
   [[nodiscard]] core::TStateInstant now() const;
-  // Since the machine was made; those a device supplied included.
+  // Since the machine was made, including those that a device supplied.
   [[nodiscard]] std::uint64_t instructions() const;
-  // T-states in which the processor stood still because of HOLD, since the machine was made.
+  // T-states in which the processor waited because of HOLD, since the machine was made.
   [[nodiscard]] std::uint64_t held() const;
   // The level of INT, as of the last T-state at which the devices have been polled.
   [[nodiscard]] bool interrupt() const;
 
-  // All that a further run depends on, as it is between two runs.
+  // Everything that determines a further run, as it is between two runs.
   void visit_state(core::StateVisitor& visit);
 
  private:

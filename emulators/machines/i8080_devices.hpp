@@ -1,6 +1,6 @@
-// The devices that an 8080 can be given by name, in the order in which snapshots and reports have them.
+// The devices that an 8080 can be given by name, in the order of snapshots and reports.
 //
-// A new device is a file in ../devices with a class like the others (core/port_device.hpp), and a line here.
+// To add a device, write a class like the others in ../devices (core/port_device.hpp), and add a line here.
 #pragma once
 
 #include <array>
