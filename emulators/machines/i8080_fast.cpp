@@ -1,5 +1,5 @@
-// The fast engine: functions that end with a jump to the next instruction's (../core/threads.hpp). How long the run may go on, as time
-// and as a number of instructions, is one word in a register of the host; the machine is touched only on the slow paths.
+// The fast engine: functions that each end with a jump to the next instruction's (../core/threads.hpp). The remaining time
+// and number of instructions of the run are one word in a host register; only the slow paths access the machine.
 #include <cstdint>
 
 #include "../core/allowance.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using Allowance = core::Allowance<core::TState>;
 
-// 64K of RAM that never makes the processor wait.
+// 64K of RAM without wait states.
 class FastBus {
  public:
   SIGHTLINE_INLINE explicit FastBus(MachineParts& machine) : FastBus(machine, machine.memory.data(), machine.allowance) {}
@@ -28,7 +28,7 @@ class FastBus {
   void count_instruction() { allowance_.count_instruction(); }
   void save() { machine_->allowance = allowance_; }
 
-  // The opcode of the next instruction, before its cycle, and the cycle that takes it.
+  // The opcode of the next instruction before its cycle, and the cycle that fetches it.
   [[nodiscard]] SIGHTLINE_INLINE Byte peek(Address address) const { return memory_[address]; }
   SIGHTLINE_INLINE void fetch_peeked(Status, Address, Byte) { allowance_.pass(core::TStates(4)); }
 
@@ -81,7 +81,7 @@ class FastBus {
   Allowance allowance_;
 };
 
-// The processor on it, as threads.hpp runs it.
+// The processor on that bus, in the form that threads.hpp runs.
 class FastProcessor {
  public:
   using Frame = MachineParts;
@@ -104,7 +104,7 @@ class FastProcessor {
   }
 
   [[nodiscard]] SIGHTLINE_INLINE unsigned code() const { return execution_.bus().peek(static_cast<Address>(execution_.pc())); }
-  // IN, OUT and HLT leave the processor and its memory.
+  // IN, OUT and HLT access more than the processor and its memory.
   template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE bool is_rare() const {
     return Processor::is_rare<code>;

@@ -1,5 +1,5 @@
-// What a host puts before ports of an 8080, to note what passes or to end a run there: a derived class overrides in() or out(), and
-// calls these to hand the access on to the device behind.
+// A device that a host puts before ports of an 8080 to record accesses or to end a run at one: a derived class overrides
+// in() or out(), and calls these to pass the access on to the device.
 #pragma once
 
 #include <cstdint>

@@ -1,12 +1,12 @@
-// An 8080 machine inside: registers, memory, time and ports; and what executes its instructions. Three engines do, each of them an
-// instance of ../i8080/cpu.hpp on a bus of its own:
+// The parts of an 8080 machine: registers, memory, time, ports, and three engines that execute its instructions. Each
+// engine is an instance of ../i8080/cpu.hpp on a different bus:
 //
-//   i8080_fast.cpp    runs that nobody observes
-//   i8080_plain.cpp   observed runs, memory that makes the processor wait, and hosts without the fast one
-//   i8080_pins.cpp    T-state by T-state: the time about a HOLD, and the instruction that an interrupting device supplies
+//   i8080_fast.cpp    unobserved runs
+//   i8080_plain.cpp   observed runs, memory that makes the processor wait, and hosts without the fast engine
+//   i8080_pins.cpp    T-state by T-state: around a HOLD, and the instruction that an interrupting device supplies
 //
-// i8080.cpp decides at the boundaries between instructions which one goes on. A boundary is attended only where the deadline has
-// passed: before that nothing but instructions happens.
+// At the boundaries between instructions i8080.cpp chooses the engine. A boundary is served only when the deadline has
+// passed: before that only instructions execute.
 #pragma once
 
 #include <array>
@@ -27,15 +27,15 @@ namespace sightline::i8080 {
 struct MachineParts {
   explicit MachineParts(const Options& chosen) : options(chosen), ports(chosen.strict) {}
 
-  // The fast engine has most of these at hand by one small offset: they come first.
+  // The fast engine addresses most of these by one small offset: they come first.
   State state;
-  core::TStateInstant deadline{};  // a boundary later than this is attended
+  core::TStateInstant deadline{};  // a boundary later than this is served
   core::Allowance<core::TState> allowance{core::TStates(0), 0};  // of the fast engine
   core::TStateInstant now{};
   std::uint64_t instructions = 0;
   core::TStateInstant halt_sampled{};              // the next T-state in which a halted processor samples INT
   core::TStateInstant halt_ended = core::never_t;  // T1 of the fetch after the last halt
-  PinLatches pins;                                 // all false between instructions, but about an acknowledge or a HOLD
+  PinLatches pins;                                 // all false between instructions, except around an acknowledge or a HOLD
   std::uint64_t held = 0;
   Options options;
   Ports ports;
@@ -45,18 +45,18 @@ struct MachineParts {
   static constexpr core::TStates one{1};
   static constexpr core::TStates longest_instruction{18};  // XTHL, without wait states
 
-  // The next boundary is to be attended.
+  // The next boundary must be served.
   void attend_next() { deadline = now - one; }
 
   [[nodiscard]] bool pins_under_way() const {
     return pins.acknowledged || pins.hold || pins.hold_acknowledge || pins.passed_over || pins.waking;
   }
-  // HOLD was high in the T-state before, or may be within the next instruction, which is of any length where it has to wait.
+  // HOLD was high in the last T-state, or may be within the next instruction, whose length is unbounded if it has to wait.
   [[nodiscard]] bool hold_is_near(core::TStateInstant at) const {
     const core::TStateInstant next = ports.next_hold(at - one);
     return next != core::never_t && (ports.has_wait_states() || next < at + longest_instruction);
   }
-  // As of the T-state before.
+  // As of the last T-state.
   [[nodiscard]] bool halt_may_end(const PinLatches& latches) const {
     return latches.waking || latches.acknowledged ||
            (state.interrupts_on && (ports.interrupt() || ports.deadline() != core::never_t));
@@ -67,7 +67,7 @@ struct MachineParts {
   }
 };
 
-// What the observer of a run wants.
+// The events that the observer of a run wants.
 class Watch {
  public:
   Watch() = default;  // no observer
@@ -80,7 +80,7 @@ class Watch {
         instructions_(observer.instructions),
         expects_stop_(true) {}
 
-  // Cycles that bring bytes of instructions, and halt cycles, are wanted only then.
+  // Cycles that read bytes of instructions, and halt cycles, are wanted only if this is true.
   [[nodiscard]] bool wants_all_cycles() const { return all_cycles_; }
   [[nodiscard]] bool wants(Address address, std::uint8_t marks) const {
     return marks_ != nullptr ? (marks_[address] & marks) != 0 : all_cycles_;
@@ -90,7 +90,7 @@ class Watch {
   }
   [[nodiscard]] bool wants_instructions() const { return instructions_; }
   [[nodiscard]] bool is_observed() const { return observer_ != nullptr; }
-  // stop() is to be called before the instruction at `next`.
+  // stop() must be called before the instruction at `next`.
   [[nodiscard]] bool wants_boundary(Address next) const {
     return every_boundary_ || expects_stop_ || (marks_ != nullptr && (marks_[next] & mark::stop) != 0);
   }
@@ -116,15 +116,14 @@ class Watch {
   bool expects_stop_ = false;  // at the next boundary: the run begins, or a cycle has been reported
 };
 
-// Each executes at least one instruction from memory, and goes on until a boundary is to be attended. They count instructions and
-// time.
+// Each executes at least one instruction from memory, until a boundary must be served, and counts instructions and time.
 
-// At most `most` instructions, 1 to Allowance::most, as the deadline must allow.
+// At most `most` instructions, 1 to Allowance::most; the deadline must allow that many.
 void run_fast(MachineParts& machine, std::int64_t most);
-// Or until Observer::stop() is to be called.
+// Until a boundary must be served or Observer::stop() must be called.
 void run_plainly(MachineParts& machine, Watch& watch);
-// One instruction; or the rest of a halt or a HOLD, up to `until` at most. True: an instruction was executed. Devices are
-// where the T-state before left them. The next boundary is to be attended.
+// One instruction, or the rest of a halt or a HOLD, at most up to `until`. True: an instruction was executed. On entry
+// devices are in the state of the last T-state; on return the next boundary must be served.
 bool step_by_pins(MachineParts& machine, Watch& watch, core::TStateInstant until);
 
 }  // namespace sightline::i8080

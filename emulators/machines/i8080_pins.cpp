@@ -1,4 +1,4 @@
-// The engine that goes T-state by T-state, on ../i8080/pin_bus.hpp: what is true of the pins there is true here.
+// The T-state engine, on ../i8080/pin_bus.hpp, whose statements about the pins also hold here.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,12 +12,12 @@ namespace sightline::i8080 {
 
 namespace {
 
-// The machine's memory and ports as the board of such a bus.
+// The machine's memory and ports as the board of a PinBus.
 class Board {
  public:
   static constexpr bool answers_in_t3 = true;
 
-  // machine.now is the T-state that is to come; the devices are where the one before it left them.
+  // machine.now is the next T-state; the devices are in the state of the last one.
   Board(MachineParts& machine, Watch& watch)
       : machine_(machine),
         ports_(machine.ports),
@@ -25,9 +25,9 @@ class Board {
         changes_(machine.now),
         shown_{machine.now, was_held(), machine.pins.hold_acknowledge, false} {}
 
-  // The bytes that are read next are behind an opcode, or not.
+  // Whether the next bytes read follow an opcode.
   void set_operand(bool operand) { operand_ = operand; }
-  // By a device, since its interrupt was accepted.
+  // The bytes that a device has supplied since its interrupt was accepted.
   [[nodiscard]] const std::array<Byte, 3>& supplied() const { return supplied_; }
 
   PinInputs inputs() {
@@ -69,7 +69,7 @@ class Board {
     machine_.now += core::TStates(1);
   }
 
-  // To the T-state in which HOLD goes away, or to `until`.
+  // Skips to the T-state in which HOLD falls, or to `until`.
   void pass_held() { pass_held(core::never_t); }
   void pass_held(core::TStateInstant until) {
     const core::TStateInstant then = std::min(ports_.hold_ends(machine_.now), until);
@@ -91,7 +91,7 @@ class Board {
     waits_ = ports_.wait_states(status, address, machine_.now + core::TStates(1));
   }
 
-  // Without MEMR the byte comes from the device whose interrupt is being acknowledged.
+  // Without MEMR the byte comes from the device whose interrupt is acknowledged.
   Byte answer(Status status, Address address) {
     if ((status & status::memory_read) != 0) return machine_.memory[address];
     Byte byte = 0;
@@ -123,16 +123,16 @@ class Board {
   MachineParts& machine_;
   Ports& ports_;
   Watch& watch_;
-  core::TStateInstant changes_;  // until then the devices are as they are
+  core::TStateInstant changes_;  // until then the devices do not change
   HoldPins shown_;
-  BusCycle cycle_{};  // under way
+  BusCycle cycle_{};  // the current cycle
   bool operand_ = false;
-  int waits_ = 0;  // T-states with READY low that are to come
+  int waits_ = 0;  // T-states with READY low still to come
   std::array<Byte, 3> supplied_{};
   std::size_t supplied_count_ = 0;
 };
 
-// The bus on it, which says what is behind an opcode.
+// The bus on that board, which marks the bytes after an opcode.
 class BoardBus : public PinBus<Board> {
  public:
   BoardBus(Board& board, bool interrupts_on, const PinLatches& latches) : PinBus(board, interrupts_on, latches), board_(board) {}
@@ -159,7 +159,7 @@ void wait_in_halt(MachineParts& machine, BoardBus& bus, core::TStateInstant unti
   } while (bus.latches().waking || bus.latches().hold || bus.latches().hold_acknowledge || machine.hold_is_near(machine.now));
 }
 
-// False: HOLD lasts until `until` at least.
+// False: HOLD lasts at least until `until`.
 bool wait_in_hold(MachineParts& machine, Board& board, BoardBus& bus, core::TStateInstant until) {
   while (bus.wait_in_hold()) {
     if (machine.now >= until) return false;
@@ -169,7 +169,7 @@ bool wait_in_hold(MachineParts& machine, Board& board, BoardBus& bus, core::TSta
   return true;
 }
 
-// True: a device supplied it.
+// True: a device supplied the instruction.
 bool execute(MachineParts& machine, BoardBus& bus) {
   Execution<BoardBus&> processor(bus, machine.state, machine.state);
   const bool interrupt = bus.interrupt();
@@ -208,7 +208,7 @@ bool step_by_pins(MachineParts& machine, Watch& watch, core::TStateInstant until
   machine.pins = bus.latches();
   machine.pins.acknowledged = machine.pins.acknowledged && machine.pins.interrupt;
   machine.pins.after_write = machine.pins.after_write && machine.pins.hold;
-  machine.pins.interrupt = machine.pins.halted = machine.pins.woken = false;  // follow from the rest, see above
+  machine.pins.interrupt = machine.pins.halted = machine.pins.woken = false;  // these follow from the rest, see above
   machine.attend_next();
   if (executed && watch.wants_instructions()) {
     watch.report({begun, machine.now, before.pc, acknowledged ? board.supplied() : bytes, acknowledged, before, machine.state});

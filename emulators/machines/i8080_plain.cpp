@@ -1,4 +1,4 @@
-// The plain engine: one instruction after the other, each by the `switch` of ../i8080/cpu.hpp.
+// The plain engine: executes one instruction after the other by the `switch` of ../i8080/cpu.hpp.
 #include <array>
 #include <cstdint>
 
@@ -10,7 +10,7 @@ namespace sightline::i8080 {
 
 namespace {
 
-// `full`: it reports to an observer and knows wait states. Without both a compiler keeps most of it in registers.
+// `full`: reports to an observer and supports wait states. Without both a compiler keeps most of the bus in registers.
 template <bool full>
 class PlainBus {
  public:
@@ -80,7 +80,7 @@ class PlainBus {
     if (full && watch_->wants_all_cycles()) report({begun, cycle, address, byte, is_operand});
     return byte;
   }
-  // When the cycle begins; its wait states are over.
+  // The beginning of the cycle proper, after its wait states.
   SIGHTLINE_INLINE core::TStateInstant begin(Status cycle, Address address) {
     const core::TStateInstant begun = now_;
     if (full && waits_) now_ += core::TStates(machine_->ports.wait_states(cycle, address, begun + core::TStates(1)));
@@ -107,7 +107,7 @@ void execute(MachineParts& machine, Watch& watch) {
     processor.step();
     ++machine.instructions;
     ends = processor.bus().due();
-    // An observer that wants instructions gets one at a time.
+    // An observer of instructions gets them one at a time.
     if (full) ends = ends || watch.wants_instructions() || watch.wants_boundary(static_cast<Address>(processor.pc()));
   }
   processor.save();

@@ -17,7 +17,7 @@ std::string port_name(unsigned port) {
   return {digits[port >> 4U], digits[port & 15U]};
 }
 
-// The place in the list of devices; those that are not in it come last.
+// The position in the list of devices; devices that are not in it come last.
 std::size_t place_of(const core::PortDeviceInfo& info) {
   const auto* const found = std::find_if(known_devices.begin(), known_devices.end(),
                                          [&info](const KnownDevice& known) { return known.info == &info; });
@@ -27,9 +27,9 @@ std::size_t place_of(const core::PortDeviceInfo& info) {
 }  // namespace
 
 std::string Ports::attach(const core::PortDeviceInfo& info, std::unique_ptr<core::PortDevice> device) {
-  if (device == nullptr) return "found no device to be attached as " + std::string(info.name);
+  if (device == nullptr) return "found a null device to attach as " + std::string(info.name);
   for (const AttachedDevice& other : devices_) {
-    if (other.info->name == info.name) return quoted(info.name) + " is attached already";
+    if (other.info->name == info.name) return quoted(info.name) + " is already attached";
   }
   if (std::string error = find_taken(readers_, info.reads, info.name, "read"); !error.empty()) return error;
   if (std::string error = find_taken(writers_, info.writes, info.name, "written"); !error.empty()) return error;

@@ -1,8 +1,9 @@
-// What is on the ports of an 8080: the devices, what their interrupt lines are connected to, and the next instant at which one of
-// them wants something of the processor.
+// The devices on the ports of an 8080, the connections of their interrupt lines, and the next instant at which one of them
+// needs the processor.
 //
-// A device brings itself up to date when the processor touches it; it is advanced when its deadline has come, and at the end of a
-// run. Only devices that are connected to INT or HOLD are polled for a deadline: the others reach the processor by IN alone.
+// A device brings itself up to date when the processor accesses it; the machine advances it when its deadline has passed,
+// and at the end of a run. Only devices connected to INT or HOLD are polled for a deadline: the others affect the processor
+// only by IN.
 #pragma once
 
 #include <algorithm>
@@ -64,21 +65,21 @@ class Ports {
   // The byte that a device puts on the bus in an acknowledge cycle.
   [[nodiscard]] Byte acknowledge(core::TStateInstant at);
 
-  // --- What happens by itself.
-  // All that the processor can notice up to and including `now` has happened.
+  // --- The passage of time.
+  // Performs everything that the processor can notice up to and including `now`.
   void advance(core::TStateInstant now) {
     reached_ = std::max(reached_, now);
     if (deadline_ <= now) advance_connected(now);
   }
-  // All has happened, up to there and up to the latest instant that advance() has been called for.
+  // Performs everything up to `now`, and up to the latest instant for which advance() has been called.
   void advance_all(core::TStateInstant now);
-  // Asks all connected devices: what a host has done to them between two runs may be a request.
+  // Polls all connected devices: a host's access between two runs may have caused a request.
   void poll_all();
-  // Nothing that the processor can notice changes by itself before it.
+  // Before it nothing that the processor can notice changes without an access.
   [[nodiscard]] core::TStateInstant deadline() const { return deadline_; }
   // INT, as of the last call of one of the functions above.
   [[nodiscard]] bool interrupt() const { return requests_ != 0; }
-  // The first T-state at or after t in which HOLD is high, or never_t; the first in which it is low.
+  // The first T-state at or after t in which HOLD is high, or never_t; and the first in which it is low.
   [[nodiscard]] core::TStateInstant next_hold(core::TStateInstant t) const {
     return holders_.empty() ? core::never_t : next_of_holders(t);
   }
@@ -87,7 +88,7 @@ class Ports {
   [[nodiscard]] bool has_wait_states() const { return !waiters_.empty(); }
   [[nodiscard]] int wait_states(Status status, Address address, core::TStateInstant at) const;
 
-  // --- What ends a run at the next boundary.
+  // --- Requests to end a run at the next boundary.
   void request_stop(StopReason reason) {
     stop_ = reason;
     changed_ = true;
@@ -95,15 +96,15 @@ class Ports {
   [[nodiscard]] bool stops() const { return stop_.has_value(); }
   [[nodiscard]] std::optional<StopReason> take_stop() { return std::exchange(stop_, std::nullopt); }
 
-  // Since the last call: requests, deadline, HOLD or a stop are not what they were.
+  // Whether requests, deadline, HOLD or a stop have changed since the last note_change().
   [[nodiscard]] bool changed() const { return changed_; }
   void note_change() { changed_ = false; }
 
  private:
-  // A device of which the processor notices something by itself.
+  // A device that can affect the processor without an access.
   struct Connection {
     core::PortDevice* device;
-    std::vector<unsigned> wires;  // of each line: the bits of `requests` that it raises
+    std::vector<unsigned> wires;  // for each line: the bits of `requests` that it raises
     unsigned requests = 0;
     core::TStateInstant deadline = core::never_t;
   };
@@ -113,11 +114,11 @@ class Ports {
   };
   using Table = std::array<Port, 256>;
 
-  // Bits of `requests`: RST 0 to RST 7, and the device that drives INT itself.
+  // Bits of `requests`: RST 0 to RST 7, and the device that drives INT directly.
   static constexpr unsigned every_restart = 0xFF;
   static constexpr unsigned own_instruction = 0x100;
 
-  // The text of an error if a device has one of these ports in the table.
+  // An error text if another device has one of these ports in the table.
   [[nodiscard]] std::string find_taken(const Table& table, std::span<const core::PortRange> ranges, std::string_view name,
                                        std::string_view direction) const;
   Connection& connect(std::size_t device);
@@ -131,7 +132,7 @@ class Ports {
 
   bool strict_;
   std::vector<AttachedDevice> devices_;
-  std::vector<std::unique_ptr<Connection>> connections_;  // by the device's place; null: not connected
+  std::vector<std::unique_ptr<Connection>> connections_;  // indexed as devices_; null: not connected
   Table readers_{};
   Table writers_{};
   std::array<core::PortDevice*, 256> fronts_{};

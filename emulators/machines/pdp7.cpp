@@ -1,4 +1,4 @@
-// The machine without its processor: which devices it has, what an IOT reaches, and what happens at an instruction boundary.
+// The machine without its processor: its devices, the dispatch of IOTs, and the work at instruction boundaries.
 #include "pdp7.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::string unknown_device(std::string_view name) {
   return core::unknown_name("device", name, names);
 }
 
-// The settings with the names of the options, which live as long as the program.
+// The settings, with the names taken from the options, which live as long as the program.
 std::vector<core::Setting> kept_settings(std::span<const core::DeviceOption> options, std::span<const core::Setting> settings) {
   std::vector<core::Setting> kept;
   for (const core::Setting& setting : settings) {
@@ -83,17 +83,18 @@ std::string Machine::attach(std::string_view name, std::span<const core::Setting
 }
 
 std::string Machine::attach(const core::IotDeviceInfo& info, std::unique_ptr<core::IotDevice> device) {
-  if (device == nullptr) return "found no device to be attached as " + std::string(info.name);
+  if (device == nullptr) return "found a null device to attach as " + std::string(info.name);
   if (std::string error = wrong_codes(info); !error.empty()) return error;
   devices_.push_back(std::make_unique<Attached>(Attached{info, std::move(device), priority_of(info.name)}));
   wire();
   return {};
 }
 
-// What keeps such a device from being attached: its name, or a device code of another one, be it one that waits to be used.
+// Why such a device cannot be attached: its name is taken, or a device code belongs to another device, even to one that
+// waits for its first IOT. Empty if it can.
 std::string Machine::wrong_codes(const core::IotDeviceInfo& info) const {
   const std::string name(info.name);
-  if (find_attached(info.name) != nullptr) return "the device " + name + " is attached already";
+  if (find_attached(info.name) != nullptr) return "the device " + name + " is already attached";
   for (const std::uint8_t code : info.codes) {
     if (code >= by_code_.size()) return "the device " + name + " has the code " + std::to_string(code) + ", expected 0 to 63";
     std::string other;
@@ -104,12 +105,12 @@ std::string Machine::wrong_codes(const core::IotDeviceInfo& info) const {
       const bool has_it = spare.known->info.name != info.name && std::find(codes.begin(), codes.end(), code) != codes.end();
       if (other.empty() && has_it) other = "the device " + std::string(spare.known->info.name);
     }
-    if (!other.empty()) return "the device " + name + " has the device code " + octal(code) + ", which " + other + " has already";
+    if (!other.empty()) return "the device " + name + " has the device code " + octal(code) + ", which " + other + " already has";
   }
   return {};
 }
 
-// What follows from the devices that are attached.
+// Rebuilds the tables that depend on the attached devices.
 void Machine::wire() {
   by_priority_.clear();
   for (const auto& each : devices_) by_priority_.push_back(each.get());
@@ -208,7 +209,7 @@ void Machine::visit_state(core::StateVisitor& visit) {
 
 // --- Inside a run ---
 
-// The host may have touched any device since the last run.
+// The host may have accessed any device since the last run.
 void Machine::begin_run() {
   std::fill(due_.begin(), due_.end(), core::Instant::min());
 }
@@ -218,7 +219,7 @@ void Machine::end_run() {
   strokes_->flush();
 }
 
-// The time after the data break. The request is copied: it is the device's own and goes as soon as it is met.
+// Returns the time after the data break. The request is copied, because the device drops its own when it is granted.
 SIGHTLINE_INLINE inline core::Instant Machine::grant(core::IotDevice& device, core::DataBreak request, core::Instant now,
                                                      ObserverCalls* calls) {
   using Direction = core::DataBreak::Direction;
@@ -239,7 +240,7 @@ SIGHTLINE_INLINE inline core::Instant Machine::grant(core::IotDevice& device, co
   return now + length;
 }
 
-// A boundary at which something may be due: brings the devices up to date that are, and gives them their data breaks.
+// A boundary at which something may be due: advances the devices that are due, and grants their data breaks.
 Machine::Boundary Machine::attend(core::Instant now, Registers& registers, ObserverCalls* calls) {
   const bool deferred = registers.is(mode::interrupts_deferred);
   const bool open = registers.is(mode::interrupts_on) && !deferred;
@@ -265,7 +266,7 @@ Machine::Boundary Machine::attend(core::Instant now, Registers& registers, Obser
     requesting_ += static_cast<std::size_t>(requests) - static_cast<std::size_t>(attached.requests);
     attached.requests = requests;
     if (request != nullptr) {
-      i = 0;  // one that comes before it may be due by now
+      i = 0;  // one before it may be due by now
     } else {
       due = std::min(due, due_[i++]);
     }
@@ -313,7 +314,7 @@ void Machine::count_unanswered(std::uint32_t word, Address at) {
   unanswered_.push_back({word, 1, at});
 }
 
-// Of a run that an instruction ends.
+// The reason of a run that an instruction ends.
 StopReason Machine::reason_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::halted: return StopReason::halt;

@@ -1,16 +1,16 @@
 // A PDP-7 with its core memory, its console and the devices attached to it.
 //
 //   pdp7::Machine pdp7;                          // 8192 words, clock, reader, punch, keyboard and printer
-//   std::string error = pdp7.attach("display");  // by name, from pdp7_devices.hpp; empty: none
+//   std::string error = pdp7.attach("display");  // by name, from pdp7_devices.hpp; empty: no error
 //   pdp7.strokes().hand_to(&screen);             // a core::StrokeTaker
 //   pdp7.load(0100, program);
 //   pdp7.start(0100);
 //   pdp7::StopReason why = pdp7.run({.until = core::at_nanoseconds(1'000'000)});
 //
-// Everything that is not an instruction happens at an instruction boundary, in this order: data breaks, those of the first
-// device in the list first, then the program interrupt. A data break is granted at the first boundary at or after the
-// request; its word is at the device at the end of the break. Between boundaries devices do nothing: each says when it will
-// do something by itself, and is brought up to date then or when the program touches it.
+// Everything except instructions happens at an instruction boundary, in this order: data breaks, in the order of the device
+// list, then the program interrupt. A data break is granted at the first boundary at or after the request; the device has
+// its word at the end of the break. Between boundaries devices do nothing: each publishes its next deadline, and is brought
+// up to date then or when the program accesses it.
 //
 // Left out: the single-step keys, data breaks while the processor is halted, and the devices that no program here uses
 // (drum, magnetic tape, line printer). Sources: PDP-4 manual page 16 (breaks "only at the completion of the current
@@ -42,22 +42,22 @@
 
 namespace sightline::pdp7 {
 
-// How the machine is put together.
+// The configuration of the machine.
 struct Options {
   std::uint32_t core_words = 8192;  // 4096, 8192, 16384 or 32768
-  Model model{};                    // extend is implied by more than 8192 words
+  Model model{};                    // more than 8192 words imply extend
   Timing timing{};
-  // Attached from the beginning. The names must outlive the machine.
+  // Attached when the machine is made. The names must outlive the machine.
   std::vector<std::string_view> devices{"clock", "reader", "punch", "keyboard", "printer"};
 };
 
 enum class StopReason : std::uint8_t {
   halt,               // HLT
-  instruction_limit,  // Limits::instructions done
+  instruction_limit,  // Limits::instructions have been executed
   time_limit,         // the first boundary at or after Limits::until
   observer,           // an observer or request_stop()
   xct_chain,          // more than 16 XCTs in a chain
-  unanswered,         // Model::strict: an instruction nothing in this machine obeys
+  unanswered,         // Model::strict: nothing in this machine obeyed an instruction
 };
 
 struct Limits {
@@ -67,11 +67,11 @@ struct Limits {
 
 struct Counts {
   std::uint64_t instructions = 0;
-  std::uint64_t machine_cycles = 0;  // stolen ones included, asynchronous time not
+  std::uint64_t machine_cycles = 0;  // includes stolen cycles, excludes asynchronous time
   std::uint64_t stolen_cycles = 0;   // data breaks
 };
 
-// An instruction nothing obeyed: how often, and where first.
+// An instruction that nothing obeyed: how often, and where first.
 struct Unanswered {
   std::uint32_t word;
   std::uint64_t count;
@@ -95,19 +95,19 @@ struct InstructionRecord {
   const State& after;
 };
 
-// Watches a run. It must not write to the machine. The members are read when a run begins.
+// Observes a run. It must not write to the machine. The members are read when a run begins.
 class Observer {
  public:
   const std::uint8_t* marks = nullptr;  // 32768 bytes, which may change during the run; null: everything is reported
-  bool every_boundary = false;          // with marks: stop() is called at every boundary all the same
+  bool every_boundary = false;          // with marks: stop() is called at every boundary nevertheless
   bool instructions = false;            // instruction() is called after every instruction
 
   virtual void instruction(const InstructionRecord& record) { static_cast<void>(record); }
-  // With marks: cycles at marked addresses, and all of program interrupts and IOTs. Without: every cycle.
+  // With marks: cycles at marked addresses, and all cycles of program interrupts and IOTs. Without: every cycle.
   virtual void cycle(const Cycle& cycle) { static_cast<void>(cycle); }
-  // At an instruction boundary, before the data breaks and the interrupt that are due there. With marks: where the next
-  // instruction has mark::stop, after a cycle that was reported, and where a run begins. Without: at every boundary. The
-  // machine's registers, time and counts are those of the boundary; devices are as they were last touched. True: the run ends
+  // Called at an instruction boundary, before the data breaks and the interrupt that are due there. With marks: where the
+  // next instruction has mark::stop, after a reported cycle, and where a run begins. Without: at every boundary. The
+  // machine's registers, time and counts are those of the boundary; devices are as of their last access. True: the run ends
   // there. Not called at the boundary where Limits::instructions are done: the next run calls it first.
   [[nodiscard]] virtual bool stop(core::Instant now, Address next) {
     return static_cast<void>(now), static_cast<void>(next), false;
@@ -131,35 +131,35 @@ class Machine {
 
   // --- Devices ---
 
-  // The first error of attaching Options::devices; empty: none.
+  // The first error of attaching Options::devices; empty if none.
   [[nodiscard]] const std::string& error() const { return error_; }
 
-  // All three give the text of an error, or nothing: a name that is not in the list or attached already, an unknown option or
-  // a value out of its range, a device code that another device has.
+  // All three return the text of an error, or an empty text. Errors: a name that is not in the list or already attached, an
+  // unknown option, a value out of its range, a device code that another device has.
   [[nodiscard]] std::string attach(std::string_view name, std::span<const core::Setting> settings = {});
-  // A device of one's own. What `info` refers to must outlive the machine.
+  // Attaches any other device. Everything that `info` refers to must outlive the machine.
   [[nodiscard]] std::string attach(const core::IotDeviceInfo& info, std::unique_ptr<core::IotDevice> device);
-  // It is there as soon as the program uses it: from its first IOT on, unless that is one of a device that is absent on
-  // purpose (../pdp7/absent_devices.hpp). A program that uses it cannot tell it from one that was there all the time.
+  // Attaches the device at its first use: at its first IOT, except one listed in ../pdp7/absent_devices.hpp. A program that
+  // uses it cannot tell it from a device that was always attached.
   [[nodiscard]] std::string attach_when_used(std::string_view name, std::span<const core::Setting> settings = {});
-  // Of a device that attach_when_used() was given, between runs: takes it out, or plugs it in as new.
+  // Removes a device of attach_when_used() between runs, or attaches it again as new.
   void plug_in(std::string_view name, bool in);
 
-  // Null: no such device is attached. What the host does to a device between runs the next run finds.
+  // Null: no such device is attached. The host may change a device between runs; the next run sees the change.
   [[nodiscard]] core::IotDevice* device(std::string_view name) const;
-  // find<pdp7::Reader>(): the same, of a class with an `info` that names it.
+  // find<pdp7::Reader>(): the same, for a class with an `info` that names it.
   template <class D>
   [[nodiscard]] D* find() const {
     return static_cast<D*>(device(D::info.name));
   }
-  // What displays draw.
+  // Where displays draw.
   [[nodiscard]] core::StrokeBuffer& strokes() { return *strokes_; }
 
   // --- Between runs ---
 
   [[nodiscard]] State& registers() { return state_; }
   [[nodiscard]] const State& registers() const { return state_; }
-  // Core, without time. An address outside reads 0 and ignores writes.
+  // Core, accessed without time. An address outside reads 0 and ignores writes.
   [[nodiscard]] core::Word18 peek(Address address) const { return core_.read(address); }
   void deposit(Address address, core::Word18 word) { core_.write(address, word); }
   void load(Address address, std::span<const core::Word18> words);
@@ -174,19 +174,19 @@ class Machine {
   // One entry for every instruction word that nothing obeyed, in the order of first appearance.
   [[nodiscard]] const std::vector<Unanswered>& unanswered() const { return unanswered_; }
 
-  // All that a further run depends on, as it is between two runs.
+  // Everything that determines a further run, as it is between two runs.
   void visit_state(core::StateVisitor& visit);
 
   // --- Running ---
 
-  // The START key: clears all flags, leaves core, AC, L, MQ and SC alone, and makes the next fetch at `address`.
+  // The START key: clears all flags, keeps core, AC, L, MQ and SC, and makes the next fetch at `address`.
   void start(Address address);
-  // Each runs from the state as it is (the CONTINUE key) until something stops it; data breaks and interrupts that are due at
-  // the boundary where it stops are left to the next run, and strokes() is flushed.
+  // Each runs from the current state (the CONTINUE key) until something stops it. Data breaks and interrupts that are due
+  // at the boundary where it stops are left to the next run; strokes() is flushed.
   StopReason run(const Limits& limits = {});                  // as fast as possible
   StopReason run(const Limits& limits, Observer& observer);   // by the plain loop
-  StopReason run_plainly(const Limits& limits);               // by the plain loop, unwatched: for tests
-  // By a StrokeTaker or a device: the run, or the next one, ends at the next boundary, with StopReason::observer.
+  StopReason run_plainly(const Limits& limits);               // by the plain loop, unobserved: for tests
+  // For stroke takers and devices: ends the current or the next run at the next boundary, with StopReason::observer.
   void request_stop() { stop_requested_ = true; }
 
  private:
@@ -196,10 +196,10 @@ class Machine {
   struct Attached {
     core::IotDeviceInfo info;
     std::unique_ptr<core::IotDevice> device;
-    std::size_t priority;   // its place in the list
+    std::size_t priority;   // its position in the list
     bool requests = false;  // an interrupt
   };
-  // One that the program's first IOT plugs in.
+  // A device that the program's first IOT attaches.
   struct Spare {
     const KnownDevice* known;
     std::vector<core::Setting> settings;
@@ -240,10 +240,10 @@ class Machine {
   std::unique_ptr<core::StrokeBuffer> strokes_ = std::make_unique<core::StrokeBuffer>();
   std::vector<std::unique_ptr<Attached>> devices_;  // in the order in which they were attached
   std::vector<Attached*> by_priority_;
-  // What the machine knows of each of by_priority_: it wants nothing by itself before.
+  // For each of by_priority_: the device does nothing before that instant unless it is accessed.
   std::vector<core::Instant> due_;
   std::size_t requesting_ = 0;              // how many devices request an interrupt
-  std::array<std::uint8_t, 64> by_code_{};  // the place in by_priority_, or no_device
+  std::array<std::uint8_t, 64> by_code_{};  // the index in by_priority_, or no_device
   std::vector<Spare> spares_;
   Counts counts_;
   std::vector<Unanswered> unanswered_;

@@ -1,7 +1,7 @@
-// The devices that a PDP-7 can be given by name. Of several that ask for a data break at once, the first in this list is
-// served first.
+// The devices that a PDP-7 can be given by name. If several request a data break at once, the first in this list is served
+// first.
 //
-// A new device is a file with a class like the others (../core/iot_device.hpp), and a line here.
+// To add a device, write a class like the others (../core/iot_device.hpp), and add a line here.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ inline constexpr KnownDevice known{
     Device::info, [](const DeviceSetup& setup) -> std::unique_ptr<core::IotDevice> { return std::make_unique<Device>(setup); }};
 
 inline constexpr std::array known_devices{
-    known<Rb09>,  // waits least
+    known<Rb09>,  // tolerates the shortest wait
     known<type340::Display>,
     known<Clock>,
     known<Reader>,
@@ -37,7 +37,7 @@ inline constexpr std::array known_devices{
     known<Printer>,
 };
 
-// What they are, for those that make none, such as an assembler: without a link to the devices themselves.
+// Their descriptions, for programs that make none, such as an assembler: without linking the devices.
 inline constexpr auto device_infos = [] {
   std::array<core::IotDeviceInfo, known_devices.size()> infos;
   for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = known_devices[i].info;

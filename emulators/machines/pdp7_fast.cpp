@@ -1,9 +1,8 @@
-// The fast engine: a processor whose instructions are functions that end with a jump to the next one (../core/threads.hpp).
+// The fast engine: one function per instruction code, each ending with a jump to the next (../core/threads.hpp).
 //
-// What changes with every cycle, the allowance of time, is a value in the hands of the processor; the rest is in the frame of
-// the run. The machine is called only on the slow paths, by value, so that a compiler can keep the allowance in a register;
-// every verb is inlined into the instruction for the same reason. Nothing here can be observed: runs that are go through
-// pdp7_plain.cpp.
+// The time allowance changes with every cycle and is passed by value; the rest is in the frame of the run. Only the slow
+// paths call the machine, and pass by value, so that a compiler can keep the allowance in a register; every verb is inlined
+// into the instruction for the same reason. Observed runs use pdp7_plain.cpp.
 #include "pdp7.hpp"
 
 #include <algorithm>
@@ -34,12 +33,12 @@ struct Machine::FastRun {
   }
 
   [[nodiscard]] core::Instant now() const { return horizon - allowance.left(); }
-  // Where the words of a bank lie.
+  // The address of a bank's words in the host.
   core::Word18* enter(Address first) {
     bank_words = words > first ? words - first : 0;
     return core + first;
   }
-  // At the first boundary at or after `deadline`; until then at most so many instructions end.
+  // Serves the first boundary at or after `deadline`; at most `most` instructions end before it.
   void attend_at(core::Instant now, core::Instant deadline, std::int64_t most) {
     horizon = deadline - core::Duration(1);
     allowance = Allowance(horizon - now, most);
@@ -48,9 +47,9 @@ struct Machine::FastRun {
 
   Machine* machine;
   core::Word18* core;
-  std::uint32_t words;           // that can be written
-  std::uint32_t bank_words = 0;  // likewise, from the beginning of the bank on
-  core::Word18* bank;            // where direct addresses lie
+  std::uint32_t words;           // number of words that can be written
+  std::uint32_t bank_words = 0;  // the same, counted from the beginning of the bank
+  core::Word18* bank;            // the bank of direct addresses
   Processor processor;
   core::Instant horizon;  // the last instant that is not due
   Allowance allowance{core::Duration(0), 0};
@@ -73,7 +72,7 @@ class Machine::FastRun::Bus {
 
   // The word of the next instruction, before its cycle.
   [[nodiscard]] SIGHTLINE_INLINE core::Word18 peek(Here here) const { return bank_[here.place]; }
-  // The cycle that takes it.
+  // The cycle that fetches it.
   SIGHTLINE_INLINE void fetch_peeked(Here, core::Word18) { allowance_.pass(machine_cycle); }
 
   template <class At>
@@ -120,7 +119,7 @@ class Machine::FastRun::Bus {
   [[nodiscard]] SIGHTLINE_INLINE core::Instant now() const { return run_->horizon - allowance_.left(); }
   [[nodiscard]] SIGHTLINE_INLINE core::Word18* cell(Here here) const { return bank_ + here.place; }
   [[nodiscard]] SIGHTLINE_INLINE core::Word18* cell(Address address) const { return run_->core + address; }
-  // Outside core nothing is written.
+  // Writes outside core are ignored.
   SIGHTLINE_INLINE void put(Here here, core::Word18 word) {
     if (here.place < run_->bank_words) [[likely]] *cell(here) = word;
   }
@@ -133,7 +132,7 @@ class Machine::FastRun::Bus {
   Allowance allowance_;
 };
 
-// The processor on it, as threads.hpp runs it.
+// The processor on that bus, in the form that threads.hpp runs.
 class Machine::FastRun::Thread {
  public:
   using Frame = FastRun;
@@ -188,10 +187,10 @@ class Machine::FastRun::Thread {
 
   FastRun* run_;
   Execution execution_;
-  std::uint32_t word_ = 0;  // that has been taken
+  std::uint32_t word_ = 0;  // the word that was fetched
 };
 
-// `left`: the instructions to be executed, on return those that have not been.
+// `left`: the number of instructions to execute; on return, of those not executed.
 StopReason Machine::FastRun::run(std::uint64_t& left, core::Instant until) {
   for (;;) {
     if (allowance.over()) {
@@ -199,8 +198,8 @@ StopReason Machine::FastRun::run(std::uint64_t& left, core::Instant until) {
       if (std::exchange(machine->stop_requested_, false)) return StopReason::observer;
       if (now() >= until) return StopReason::time_limit;
       const Boundary boundary = machine->attend(now(), processor.registers, nullptr);
-      // No run of so many instructions ends before `shortest`, because each takes a cycle at least. So they need to be counted,
-      // but their number to be compared only with the other deadlines.
+      // `most` instructions cannot end before `shortest`, because each takes at least a cycle. So they are counted, but
+      // their number is compared only at the other deadlines.
       const auto most = static_cast<std::int64_t>(std::min(left, static_cast<std::uint64_t>(Allowance::most)));
       const core::Instant shortest = boundary.now + machine_cycle * most;
       attend_at(boundary.now, std::min(boundary.due, std::min(until, shortest)), most);

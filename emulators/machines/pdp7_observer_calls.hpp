@@ -1,4 +1,4 @@
-// Which calls an observer gets in a run, by its marks. Without an observer nothing is marked.
+// Decides by the marks which calls the observer of a run gets. Without an observer nothing is marked.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class ObserverCalls {
 
   [[nodiscard]] Observer* observer() const { return observer_; }
 
-  // An access to core; `mark`: what its address must be marked with.
+  // An access to core; `mark`: the mark that reports it.
   SIGHTLINE_INLINE void access(std::uint8_t mark, const Cycle& cycle) {
     if ((marks_[cycle.address & address_mask] & mark) != 0) [[unlikely]] report(cycle);
   }
@@ -37,7 +37,7 @@ class ObserverCalls {
 
   // Whether stop() is to be called at a boundary.
   [[nodiscard]] SIGHTLINE_INLINE bool wants_stop(Address next) const { return next_boundary_ || (marks_[next] & mark::stop) != 0; }
-  // At that boundary. True: the run ends there.
+  // Calls stop() at that boundary. True: the run ends there.
   [[nodiscard]] bool stop(core::Instant now, Address next) {
     next_boundary_ = every_boundary_;
     return observer_->stop(now, next);

@@ -1,5 +1,5 @@
-// The plain loop: what a PDP-7 does, instruction by instruction, and which calls an observer gets. All that is observed runs here,
-// and every run where the fast engine cannot be compiled (WebAssembly, sanitizers).
+// The plain loop: executes a PDP-7 instruction by instruction and calls the observer. Observed runs use it, and all runs
+// where the fast engine cannot be compiled (WebAssembly, sanitizers).
 #include "pdp7.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Machine::PlainRun {
   Processor processor{machine.options_.model, machine.options_.timing, machine.state_};
 };
 
-// The verbs of ../pdp7/bus.hpp: each reports its cycle, and lets its time pass.
+// The verbs of ../pdp7/bus.hpp: each reports its cycle and advances the time.
 class Machine::PlainRun::Bus {
  public:
   explicit Bus(PlainRun& run)
@@ -69,7 +69,7 @@ class Machine::PlainRun::Bus {
   void attention() { due_ = now_; }
 
  private:
-  // Outside core nothing is written.
+  // Writes outside core are ignored.
   SIGHTLINE_INLINE void put(Address address, core::Word18 word) {
     if (address < words_) core_[address] = word;
   }
@@ -85,9 +85,9 @@ class Machine::PlainRun::Bus {
 
   PlainRun* run_;
   core::Word18* core_;
-  std::uint32_t words_;  // that can be written
+  std::uint32_t words_;  // number of words that can be written
   core::Instant now_;
-  core::Instant due_;  // nothing happens before but instructions
+  core::Instant due_;  // before it only instructions happen
 };
 
 StopReason Machine::PlainRun::run(const Limits& limits) {

@@ -1,8 +1,8 @@
-// IOTs of devices that no machine here has, but that programs of the time use without asking whether they are there:
-// they do nothing (bit 14 clears AC, as in every IOT), and nobody is warned of them.
+// IOTs of devices that no machine here has, but that period programs use without testing whether they exist: they do
+// nothing (bit 14 clears AC, as in every IOT), and cause no warning.
 //
-// The codes are those that a kernel of 1970 for the PDP-7 executes on a machine without the devices. Which of the
-// 7042xx to 7047xx belong to the display and which to the data set is unknown.
+// The codes are those that a PDP-7 kernel of 1970 executes on a machine without the devices. Which of the 7042xx to 7047xx
+// belong to the display and which to the data set is unknown.
 #pragma once
 
 #include <array>

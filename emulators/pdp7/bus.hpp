@@ -1,16 +1,14 @@
-// The bus interface of the PDP-7 processor: one verb is one machine cycle and advances time by
-// itself.
+// The bus interface of the PDP-7 processor. Each verb is one machine cycle and advances the time.
 //
-//   fetch(address)    the cycle that takes an instruction to be obeyed
-//   read(address)     another core cycle that leaves the word as it was (Defer, Execute, what XCT leads to)
+//   fetch(address)    the cycle that fetches an instruction to execute
+//   read(address)     any other core cycle that leaves the word unchanged (Defer, Execute, the target of an XCT)
 //   write(address, w) a core cycle that replaces it
-//   modify(address)   a core cycle that reads, adds one (18 bits, wraps) and rewrites; gives the new word
+//   modify(address)   a core cycle that reads, adds one (18 bits, wraps) and rewrites; returns the new word
 //   interrupt(w)      the Break cycle of the program interrupt, which writes w at 0
-//   iot(word, ac)     the tail of an IOT's Fetch cycle: the pulses reach the devices; adds only a slow cycle's stretch
+//   iot(word, ac)     the end of an IOT's Fetch cycle: the pulses reach the devices; adds only the stretch of a slow cycle
 //   idle(duration)    asynchronous time of the EAE
-// The others take no time: switches() reads the AC switches, unanswered() reports an instruction that nothing
-// in this machine obeyed, attention() asks the machine to attend to the next instruction boundary (an interrupt
-// may be due).
+// The others take no time: switches() reads the AC switches, unanswered() reports an instruction that nothing in this
+// machine obeyed, attention() asks the machine to serve the next instruction boundary (an interrupt may be due).
 #pragma once
 
 #include <concepts>
@@ -26,7 +24,7 @@ namespace sightline::pdp7 {
 // break_* are the cycles stolen from the processor: a data break in either direction, or a clock tick.
 enum class Verb : std::uint8_t { fetch, read, write, modify, interrupt, iot, idle, break_read, break_write, break_modify };
 
-// One bus event as an observer sees it.
+// One bus event as reported to an observer.
 struct Cycle {
   core::Instant time;  // its beginning
   core::Duration length;

@@ -1,7 +1,8 @@
-// The real-time clock, IOT device 00: while it is on, every period of the mains counts location 7 up by one in a data break;
-// when the count passes from 777777 to 0 the clock flag rises and asks for a program interrupt.
+// The real-time clock, IOT device 00: while it is on, it increments location 7 in a data break at every period of the
+// mains. When the count goes from 777777 to 0 the clock flag rises and requests a program interrupt.
 //
-// The mains runs from instant zero whether the clock is on or not, so the first tick after CLON comes within a period.
+// The mains phase runs from instant zero whether the clock is on or not, so the first tick after CLON comes within a
+// period.
 // Source: PDP-4 manual page 23.
 #pragma once
 
@@ -28,7 +29,7 @@ class Clock final : public core::IotDevice {
   static constexpr core::IotDeviceInfo info{
       .name = "clock", .help = "the real-time clock, which counts location 7", .codes = codes, .iots = iots};
 
-  // `hertz` of 1 or more; less is taken as 1. `tick_cycles`: machine cycles of a tick.
+  // `hertz` below 1 is taken as 1. `tick_cycles`: machine cycles per tick.
   explicit Clock(std::int64_t hertz, int tick_cycles = 1) : hertz_(hertz < 1 ? 1 : hertz) { tick_.cycles = tick_cycles; }
   explicit Clock(const DeviceSetup& setup) : Clock(setup.timing.clock_hertz, setup.timing.clock_tick_cycles) {}
 

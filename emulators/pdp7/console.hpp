@@ -19,7 +19,7 @@ struct SwitchSetting {
 
 class Console {
  public:
-  // Settings to come; they need not be sorted. Of two at one instant the later in the list holds.
+  // Schedules settings, in any order. Of two at one instant the later in the list applies.
   void schedule(std::vector<SwitchSetting> settings) {
     settings_ = std::move(settings);
     std::stable_sort(settings_.begin(), settings_.end(),
@@ -34,7 +34,7 @@ class Console {
     return switches_;
   }
 
-  // The settings to come, and those that are.
+  // The pending settings and the current one.
   void visit_state(core::StateVisitor& visit) {
     settings_.erase(settings_.begin(), settings_.begin() + static_cast<std::ptrdiff_t>(next_));
     next_ = 0;

@@ -1,6 +1,6 @@
 // Core memory of 4096 to 32768 words. An address outside it reads 0 and ignores writes.
 //
-// All 32768 words are allocated in the host, those outside held at zero, so that a read needs no test.
+// The host allocates all 32768 words and keeps those outside at zero, so that a read needs no test.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class CoreMemory {
   [[nodiscard]] core::Word18* data() { return contents_.data(); }
   [[nodiscard]] const core::Word18* data() const { return contents_.data(); }
 
-  // Core as it is found at power-on: arbitrary, here the words of a seeded sequence (SplitMix64).
+  // Core contents at power-on: arbitrary, here the words of a seeded sequence (SplitMix64).
   void randomise(std::uint64_t seed) {
     for (std::uint32_t a = 0; a < words_; ++a) {
       seed += 0x9e3779b97f4a7c15U;

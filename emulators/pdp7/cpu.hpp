@@ -1,10 +1,8 @@
-// The PDP-7 processor: decodes by the table of isa.hpp and does everything else through bus verbs, so that
-// the time of an instruction is a consequence of the cycles it asks for (a test compares their sum with the
-// table).
+// The PDP-7 processor. It decodes by the table of isa.hpp and does everything else through bus verbs, so that the time of
+// an instruction is the consequence of its bus cycles (a test compares their sum with the table).
 //
-// Left out: the ADDRESS switches and single-step keys of the console, and memory protection. Sources: PDP-4
-// manual pages 16-23 and 57-58, with which the PDP-7 is program compatible; where that is silent, the choice
-// is stated.
+// Left out: the ADDRESS switches and single-step keys of the console, and memory protection. Sources: PDP-4 manual pages
+// 16-23 and 57-58, with which the PDP-7 is program compatible; where that is silent, a comment states the choice.
 #pragma once
 
 #include <cstddef>
@@ -29,10 +27,10 @@ namespace sightline::pdp7 {
 // How an instruction ends.
 enum class Outcome : std::uint8_t { completed, halted, xct_chain, unanswered };
 
-// The longest chain of XCTs taken for a program; the machine itself would follow a closed chain for ever.
+// The longest chain of XCTs that is followed; the machine itself would follow a closed chain for ever.
 inline constexpr int longest_xct_chain = 16;
 
-// SKP7 is 703341: the pulse, and bit 12. Of 703361, which has bit 13 too, Timing::skip_703361 decides.
+// SKP7 is 703341: the pulse, and bit 12. Timing::skip_703361 decides about 703361, which has bit 13 too.
 inline constexpr std::uint32_t skp7_bits = 041, skp7_undecided_bit = 020;
 
 namespace detail {
@@ -43,15 +41,15 @@ namespace detail {
   return instructions[i];
 }
 
-// Bits 0-3 of an instruction; from the table, so that they are written down once. The EAE commands share theirs, and so do
-// OPR and LAW, which bit 4 distinguishes.
+// Bits 0-3 of an instruction, from the table, so that they are defined once. All EAE commands have the same, and so do OPR
+// and LAW, which bit 4 distinguishes.
 [[nodiscard]] consteval std::uint32_t code(Operation operation) {
   return row_of(operation).value >> 14;
 }
 
 }  // namespace detail
 
-// The installed options, the registers that few instructions use, and all of them between runs.
+// The installed options, the registers that few instructions use, and between runs all registers.
 struct Processor {
   Processor(const Model& installed, const Timing& times, const State& state)
       : model(&installed), timing(&times), registers(state) {}
@@ -59,10 +57,10 @@ struct Processor {
   const Model* model;
   const Timing* timing;
   Registers registers;
-  Outcome outcome = Outcome::completed;  // of the last instruction, if it did not just end
+  Outcome outcome = Outcome::completed;  // of the last instruction, unless it completed
 };
 
-// A place in the bank of the running program, where nearly all references go: a bus may find it faster than an address.
+// An address in the bank of the running program, where nearly all references go: a bus may access it faster.
 struct Here {
   Address bank;
   Address place;
@@ -70,8 +68,8 @@ struct Here {
   constexpr operator Address() const { return bank | place; }
 };
 
-// The processor at work: a value that holds its bus, L, AC and PC, so that a compiler keeps them in host registers. The rest
-// is in a Processor, and save() puts these there, too.
+// A running processor: a value that holds its bus, L, AC and PC, so that a compiler keeps them in host registers. The rest
+// is in a Processor, where save() stores these too.
 template <Bus B>
 class Execution {
  public:
@@ -79,7 +77,7 @@ class Execution {
   static constexpr bool is_always_rare = code >> 1 == detail::code(Operation::cal) ||
                                          code >> 1 == detail::code(Operation::xct) ||
                                          code >> 1 == detail::code(Operation::iot);
-  // Bits 0-4 of an instruction choose the code that executes it: operation and indirect bit.
+  // Bits 0-4 of an instruction, operation and indirect bit, select the code that executes it.
   static constexpr unsigned codes = 32;
   [[nodiscard]] static constexpr unsigned code_of(std::uint32_t word) { return word >> 13; }
 
@@ -97,10 +95,10 @@ class Execution {
   [[nodiscard]] constexpr const B& bus() const { return bus_; }
   [[nodiscard]] constexpr B& bus() { return bus_; }
   [[nodiscard]] constexpr Accumulator accumulator() const { return accumulator_; }
-  // Of the next instruction.
+  // The address of the next instruction.
   [[nodiscard]] constexpr Here next() const { return {processor_->registers.bank, place_}; }
 
-  // One instruction; a chain of XCTs and what it ends in is one.
+  // One instruction; a chain of XCTs with its final instruction counts as one.
   constexpr Outcome step() {
     const std::uint32_t word = bus_.fetch(next()).value();
     ++place_;
@@ -109,7 +107,7 @@ class Execution {
     return outcome;
   }
 
-  // The same, of an instruction that a bus with fetch_peeked() has shown.
+  // The same, for an instruction that a bus with fetch_peeked() has shown.
   constexpr Outcome step(std::uint32_t word) {
     bus_.fetch_peeked(next(), core::Word18(word));
     ++place_;
@@ -118,8 +116,8 @@ class Execution {
     return outcome;
   }
 
-  // The same, compiled for one code: in PC's bank, without a call, so that nothing leaves the host's registers. Not for a
-  // word that is_rare<code>().
+  // The same, compiled for one code: in PC's bank, without a call, so that everything stays in host registers. Not for a
+  // word with is_rare<code>().
   template <unsigned code>
   SIGHTLINE_INLINE constexpr void step_as(std::uint32_t word) {
     bus_.fetch_peeked(next(), core::Word18(word));
@@ -132,7 +130,7 @@ class Execution {
     place_ &= in_bank_mask;
   }
 
-  // What leaves PC's bank or the processor, or may not end as usual.
+  // A word that accesses more than PC's bank and the processor, or may not end as usual.
   template <unsigned code>
   [[nodiscard]] SIGHTLINE_INLINE constexpr bool is_rare(std::uint32_t word) const {
     constexpr unsigned operation = code >> 1;
@@ -154,27 +152,27 @@ class Execution {
       bus_.idle(machine_cycle * (processor_->timing->interrupt_cycles - 1));
   }
 
-  // The START key: PC from the ADDRESS switches, interrupt system and modes off. AC, L, MQ and SC stay.
+  // The START key: PC from the ADDRESS switches, interrupt system and modes off. AC, L, MQ and SC keep their values.
   constexpr void start(Address address) {
     go_to(address);
     clear(~0U);
   }
 
  private:
-  // Where the direct addresses of an instruction lie: in the bank of the word itself. Nearly always that is PC's.
+  // The direct addresses of an instruction in the bank of PC, where nearly all instructions are.
   struct InPlace {
     const Execution* execution;
     SIGHTLINE_INLINE constexpr Here operator()(std::uint32_t word) const {
       return {execution->processor_->registers.bank, word & in_bank_mask};
     }
   };
-  // After an XCT it may be another.
+  // The same for a word in another bank, which an XCT can reach.
   struct InBank {
     Address bank;
     SIGHTLINE_INLINE constexpr Address operator()(std::uint32_t word) const { return bank | (word & in_bank_mask); }
   };
 
-  // The memory references but CAL and XCT, LAW, and OPR without HLT and OAS.
+  // The memory references except CAL and XCT, LAW, and OPR without HLT and OAS.
   template <unsigned code, class Direct>
   SIGHTLINE_INLINE constexpr void execute_common(std::uint32_t word, Direct direct) {
     constexpr unsigned operation = code >> 1;
@@ -227,7 +225,7 @@ class Execution {
     }
   }
 
-  // Any instruction, and whatever an XCT leads to.
+  // Any instruction, including the targets of an XCT.
   constexpr Outcome execute(std::uint32_t word) {
     const Address at = instruction_address();
     Address from = at;
@@ -270,15 +268,15 @@ class Execution {
     return (word & indirect_bit) != 0 ? address_in(defer(direct), direct) : direct;
   }
 
-  // Locations 10-17 of any bank count up by one, over all 18 bits, before they point.
+  // Locations 10-17 of any bank are incremented, as 18-bit words, before they are used as pointers.
   template <class At>
   SIGHTLINE_INLINE constexpr core::Word18 defer(At pointer) {
     if ((Address{pointer} & in_bank_mask & ~Address{07}) == 010) return bus_.modify(pointer);
     return bus_.read(pointer);
   }
 
-  // The address a pointer word gives: 15 bits in extend mode, else 13 in the bank the pointer lies in. A Here is not asked
-  // for in extend mode.
+  // The address in a pointer word: 15 bits in extend mode, otherwise 13 in the bank of the pointer. The Here version is
+  // never called in extend mode.
   [[nodiscard]] SIGHTLINE_INLINE static constexpr Here address_in(core::Word18 pointer, Here lies_at) {
     return {lies_at.bank, pointer.value() & in_bank_mask};
   }
@@ -287,8 +285,8 @@ class Execution {
                                                   : (lies_at & bank_mask) | (pointer.value() & in_bank_mask);
   }
 
-  // After EMIR the JMP I that ends an interrupt still takes 15 bits, then returns to the mode saved in bit 1.
-  // (Another simulator changes the mode first; a program outside bank 0 could then not be returned to.)
+  // After EMIR the JMP I that ends an interrupt still takes 15 bits, then restores the mode saved in bit 1. (Another
+  // simulator changes the mode first; then an interrupt could not return to a program outside bank 0.)
   SIGHTLINE_INLINE constexpr void jump_indirect(Here lies_at) { go_to(address_in(defer(lies_at), lies_at)); }
   constexpr void jump_indirect(Address lies_at) {
     const core::Word18 pointer = defer(lies_at);
@@ -349,7 +347,7 @@ class Execution {
     if (stepping.count() != 0) bus_.idle(stepping);
   }
 
-  // A setup makes no step, but has a time of its own.
+  // A setup makes no step, but takes a time.
   [[nodiscard]] SIGHTLINE_INLINE constexpr core::Duration eae_time(std::uint32_t word, int steps) const {
     const Timing& timing = *processor_->timing;
     switch ((word >> 6) & 07U) {
@@ -361,9 +359,9 @@ class Execution {
     }
   }
 
-  // Bit 14 clears AC before the pulses; those of the interrupt system and the memory extension stay in the
-  // processor, the rest goes out. Pulses that all have no device make the instruction one that this machine
-  // does not have.
+  // Bit 14 clears AC before the pulses. The processor obeys the pulses of the interrupt system and the memory extension
+  // itself; the others go to the bus. If no pulse of an instruction has a device, this machine does not have the
+  // instruction.
   constexpr Outcome input_output(std::uint32_t word, Address at) {
     if (processor_->registers.is(mode::trap)) return trap();
     if ((word & 010U) != 0) accumulator_.set_ac(core::Word18(0));
@@ -377,7 +375,7 @@ class Execution {
     return not_answered(word, at);
   }
 
-  // The pulses of `word` that are the processor's own, obeyed.
+  // Obeys the processor's pulses of `word` and returns them.
   constexpr std::uint32_t processor_pulses(std::uint32_t word) {
     switch ((word >> 6) & 077U) {
       case 000: return interrupt_system(word);
@@ -417,8 +415,8 @@ class Execution {
     return processor_->model->strict ? Outcome::unanswered : Outcome::completed;
   }
 
-  // A privileged instruction in trap mode: as an interrupt, but extend mode comes on and the next fetch is
-  // at 2. Its Break cycle is taken to follow the instruction directly (unknown).
+  // A privileged instruction in trap mode: as an interrupt, but extend mode comes on and the next fetch is at 2. Its Break
+  // cycle is assumed to follow the instruction directly (unknown).
   constexpr Outcome trap() {
     bus_.write(Address{0}, saved_word());
     enter_bank_zero(2);
@@ -443,13 +441,13 @@ class Execution {
   }
   SIGHTLINE_INLINE constexpr void skip() { ++place_; }
   SIGHTLINE_INLINE constexpr void skip_if(bool condition) { core::set_by_branch(condition, place_, place_ + 1); }
-  // Of the instruction that has just been fetched.
+  // The address of the instruction that has just been fetched.
   [[nodiscard]] constexpr Address instruction_address() const {
     return processor_->registers.bank | ((place_ - 1) & in_bank_mask);
   }
   constexpr void set(std::uint32_t modes) { processor_->registers.modes |= modes; }
   constexpr void clear(std::uint32_t modes) { processor_->registers.modes &= ~modes; }
-  // What JMS, CAL, an interrupt and a trap store: bit 0 L, bit 1 extend mode, bit 2 trap mode, bits 3-17 PC.
+  // The word that JMS, CAL, an interrupt and a trap store: bit 0 L, bit 1 extend mode, bit 2 trap mode, bits 3-17 PC.
   [[nodiscard]] SIGHTLINE_INLINE constexpr core::Word18 saved_word() const {
     const std::uint32_t modes = processor_->registers.modes;
     return core::Word18((accumulator_.bits() & Accumulator::carry) >> 1 | (modes & (mode::extend | mode::trap)) |
@@ -459,14 +457,14 @@ class Execution {
   B bus_;
   Processor* processor_;
   Accumulator accumulator_;
-  Address place_;  // of PC, in its bank; within an instruction it may have stepped beyond the end
+  Address place_;  // of PC, in its bank; within an instruction it may be one past the end
 };
 
-// A processor on a bus of its own, instruction by instruction.
+// A processor that owns its bus and executes one instruction per call.
 template <Bus B>
 class Cpu {
  public:
-  // `model` and `timing` must outlive it.
+  // `model` and `timing` must outlive the processor.
   constexpr Cpu(const B& bus, const Model& model, const Timing& timing, const State& state)
       : bus_(bus), processor_(model, timing, state) {}
 

@@ -1,4 +1,4 @@
-// What a device of the PDP-7 is made from.
+// The arguments of a PDP-7 device's constructor.
 #pragma once
 
 #include "../core/iot_device.hpp"

@@ -1,8 +1,8 @@
 // The Type 177 Extended Arithmetic Element: the whole of class 64, as pure functions on {AC, MQ, SC, L}.
 //
-// The step counter is kept counting down to zero; the machine holds its complement and counts up, which OSC
-// shows. Left out: time (the caller turns `steps` into it). Event order and commands: EAE instruction list
-// confirmed by three symbol tables and by a second simulator's results for 6688 operand sets.
+// Here the step counter counts down to zero; the machine holds its complement and counts up, which OSC shows. Left out:
+// time (the caller computes it from `steps`). Event order and commands: EAE instruction list confirmed by three symbol
+// tables and by a second simulator's results for 6688 operand sets.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@ struct EaeRegisters {
 
 struct EaeResult {
   EaeRegisters registers;
-  int steps = 0;  // steps the counter made; a refused division makes one
+  int steps = 0;  // steps that the counter made; a refused division makes one
 };
 
 namespace eae {
@@ -36,13 +36,13 @@ inline constexpr std::uint32_t clear_ac = 0001000;
 inline constexpr std::uint32_t word_sign = 0400000;
 inline constexpr std::uint32_t word_mask = 0777777;
 
-// The counter runs down to zero before it is tested: a count of 0 means 64 steps.
+// The counter is decremented before it is tested: a count of 0 means 64 steps.
 [[nodiscard]] constexpr int full_count(std::uint32_t count) {
   return count == 0 ? 64 : static_cast<int>(count);
 }
 
-// Add and shift right, for each step; in closed form, because the multiplier's bits that the first 18 steps test are in MQ
-// from the beginning. `product_negative` complements both halves: the 36-bit one's complement of the product.
+// Add and shift right, for each step; in closed form, because MQ holds the multiplier's bits for the first 18 steps from
+// the beginning. `product_negative` complements both halves: the 36-bit one's complement of the product.
 [[nodiscard]] constexpr EaeResult multiply(EaeRegisters r, std::uint32_t count, std::uint32_t multiplicand,
                                            bool product_negative) {
   std::uint64_t both = (std::uint64_t{r.ac.value()} << 18) | r.mq.value();
@@ -58,9 +58,9 @@ inline constexpr std::uint32_t word_mask = 0777777;
           steps};
 }
 
-// Non-restoring, with the remainder corrected at the end: that is the division of AC and the first bits of MQ, as far as the
-// bits come from MQ. Refused with L = 1 when the quotient would not fit, after the first subtraction, so AC is
-// already less by the divisor.
+// Non-restoring division with the remainder corrected at the end: as long as the bits come from MQ, that equals the
+// division of AC and the first bits of MQ. If the quotient would not fit, it is refused with L = 1 after the first
+// subtraction, so the divisor has already been subtracted from AC.
 [[nodiscard]] constexpr EaeResult divide(EaeRegisters r, std::uint32_t count, std::uint32_t divisor,
                                          bool dividend_negative, bool quotient_negative) {
   if (r.ac.value() >= divisor) return {{core::Word18(r.ac.value() - divisor), r.mq, r.sc, true}, 1};
@@ -68,7 +68,7 @@ inline constexpr std::uint32_t word_mask = 0777777;
   std::uint32_t mq = r.mq.value();
   const int steps = full_count(count);
   int left = steps;
-  // A step takes the difference of AC and the divisor, then shifts. After 18 of them MQ shifts its quotient in again.
+  // A step takes the difference of AC and the divisor, then shifts. After 18 steps MQ shifts its quotient in again.
   for (; left > 19; left -= 18) {
     const std::uint64_t dividend = (std::uint64_t{ac} << 18) | mq;
     mq = static_cast<std::uint32_t>((dividend >> 1) / divisor) & word_mask;
@@ -84,8 +84,7 @@ inline constexpr std::uint32_t word_mask = 0777777;
   return {{core::Word18(ac), core::Word18(mq), core::Word<6>(0), false}, steps};
 }
 
-// The 36 bits AC:MQ with 64 copies of L at either side are shifted as one number; counts above 36 change
-// nothing more.
+// The 36 bits AC:MQ with 64 copies of L at either side are shifted as one number; counts above 36 change nothing more.
 [[nodiscard]] constexpr EaeResult shift_long(EaeRegisters r, std::uint32_t count, bool left) {
   constexpr std::uint64_t both_mask = (std::uint64_t{1} << 36) - 1;
   const std::uint32_t n = count < 36 ? count : 36;
@@ -100,7 +99,8 @@ inline constexpr std::uint32_t word_mask = 0777777;
 
 // Shift left until bits 0 and 1 of AC differ or the counter has run out; the vacated end is filled with L.
 [[nodiscard]] constexpr EaeResult normalize(EaeRegisters r, std::uint32_t count) {
-  // AC, MQ and copies of L; where two bits differ, bit 0 or 1 of `changes` is the first to be looked for.
+  // AC, MQ and copies of L. The first two bits that differ give the number of shifts: bit 0 or 1 of `changes` is the first
+  // that counts.
   const std::uint64_t all = (std::uint64_t{r.ac.value()} << 46) | (std::uint64_t{r.mq.value()} << 28) |
                             (r.link ? (std::uint64_t{1} << 28) - 1 : 0);
   const std::uint64_t changes = (all ^ (all << 1)) >> 1 << 1;
@@ -139,7 +139,7 @@ inline constexpr std::uint32_t word_mask = 0777777;
   return command == 1 || command == 3;
 }
 
-// Executes one EAE instruction; `operand` matters only when eae_takes_operand(word).
+// Executes one EAE instruction; `operand` is used only if eae_takes_operand(word).
 [[nodiscard]] constexpr EaeResult execute_eae(std::uint32_t word, EaeRegisters r, core::Word18 operand) {
   if ((word & eae::sign_to_link) != 0) r.link = r.ac.negative();
   if ((word & eae::clear_mq) != 0) r.mq = core::Word18(0);

@@ -1,11 +1,10 @@
 // The PDP-7 instruction set: one table that the CPU, the assembler, the disassembler and the trace read.
 //
-// `instructions` has one row for every pattern the machine decodes; every 18-bit word matches exactly one row
-// (static_assert below). `microinstructions` names single words and bits inside the augmented classes (EAE, IOT,
-// OPR): they add no meaning, only names, which is why they are separate. Those of a device are in its file
-// (IotDeviceInfo::iots). Cycles are machine cycles of 1.75 us for the
-// direct form; an indirect reference adds one Defer cycle, auto-index none. What time goes beyond whole cycles
-// (EAE stepping, slow IOT cycles) is in timing.hpp.
+// `instructions` has one row for every pattern that the machine decodes; every 18-bit word matches exactly one row
+// (static_assert below). `microinstructions` names single words and bits inside the augmented classes (EAE, IOT, OPR) and
+// adds no meaning. A device's file names its IOTs (IotDeviceInfo::iots). Cycles are machine cycles of 1.75 us for the
+// direct form; an indirect reference adds one Defer cycle, auto-index none. Time beyond whole cycles (EAE stepping, slow
+// IOT cycles) is in timing.hpp.
 //
 // Sources: P4 = "Programmed Data Processor-4 Manual" (DEC 1962), with which the PDP-7 is program compatible, printed
 // page; EAE = Type 177 instruction list, confirmed by three independent symbol tables.
@@ -27,11 +26,11 @@ enum class Operands : std::uint8_t {
   none,       // CAL: the address field is ignored
   address,    // bit 4 indirect, bits 5-17 address
   steps,      // EAE: bits 12-17 step count, bits 4-8 options
-  microcode,  // every bit means something by itself
+  microcode,  // every bit has a meaning
   immediate,  // LAW: the word itself
 };
 
-// How two terms of an expression combine in the assembler (space between them): OR inside one class, else a sum.
+// How two terms of an expression with a space between them combine in the assembler: OR inside one class, otherwise a sum.
 enum class Class : std::uint8_t { memory, eae, iot, opr, law };
 
 struct Instruction {
@@ -122,7 +121,7 @@ static_assert(detail::every_word_matches_one_row());
   return instructions[detail::row_table[detail::decode_index(word)]];
 }
 
-// Names of the processor inside the augmented classes. `name` is a permanent symbol of the assembler.
+// The processor's names inside the augmented classes. `name` is a permanent symbol of the assembler.
 struct Microinstruction {
   std::string_view name;
   std::uint32_t value;
@@ -158,7 +157,7 @@ inline constexpr std::array microinstructions{
     Microinstruction{"glk", 0750010, "AC from L"},
     // LAW
     Microinstruction{"lam", 0777777, "AC to minus one"},
-    // EAE (Type 177). Bits 12-17 of the counted ones are the step count.
+    // EAE (Type 177). Bits 12-17 of those with a count are the step count.
     Microinstruction{"osc", 0640001, "OR step counter into AC"},
     Microinstruction{"omq", 0640002, "OR MQ into AC"},
     Microinstruction{"cmq", 0640004, "complement MQ"},
@@ -190,7 +189,7 @@ inline constexpr std::array microinstructions{
     Microinstruction{"ion", 0700042, "interrupts on after the next instruction"},
     Microinstruction{"iton", 0700062, "interrupts and trap mode on"},
     Microinstruction{"caf", 0703302, "clear all flags"},
-    Microinstruction{"tts", 0703301, "skip if the teletype option is there"},
+    Microinstruction{"tts", 0703301, "skip if the teletype is installed"},
     Microinstruction{"skp7", 0703341, "skip if this is a PDP-7"},
     Microinstruction{"iors", 0700314, "read flags"},
     // IOT: extend mode (Type 148)

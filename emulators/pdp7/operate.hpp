@@ -1,9 +1,8 @@
 // The operate class (74xxxx): several microinstructions in one word, in a fixed order of events.
 //
-// Order (PDP-4 manual page 58): the skip is decided on AC and L as they were; CLA, CLL; CMA, CML; OAS;
-// rotate; HLT at the end of the cycle. The PDP-4 manual calls rotating together with CMA, CML or OAS illegal;
-// here, as on another simulator, the order above decides. RAL with RAR is undefined on the machine and
-// rotates nothing.
+// Order (PDP-4 manual page 58): the skip is decided on the old AC and L; CLA, CLL; CMA, CML; OAS; rotate; HLT at the end of
+// the cycle. The PDP-4 manual calls rotating together with CMA, CML or OAS illegal; here, as on another simulator, the
+// order above decides. RAL with RAR is undefined on the machine and rotates nothing.
 #pragma once
 
 #include <array>
@@ -32,7 +31,7 @@ namespace detail {
 
 inline constexpr std::uint32_t link_bit = core::Word18::mask + 1;
 
-// By CLL and CLA, and by CMA and CML.
+// The bits that CLL and CLA keep, and those that CMA and CML complement.
 inline constexpr std::array<std::uint32_t, 4> kept{link_bit | core::Word18::mask, core::Word18::mask, link_bit, 0};
 inline constexpr std::array<std::uint32_t, 4> complemented{0, core::Word18::mask, link_bit,
                                                            link_bit | core::Word18::mask};
@@ -47,8 +46,8 @@ struct OperatedBits {
 };
 
 // Everything but HLT; `switches` are the AC switches, read only by OAS. The skip is decided first: the OR of the chosen
-// conditions, inverted by bit 8. A branch for each group of microinstructions and none for each bit, because all OPRs of a
-// program share this code.
+// conditions, inverted by bit 8. The code branches once for each group of microinstructions, not for each bit, because all
+// OPRs of a program share it.
 [[nodiscard]] SIGHTLINE_INLINE constexpr OperatedBits operate_on_bits(std::uint32_t word, std::uint32_t lac,
                                                                             core::Word18 switches) {
   using namespace operate_bits;

@@ -1,6 +1,7 @@
 // Paper tape: the reader, IOT device 01, and the punch, IOT device 02.
 //
-// Codes of the reader: PDP-4 manual page 65; three-line words and the codes of the punch as another simulator has them.
+// Sources: PDP-4 manual page 65 for the codes of the reader; another simulator for three-line words and the codes of the
+// punch.
 #pragma once
 
 #include <array>
@@ -20,9 +21,9 @@ namespace sightline::pdp7 {
 
 // The paper-tape reader: RSA reads one line of eight holes, RSB a binary word of three lines with hole 8.
 //
-// A line takes the same time whether it is used or not; lines without hole 8 pass under RSB unread. A tape
-// that ends before the request is met leaves the reader running and its flag down. A new request abandons one
-// under way, the tape standing where it had come to.
+// A line takes the same time whether it is used or not; RSB skips lines without hole 8. If the tape ends before the request
+// is satisfied, the reader keeps running and its flag stays down. A new request abandons the current one; the tape stays at
+// the position it has reached.
 class Reader final : public core::IotDevice {
  public:
   static constexpr std::array<std::uint8_t, 1> codes{001};
@@ -35,11 +36,11 @@ class Reader final : public core::IotDevice {
   };
   static constexpr core::IotDeviceInfo info{.name = "reader", .help = "the paper-tape reader", .codes = codes, .iots = iots};
 
-  // `line`: the time of one.
+  // `line`: the time of one line.
   explicit Reader(core::Duration line) : line_(line) {}
   explicit Reader(const DeviceSetup& setup) : Reader(setup.timing.reader_line) {}
 
-  // Puts a tape in, one byte a line, hole 8 = 0200; the reader stops and its flag falls.
+  // Inserts a tape, one byte per line, hole 8 = 0200; the reader stops and its flag falls.
   void load(std::vector<std::uint8_t> tape) {
     tape_ = std::move(tape);
     position_ = 0;
@@ -74,18 +75,18 @@ class Reader final : public core::IotDevice {
   [[nodiscard]] core::Instant deadline() const override { return done_; }
   [[nodiscard]] bool interrupt_request() const override { return flag_; }
   [[nodiscard]] std::uint32_t status(core::Instant now) override { return advance(now), flag_ ? status::reader : 0U; }
-  // CAF and START: flag down, transfer abandoned; the tape stands where it had come to.
+  // CAF and START: flag down, transfer abandoned; the tape stays at the position it has reached.
   void clear_flags(core::Instant now) override {
     advance(now);
     halt_motion(now);
     reset();
   }
 
-  // Of the tape, in lines: in all, and how many have passed, those of a request under way not counted.
+  // The tape's length and position in lines. The position excludes lines of a request in progress.
   [[nodiscard]] std::size_t length() const { return tape_.size(); }
   [[nodiscard]] std::size_t position() const { return position_; }
   [[nodiscard]] core::Word18 buffer() const { return buffer_; }
-  // The tape ran out under a request that is still waiting.
+  // The tape ran out during a request that is still waiting.
   [[nodiscard]] bool out_of_tape() const { return running_ && done_ == core::never; }
 
   // The tape itself is configuration.
@@ -151,7 +152,7 @@ class Reader final : public core::IotDevice {
   core::Duration line_;
   std::vector<std::uint8_t> tape_;
   std::size_t position_ = 0;
-  std::size_t lines_ = 0;  // that the request under way takes in all
+  std::size_t lines_ = 0;  // that the current request reads in all
   core::Instant started_{};
   core::Instant done_ = core::never;
   core::Word18 coming_;
@@ -162,8 +163,8 @@ class Reader final : public core::IotDevice {
 
 // The paper-tape punch: PSA punches AC 10-17 as they are, PSB AC 12-17 with hole 8.
 //
-// The line is on the tape, and the flag up, one line time after the request; a request made before that
-// replaces it, as the punch buffer does.
+// One line time after the request the line is on the tape and the flag rises. A request made before that replaces it, as
+// the punch buffer does.
 class Punch final : public core::IotDevice {
  public:
   static constexpr std::array<std::uint8_t, 1> codes{002};
@@ -176,7 +177,7 @@ class Punch final : public core::IotDevice {
   };
   static constexpr core::IotDeviceInfo info{.name = "punch", .help = "the paper-tape punch", .codes = codes, .iots = iots};
 
-  // `line`: the time of one.
+  // `line`: the time of one line.
   explicit Punch(core::Duration line) : line_(line) {}
   explicit Punch(const DeviceSetup& setup) : Punch(setup.timing.punch_line) {}
 
@@ -207,7 +208,7 @@ class Punch final : public core::IotDevice {
     flag_ = false;
   }
 
-  // What has been punched so far, one byte a line.
+  // The lines punched so far, one byte per line.
   [[nodiscard]] const std::vector<std::uint8_t>& tape() const { return tape_; }
 
   void visit_state(core::StateVisitor& visit) override {
@@ -221,7 +222,7 @@ class Punch final : public core::IotDevice {
   core::Duration line_;
   core::Instant done_ = core::never;
   std::vector<std::uint8_t> tape_;
-  std::uint64_t tape_before_ = 0;  // lines punched before the first of tape_: the machine was restored after them
+  std::uint64_t tape_before_ = 0;  // lines punched before the machine was restored, which tape_ lacks
   std::uint8_t holes_ = 0;
   bool flag_ = false;
 };

@@ -1,15 +1,14 @@
 // The RB09 fixed-head disk on the PDP-7: IOT device 71.
 //
-// 200 tracks of 80 sectors of 64 words turn under one head a track. A transfer begins when the word that is
-// addressed comes by next and goes on word by word, over the ends of sectors and tracks, until the word count
-// is 0. Each word asks for a data break when it passes; the controller holds one, so a break that comes later
-// than the next word is a timing error.
+// 200 tracks of 80 sectors of 64 words turn under one head per track. A transfer begins when the addressed word next passes
+// the head and continues word by word, across sectors and tracks, until the word count is 0. Each word requests a data
+// break when it passes; the controller buffers one word, so a break that comes later than the next word is a timing error.
 //
-// What the program has written is kept
-// beside the image, sector by sector: the image is never changed, and a snapshot holds only what differs.
+// What the program writes is stored beside the image, sector by sector: the image is never changed, and a snapshot holds
+// only the differences.
 //
-// No manual of the RB09 is at hand. Registers, codes and the status word are as an open simulator of the
-// PDP-7 has them and as a kernel of 1970 uses them; what neither tells is in Timing.
+// No manual of the RB09 is available. Registers, codes and the status word follow an open simulator of the PDP-7 and the
+// use by a kernel of 1970; what neither tells is in Timing.
 #pragma once
 
 #include <algorithm>
@@ -47,18 +46,18 @@ inline constexpr std::uint32_t errors = parity | illegal | timing | not_ready;
 inline constexpr std::uint32_t toggled = interrupts | busy | write;
 }  // namespace status
 
-// A pulse and bits 060 choose the operation.
+// The pulse and bits 060 select the operation.
 namespace operation {
 inline constexpr std::uint32_t clear_flags = 001, skip = 021, clear_status = 041, read_address = 002, read_status = 022,
                                load_core = 042, load_address = 004, load_count = 024, load_status = 044;
 }
 
-// What neither tells, as Timing explains.
+// The choices where neither source tells, as explained in Timing.
 struct Choices {
   core::Duration word{};         // the time of a word under the head
-  bool clear_stops = true;       // DBCS
-  bool late_stops = true;        // a timing error
-  std::uint32_t after_last = 0;  // the address behind the last word of the disk
+  bool clear_stops = true;       // DBCS stops a transfer
+  bool late_stops = true;        // a timing error stops a transfer
+  std::uint32_t after_last = 0;  // the address after the last word of the disk
 };
 
 struct Counters {
@@ -68,8 +67,8 @@ struct Counters {
   std::uint64_t timing_errors = 0;
 };
 
-// Track and sector in BCD: three digits above the low eight bits, of which the hundreds' is 0 or 1, and two.
-// nullopt: a digit above 9, or a sector above 79.
+// Track and sector in BCD: the track's three digits above the low eight bits, of which the hundreds digit is 0 or 1, and
+// the sector's two. nullopt: a digit above 9, or a sector above 79.
 [[nodiscard]] constexpr std::optional<std::uint32_t> address_of_bcd(std::uint32_t ac) {
   const auto digit = [ac](unsigned shift, std::uint32_t mask) { return (ac >> shift) & mask; };
   const std::uint32_t hundreds = digit(16, 1), tens = digit(12, 017), units = digit(8, 017);
@@ -90,7 +89,7 @@ class Rb09 final : public core::IotDevice {
   static constexpr std::array<std::uint8_t, 1> codes{071};
   static constexpr core::IotDeviceInfo info{.name = "rb09", .help = "the RB09 fixed-head disk", .codes = codes};
 
-  // `core_mask`: where the core address wraps.
+  // `core_mask`: core addresses wrap at it.
   explicit Rb09(const rb09::Choices& choices, Address core_mask = in_bank_mask) : choices_(choices), core_mask_(core_mask) {}
   explicit Rb09(const DeviceSetup& setup)
       : Rb09({.word = setup.timing.disk_word,
@@ -99,8 +98,8 @@ class Rb09 final : public core::IotDevice {
               .after_last = setup.timing.disk_after_last},
              setup.address_mask) {}
 
-  // A disk of words_of_disk words in address order; its number tells snapshots whether it is the same. A locked track
-  // cannot be written.
+  // Inserts a disk of words_of_disk words in address order. Its number lets a snapshot check that the same disk is
+  // inserted. Locked tracks cannot be written.
   void attach(std::vector<Word> image, std::uint32_t number, std::uint32_t locks) {
     image_ = std::move(image);
     image_.resize(rb09::words_of_disk);
@@ -122,7 +121,7 @@ class Rb09 final : public core::IotDevice {
                                                                                : image_[address];
   }
 
-  // A word that has passed is moved, or is late, at the next instruction boundary: not before this IOT.
+  // A word that has passed is moved, or is late, at the next instruction boundary: never before this IOT.
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     const std::uint32_t subdevice = word & 060U;
     for (const std::uint32_t pulse : {1U, 2U, 4U}) {
@@ -133,7 +132,7 @@ class Rb09 final : public core::IotDevice {
     }
   }
 
-  // The next word of a transfer passes then.
+  // When the next word of a transfer passes.
   [[nodiscard]] core::Instant deadline() const override { return next_; }
   void advance(core::Instant now) override {
     passed_ = false;
@@ -191,7 +190,7 @@ class Rb09 final : public core::IotDevice {
             {"words_written", counters_.words_written},
             {"timing_errors", counters_.timing_errors}};
   }
-  // With the bit that is any error.
+  // The status word including the bit for any error.
   [[nodiscard]] std::uint32_t status_word() const {
     return status_ | ((status_ & rb09::status::errors) != 0 ? rb09::status::error : 0U);
   }
@@ -289,13 +288,13 @@ class Rb09 final : public core::IotDevice {
       status_ |= rb09::status::done;
       return;
     }
-    // The word passes once a turn; the disk turns from instant zero.
+    // Each word passes once per turn; the disk turns from instant zero.
     const std::int64_t turn = choices_.word.count() * rb09::words_a_track;
     const std::int64_t place = choices_.word.count() * (address_ % rb09::words_a_track);
     const std::int64_t since = now.time_since_epoch().count() - place;
     next_ = core::Instant(core::Duration(place + (since < 0 ? 0 : since / turn + 1) * turn));
   }
-  // A break that comes later than the next word.
+  // Records a break that comes later than the next word.
   void note_late() {
     ++counters_.timing_errors;
     status_ |= rb09::status::timing;
@@ -314,7 +313,7 @@ class Rb09 final : public core::IotDevice {
   Address core_mask_;
   std::vector<Word> image_;  // empty: no disk in the drive
   std::uint32_t number_ = 0;
-  std::uint32_t locks_ = 0;  // a bit for ten tracks, the first lowest
+  std::uint32_t locks_ = 0;  // one bit per ten tracks, the first lowest
   std::vector<Sector> changed_;
   std::uint32_t status_ = 0;  // without the error bit
   std::uint32_t address_ = 0;

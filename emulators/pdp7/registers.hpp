@@ -1,5 +1,5 @@
-// The registers of the processor as its instructions use them: L and AC side by side in one host word, PC as a place in
-// its bank. state.hpp has them in the form that other code uses.
+// The registers of the processor in the form that its instructions use: L and AC side by side in one host word, PC as an
+// offset in its bank. state.hpp has them in the form that other code uses.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace sightline::pdp7 {
 
-// The flip-flops of State that are not part of L, AC, MQ, SC or PC; those of the saved word as they lie in it.
+// The flip-flops of State outside L, AC, MQ, SC and PC; those of the saved word have the same bits as in it.
 namespace mode {
 inline constexpr std::uint32_t extend = 0200000, trap = 0100000, extend_restore = 01, interrupts_on = 02,
                                interrupts_deferred = 04;
 }
 
-// L in bit 18 above AC. Bits above L mean nothing: what an addition carries beyond it stays there.
+// L in bit 18 above AC. Bits above L are undefined: carries of additions remain there.
 class Accumulator {
  public:
   constexpr Accumulator() = default;

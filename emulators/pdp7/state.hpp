@@ -1,7 +1,7 @@
-// The registers a PDP-7 program can see, and the word that saves them.
+// The registers that a PDP-7 program can see, and the word that saves them.
 //
-// MA, MB and IR live inside one instruction and are not kept. Source: PDP-4 manual page 17; the extend and
-// trap bits follow the Type 148 and the trap option of the PDP-7.
+// MA, MB and IR are used only within one instruction and are not stored. Source: PDP-4 manual page 17; the extend and trap
+// bits follow the Type 148 and the trap option of the PDP-7.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace sightline::pdp7 {
 using Address = std::uint32_t;
 
 inline constexpr Address bank_mask = 060000;     // which 8K bank
-inline constexpr Address in_bank_mask = 017777;  // the place inside it
+inline constexpr Address in_bank_mask = 017777;  // offset in the bank
 inline constexpr Address address_mask = 077777;
 
 struct State {
@@ -27,7 +27,7 @@ struct State {
   bool interrupts_on = false;
   bool interrupts_deferred = false;  // ION was the last instruction: one more runs before a break
   bool extend = false;               // Type 148: indirect addresses have 15 bits
-  bool extend_restore = false;       // EMIR given: the next JMP I restores extend mode
+  bool extend_restore = false;       // EMIR was executed: the next JMP I restores extend mode
   bool trap_mode = false;            // IOT, HLT and XCT of XCT trap
 
   void visit_state(core::StateVisitor& visit) {

@@ -1,4 +1,5 @@
-// Bits of the word that IORS reads. Bit 0, interrupts on, is the processor's own; the EAE step counter is left out (unknown).
+// Bits of the word that IORS reads. Bit 0, interrupts on, belongs to the processor; the EAE step counter is left out
+// (unknown).
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,9 @@
-// The KSR 33 teletype: a keyboard, IOT device 03, and a printer, IOT device 04, that share only the cabinet and the character
-// time.
+// The KSR 33 teletype: a keyboard, IOT device 03, and a printer, IOT device 04, which share only the cabinet and the
+// character time.
 //
-// The keyboard sends eight bits, channel 8 always marked. A key pressed before the last character has been
-// sent waits for the line; one that arrives before the program has read the last overwrites it. The printer's
-// flag rises one character time after TLS; a TLS before that replaces the character. Codes as another
-// simulator has them.
+// The keyboard sends eight bits, channel 8 always marked. A key pressed before the last character has been sent waits for
+// the line; one that arrives before the program has read the last overwrites it. The printer's flag rises one character
+// time after TLS; a TLS before that replaces the character. Source of the codes: another simulator.
 #pragma once
 
 #include <algorithm>
@@ -31,21 +30,20 @@ class Keyboard final : public core::IotDevice {
   };
   static constexpr core::IotDeviceInfo info{.name = "keyboard", .help = "the teletype's keyboard", .codes = codes, .iots = iots};
 
-  // `character`: the time of one.
+  // `character`: the time of one character.
   explicit Keyboard(core::Duration character) : character_(character) {}
   explicit Keyboard(const DeviceSetup& setup) : Keyboard(setup.timing.teletype_character) {}
 
-  // Someone presses a key (7-bit code) at `when`, not before any key already pressed; it is in the buffer one
-  // character time later.
+  // A key (7-bit code) is pressed at `when`, not before any earlier one; it is in the buffer one character time later.
   void press(core::Instant when, std::uint8_t code) { send(when, static_cast<std::uint8_t>(code | 0200U)); }
-  // The same for a terminal that is no KSR 33: the eight bits as they are.
+  // The same for a terminal other than a KSR 33: sends the eight bits unchanged.
   void send(core::Instant when, std::uint8_t code) {
     const core::Instant line_free = keys_.empty() ? when : keys_.back().arrives;
     keys_.push_back({std::max(when, line_free) + character_, code});
     asked_ = false;
   }
 
-  // Pulse 4 of this code is IORS, which is the machine's.
+  // Pulse 4 of this code is IORS, which the machine executes.
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     advance(now);
     reply.test(word, flag_);
@@ -78,7 +76,7 @@ class Keyboard final : public core::IotDevice {
   // Every key pressed has been sent and read.
   [[nodiscard]] bool all_read() const { return next_ == keys_.size() && !flag_; }
 
-  // The keys under way, and the last one before them: it says when the line is free.
+  // The keys not yet read, and the last one before them, which tells when the line is free.
   void visit_state(core::StateVisitor& visit) override {
     if (next_ > 1) keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(next_ - 1));
     next_ = std::min(next_, std::size_t{1});
@@ -117,7 +115,7 @@ class Printer final : public core::IotDevice {
   };
   static constexpr core::IotDeviceInfo info{.name = "printer", .help = "the teletype's printer", .codes = codes, .iots = iots};
 
-  // `character`: the time of one.
+  // `character`: the time of one character.
   explicit Printer(core::Duration character) : character_(character) {}
   explicit Printer(const DeviceSetup& setup) : Printer(setup.timing.teletype_character) {}
 
@@ -161,7 +159,7 @@ class Printer final : public core::IotDevice {
   core::Duration character_;
   core::Instant done_ = core::never;
   std::vector<std::uint8_t> printed_;
-  std::uint64_t printed_before_ = 0;  // codes before the first of printed_: the machine was restored after them
+  std::uint64_t printed_before_ = 0;  // codes printed before the machine was restored, which printed_ lacks
   std::uint8_t code_ = 0;
   bool flag_ = false;
 };

@@ -1,9 +1,9 @@
 // The Type 342 character generator: the strokes that draw one character.
 //
-// A stroke is one step of the beam, lit or dark, of 1.5 us; a character begins at the lower left dot of its 5x7 cell
-// and ends six steps to the right of it. APPROXIMATE: shapes and therefore stroke counts are ours (the real letters
-// took 17-25); the walk over the dots goes to the nearest dot left. Control codes: 33 line feed is eleven dark steps
-// down, 34 carriage return clears X, 35 and 36 choose the set, 37 escapes; 00 is drawn as nothing and takes no room.
+// A stroke is one step of the beam, lit or dark, of 1.5 us; a character begins at the lower left dot of its 5x7 cell and
+// ends six steps to the right of it. APPROXIMATE: shapes, and therefore stroke counts, are chosen here (the real letters
+// took 17-25); the path goes to the nearest remaining dot. Control codes: 33 line feed is eleven dark steps down, 34
+// carriage return clears X, 35 and 36 choose the set, 37 escapes; 00 draws nothing and takes no space.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class CharacterPath {
   }
 
  private:
-  // Every dot is at most six dark steps from the one before, and so is the way out.
+  // Every dot is at most six dark steps from the one before, and so is the end point.
   std::array<CharacterStroke, 35 * 6 + 6> strokes_{};
   std::size_t size_ = 0;
 };
@@ -66,7 +66,7 @@ struct Dot {
 [[nodiscard]] constexpr std::uint8_t bit_of(int x) { return static_cast<std::uint8_t>(020 >> x); }
 [[nodiscard]] constexpr std::size_t row_of(int y) { return static_cast<std::size_t>(6 - y); }
 
-// The dot of `left` nearest to `from`, lowest and leftmost first; from itself when none is left.
+// The dot of `left` nearest to `from`, lowest and leftmost first; `from` if none is left.
 [[nodiscard]] constexpr Dot nearest(const core::Glyph& left, Dot from) {
   Dot best = from;
   int best_distance = 100;
@@ -108,7 +108,7 @@ constexpr void walk(CharacterPath& path, Dot at, Dot to, bool lit) {
 
 }  // namespace detail
 
-// Strokes of a six-bit code; shift_out chooses the second set. Codes that only act (CR, shifts, escape, 00) have none.
+// Strokes of a six-bit code; shift_out selects the second set. Control codes (CR, shifts, escape, 00) have none.
 [[nodiscard]] constexpr CharacterPath path_of(std::uint8_t six_bits, bool shift_out) {
   if (six_bits == code::line_feed) {
     CharacterPath path;

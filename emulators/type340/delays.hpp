@@ -1,5 +1,5 @@
-// The delays of the Type 340: one-shots that run side by side, each firing one pulse. Two that fire at the same instant
-// fire in the order of the list: light reaches FIND before the count pulse tests it.
+// The delays of the Type 340: one-shots that run in parallel, each firing one pulse. Two that fire at the same instant fire
+// in the order of the list: light reaches FIND before the count pulse tests it.
 #pragma once
 
 #include <array>
@@ -16,19 +16,19 @@ namespace sightline::type340 {
 
 // Times of the Type 340 between one pulse and the next, each with its status.
 //
-// Source: delay times of the logic drawings as modelled pulse by pulse; the whole-word times they add up to agree with
-// every word of 501 display files. A word costs the sum along its path: parameter 3.3 us, point 38.8 us (a dark Y
-// word 3.8), vector 2.8 + 1.5 N + 0.5, increment 9.3, character 0.5 + 1.5 for each of its strokes.
+// Source: delay times of the logic drawings as modelled pulse by pulse; the whole-word times that they add up to agree with
+// every word of 501 display files. A word takes the sum along its path: parameter 3.3 us, point 38.8 us (a dark Y word
+// 3.8), vector 2.8 + 1.5 N + 0.5, increment 9.3, character 0.5 + 1.5 for each of its strokes.
 namespace timing {
 
 inline constexpr core::Duration strobe{2800};       // word at the inputs -> word in BR (confirmed)
-inline constexpr core::Duration intensify{500};     // beam on time, spent lit or not -> operate pulse (confirmed)
+inline constexpr core::Duration intensify{500};     // beam-on time, spent lit or not -> operate pulse (confirmed)
 inline constexpr core::Duration settle{1000};       // step of the beam -> intensify (confirmed)
 inline constexpr core::Duration pulse = settle + intensify;
 inline constexpr core::Duration load{200};          // coordinate cleared -> coordinate loaded (confirmed)
 inline constexpr core::Duration deflection{35000};  // random point -> intensify (confirmed)
 
-// Of a vector by |dx| OR |dy|, from its first count pulse to its last.
+// Times of vectors by |dx| OR |dy|, from the first count pulse to the last.
 inline constexpr auto times_of_vectors = [] {
   std::array<core::Duration, 128> times{};
   for (std::uint8_t d = 0; d < 128; ++d) times[d] = pulses_of_vector(d, 0) * pulse;
@@ -43,7 +43,7 @@ enum class Delay : std::uint8_t {
   load_y,
   strobe,         // word at the inputs -> word in BR
   settle,         // count pulse (or IDRS) -> next intensify
-  intensify,      // before the operate pulse of a word, count or character
+  intensify,      // flash -> the operate pulse of a word, count or character
   deflection,     // random point
   point_flash,    // intensify of a point word -> request
   stroke_settle,  // the same two for a stroke of a character
@@ -54,10 +54,10 @@ class Delays {
  public:
   struct Next {
     Delay delay;
-    core::Instant at;  // never: none runs
+    core::Instant at;  // never: no delay runs
   };
 
-  // A running delay starts again.
+  // Restarts a running delay.
   void start(Delay d, core::Instant at) {
     at_[index(d)] = at;
     running_ |= bit(d);

@@ -17,10 +17,10 @@ Display::Display(const core::IotDeviceSetup& setup)
 //
 //   700501 IDVE  700504 IDRS  700512 IDRA  700601 IDSI  700606 IDLA  700614 IDRD
 //   700701 IDSP  700704 IDCF  700712 IDRC  701001 IDHE  701012 (347: return address)
-// Pulse 1 skips, 2 reads, 4 acts, in this order. On device 06 pulse 2 clears the address counter and 4 ORs AC
-// into it and starts, so 606 loads, and 614 (which clears AC first) starts at the address already there.
-// Pulse 2 of device 06 by itself is no instruction of the display and goes unanswered. Source: Type 340
-// programs of the Cambridge CAD Group (1972); inferred: IDRD.
+// Pulse 1 skips, 2 reads, 4 acts, in this order. On device 06 pulse 2 clears the address counter and 4 ORs AC into it and
+// starts, so 606 loads, and 614 (which clears AC first) starts at the current address. Pulse 2 of device 06 alone is no
+// instruction of the display and is unanswered. Source: Type 340 programs of the Cambridge CAD Group (1972); inferred:
+// IDRD.
 
 void Display::iot(core::Instant now, std::uint32_t word, core::IotReply& reply) {
   const bool reads = (word & 02U) != 0;
@@ -124,7 +124,7 @@ void Display::deliver(core::Instant at, core::Word18 word) {
   delays_.start(Delay::strobe, at + timing::strobe);
 }
 
-// A new request takes the place of one of DDS.
+// A new request replaces one of DDS.
 void Display::raise_request(core::Instant t) {
   writing_ = false;
   registers_.raise_request();
@@ -190,12 +190,12 @@ void Display::require_time(core::StateVisitor& visit, core::Instant now) {
 
 // --- Words executed as a whole
 //
-// When a word arrives, nothing else is under way, no flag is about to change and no pen could see it, then its result
-// and its end are known at once. If time passes that end before the display is accessed, only the result is made.
-// Anything else goes pulse by pulse. Flashes are the same either way.
+// When a word arrives while nothing else is in progress, no flag is about to change and no pen can see it, its result and
+// its end are known at once. If time passes that end before the display is accessed, only the result is computed. All other
+// words are executed pulse by pulse. Flashes are the same either way.
 
-// Of the word at the inputs, beyond strobe and first intensify; not_whole if it may reach an edge, be seen by the pen, or
-// never end.
+// The time of the word at the inputs, beyond strobe and first intensify; not_whole if it may reach an edge, be seen by the
+// pen, or never end.
 core::Duration Display::time_of_whole_word() {
   switch (registers_.mode) {
     case Mode::parameter: return core::Duration(0);
@@ -225,7 +225,7 @@ core::Duration Display::time_of_whole_word() {
   return not_whole;
 }
 
-// The time is whole_until_. As no pulse has come since the word was delivered, the registers that a word begins with are
+// The time is whole_until_. No pulse has come since the word was delivered, so the registers that each word clears are
 // clear, and no pen is about to stop it.
 void Display::execute_whole_word() {
   whole_ = false;
@@ -243,7 +243,7 @@ void Display::execute_whole_word() {
       break;
     }
     case Mode::vector: draw_vector(decode_vector(input_)); break;
-    default: {  // increment: no other word is executed as a whole
+    default: {  // increment: no other mode is executed as a whole
       registers_.part = 1;
       core::Instant t = whole_until_ - 4 * timing::pulse + timing::settle;
       for (int i = 0; i < 4; ++i, t += timing::pulse) {
@@ -282,7 +282,7 @@ void Display::draw_vector(VectorWord w) {
   }
   registers_.x = static_cast<std::uint16_t>(end_.x);
   registers_.y = static_cast<std::uint16_t>(end_.y);
-  // The last pulse turns the full rate multiplier over and moves nothing.
+  // The last pulse toggles the full rate multiplier back to 0 and moves nothing.
   registers_.move = options_.flash_again && (w.dx | w.dy) != 0;
   registers_.halt = true;
   end_word(whole_until_);
@@ -290,7 +290,7 @@ void Display::draw_vector(VectorWord w) {
 
 // --- Pulses
 
-// Between a delay and its effect outside lie the fixed delays behind it, unless a flag is about to rise or fall with it.
+// Fixed delays follow between a delay and its visible effect, unless a flag is about to rise or fall with it.
 core::Instant Display::deadline_of_delays() const {
   if (counts_for_ever()) return core::never;
   const auto effect = [this](Delay d, bool at_once) {
@@ -304,9 +304,9 @@ core::Instant Display::deadline_of_delays() const {
                    effect(Delay::stroke_flash, true)});
 }
 
-// All pulses up to `now`, one by one; a word that was to be executed as a whole has its strobe running.
+// Makes all pulses up to `now`, one by one; the strobe of a word that was to be executed as a whole is running.
 void Display::make_pulses(core::Instant now) {
-  // So that sums of delays stay inside the clock.
+  // Keeps sums of delays within the clock's range.
   constexpr core::Instant latest = core::never - core::milliseconds(1);
   now = std::min(now, latest);
   whole_ = false;
@@ -314,8 +314,8 @@ void Display::make_pulses(core::Instant now) {
     Delays::Next next = delays_.next();
     if (next.at > now) return;
     if (counts_for_ever()) {
-      // Eight pulses turn the rate multiplier over and change nothing. They are left out, so that hours of it cost no more
-      // than microseconds.
+      // Eight pulses take the rate multiplier through one turn and change nothing. They are skipped, so that hours of them
+      // cost no more than microseconds.
       constexpr core::Duration turn = 8 * timing::pulse;
       next.at += (now - next.at) / turn * turn;
     }
@@ -324,7 +324,7 @@ void Display::make_pulses(core::Instant now) {
   }
 }
 
-// In the pulses of a vector continue of (0, 0), which reaches no edge and flashes nothing.
+// During the pulses of a vector continue of (0, 0), which reaches no edge and flashes nothing.
 bool Display::counts_for_ever() const {
   constexpr core::Word18 magnitudes(0077577);
   const Registers& r = registers_;
@@ -402,7 +402,7 @@ void Display::operate_parameter(core::Instant t) {
   }
 }
 
-// Only a dark Y word omits the deflection time.
+// Only a dark Y word skips the deflection time.
 void Display::operate_point(core::Instant t) {
   const PointWord w = decode_point(registers_.br);
   registers_.mode = w.next;
@@ -416,7 +416,7 @@ void Display::operate_point(core::Instant t) {
   }
 }
 
-// A jump takes the time of a parameter word, a deposit that and its write break (inferred).
+// A jump takes the time of a parameter word; a deposit takes that and its write break (inferred).
 void Display::operate_subroutine(core::Instant t) {
   constexpr std::uint32_t jump = 0400000;
   const SubroutineWord w = decode_subroutine(registers_.br);
@@ -449,16 +449,16 @@ void Display::count(core::Instant t) {
   end_word(t);
 }
 
-// MOVE, after a count pulse.
+// Sets MOVE after a count pulse.
 void Display::note_motion(bool moved) { registers_.move = moved || (registers_.move && options_.flash_again); }
 
-// Of a vector or increment word.
+// Ends a vector or increment word.
 void Display::end_word(core::Instant t) {
   if (registers_.br.bit(0)) registers_.escape();
   raise_request(t);
 }
 
-// The beam has settled after a count pulse, or IDRS asks to go on.
+// The beam has settled after a count pulse, or IDRS resumes the word.
 void Display::settled(core::Instant t) {
   if (registers_.mode == Mode::vector && registers_.rate.brm == RateMultiplier::full) registers_.halt = true;
   if (registers_.edge()) {

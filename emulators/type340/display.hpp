@@ -1,15 +1,14 @@
-// The DEC Type 340 precision display: takes its words by data break and flashes the beam, pulse by pulse in time.
+// The DEC Type 340 precision display: fetches its words by data break and flashes the beam, pulse by pulse in time.
 //
-// All eight modes. Without its option a mode hangs the display, no request and no flag, until IDLA: 3 without the Type
-// 342, 7 without the Type 347, and always 2 (the Type 343 is not built; its words decode in words.hpp). An IDLA while a
-// word runs abandons the word cleanly; the real outcome is not defined. Left out: the tube, which the taker of the
-// strokes models.
+// All eight modes. A mode without its option hangs the display, without request and flag, until IDLA: 3 without the Type
+// 342, 7 without the Type 347, and always 2 (the Type 343 is not built; words.hpp decodes its words). An IDLA during a word
+// abandons the word cleanly; the real outcome is not defined. Left out: the tube, which the stroke taker models.
 //
-// One shortcut, which cannot be observed: a word that nothing can disturb is executed as a whole when time passes its
-// end. If the display is accessed before, the same pulses are made one by one, so that every register is exact.
+// One shortcut, which cannot be observed: a word that nothing can disturb is executed as a whole when time passes its end.
+// If the display is accessed before, the same pulses are made one by one, so that every register is exact.
 //
 // Source: logic drawings as modelled pulse by pulse, confirmed by 501 display files; IOT actions from the PDP-7 Users
-// Handbook and two Cambridge and DEC programs. Inferred, not confirmed: what IDCF and START leave standing, IDRD.
+// Handbook and two Cambridge and DEC programs. Inferred, not confirmed: the state that IDCF and START keep, IDRD.
 #pragma once
 
 #include <array>
@@ -32,22 +31,22 @@ namespace sightline::type340 {
 struct Options {
   bool subroutines_347 = false;
   bool characters_342 = false;
-  // Pulses of a vector that do not move the beam flash the same spot again, once the word has moved it. As drawn; false:
-  // only pulses that move flash.
+  // Pulses of a vector that do not move the beam flash the same spot again, once the word has moved it. True follows the
+  // drawings; false: only pulses that move flash.
   bool flash_again = true;
 };
 
-// The light pen of the Type 340 (Type 370): where it points, and how late it answers.
+// The light pen of the Type 340 (Type 370): its field of view and its response time.
 //
-// The field of view is a rectangle in display points, which a test can state exactly; a real pen sees a disc of some
-// forty points. A flash inside it gives one light pulse.
+// The field of view is a rectangle in display points, which a test can state exactly; a real pen sees a disc of about forty
+// points. A flash inside it gives one light pulse.
 struct LightPen {
   std::uint16_t left = 0;  // points, all borders included
   std::uint16_t bottom = 0;
   std::uint16_t right = 0;
   std::uint16_t top = 0;
-  // Beam on -> light pulse. Flashes come no closer than 1.5 us, and one pulse is under way at a time: a longer delay
-  // is taken as 1.499 us, a negative one as 0.
+  // Beam on -> light pulse. Flashes are at least 1.5 us apart, and only one pulse is pending at a time: a longer delay is
+  // taken as 1.499 us, a negative one as 0.
   core::Duration delay{100};
 
   [[nodiscard]] constexpr bool sees(std::uint16_t x, std::uint16_t y) const {
@@ -64,16 +63,16 @@ struct LightPen {
   }
 };
 
-// What a Type 340 counts for reports: words, passes, and when the last passes began.
+// The counts of a Type 340 for reports: words, passes, and when the last passes began.
 struct Counters {
-  std::uint64_t words = 0;           // display words taken
+  std::uint64_t words = 0;           // display words received
   std::uint64_t passes_started = 0;  // IDLA and IDRD
   std::uint64_t passes_stopped = 0;  // by a stop word, or by an edge in vector or increment mode
   std::uint64_t stop_codes = 0;      // words with STOP that ended a pass
-  std::uint64_t edges = 0;           // that ended a pass, in vector or increment mode
-  std::uint64_t characters_met = 0;  // words of mode 3 without the Type 342: the display waits for ever
+  std::uint64_t edges = 0;           // edges that ended a pass, in vector or increment mode
+  std::uint64_t characters_met = 0;  // words of mode 3 without the Type 342: the display hangs
   std::uint64_t subroutines_met = 0;  // words of mode 7 without the Type 347, likewise
-  core::Instant last_start = core::never;      // never: none yet
+  core::Instant last_start = core::never;      // never: no pass yet
   core::Instant previous_start = core::never;  // the one before
 };
 
@@ -100,18 +99,18 @@ class Display final : public core::IotDevice {
  public:
   static constexpr core::IotDeviceInfo info{"display", "Type 340 precision display", codes, iots, settings};
 
-  // The strokes go into `strokes`, which outlives the display.
+  // The display puts its strokes into `strokes`, which must outlive it.
   Display(Options options, core::StrokeBuffer& strokes) : options_(options), strokes_(strokes) {}
   explicit Display(const core::IotDeviceSetup& setup);
 
   // --- On the IOT bus
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override;
-  // What single IOTs do; each first brings the display up to `now`.
+  // The actions of single IOTs; each first brings the display up to `now`.
   void load_address_and_start(core::Instant now, core::Word18 ac) { start(now, ac.value()); }  // IDLA
   void restart(core::Instant now) { start(now, address_counter(now).value()); }                // IDRD
-  void clear_flags(core::Instant now) override;  // IDCF and CAF: flags and a waiting request; a running word runs on
-  void resume(core::Instant now);  // IDRS: clears pen flag, find and enable; the word goes on after 1 us
-  void power_clear(core::Instant now) override;  // everything stops; position, scale and intensity stay
+  void clear_flags(core::Instant now) override;  // IDCF and CAF: clears flags and a waiting request; a running word continues
+  void resume(core::Instant now);  // IDRS: clears pen flag, find and enable; the word continues after 1 us
+  void power_clear(core::Instant now) override;  // stops everything; keeps position, scale and intensity
 
   bool stop_interrupt(core::Instant now) { return flags_at(now).stop_interrupt(); }
   bool vertical_edge(core::Instant now) { return flags_at(now).vertical_edge; }
@@ -121,10 +120,10 @@ class Display final : public core::IotDevice {
   core::Word18 return_address(core::Instant now) { return core::Word18(flags_at(now).return_address); }
   // X/2 in bits 0-8, Y/2 in bits 9-17, as IDRC reads them.
   core::Word18 coordinates(core::Instant now);
-  // IORS has the light-pen flag.
+  // IORS reads the light-pen flag.
   [[nodiscard]] std::uint32_t status(core::Instant now) override { return light_pen_flag(now) ? 0010000 : 0; }
   [[nodiscard]] bool interrupt_request() const override {
-    if (whole_) return false;  // such a word begins without flags
+    if (whole_) return false;  // a whole word begins without flags
     return registers_.pen_flag || registers_.edge() || registers_.stop_interrupt();
   }
 
@@ -135,7 +134,7 @@ class Display final : public core::IotDevice {
   }
   void finish_strokes(core::Instant now) override { advance(now); }
   [[nodiscard]] core::Instant deadline() const override {
-    if (whole_) return whole_until_;  // such a word begins without a request
+    if (whole_) return whole_until_;  // a whole word begins without a request
     return data_break() != nullptr ? request_since_ : deadline_of_delays();
   }
 
@@ -143,13 +142,13 @@ class Display final : public core::IotDevice {
   [[nodiscard]] const core::DataBreak* data_break() const override {
     return registers_.request || writing_ ? &request_ : nullptr;
   }
-  // Ignored when no data break is asked for. Behind a word written the next data break is asked for at once.
+  // Ignored if no data break is requested. After a word is written, the next data break is requested at once.
   void served(core::Instant end, core::Word18 word) override;
-  // Since when the data break is asked for.
+  // The instant since when the data break is requested.
   [[nodiscard]] core::Instant requested_at() const { return request_since_; }
 
   // --- For the host
-  // From the last advance on; nullopt takes the pen away.
+  // Applies from the last advance on; nullopt removes the pen.
   void point_light_pen(std::optional<LightPen> pen);
   [[nodiscard]] const Counters& counters() const { return counters_; }
   [[nodiscard]] std::vector<core::Count> counts() const override;
@@ -157,10 +156,10 @@ class Display final : public core::IotDevice {
   [[nodiscard]] std::uint16_t start_address() const { return start_address_; }
   // Indicator lights, as of the last advance.
   [[nodiscard]] const Registers& registers() const { return registers_; }
-  // The next pulse inside, as of the last advance; never: none is under way.
+  // The next internal pulse, as of the last advance; never: none is pending.
   [[nodiscard]] core::Instant next_pulse() const { return delays_.next().at; }
 
-  // Whether a word is to be executed as a whole is not visited: without it the same pulses are made one by one.
+  // Whether a word is to be executed as a whole is not visited: after restoring, the same pulses are made one by one.
   void visit_state(core::StateVisitor& visit) override;
   void require_time(core::StateVisitor& visit, core::Instant now) override;
 
@@ -203,7 +202,7 @@ class Display final : public core::IotDevice {
   Registers registers_;
   Delays delays_;
   core::Word18 input_;              // the word at the inputs
-  std::uint16_t word_address_ = 0;  // where it came from
+  std::uint16_t word_address_ = 0;  // its core address
   std::uint16_t start_address_ = 0;
   core::DataBreak request_;
   core::Instant request_since_{};
@@ -214,7 +213,7 @@ class Display final : public core::IotDevice {
   std::optional<LightPen> pen_;
   bool whole_ = false;           // the word at the inputs will run undisturbed until whole_until_
   core::Instant whole_until_{};  // its request, or its stop
-  Registers::End end_{};         // where it leads, if it is a vector
+  Registers::End end_{};         // its end point, if it is a vector
   Counters counters_;
 };
 

@@ -1,7 +1,7 @@
 // Registers and flip-flops of the Type 340, and the effect of one pulse on them. Timing is in display.hpp.
 //
-// Flip-flops carry the names of the drawings where programs know them (STOP, HEF, VEF, FIND, LP FLAG, MOVE, HALT, RFD).
-// The Type 347 adds ASR and SAVE, the Type 342 the shift of the character set.
+// Flip-flops known to programs have the names of the drawings (STOP, HEF, VEF, FIND, LP FLAG, MOVE, HALT, RFD). The Type
+// 347 adds ASR and SAVE, the Type 342 the shift of the character set.
 //
 // Source: logic drawings as modelled pulse by pulse, confirmed by 501 display files; the Type 347 from DEC's listing
 // symbols and a Cambridge program of 1972 (DDS clearing SAVE is inferred from that program).
@@ -21,13 +21,13 @@ struct Registers {
   static constexpr std::uint16_t address_mask = 017777;
   static constexpr std::uint16_t screen_mask = 01777;
 
-  core::Word18 br;  // buffer: the word being done
+  core::Word18 br;  // buffer: the current word
   Mode mode = Mode::parameter;
   std::uint16_t x = 0;  // points, 0..1023
   std::uint16_t y = 0;
   std::uint8_t scale = 0;      // 0..3, a step is 1 << scale points
   std::uint8_t intensity = 0;  // 0..7
-  // What each word begins with lies together, so that it is cleared by few stores.
+  // The registers that each word clears are adjacent, so that few stores clear them.
   RateMultiplier rate;
   std::uint8_t part = 0;  // increment: move 1-4; characters: 2-4; 0 none
   bool halt = false;      // the next count pulse ends the word
@@ -47,13 +47,13 @@ struct Registers {
   [[nodiscard]] bool edge() const { return vertical_edge || horizontal_edge; }
   [[nodiscard]] bool stop_interrupt() const { return stop && br.bit(8); }
   [[nodiscard]] bool pen_will_stop() const { return pen_enable && pen_find; }
-  // A word that comes now may not run to its end undisturbed. Without branches: words come by the million.
+  // A word that arrives now may not run to its end undisturbed. Branch-free, because there are millions of words.
   [[nodiscard]] bool pen_or_stop() const { return (unsigned{stop} | unsigned{pen_flag} | (unsigned{pen_enable} & unsigned{pen_find})) != 0; }
   [[nodiscard]] std::uint16_t step() const { return static_cast<std::uint16_t>(1U << scale); }
 
   void clear_edges() { vertical_edge = horizontal_edge = false; }
 
-  // Mode 0; with SAVE up, the one-level return of the Type 347.
+  // Mode 0; with SAVE set, the one-level return of the Type 347.
   void escape() {
     mode = Mode::parameter;
     pen_find = false;
@@ -68,7 +68,7 @@ struct Registers {
     clear_edges();
   }
 
-  // IDLA: everything but position, scale, intensity and the buffer is initialised.
+  // IDLA: initialises everything except position, scale, intensity and the buffer.
   void initiate(std::uint16_t start) {
     save = false;
     escape();
@@ -84,7 +84,7 @@ struct Registers {
 
   void resume() { pen_flag = pen_find = pen_enable = false; }
 
-  // The word is coming: clear for it. DAC steps on.
+  // A word arrives: clears for it and increments DAC.
   void clear_for_word() {
     br = core::Word18{};
     rate.brm = 0;
@@ -101,21 +101,21 @@ struct Registers {
     test_pen();
   }
 
-  // FIND reaches LP FLAG at a word load or a count of Y.
+  // FIND is copied to LP FLAG at a word load or a count of Y.
   void test_pen() { pen_flag = pen_flag || pen_will_stop(); }
 
   void next_part() { part = part == 0 || part == 4 ? 0 : static_cast<std::uint8_t>(part + 1U); }
 
   void set_pen_enable(std::optional<bool> enable) { pen_enable = enable.value_or(pen_enable); }
 
-  // The beam moves one step; running off an edge wraps and raises its flag.
+  // Moves the beam one step; running off an edge wraps and raises its flag.
   void shift_beam(Direction d) {
     horizontal_edge = shift(x, d.x) || horizontal_edge;
     vertical_edge = shift(y, d.y) || vertical_edge;
     test_pen();
   }
 
-  // Count pulse of a vector or increment word. True when it made a step.
+  // Count pulse of a vector or increment word. Returns whether it made a step.
   bool count() {
     const VectorWord w = decode_vector(br);
     const RateMultiplier::Step step_now = rate.count(w.dx, w.dy);
@@ -132,7 +132,7 @@ struct Registers {
     return d.moves();
   }
 
-  // Where all pulses of a vector lead, or beyond the screen.
+  // The end point of a vector, or that it is beyond the screen.
   struct End {
     unsigned x;
     unsigned y;

@@ -1,8 +1,8 @@
 // The display words of the Type 340: one table that the display processor, the disassembler and the tests read.
 //
-// A word has no meaning of its own: the mode left by the word before it says how it is read. `layouts` has one row for
-// each of the eight modes, naming every bit; the decoders below turn a word into numbers. Left out: timing
-// (delays.hpp) and what the words do (registers.hpp).
+// The meaning of a word depends on the mode set by the word before it. `layouts` has one row for each of the eight modes,
+// naming every bit; the decoders below turn a word into numbers. Left out: timing (delays.hpp) and the effects of the words
+// (registers.hpp).
 //
 // Sources: DECUS 7-13 "340 Display Programming Manual"; DEC-4-45-M "370 Light Pen Diagnostic" (1964) and the PIXIE
 // listing (Cambridge 1972), whose words use modes 0, 1, 3, 4 and 7 as here. Bit 0 is the most significant.
@@ -46,7 +46,7 @@ struct Layout {
   Mode mode;
   std::string_view name;
   std::span<const Field> fields;  // from bit 0 to bit 17, every bit once
-  std::string_view option;        // the option without which the word hangs the display; empty: none
+  std::string_view option;        // the option that the word needs, without which it hangs the display; empty: none
 };
 
 namespace detail {
@@ -192,9 +192,9 @@ struct PointWord {
           .coordinate = static_cast<std::uint16_t>(w.field(8, 17))};
 }
 
-// Of one Type 343 slave unit, 1 to 4.
+// The part of one Type 343 slave unit, 1 to 4.
 struct SlaveUnit {
-  bool set;  // else the unit is left as it is
+  bool set;  // false: the unit is left unchanged
   bool on;
   bool pen;
 };
@@ -210,7 +210,7 @@ struct SlaveWord {
   return word;
 }
 
-// Six-bit codes of the Type 342 (DEC trimmed ASCII, but for these).
+// Six-bit codes of the Type 342 (DEC trimmed ASCII, except these).
 namespace code {
 inline constexpr std::uint8_t line_feed = 033;
 inline constexpr std::uint8_t carriage_return = 034;
@@ -227,7 +227,7 @@ inline constexpr std::uint8_t space = 040;
 
 // Vector and vector continue; sign and magnitude, in steps.
 struct VectorWord {
-  bool escape;  // of no effect in vector continue
+  bool escape;  // no effect in vector continue
   bool intensify;
   bool down;
   std::uint8_t dy;  // 0..127
@@ -285,8 +285,8 @@ struct SubroutineWord {
           static_cast<std::uint16_t>(w.field(5, 17))};
 }
 
-// What follows a word in a display file read without running it: the mode of the next word, or that there is none.
-// Vector continue is taken to reach its edge; a jump is taken to continue in the mode it names.
+// What follows a word in a display file that is read without running it: the mode of the next word, or that there is none.
+// Vector continue is assumed to reach its edge; a jump, to continue in the mode it names.
 struct Following {
   Mode mode;
   bool stops;

@@ -195,7 +195,7 @@ TEST(I8080Ports, TwoDevicesOnOnePortAreAnErrorWithBothNames) {
   i8080::Machine machine;
   ASSERT_EQ(machine.attach("2sio"), "");
   EXPECT_EQ(machine.attach(Latch::info, std::make_unique<Latch>()), "port 10 is read by \"2sio\" and by \"latch\"");
-  EXPECT_EQ(machine.attach("2sio"), "\"2sio\" is attached already");
+  EXPECT_EQ(machine.attach("2sio"), "\"2sio\" is already attached");
 }
 
 TEST(I8080Ports, KnownDevicesDoNotDisturbEachOther) {

@@ -353,11 +353,11 @@ TEST_F(Pdp7, ADeviceCodeTakenTwiceIsAnErrorWithBothNames) {
   core::IotDeviceInfo lamp = Lamp::info;
   lamp.codes = Lamp::taken_codes;
   EXPECT_EQ(machine.attach(lamp, std::make_unique<Lamp>()),
-            "the device lamp has the device code 04, which the device printer has already");
+            "the device lamp has the device code 04, which the device printer already has");
   lamp.codes = Lamp::processors_codes;
   EXPECT_EQ(machine.attach(lamp, std::make_unique<Lamp>()),
-            "the device lamp has the device code 33, which the processor has already");
-  EXPECT_EQ(machine.attach(Lamp::info, nullptr), "found no device to be attached as lamp");
+            "the device lamp has the device code 33, which the processor already has");
+  EXPECT_EQ(machine.attach(Lamp::info, nullptr), "found a null device to attach as lamp");
   EXPECT_EQ(machine.device("lamp"), nullptr);
   machine.load(0100, {0704504, 0740040});
   machine.start(0100);
@@ -373,10 +373,10 @@ TEST_F(Pdp7, TheCodesOfADeviceThatWaitsAreTaken) {
   Machine machine;
   ASSERT_EQ(machine.attach_when_used("display"), "");
   EXPECT_EQ(machine.attach(lamp, std::make_unique<Lamp>()),
-            "the device lamp has the device code 05, which the device display has already");
+            "the device lamp has the device code 05, which the device display already has");
   Machine other;
   ASSERT_EQ(other.attach(lamp, std::make_unique<Lamp>()), "");
-  EXPECT_EQ(other.attach_when_used("display"), "the device display has the device code 05, which the device lamp has already");
+  EXPECT_EQ(other.attach_when_used("display"), "the device display has the device code 05, which the device lamp already has");
 }
 
 // A skip test asks for no data break and no interrupt, but it may ask for the end of the run.
@@ -408,7 +408,7 @@ TEST_F(Pdp7, AnUnknownDeviceIsAnErrorWithTheNearestName) {
   std::string names;
   for (const core::IotDeviceInfo& info : pdp7::device_infos) names += (names.empty() ? "" : ", ") + std::string(info.name);
   EXPECT_EQ(machine.attach("pinter"), "found device \"pinter\", expected one of: " + names + "; did you mean \"printer\"?");
-  EXPECT_EQ(machine.attach("printer"), "the device printer is attached already");
+  EXPECT_EQ(machine.attach("printer"), "the device printer is already attached");
   pdp7::Options options;
   EXPECT_EQ(machine.error(), "");
   options.devices = {"clock", "drum"};
