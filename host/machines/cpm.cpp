@@ -23,10 +23,10 @@ constexpr Byte jump_code = 0xC3, return_code = 0xC9, out_code = 0xD3, call_code 
 
 constexpr Address boot = 0x0000;
 constexpr Address bdos = 0x0005;
-// Without a console and drives: RET with SP=0000 leads to the address that the bytes at 0000 are.
+// Without a console and drives: a RET with SP=0000 goes to the address formed by the bytes at 0000.
 constexpr Address returned = 0x00D3;
-// With them. The last six bytes before the entry of BDOS are CP/M's serial number; the stack of a program that sets none
-// is below them.
+// With them: the last six bytes before the entry of BDOS are CP/M's serial number; below them is the stack of a program
+// that sets none.
 constexpr Address bdos_entry = 0xF106;
 constexpr Address first_stack = 0xF0FE;
 constexpr Address bios_table = 0xF200;
@@ -50,7 +50,7 @@ void put(std::vector<std::pair<Address, Byte>>& entries, unsigned at, std::initi
   for (const Byte byte : bytes) entries.emplace_back(static_cast<Address>(at++), byte);
 }
 
-// The CALL whose return address is on the stack. A program may have come by a jump instead: then the entry itself.
+// The address of the CALL whose return address is on the stack; `entry` if the program jumped there instead.
 Address caller_of(Address entry, const Cpm::Processor& processor) {
   const auto at = [&processor](int address) { return processor.memory[static_cast<Address>(address)]; };
   const int sp = processor.registers.sp;
@@ -59,7 +59,7 @@ Address caller_of(Address entry, const Cpm::Processor& processor) {
   return called ? static_cast<Address>(from) : entry;
 }
 
-// Up to the $ behind it.
+// The text up to its $; nullopt without a $.
 std::optional<std::string> string_at(Address address, std::span<const Byte> memory) {
   std::string text;
   for (std::size_t n = 0; n < memory.size(); ++n) {
@@ -144,7 +144,7 @@ void Cpm::start(i8080::State& registers, std::span<Byte> memory) const {
   if (!whole_) return;
   constexpr std::size_t user_and_disk = 4;
   memory[user_and_disk] = files_.user_and_disk();
-  // The CCP calls a program: its RET leads to a warm boot.
+  // The CCP calls a program, so its RET leads to a warm boot.
   if (registers.sp == 0) registers.sp = first_stack;
 }
 
@@ -159,7 +159,7 @@ Cpm::Called Cpm::out(std::uint8_t port, Processor processor) {
   return Called::no;
 }
 
-// A complaint says where the call was.
+// Ends the run; a complaint is prefixed with the address of the call.
 Cpm::Called Cpm::stopped(std::string_view name, std::string_view complaint) {
   stop_ = {name, complaint.empty() ? std::string() : fmt::format("PC {:04X}: stopped: {}", *caller_, complaint)};
   return Called::stopped;
@@ -186,7 +186,7 @@ Cpm::Called Cpm::call_bdos(Processor processor) {
         return Called::answered;
       }
       caller_ = caller_of(bdos, processor);
-      return stopped("endless_string", "found no $ in memory for BDOS function 9, expected one to end the text");
+      return stopped("endless_string", "found no $ in memory for BDOS function 9, expected one at the end of the text");
     case 1:
     case 10:
       if (!setup_.console) break;
@@ -252,10 +252,10 @@ Cpm::Called Cpm::call_files(Processor processor) {
                              text, function_, bdos_names[function_]));
 }
 
-// --- Runs that are repeated ---
+// --- Repeated runs ---
 
-// The same call at the same time, asked for the same: the answer is the one of then, and the host is left alone. Anything
-// else is a run that has never been: what is known of a later time does not hold for it.
+// If the same call is made at the same time with the same data, the answer is the recorded one and the host is not
+// accessed. Any other call begins a different run, so later records are invalid.
 CpmFiles::Answer Cpm::from_journal(Processor processor) {
   constexpr std::size_t block = 36;
   const std::uint16_t de = processor.registers.de;
@@ -313,7 +313,7 @@ Byte Cpm::take_key() {
   return key;
 }
 
-// Function 6: E is FF for a key or 0, FE for whether there is one, else what to print.
+// Function 6: E is FF to read a key or 0, FE to test for one, otherwise the character to print.
 void Cpm::direct_input_output(Processor processor) {
   const Byte e = i8080::low(processor.registers.de);
   if (e < 0xFE) {
@@ -349,14 +349,14 @@ bool Cpm::goes_on(Processor processor) {
   return waiting_ == Waiting::no;
 }
 
-// As CP/M echoes: control characters other than those that move the carriage are not sent.
+// As CP/M echoes: control characters are not sent, except those that move the carriage.
 void Cpm::echo(Byte key) {
   constexpr std::string_view carriage = "\r\n\t\b";
   const char c = static_cast<char>(key & 0x7FU);
   if (c >= ' ' || carriage.find(c) != std::string_view::npos) print_(std::string(1, c));
 }
 
-// Function 10 (Interface Guide, "Read Console Buffer"): DE is the address of the length of the buffer, behind it the
+// Function 10 (Interface Guide, "Read Console Buffer"): DE is the address of the length of the buffer, followed by the
 // number of characters read and the characters.
 void Cpm::edit_line(Byte key, Processor processor) {
   constexpr Byte ctrl_c = 3, backspace = 8, line_feed = 10, carriage_return = 13, ctrl_u = 21, ctrl_x = 24, rubout = 127;

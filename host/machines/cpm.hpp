@@ -1,9 +1,9 @@
-// CP/M 2.2 for a program on the 8080: the entries of BDOS and BIOS in memory, their console functions, and its files
+// CP/M 2.2 for a program on the 8080: the entries of BDOS and BIOS in memory, their console functions, and files
 // (cpm_files.hpp).
 //
-// An entry is an OUT to a port: it takes its T-states, what the host does for it takes none. Without a console and drives
-// only the entries at 0000 and 0005 are there; with one of them also what programs find their way by: the top of memory at
-// 0006, and at 0001 the jump table of the BIOS.
+// An entry is an OUT to a port: it takes its T-states; the work of the host takes none. Without a console and drives there
+// are only the entries at 0000 and 0005. With one of them there are also the addresses by which programs find the system:
+// the top of memory at 0006, and the jump table of the BIOS at 0001.
 // Left out: the CCP, so a warm boot ends the run; disks by track and sector.
 // Source: Digital Research, "CP/M 2.2 Interface Guide" and "CP/M 2.2 Alteration Guide" (1979).
 #pragma once
@@ -26,49 +26,49 @@
 
 namespace sightline::machines {
 
-// What a program finds of the words behind its name: the tail at 0080, and file control blocks at 005C and 006C.
+// Stores the arguments of a program: the tail at 0080, and file control blocks at 005C and 006C.
 void put_cpm_arguments(std::string_view words, std::span<std::uint8_t> memory);
 
 struct CpmSetup {
   bool console = false;          // keys can be typed
   std::vector<CpmDrive> drives;  // at most one of each letter
-  std::string arguments;         // behind the program's name
-  bool journal = false;          // a run can be repeated from a snapshot, without touching the host again
+  std::string arguments;         // the words after the program's name
+  bool journal = false;          // a run can be repeated from a snapshot without accessing the host again
 };
 
 class Cpm {
  public:
-  // Those of the OUTs at the entries are 0 to this.
+  // The entries use ports 0 to this.
   static constexpr std::uint8_t last_port = 2;
 
-  // `print` and `list` take what goes to the console and to the list device.
+  // `print` and `list` receive the output to the console and to the list device.
   Cpm(CpmSetup setup, std::function<void(std::string_view)> print, std::function<void(char)> list);
 
-  // The bytes that must be in memory, and what the program is started with.
+  // The bytes that must be in memory, and the registers and memory with which the program starts.
   [[nodiscard]] const std::vector<std::pair<i8080::Address, i8080::Byte>>& entries() const { return entries_; }
   void start(i8080::State& registers, std::span<i8080::Byte> memory) const;
 
-  // The machine as it is behind an OUT to one of the ports; `now` in T-states.
+  // The machine after an OUT to one of the ports; `now` in T-states.
   struct Processor {
     i8080::State& registers;
     std::span<i8080::Byte> memory;
     std::int64_t now;
   };
   enum class Called : std::uint8_t { no, answered, stopped };
-  // no: the OUT was none of an entry. stopped: stop() says why.
+  // no: the OUT does not belong to an entry. stopped: stop() tells why.
   [[nodiscard]] Called out(std::uint8_t port, Processor processor);
   [[nodiscard]] const Stop& stop() const { return stop_; }
 
   void type(std::uint8_t code);
   [[nodiscard]] bool wants_key() const { return keys_.empty() && (waiting_ != Waiting::no || asked_); }
   [[nodiscard]] bool waits_for_key() const { return keys_.empty() && waiting_ != Waiting::no; }
-  // Does what can be done with the keys there are. True: the program goes on.
+  // Processes the keys typed so far. True: the program continues.
   [[nodiscard]] bool goes_on(Processor processor);
 
   // "bdos" of the report, if the last call ended the run.
   void add_details(base::Json& report) const;
 
-  // Forgets the oldest calls of the journal but so many; the time from which runs can be repeated.
+  // Drops all but the `most` latest calls of the journal; returns the time from which runs can be repeated.
   [[nodiscard]] std::int64_t trim_journal(std::size_t most);
 
   void visit_state(core::StateVisitor& visit) {
@@ -84,10 +84,10 @@ class Cpm {
 
  private:
   enum class Waiting : std::uint8_t { no, key, line, bios_key };
-  // What the host did for a call that needed it.
+  // The host's answer to a call that needed it.
   struct HostCall {
     std::int64_t time;
-    std::uint32_t asked;  // a checksum
+    std::uint32_t asked;  // a checksum of the call's data
     CpmFiles::Answer answer;
     CpmFiles::State state;
     std::vector<std::pair<i8080::Address, i8080::Byte>> written;
@@ -110,15 +110,15 @@ class Cpm {
   CpmSetup setup_;
   std::function<void(std::string_view)> print_;
   std::function<void(char)> list_;
-  bool whole_;  // all entries are there
+  bool whole_;  // all entries are in memory
   std::vector<std::pair<i8080::Address, i8080::Byte>> entries_;
   CpmFiles files_;
   Stop stop_;
   std::vector<i8080::Byte> keys_;
-  std::vector<i8080::Byte> line_;  // of function 10, under way
+  std::vector<i8080::Byte> line_;  // the unfinished line of function 10
   Waiting waiting_ = Waiting::no;
-  bool asked_ = false;  // whether there is a key, since the last was typed
-  // The last function of BDOS called, and where, if it ended the run; 0005 if that cannot be told.
+  bool asked_ = false;  // the program has polled for a key since the last was typed
+  // The last BDOS function called, and the address of the call, if it ended the run; 0005 if the address is unknown.
   std::uint8_t function_ = 0;
   std::optional<i8080::Address> caller_;
   std::vector<HostCall> journal_;  // in order of time

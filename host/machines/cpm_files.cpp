@@ -22,7 +22,7 @@ constexpr std::uint32_t records_an_extent = 128;
 constexpr std::uint8_t not_found = 0xFF;
 constexpr std::uint8_t end_of_text = 0x1A;
 constexpr std::uint8_t empty_entry = 0xE5;
-// Codes of reading and writing (Interface Guide, functions 20, 21, 33 and 34).
+// Result codes of reading and writing (Interface Guide, functions 20, 21, 33 and 34).
 constexpr std::uint8_t done = 0, behind_end = 1, disk_full = 2, no_extent = 4, behind_disk = 6;
 
 // Function numbers of the Interface Guide.
@@ -32,7 +32,7 @@ enum Function : std::uint8_t {
   file_attributes, user_code = 32, read_direct, write_direct, file_size, random_record, reset_drives, write_zero_filled = 40
 };
 
-// What a name may consist of here; CP/M itself forbids less. None of these leads out of a folder.
+// The characters allowed in a name. CP/M forbids fewer; with these no name leads out of a folder.
 bool belongs_in_name(std::uint8_t c) {
   constexpr std::string_view others = "!#$%&'()+-@^_`{}~";
   return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || others.find(static_cast<char>(c)) != std::string_view::npos;
@@ -44,7 +44,7 @@ std::uint8_t upper(std::uint8_t c) {
 
 using Name = std::array<std::uint8_t, 11>;
 
-// "HELLO.TXT"; nothing for a name that no file can have.
+// "HELLO.TXT"; nullopt for a name that no file can have.
 std::optional<std::string> host_name(const Name& name) {
   std::string text;
   for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 8}, {8, 11}}) {
@@ -60,7 +60,7 @@ std::optional<std::string> host_name(const Name& name) {
   return text;
 }
 
-// The name CP/M knows a host's file by; none if it has none.
+// The CP/M name of a host's file; nullopt if it has none.
 std::optional<Name> cpm_name(std::string_view host) {
   Name name;
   name.fill(' ');
@@ -85,7 +85,7 @@ std::uint32_t records_of(std::uint64_t bytes) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(records, CpmFiles::most_records));
 }
 
-// Those of one extent, as RC counts them.
+// The records in one extent, as RC counts them.
 std::uint8_t records_in(std::uint32_t records, std::uint32_t extent) {
   const std::uint32_t before = extent * records_an_extent;
   return static_cast<std::uint8_t>(std::min(records - std::min(records, before), records_an_extent));
@@ -132,7 +132,7 @@ class CpmFiles::Block {
   void set_random_record(std::uint32_t record) const {
     for (std::size_t n = 0; n < 3; ++n) (*this)[random_at + n] = static_cast<std::uint8_t>(record >> (8 * n));
   }
-  // As a directory entry has them: how many records, and a block number for each KB.
+  // Fills the block like a directory entry: the number of records, and a block number for each KB.
   void fill(std::uint32_t extent, std::uint32_t records) const {
     const std::uint8_t count = records_in(records, extent);
     (*this)[count_at] = count;
@@ -172,7 +172,7 @@ struct CpmFiles::OpenFile {
   Name name;
   Descriptor file;
   bool writes = false;
-  // Empty: it is no file any more.
+  // nullopt: the file no longer exists.
   [[nodiscard]] std::optional<std::uint64_t> length() const {
     struct stat found {};
     if (::fstat(file.number(), &found) != 0 || found.st_nlink == 0) return std::nullopt;
@@ -186,7 +186,7 @@ struct CpmFiles::Host {
     bool read_only = false;
   };
   std::array<Drive, most_drives> drives;
-  // Files used last, the latest at the end: opening again for each record would cost more than the record.
+  // The files used last, the latest at the end: reopening a file for each record would take longer than the record.
   static constexpr std::size_t most_open = 8;
   std::vector<OpenFile> open;
 
@@ -195,7 +195,7 @@ struct CpmFiles::Host {
     return ::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(found.st_mode);
   }
 
-  // All files of a drive, in the order of their names there; of names that differ only in case the first.
+  // All files of a drive in the order of their CP/M names; of names that differ only in case, the first.
   [[nodiscard]] std::vector<std::pair<Name, std::string>> list(unsigned drive) const {
     std::vector<std::pair<Name, std::string>> files;
     const int folder = ::openat(drives[drive].folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -226,7 +226,7 @@ struct CpmFiles::Host {
     return std::nullopt;
   }
 
-  // Null if there is no such file or the host refuses it.
+  // Null if the file does not exist or the host denies access.
   [[nodiscard]] OpenFile* use(unsigned drive, const Name& name, bool writes) {
     const auto known = std::find_if(open.begin(), open.end(),
                                     [&](const OpenFile& each) { return each.drive == drive && each.name == name; });
@@ -239,7 +239,7 @@ struct CpmFiles::Host {
     }
     const auto host = find(drive, name);
     if (!host) return nullptr;
-    // Not through a link, and not waiting for a pipe that has taken the name since.
+    // Follows no link, and does not wait if a pipe has since taken the name.
     const int flags = (writes ? O_RDWR : O_RDONLY) | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
     OpenFile file{drive, name, Descriptor(::openat(drives[drive].folder.number(), host->c_str(), flags)), writes};
     struct stat found {};
@@ -251,7 +251,7 @@ struct CpmFiles::Host {
   void forget(unsigned drive, const Name& name) {
     std::erase_if(open, [&](const OpenFile& each) { return each.drive == drive && each.name == name; });
   }
-  // The attribute R/O is the host's.
+  // The attribute R/O is the host's permission.
   [[nodiscard]] bool is_read_only(unsigned drive, const std::string& name) const {
     struct stat found {};
     return ::fstatat(drives[drive].folder.number(), name.c_str(), &found, AT_SYMLINK_NOFOLLOW) == 0 &&
@@ -301,7 +301,7 @@ bool CpmFiles::has_drives() const {
   return std::any_of(host_->drives.begin(), host_->drives.end(), [](const Host::Drive& each) { return bool(each.folder); });
 }
 
-// A, or the first that there is.
+// Drive A, or the first existing one.
 std::uint8_t CpmFiles::first_disk() const {
   const auto& drives = host_->drives;
   const auto first = std::find_if(drives.begin(), drives.end(), [](const Host::Drive& each) { return bool(each.folder); });
@@ -397,7 +397,7 @@ CpmFiles::Answer CpmFiles::call(std::uint8_t function, std::uint16_t de, std::sp
   }
 }
 
-// The next directory entry goes to the transfer address, in the first quarter of a record of them.
+// Writes the next directory entry to the transfer address, in the first quarter of a directory record.
 CpmFiles::Answer CpmFiles::search(std::span<std::uint8_t> memory) {
   const bool all = state_.pattern[0] == '?';
   const Block pattern(state_.pattern, 0);
@@ -415,7 +415,7 @@ CpmFiles::Answer CpmFiles::search(std::span<std::uint8_t> memory) {
   for (const auto& [name, host] : host_->list(drive)) {
     if (!fits(name)) continue;
     const std::uint32_t records = host_->records(drive, host);
-    // Found last: this name or one before it.
+    // The last match is this name or an earlier one.
     const bool behind = state_.found_extent == 0 || name > state_.found;
     if (!behind && name != state_.found) continue;
     std::uint32_t extent = every_extent ? 0 : wanted_extent;
@@ -466,11 +466,11 @@ CpmFiles::Answer CpmFiles::make(Block fcb) {
   if (const auto fault = locked(drive)) return {0, fault};
   const auto name = host_name(fcb.name());
   if (!name || fcb.ambiguous()) return {not_found};
-  // As function 15, CP/M clears the module: MAC leaves other bytes there.
+  // Like function 15, CP/M clears the module number: MAC leaves other bytes there.
   fcb[Block::module_at] = 0;
   const bool first = fcb.extent() == 0;
   if (host_->find(drive, fcb.name())) {
-    // CP/M would make a second entry of the name, which a folder cannot have. A further extent is there when it is written.
+    // CP/M would make a second entry with the name, which a folder cannot have. A further extent exists once it is written.
     if (first) return {not_found};
   } else {
     const Descriptor made(::openat(host_->drives[drive].folder.number(), name->c_str(),
@@ -503,7 +503,7 @@ CpmFiles::Answer CpmFiles::rename(Block fcb) {
   const Name to = fcb.name(17);
   const auto host_to = host_name(to);
   const auto from = host_->find(drive, fcb.name());
-  // A second file of the name: CP/M would have two.
+  // CP/M would allow a second file of the same name.
   if (!from || !host_to || host_->find(drive, to)) return {not_found};
   if (host_->is_read_only(drive, *from)) return {0, Fault{static_cast<char>('A' + drive), "File R/O"}};
   host_->forget(drive, fcb.name());
@@ -512,7 +512,7 @@ CpmFiles::Answer CpmFiles::rename(Block fcb) {
   return {done};
 }
 
-// Of the attributes the host has R/O.
+// The host supports only the attribute R/O.
 CpmFiles::Answer CpmFiles::set_attributes(Block fcb) {
   const unsigned drive = drive_of(fcb);
   if (const auto fault = locked(drive)) return {0, fault};
@@ -532,7 +532,7 @@ CpmFiles::Answer CpmFiles::read_record(Block& fcb, std::uint32_t number, std::sp
   OpenFile* const file = host_->use(drive_of(fcb), fcb.name(), false);
   const auto length = file != nullptr ? file->length() : std::nullopt;
   if (!length || number >= records_of(*length)) return {behind_the_end};
-  // What a text leaves of its last record.
+  // Fills the rest of a text's last record.
   std::array<std::uint8_t, record> bytes;
   bytes.fill(end_of_text);
   std::size_t read = 0;
@@ -569,7 +569,7 @@ CpmFiles::Answer CpmFiles::write_record(Block& fcb, std::uint32_t number, std::s
     return true;
   };
   std::array<std::uint8_t, record> bytes;
-  // A text that ends within an earlier record ends there in CP/M's way, too.
+  // A text that ends in an earlier record is padded there as CP/M does.
   const std::uint64_t place = std::uint64_t{number} * record;
   const std::size_t rest = *length < place ? (record - *length % record) % record : 0;
   bytes.fill(end_of_text);
@@ -577,7 +577,7 @@ CpmFiles::Answer CpmFiles::write_record(Block& fcb, std::uint32_t number, std::s
   for (std::size_t n = 0; n < record; ++n) bytes[n] = memory[static_cast<std::uint16_t>(state_.transfer + n)];
   whole = whole && put(bytes, place);
   if (!whole) {
-    // No record is half there.
+    // Removes a partly written record.
     if (end > *length) static_cast<void>(::ftruncate(file->file.number(), static_cast<off_t>(*length)));
     return {disk_full};
   }
@@ -585,7 +585,7 @@ CpmFiles::Answer CpmFiles::write_record(Block& fcb, std::uint32_t number, std::s
   return {done};
 }
 
-// The record behind the last one of an extent is the first of the next.
+// The record after the last one of an extent is the first of the next.
 CpmFiles::Answer CpmFiles::read_next(Block fcb, std::span<std::uint8_t> memory) {
   const std::uint32_t number = fcb.next_record();
   if (number >= most_records) return {behind_end};
@@ -606,7 +606,7 @@ CpmFiles::Answer CpmFiles::write_next(Block fcb, std::span<std::uint8_t> memory)
   return answer;
 }
 
-// The block then stands at the record itself, not behind it: a sequential access comes to it again.
+// The block then points to the record itself, not past it: a sequential access reads it again.
 CpmFiles::Answer CpmFiles::read_random(Block fcb, std::span<std::uint8_t> memory) {
   const std::uint32_t number = fcb.random_record();
   if (number >= most_records) return {behind_disk};

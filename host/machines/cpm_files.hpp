@@ -1,9 +1,8 @@
-// The files of CP/M 2.2: a drive is a folder of the host, a file of it a file there, named as it is listed.
+// The files of CP/M 2.2: a drive is a folder of the host, and its files are the files there whose names CP/M can have.
 //
-// As in CP/M everything about an open file is in the program's file control block (FCB); here the host's file is found
-// by the name in it, so that a machine continued from a snapshot continues with its files, as the folder has them then. Records
-// are written to the host at once. Every user sees the same files. Decisions beyond the Interface Guide are in
-// host/manual/i8080.md.
+// As in CP/M, all state of an open file is in the program's file control block (FCB). The host's file is found by the name
+// in it, so a machine restored from a snapshot continues with the files that the folder has then. Records are written to
+// the host at once. Every user sees the same files. Decisions beyond the Interface Guide are in host/manual/i8080.md.
 // Left out: the allocation vector and the disk parameters (functions 27 and 31), which have no meaning here.
 // Source: Digital Research, "CP/M 2.2 Interface Guide" (1979), functions 12 to 40.
 #pragma once
@@ -29,7 +28,7 @@ struct CpmDrive {
   std::string folder;
   bool read_only = false;
 };
-// An error says what the text should be, or that the folder is none.
+// The error says what the text should be, or that there is no such folder.
 [[nodiscard]] base::Result<CpmDrive> parse_cpm_drive(std::string_view text);
 
 class CpmFiles {
@@ -53,25 +52,25 @@ class CpmFiles {
   CpmFiles& operator=(const CpmFiles&) = delete;
 
   [[nodiscard]] bool has_drives() const;
-  // Whether the function is one of those here.
+  // Whether the function is implemented here.
   [[nodiscard]] static bool answers(std::uint8_t function);
-  // `de` as the program gives it; memory is the machine's 64K.
+  // `de` as the program passes it; memory is the machine's 64K.
   [[nodiscard]] Answer call(std::uint8_t function, std::uint16_t de, std::span<std::uint8_t> memory);
-  // What byte 0004 says: user and current disk.
+  // The value of byte 0004: user and current disk.
   [[nodiscard]] std::uint8_t user_and_disk() const { return static_cast<std::uint8_t>(state_.user << 4U | state_.disk); }
 
-  // All that a program can ask for later, besides the files themselves.
+  // Everything that later calls depend on, except the files themselves.
   struct State {
     std::uint8_t disk = 0;
     std::uint8_t user = 0;
     std::uint16_t transfer = 0x0080;  // "DMA address"
     std::uint16_t logged_in = 0;      // bit 0: A
     std::uint16_t read_only = 0;      // by function 28
-    // Functions 17 and 18: what is looked for, and what was found last: the next one is behind it.
+    // Functions 17 and 18: the search pattern and the last match, after which the next search begins.
     bool searching = false;
     std::array<std::uint8_t, 13> pattern{};  // drive, name, extent
     std::array<std::uint8_t, 11> found{};    // a name without attributes
-    std::uint32_t found_extent = 0;          // plus one; 0: nothing yet
+    std::uint32_t found_extent = 0;          // plus one; 0: no match yet
 
     void visit_state(core::StateVisitor& visit) {
       visit("disk", disk, 15);
@@ -86,7 +85,7 @@ class CpmFiles {
     }
   };
   [[nodiscard]] State& state() { return state_; }
-  // Whether what the function does depends on the host, or changes something there.
+  // Whether the function's result depends on the host or the function changes something there.
   [[nodiscard]] static bool needs_host(std::uint8_t function);
 
  private:

@@ -12,7 +12,7 @@ namespace sightline::machines {
 
 namespace {
 
-// The element with the name; null: there is none.
+// The element with the name; null if there is none.
 template <class Named>
 const Named* find_named(std::span<const Named> all, std::string_view name) {
   const auto found = std::find_if(all.begin(), all.end(), [name](const Named& each) { return each.name == name; });
@@ -26,7 +26,7 @@ std::string names_of(std::span<const Named> all) {
   return names;
 }
 
-// Takes the text before the next comma, and the comma.
+// Removes and returns the text before the next comma; removes the comma too.
 std::string_view take_part(std::string_view& text) {
   const std::size_t comma = std::min(text.find(','), text.size());
   const std::string_view part = text.substr(0, comma);

@@ -1,5 +1,5 @@
-// The option --device NAME[,OPTION=N...] of `sightline run`: it attaches a device of the machine's list that no option of its
-// own attaches, so that a new device can be used as soon as it is in the list. A machine without such devices has no --device.
+// The option --device NAME[,OPTION=N...] of `sightline run`: attaches a device of the machine's list that has no option of
+// its own, so that a new device can be used as soon as it is listed. A machine without such devices has no --device.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace sightline::machines {
 
-// What the option says of a device.
+// A device as --device lists it.
 struct ListedDevice {
   std::string_view name;
   std::string_view help;
@@ -27,15 +27,15 @@ struct DeviceChoice {
 };
 
 [[nodiscard]] std::optional<Option> device_option(std::span<const ListedDevice> devices);
-// The devices and their settings, for the end of what --help explains; empty without devices.
+// The devices and their settings, for the end of the text of --help; empty without devices.
 [[nodiscard]] std::string device_help(std::span<const ListedDevice> devices);
 // Errors: an unknown device or setting, a device or a setting given twice, a value out of its bounds.
 [[nodiscard]] Result<std::vector<DeviceChoice>> read_devices(std::span<const std::string> texts,
                                                              std::span<const ListedDevice> devices);
-// As the option is written.
+// The choice in the syntax of the option.
 [[nodiscard]] std::string device_text(const DeviceChoice& choice);
 
-// "lines printed 5, pages 2": what a device has counted, but for zeros, for a report; or "nothing".
+// "lines printed 5, pages 2": a device's counts for a report, without zeros; "nothing" if all are zero.
 [[nodiscard]] std::string counts_text(std::span<const core::Count> counts);
 [[nodiscard]] base::Json counts_json(std::span<const core::Count> counts);
 

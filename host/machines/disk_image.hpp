@@ -12,9 +12,9 @@
 
 namespace sightline::machines {
 
-// bad_input: a file of another length, or a word of more than 18 bits.
+// Error bad_input: a file of another length, or a word of more than 18 bits.
 [[nodiscard]] Result<std::vector<core::Word18>> read_disk_image(const Input& input);
-// The disk as it is now; empty if none is attached.
+// The current content of the disk; empty if none is attached.
 [[nodiscard]] Bytes disk_image(const pdp7::Rb09& disk);
 
 }  // namespace sightline::machines

@@ -7,7 +7,7 @@ namespace {
 
 using type340::Mode;
 
-// Whether the display, with the options that it has, goes on behind a word of that mode.
+// Whether a display with these options continues after a word of that mode.
 bool is_built(Mode mode, const type340::Options& options) {
   switch (mode) {
     case Mode::slave: return false;
@@ -17,7 +17,7 @@ bool is_built(Mode mode, const type340::Options& options) {
   }
 }
 
-// Whether a word that leads to parameter mode does so by an escape, which returns from a subroutine.
+// Whether a word of that mode enters parameter mode by an escape, which returns from a subroutine.
 bool escapes_to_parameter(Mode mode) {
   return mode == Mode::vector || mode == Mode::vector_continue || mode == Mode::increment || mode == Mode::character;
 }
@@ -26,7 +26,7 @@ bool escapes_to_parameter(Mode mode) {
 
 std::map<std::uint32_t, Mode> display_file(const type340::Options& options, const type340::Registers& registers, std::uint16_t start,
                                            const std::function<core::Word18(std::uint32_t)>& word) {
-  // A file that jumps back to its beginning has no end; one that calls the same subroutine twice meets its words again.
+  // A file that jumps back to its beginning has no end; one that calls the same subroutine twice reads its words again.
   constexpr int most_words = 2 * (type340::Registers::address_mask + 1);
   const bool ended = registers.stop || registers.edge();
   std::map<std::uint32_t, Mode> modes;

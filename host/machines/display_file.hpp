@@ -1,6 +1,6 @@
-// Which words of core the Type 340 reads as display words, and in which mode: those from its last start on, followed as the display follows
-// them. A pass that has ended, by a stop word or at an edge, has read no word behind the display's address; of one that runs the words to
-// come are those that the program has in core now, up to a stop word.
+// The words of core that the Type 340 reads as display words, and their modes: those from its last start on, followed as
+// the display follows them. A pass that has ended, by a stop word or at an edge, has read no word after the display's
+// address. For a running pass, the words still to be read are taken from core as it is now, up to a stop word.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace sightline::machines {
 
-// The modes, by address. `start`: where the last pass began; `word` reads core, at 13 bits of address.
+// Modes by address. `start`: where the last pass began; `word` reads core, at 13 bits of address.
 [[nodiscard]] std::map<std::uint32_t, type340::Mode> display_file(const type340::Options& options, const type340::Registers& registers,
                                                                  std::uint16_t start,
                                                                  const std::function<core::Word18(std::uint32_t)>& word);

@@ -25,7 +25,7 @@ std::string in_radix(std::uint32_t value, int radix, unsigned width = 0) {
   return fmt::format("{:0{}}", value, width);
 }
 
-// Without 0x before or H behind a hexadecimal number.
+// Removes the 0x before or the H after a hexadecimal number.
 std::string_view without_mark(std::string_view text, int radix) {
   if (radix != 16) return text;
   if (text.starts_with("0x") || text.starts_with("0X")) return text.substr(2);
@@ -72,7 +72,7 @@ Result<Done> set_register(const MachineDescription& description, Machine& machin
   return Done{};
 }
 
-// Null: a dump.
+// Null means a dump.
 const Format* find_format(const MachineDescription& machine, const FileArgument& file, const Input& input,
                           std::string_view format, const Arguments* arguments) {
   const std::vector<Format>& formats = machine.formats;
@@ -99,7 +99,7 @@ Result<Program> read_as(const MachineDescription& machine, const Format* format,
   return read_dump(machine, input);
 }
 
-// How a machine goes on after its programs are in memory.
+// The machine after loading, and what its start needs.
 struct Loaded {
   std::optional<std::uint32_t> start;
   std::vector<std::pair<std::size_t, std::uint32_t>> registers;
@@ -107,7 +107,7 @@ struct Loaded {
   std::vector<bool> addresses;  // those with a word
 };
 
-// Later files win where two have a word for the same address, in the start address and in registers.
+// If two files have a word for the same address, the later file wins; likewise for the start address and registers.
 Result<Loaded> load(const MachineDescription& description, const Arguments& arguments, const FileReader& read,
                     Machine& machine) {
   Loaded loaded;
@@ -169,7 +169,8 @@ bool sets_pc(const Arguments& arguments) {
                      [](const std::string& setting) { return register_name(setting) == "PC"; });
 }
 
-// --start, else --set PC, else what was loaded says where. After a dump the machine continues without a start.
+// The start comes from --start, otherwise from --set PC, otherwise from the loaded programs. A dump continues without a
+// start.
 Result<Done> start(const MachineDescription& description, const Arguments& arguments, const Loaded& loaded,
                    Machine& machine) {
   for (const auto& [number, value] : loaded.registers) machine.set(number, value);
@@ -188,7 +189,7 @@ Result<Done> start(const MachineDescription& description, const Arguments& argum
   return Done{};
 }
 
-// What may help a program that runs into empty memory.
+// Advice for a program that runs into empty memory.
 std::string remedy_for_empty_memory(const Arguments& arguments, const Loaded& loaded, const Machine& machine) {
   const auto lowest = std::find(loaded.addresses.begin(), loaded.addresses.end(), true) - loaded.addresses.begin();
   const std::string_view system = machine.system_missing(static_cast<std::uint32_t>(lowest));
@@ -212,7 +213,7 @@ Result<Limits> limits_of(const MachineDescription& description, const Arguments&
   return limits;
 }
 
-// A snapshot holds a program, where it is, and what is still to come from scripts.
+// A snapshot holds a program, its state, and the pending lines of scripts.
 Result<Done> check_snapshot_alone(const MachineDescription& description, const Arguments& arguments) {
   std::vector<std::string_view> held{"--load", "--start"};
   held.insert(held.end(), description.in_snapshot.begin(), description.in_snapshot.end());
@@ -224,7 +225,7 @@ Result<Done> check_snapshot_alone(const MachineDescription& description, const A
   return Done{};
 }
 
-// Counted on from where the machine is.
+// Converts limits relative to the machine's current state to absolute ones.
 Limits from_here(const Limits& limits, const Machine& machine) {
   constexpr Limits none;
   Limits later;
@@ -252,7 +253,7 @@ Result<Done> check_needs(const MachineDescription& description, const Arguments&
   return Done{};
 }
 
-// The words of a line of a dump, blanks between them.
+// The words of a line of a dump, separated by blanks.
 std::vector<std::string_view> dump_words(std::string_view line) {
   std::vector<std::string_view> words;
   while (true) {
@@ -273,7 +274,7 @@ std::vector<std::size_t> dumped_registers(const MachineDescription& description)
   return numbers;
 }
 
-// Empty if the word does not have all the digits of `bits` bits, or is larger.
+// nullopt if the word does not have exactly the digits of `bits` bits, or is larger.
 std::optional<std::uint32_t> dump_number(const MachineDescription& description, std::string_view word, unsigned bits) {
   if (word.size() != digits(description, 0, bits).size()) return std::nullopt;
   const auto value = base::unsigned_number(word, description.radix);
@@ -353,7 +354,7 @@ Result<FileArgument> file_argument(const MachineDescription& machine, std::strin
                                    const std::string& text) {
   const std::size_t at = text.rfind('@');
   if (at == std::string::npos) return FileArgument{text, std::nullopt};
-  // In octal an 8 or 9 is a wrong digit, not a part of the name.
+  // In octal, a digit 8 or 9 is an error and not part of the name.
   const std::string_view allowed = machine.radix == 16 ? "0123456789abcdefABCDEF" : "0123456789";
   const std::string_view tail = without_mark(std::string_view(text).substr(at + 1), machine.radix);
   if (tail.empty() || tail.find_first_not_of(allowed) != std::string_view::npos)
@@ -421,7 +422,7 @@ std::vector<std::string> Machine::take_early_warnings(bool runs_on) {
     if (!warned_.insert(each.what).second) continue;
     texts.push_back(each.times.empty() ? each.what : fmt::format("{} ({} so far)", each.what, each.times));
   }
-  // A word that is not 0 there was stored by the program, which may run it.
+  // A nonzero word there was stored by the program, which may execute it.
   if (!runs_on || loaded_.empty() || halted()) return texts;
   const std::uint32_t pc = get(program_counter(*description_));
   if (pc >= loaded_.size() || loaded_[pc] || word(pc) != 0) return texts;

@@ -35,23 +35,23 @@ namespace sightline::machines {
 
 namespace {
 
-// Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
+// About ten milliseconds of host time: short enough for Ctrl-C, long enough to cost nothing.
 constexpr core::TStates time_between_questions{1 << 25};
-// A run is asked sooner at its beginning, where it may meet a device that is not there, and where every instruction is written
-// down, which takes longer.
+// Shorter at the beginning of a run, where it may access a missing device, and where every instruction is recorded, which
+// takes longer.
 constexpr core::TStates time_to_first_question{1 << 19};
 constexpr std::size_t most_kept_of_console = std::size_t{1} << 24;
 
 // --- Texts ---
 
-// Nine digits behind the point, rounded down. From T-states: nanoseconds end after 292 years.
+// Nine digits after the point, rounded down. Computed from T-states, because nanoseconds overflow after 292 years.
 std::string seconds_text(core::TStateInstant t, core::ClockRate clock) {
   constexpr std::int64_t second = 1'000'000'000;
   const std::int64_t t_states = core::t_states_of(t);
   return fmt::format("{}.{:09}", t_states / clock.hertz, t_states % clock.hertz * second / clock.hertz);
 }
 
-// Bytes as the characters of Latin-1, in UTF-8: JSON has no bytes.
+// Bytes as characters of Latin-1, in UTF-8, because JSON has no bytes.
 std::string as_utf8(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
@@ -74,9 +74,9 @@ auto& pair_of(State& state, std::size_t number) {
 
 // --- CP/M's entries ---
 
-// A device sees no registers, so an OUT to a port of an entry only ends the run at the next instruction boundary; the caller then
-// reads the registers there and continues the run. An OUT that turns out to be none of an entry's is handed on to the device
-// behind.
+// A device sees no registers, so an OUT to a port of an entry only ends the run at the next instruction boundary; the
+// caller then reads the registers and continues the run. An OUT that does not belong to an entry is passed on to the device
+// of that port.
 class CpmFront final : public i8080::Front {
  public:
   struct Call {
@@ -91,7 +91,7 @@ class CpmFront final : public i8080::Front {
     machine().request_stop();
   }
 
-  // The OUT that ended the run, once.
+  // Returns the OUT that ended the run, once.
   [[nodiscard]] std::optional<Call> take_call() { return std::exchange(call_, std::nullopt); }
   void hand_on(const Call& call) { Front::out(call.port, call.value, call.at); }
 
@@ -137,7 +137,7 @@ class I8080Run final : public Machine {
       default: return number % 2 == 0 ? i8080::high(pair_of(s, number)) : i8080::low(pair_of(s, number));
     }
   }
-  // Bits of F that the machine does not have are passed over.
+  // Bits of F that the machine does not have are ignored.
   void set(std::size_t number, std::uint32_t value) override {
     i8080::State& s = machine_->registers();
     const auto byte = static_cast<i8080::Byte>(value);
@@ -189,13 +189,13 @@ class I8080Run final : public Machine {
     }
   }
 
-  // Each call of BDOS ends a slice: a program that prints all the time never comes to the end of a long one.
+  // Each BDOS call ends a slice: a program that prints continuously would never reach the end of a long one.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
     if (cpm_) {
       const bool waited = cpm_->waits_for_key();
       if (!watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
       if (waited && condition_changed()) return Stop{stopped_by_probe, {}};
-      // CP/M has written to a watched place, now or where the last slice ended.
+      // CP/M has written to a watched address, now or at the end of the last slice.
       if (probe_ && !probe_->events().empty()) return Stop{stopped_by_probe, {}};
     }
     const core::TStateInstant limit = core::at_t_state(limits.until);
@@ -207,7 +207,7 @@ class I8080Run final : public Machine {
       const auto bytes = terminal.take_printed();
       if (!bytes.empty()) print({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     });
-    // A call of CP/M that ended the run is answered first.
+    // A CP/M call that ended the run is answered first.
     if (probe_ && !probe_->events().empty() && reason != i8080::StopReason::device) return Stop{stopped_by_probe, {}};
     switch (reason) {
       case i8080::StopReason::halt: return Stop{"halt", {}};
@@ -320,7 +320,7 @@ class I8080Run final : public Machine {
     report["t_states"] = t_states;
     if (has_hold()) report["held_t_states"] = machine_->held();
     report["clock_hz"] = clock().hertz;
-    // null where no 64 bits hold it
+    // null if 64 bits cannot hold it
     report["emulated_ns"] = now() == core::never ? base::Json() : base::Json(core::nanoseconds_of(now()));
     report["emulated_seconds"] = static_cast<double>(t_states) / static_cast<double>(clock().hertz);
   }
@@ -369,7 +369,7 @@ class I8080Run final : public Machine {
     return shown;
   }
 
-  // --png of the raster board, --svg of the plotter, --parallel-out and its like of the links.
+  // --png of the raster board, --svg of the plotter, --parallel-out and the like of the links.
   [[nodiscard]] Bytes output(std::string_view option) const override {
     for (const auto& [info, device] : machine_->devices()) {
       if (option == "--png" && device->raster() != nullptr) return png(*device->raster());
@@ -413,7 +413,7 @@ class I8080Run final : public Machine {
     return machine_->run(limits);
   }
 
-  // Between two runs no call of CP/M waits.
+  // Between two runs no CP/M call is pending.
   void visit_state(core::StateVisitor& visit) {
     machine_->visit_state(visit);
     if (cpm_front_ && visit.restores()) static_cast<void>(cpm_front_->take_call());
@@ -426,7 +426,7 @@ class I8080Run final : public Machine {
     if (cpm_) visit.section("cpm", *cpm_);
   }
 
-  // What CP/M changes in a watched place is an access like the program's own; writing the same byte again is none.
+  // A change that CP/M makes at a watched address counts as the program's access; rewriting the same byte does not.
   template <class Work>
   std::invoke_result_t<Work> watching_host(Work work) {
     if (!probe_ || probe_->written_places().empty()) return work();
@@ -441,21 +441,21 @@ class I8080Run final : public Machine {
     return done;
   }
 
-  // CP/M has been at work: whether what it has changed is waited for.
+  // Whether the work of CP/M has changed a condition that is waited for.
   bool condition_changed() {
     if (!probe_ || !probe_->has_conditions() || !probe_->condition_changed()) return false;
     probe_->add({Probe::Kind::condition, ticks(), machine_->registers().pc, 0});
     return true;
   }
 
-  // Nothing: the run goes on.
+  // nullopt: the run continues.
   std::optional<Stop> answer(const CpmFront::Call& call) {
     switch (watching_host([this, &call] { return cpm_->out(call.port, processor()); })) {
       case Cpm::Called::answered: return std::nullopt;
       case Cpm::Called::stopped: return cpm_->stop();
       case Cpm::Called::no: break;
     }
-    cpm_front_->hand_on(call);  // with --strict the next slice ends where it begins, if no device is there
+    cpm_front_->hand_on(call);  // with --strict and no device there, the next slice ends where it begins
     return std::nullopt;
   }
   template <class Visit>
@@ -464,7 +464,7 @@ class I8080Run final : public Machine {
       if (core::Terminal* const terminal = each.device->terminal(); terminal != nullptr) visit(*terminal);
     }
   }
-  // The devices that were chosen by name.
+  // The devices that were selected by name.
   template <class Visit>
   void each_reported(Visit visit) const {
     for (const i8080::AttachedDevice& each : machine_->devices()) {
@@ -477,7 +477,7 @@ class I8080Run final : public Machine {
   }
   [[nodiscard]] core::ClockRate clock() const { return machine_->options().clock; }
   [[nodiscard]] Cpm::Processor processor() { return {machine_->registers(), machine_->memory(), ticks()}; }
-  // The IN or OUT is before PC.
+  // The IN or OUT precedes PC.
   std::optional<Stop> unanswered() const {
     return Stop{"strict", fmt::format("PC {:04X}: stopped by --strict: no device at that port",
                                       static_cast<i8080::Address>(machine_->registers().pc - 2))};
@@ -515,7 +515,7 @@ class I8080Run final : public Machine {
         {{"Software", "sightline " SIGHTLINE_VERSION},
          {"End of run", fmt::format("T-state {}", core::t_states_of(machine_->now()))}});
   }
-  // The paper is as large as the drawing needs, from step (0, 0) on.
+  // The paper is as large as the drawing needs, starting at step (0, 0).
   [[nodiscard]] Bytes svg(std::int64_t micrometres_a_step) const {
     picture::PlotterPaper paper{.micrometres_a_step = micrometres_a_step};
     for (const picture::PenPath& path : plotter_.paths()) {
@@ -537,11 +537,11 @@ class I8080Run final : public Machine {
   std::bitset<0x10000> loaded_;
   TextTaker console_;
   std::string kept_console_;
-  std::uint64_t console_before_ = 0;  // bytes printed before the first of kept_console_
+  std::uint64_t console_before_ = 0;  // bytes printed before the machine was restored, which kept_console_ lacks
   std::uint64_t console_left_out_ = 0;  // bytes
-  std::string printed_;  // on the console, and not yet handed out
+  std::string printed_;  // printed on the console and not yet handed out
   TextTaker list_;
-  std::uint64_t list_dropped_ = 0;  // characters, without a taker
+  std::uint64_t list_dropped_ = 0;  // characters without a taker
   std::optional<Cpm> cpm_;
 };
 

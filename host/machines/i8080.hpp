@@ -1,13 +1,12 @@
 // An 8080 configured for one run, with the devices that the run needs on its ports.
 //
-// For CP/M programs two entries of the operating system are in memory as the programs that check and time
-// 8080s have them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005,
-// where BDOS functions are called. The host does their work between the OUT and the RET, in no time; so a
-// call costs 20 T-states and the end 10, and the published T-states of such programs are met. A program may
-// begin with SP = 0000: a RET at the top level then takes the two bytes of the OUT 0 for its address, 00D3,
-// where a second OUT 0 ends the run for the same time. Functions 0 (ends like a jump to 0000), 2 and 9 are
-// there; registers come back as they were. With a console there are 1, 6, 10 and 11 too, which return in A and
-// L with B and H 0 (CP/M 2.2 Interface Guide); one that waits for a key does so in no time.
+// For CP/M programs memory has two entries of the operating system, in the form in which exercisers and benchmarks of the
+// 8080 have found them since their first emulator: OUT 0 at 0000, which ends the run, and OUT 1; RET at 0005, where BDOS
+// functions are called. The host does their work between the OUT and the RET, in no time: a call costs 20 T-states and the
+// end 10, as in the published T-states of such programs. A program may begin with SP = 0000: then a RET at the top level
+// takes the two bytes of the OUT 0 as its address, 00D3, where a second OUT 0 ends the run in the same time. Functions 0
+// (ends like a jump to 0000), 2 and 9 exist; they keep the registers. With a console 1, 6, 10 and 11 exist too; they return
+// in A and L with B and H 0 (CP/M 2.2 Interface Guide); waiting for a key takes no time.
 //
 // Left out: the rest of CP/M.
 #pragma once
@@ -28,16 +27,16 @@ namespace sightline::machines {
 
 struct I8080Setup {
   std::unique_ptr<i8080::Machine> machine = std::make_unique<i8080::Machine>();
-  std::map<std::string_view, Bytes> sent;  // by the host, under the names of the links, which have views of them
+  std::map<std::string_view, Bytes> sent;  // bytes that the host sends, by name of the link, which refers to them
   std::map<std::string_view, std::string> sent_from;  // the names of these files
-  std::optional<CpmSetup> cpm;             // CP/M around the program
+  std::optional<CpmSetup> cpm;             // CP/M for the program
   std::vector<std::string> configuration;  // see Machine
-  bool observed = false;                   // take("--trace"), take("--bus") or take("--vcd") is to come
-  std::optional<VcdWriter> vcd;            // of i8080_signals()
-  bool monitored = false;                  // it has a probe; instead of a trace and a bus log
-  bool keep_console = false;               // what is printed goes into the report
-  bool console = false;                    // keys can be typed, take_printed() has what is printed
-  bool drawing = false;                    // keep the lines the plotter draws
+  bool observed = false;                   // take("--trace"), take("--bus") or take("--vcd") will be called
+  std::optional<VcdWriter> vcd;            // made from i8080_signals()
+  bool monitored = false;                  // has a probe, but no trace and bus log
+  bool keep_console = false;               // printed text goes into the report
+  bool console = false;                    // keys can be typed, take_printed() returns the output
+  bool drawing = false;                    // keep the lines that the plotter draws
   bool grey = false;                       // --png
 };
 

@@ -1,5 +1,5 @@
-// The 8080 as a MachineDescription: its options and what their texts mean, its program files, its assembler
-// and disassembler. What the options of devices are follows from i8080::known_devices.
+// The 8080 as a MachineDescription: its options and their meaning, its program files, its assembler and disassembler. The
+// options of devices follow from i8080::known_devices.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -37,14 +37,14 @@ constexpr std::uint64_t fastest_clock = 1'000'000'000;  // core::ClockRate's bou
 
 // --- Devices ---
 
-// All that a machine is put together from.
+// Everything from which a machine is built.
 struct Wanted {
   i8080::Options options;
   std::vector<DeviceChoice> devices;  // in the order of the list
-  std::map<std::string_view, std::uint8_t> interrupts;  // restarts, by line
+  std::map<std::string_view, std::uint8_t> interrupts;  // restart numbers by line
 };
 
-// Null: it is not wanted.
+// Null: not wanted.
 template <class Machine>
 auto find(Machine& wanted, const PortDeviceInfo& info) {
   const auto found =
@@ -52,7 +52,7 @@ auto find(Machine& wanted, const PortDeviceInfo& info) {
   return found == wanted.devices.end() ? nullptr : &*found;
 }
 
-// visit(info) for each device of a kind.
+// Calls visit(info) for each device of a kind.
 template <class Visit>
 void each_of(PortDeviceKind kind, Visit visit) {
   for (const i8080::KnownDevice& known : i8080::known_devices)
@@ -66,7 +66,7 @@ std::vector<std::string_view> choices(PortDeviceKind kind) {
   return choices;
 }
 
-// visit(info, line) for every interrupt line of a device.
+// Calls visit(info, line) for every interrupt line of a device.
 template <class Visit>
 void each_line(Visit visit) {
   for (const i8080::KnownDevice& known : i8080::known_devices)
@@ -95,14 +95,14 @@ const char* option_of(PortDeviceKind kind) {
   }
 }
 
-// Those that --device attaches.
+// The devices that --device attaches.
 std::vector<ListedDevice> listed_devices() {
   std::vector<ListedDevice> devices;
   each_of(PortDeviceKind::other, [&devices](const PortDeviceInfo& info) { devices.push_back({info.name, info.help, info.options}); });
   return devices;
 }
 
-// What the options that attach a device say of this one; nothing: it is not wanted.
+// The choice of this device by the options; nullopt: not wanted.
 std::optional<DeviceChoice> choice_of(const PortDeviceInfo& info, const Arguments& arguments, std::span<const DeviceChoice> listed) {
   switch (info.kind) {
     case PortDeviceKind::raster_board:
@@ -122,7 +122,7 @@ std::optional<DeviceChoice> choice_of(const PortDeviceInfo& info, const Argument
   return std::nullopt;
 }
 
-// --- What options of their own say of devices: settings ---
+// --- Settings of devices from separate options ---
 
 using Settings = std::vector<core::Setting>;
 
@@ -143,7 +143,7 @@ Result<Settings> hold_times(const std::string& text) {
                            text));
 }
 
-// "X,Y", decimal steps, Y on the carriage of the CalComp: the settings of one.
+// "X,Y", decimal steps, Y on the carriage of the CalComp: a plotter's settings.
 Result<Settings> plotter_place(const std::string& text) {
   const std::size_t comma = std::min(text.find(','), text.size());
   const std::string_view whole = text;
@@ -187,7 +187,7 @@ Result<Done> want_devices(const Arguments& arguments, Wanted& wanted) {
   return Done{};
 }
 
-// "DEVICE=N": the request of that line is wired to RST N.
+// "DEVICE=N": connects the request of that line to RST N.
 Result<Done> want_interrupt(Wanted& wanted, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string_view name = std::string_view(text).substr(0, equals);
@@ -207,11 +207,11 @@ Result<Done> want_interrupt(Wanted& wanted, const std::string& text) {
     return base::usage_error(fmt::format("--interrupt: found \"{}\", expected DEVICE=N with N of 0 to 7 and one of {}",
                              text, line_names(" ", " ")));
   }
-  if (!there) return base::usage_error(fmt::format("--interrupt: found \"{}\", expected a device that is there", name));
+  if (!there) return base::usage_error(fmt::format("--interrupt: found \"{}\", expected an attached device", name));
   return Done{};
 }
 
-// All that decides how the machine works and is no state; --strict only says where a run ends.
+// Everything that determines how the machine works and is not state; --strict only determines where a run ends.
 std::vector<std::string> configuration_of(const Wanted& wanted, const std::optional<CpmSetup>& cpm) {
   std::vector<std::string> words{fmt::format("--clock {}", wanted.options.clock.hertz)};
   if (const DeviceChoice* const hold = find(wanted, devices::BusMaster::info); hold != nullptr) {
@@ -276,7 +276,7 @@ Result<Done> set_baud(const Arguments& arguments, Wanted& wanted) {
   return Done{};
 }
 
-// What the host sends over a link is in its file.
+// The bytes that the host sends over a link are in a file.
 void read_links(const Arguments& arguments, const FileReader& read, I8080Setup& setup) {
   each_of(PortDeviceKind::link, [&](const PortDeviceInfo& info) {
     const std::string option = fmt::format("--{}", info.name);
@@ -369,7 +369,7 @@ Result<Bytes> bytes_of(const base::Result<std::vector<std::uint8_t>>& bytes) {
   return bytes.value();
 }
 
-// A lone colon may as well be an 8080's LDA.
+// A lone colon can also be the 8080's LDA opcode.
 bool begins_with_hex_record(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t shortest = 11;  // `:`, then length, address, type and checksum of no bytes at all
   static constexpr std::string_view hexadecimal_digits = "0123456789abcdefABCDEF";
@@ -398,7 +398,7 @@ Result<Program> read_hex(View bytes, const std::string& file, LoadAddress addres
   return program_of(image::read_intel_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file));
 }
 
-// Raw bytes without a place are a program for CP/M.
+// With --cpm, raw bytes without an address are a CP/M program.
 std::string_view instead_of(const Arguments& arguments, std::string_view format, bool address) {
   return arguments.given("--cpm") && format == "bin" && !address ? "com" : format;
 }

@@ -40,14 +40,13 @@ class I8080Recorder final : public i8080::Observer {
     if (vcd) vcd->finish(now);
   }
 
-  // T of the fetch in decimal, address and bytes, the instruction, registers after it. INT is before an
-  // instruction that a device supplied, * before an opcode that Intel left undefined and that does the same
-  // as another.
+  // A line: T-state of the fetch in decimal, address and bytes, the instruction, registers after it. INT precedes an
+  // instruction that a device supplied, * an opcode that Intel left undefined and that repeats another.
   void instruction(const i8080::InstructionRecord& record) override {
     if (trace_.wanted()) write(record);
     if (vcd) vcd->instruction(record);
   }
-  // T of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle.
+  // A line: T-state of the cycle's T1 in decimal, status byte, address, data; -- in the halt cycle.
   void cycle(const i8080::BusCycle& cycle) override {
     if (bus_.wanted()) write(cycle);
     if (vcd) vcd->cycle(cycle);
@@ -65,7 +64,7 @@ class I8080Recorder final : public i8080::Observer {
     std::string text;
   };
 
-  // A loop meets the same bytes at the same places.
+  // Cached because a loop executes the same bytes at the same addresses.
   const Remembered& disassembled(const i8080::InstructionRecord& record) {
     Remembered& known = remembered_[record.pc];
     if (known.length == 0 || known.bytes != record.bytes) {
@@ -112,7 +111,7 @@ class I8080Recorder final : public i8080::Observer {
 
 static_assert(Probe::executed == i8080::mark::stop && Probe::is_read == i8080::mark::read && Probe::is_written == i8080::mark::written);
 
-// The observer of a monitor that has marked places or waits for conditions. One for each call of Machine::run().
+// The observer of a monitor with marks or conditions. Made for each call of Machine::run().
 class I8080Watcher : public i8080::Observer {
  public:
   I8080Watcher(Probe& probe, core::TStateInstant now) : watch_(probe) {
@@ -145,7 +144,7 @@ class I8080Watcher : public i8080::Observer {
   }
 
  private:
-  // Of an interrupt the byte is not memory's, and is not reported.
+  // The byte of an interrupt acknowledge is not from memory and is not reported.
   void add(Probe::Kind kind, const i8080::BusCycle& cycle, std::uint32_t address) {
     watch_.add(kind, core::t_states_of(cycle.time), address, kind == Probe::Kind::interrupt ? 0 : cycle.data);
   }
@@ -153,7 +152,7 @@ class I8080Watcher : public i8080::Observer {
   Watch watch_;
 };
 
-// The same, and reports each instruction and each cycle.
+// An I8080Watcher that also reports each instruction and each cycle.
 class I8080Listener final : public I8080Watcher {
  public:
   I8080Listener(Probe& probe, core::TStateInstant now) : I8080Watcher(probe, now), probe_(probe) {

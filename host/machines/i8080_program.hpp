@@ -1,5 +1,5 @@
-// An 8080 program whose sources are embedded, assembled: what every guest on the 8080 begins with. It is a part of this program, so that
-// what is wrong with it ends the process.
+// An assembled 8080 program whose sources are embedded. All 8080 guests are such programs. They are part of this
+// executable, so an error in one ends the process.
 #pragma once
 
 #include <fmt/core.h>
@@ -20,7 +20,7 @@ namespace sightline::machines {
 
 class I8080Program {
  public:
-  // `sources`: pairs of name and text. `called`: the program's name in a message.
+  // `sources`: pairs of name and text. `called`: the program's name for messages.
   template <class Sources>
   I8080Program(const Sources& sources, const std::string& main_source, std::string_view called) : called_(called) {
     const auto text_of = [&sources](const std::string& name) -> std::optional<std::string> {

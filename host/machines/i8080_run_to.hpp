@@ -1,4 +1,4 @@
-// Runs an 8080 to a place in its program.
+// Runs an 8080 to an address in its program.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace sightline::machines {
 
-// Runs until the next instruction is at `place`, and ends with StopReason::observer. If the run begins there, that instruction is
-// executed first.
+// Runs until the next instruction is at `place`, and ends with StopReason::observer. If the run begins there, that
+// instruction is executed first.
 inline i8080::StopReason run_to(i8080::Machine& machine, i8080::Address place, const i8080::Limits& limits) {
   class Arrival final : public i8080::Observer {
    public:

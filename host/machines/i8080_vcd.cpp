@@ -10,7 +10,7 @@ namespace sightline::machines {
 
 namespace {
 
-// The rows of i8080_signals(), by number; those of the status byte from its lowest bit on.
+// The indices of i8080_signals(); those of the status byte in order from its lowest bit.
 namespace i8080_signal {
 enum : std::size_t {
   address, data, sync, dbin, wr, wait, ready, interrupt, hold, hlda, t, inta, wo, stack, hlta, out, m1, inp, memr, pc, sp, a, f, bc, de, hl, inte, count
@@ -63,7 +63,7 @@ void I8080Vcd::cycle(const i8080::BusCycle& cycle) {
   end_cycle(cycle.time);
   const bool first = (cycle.status & status::first) != 0;
   if (first) opcode_ = cycle.data;
-  // INTE falls as the interrupt is acknowledged.
+  // INTE falls when the interrupt is acknowledged.
   if (first && (cycle.status & status::acknowledge) != 0) {
     show(cycle.time, i8080_signal::interrupt, 1);
     show(cycle.time, i8080_signal::inte, 0);
@@ -150,7 +150,7 @@ void I8080Vcd::end_cycle(core::TStateInstant end) {
   const auto at = [&cycle](std::int64_t n) { return cycle.time + core::TStates(n); };
   const bool reads = (cycle.status & status::read) != 0;
   const std::int64_t length = (end - cycle.time).count();
-  // Of a fetch the rest is T4, T5 and cycles inside: its wait states cannot be told from them. The last cycle of XTHL has a
+  // The rest of a fetch is T4, T5 and internal cycles, which cannot be told from wait states. The last cycle of XTHL has a
   // T4 and a T5 too.
   constexpr i8080::Byte xthl = 0xE3;
   const std::int64_t own = opcode_ == xthl && !reads && length >= 5 ? 5 : 3;
@@ -165,7 +165,7 @@ void I8080Vcd::end_cycle(core::TStateInstant end) {
     show(at(2), i8080_signal::wait, 1);
     show(at(2), i8080_signal::t, 6);
     if (!reads) show(at(2), i8080_signal::wr, 1);
-    show(at(1 + waits), i8080_signal::ready, 1);  // which the last wait state sees
+    show(at(1 + waits), i8080_signal::ready, 1);  // which the last wait state samples
   }
   const std::int64_t third = 2 + waits;
   show(at(third), i8080_signal::wait, 0);
@@ -174,7 +174,7 @@ void I8080Vcd::end_cycle(core::TStateInstant end) {
   if (!reads) show(at(third), i8080_signal::wr, 1);
   show(at(third), i8080_signal::t, 3);
   if (!reads) show(at(third + 1), i8080_signal::wr, 0);
-  // DAD goes on inside after T4.
+  // DAD has internal cycles after T4.
   const std::int64_t inside = (cycle.data & 0xCFU) == 0x09 ? 4 : 5;
   for (std::int64_t n = third + 1; n < length; ++n) show(at(n), i8080_signal::t, n < inside ? static_cast<std::uint32_t>(n + 1) : 7U);
 }

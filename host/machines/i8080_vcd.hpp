@@ -14,14 +14,14 @@
 
 namespace sightline::machines {
 
-// What --vcd shows of an 8080.
+// The signals that --vcd offers for an 8080.
 [[nodiscard]] std::span<const VcdSignal> i8080_signals();
 
-// Pins by T-state, from machine cycles: what a T-state shows is fixed but for the number of wait states, which the time
-// until the next cycle tells.
+// Derives pins by T-state from machine cycles. The levels of a T-state are fixed except for the number of wait states,
+// which follows from the time until the next cycle.
 class I8080Vcd {
  public:
-  // The writer is of i8080_signals(). `requested`: whether a device asks for an interrupt.
+  // The writer must be made from i8080_signals(). `requested`: whether a device requests an interrupt.
   I8080Vcd(VcdWriter writer, core::ClockRate clock, std::function<bool()> requested)
       : writer_(std::move(writer)), clock_(clock), requested_(std::move(requested)) {}
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
@@ -29,26 +29,26 @@ class I8080Vcd {
 
   void cycle(const i8080::BusCycle& cycle);
   void instruction(const i8080::InstructionRecord& record);
-  // Told before the cycle in which it is. Where the processor begins to wait, the cycle before has its end.
+  // Called before the cycle in which the pins change. If the processor begins to wait, the previous cycle ends there.
   void hold(const i8080::HoldPins& pins);
 
  private:
   void show(core::TStateInstant at, std::size_t row, std::uint32_t value);
-  // Those up to then. The board that has the bus drives address and data.
+  // Shows the changes up to `at`. The board that has the bus drives address and data.
   void show_holds(core::TStateInstant at);
   void show_pin(core::TStateInstant at, std::size_t row, std::uint32_t value);
   void first_t_state(const i8080::BusCycle& cycle);
-  // Until the next cycle begins.
+  // Shows the halt until the next cycle begins.
   void begin_halt(const i8080::BusCycle& cycle);
-  // All T-states of the cycle, which ends at `end`.
+  // Shows all T-states of the cycle, which ends at `end`.
   void end_cycle(core::TStateInstant end);
 
   VcdWriter writer_;
   core::ClockRate clock_;
   std::function<bool()> requested_;
   std::optional<i8080::BusCycle> pending_;
-  i8080::Byte opcode_ = 0;                     // of the instruction under way
-  std::deque<i8080::HoldPins> holds_;  // that are not shown yet
+  i8080::Byte opcode_ = 0;                     // of the current instruction
+  std::deque<i8080::HoldPins> holds_;  // not shown yet
   bool begun_ = false;
   core::TStateInstant latest_{};
 };

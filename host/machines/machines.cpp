@@ -1,4 +1,4 @@
-// The machines of the command, a row each.
+// The machines of the command, one row each.
 #include <array>
 
 #include "host/machines/machine.hpp"

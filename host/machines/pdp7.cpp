@@ -29,16 +29,16 @@ namespace sightline::machines {
 
 namespace {
 
-// Emulated in some ten milliseconds: short enough for Ctrl-C, long enough to cost nothing.
+// About ten milliseconds of host time: short enough for Ctrl-C, long enough to cost nothing.
 constexpr std::uint64_t cycles_between_questions = std::uint64_t{1} << 22;
-// A run is asked sooner at its beginning, where it may meet a device that is not there, and where every instruction is written
-// down, which takes longer.
+// Shorter at the beginning of a run, where it may access a missing device, and where every instruction is recorded, which
+// takes longer.
 constexpr std::uint64_t cycles_to_first_question = std::uint64_t{1} << 16;
-// A program that has run into its data can meet thousands of codes.
+// A program that executes its data can contain thousands of codes.
 constexpr std::size_t most_warnings = 100;
-// The exposure that the photograph's parameters are set for.
+// The exposure for which the photograph's parameters are set.
 constexpr core::Duration shutter_time{200'000'000};
-// A picture of a pass that ended longer ago is not what a person would have seen.
+// A person would no longer have seen a pass that ended longer ago.
 constexpr core::Duration oldest_picture{200'000'000};
 
 std::string seconds_text(core::Instant t) {
@@ -53,7 +53,7 @@ std::string why_unanswered(std::uint32_t word) {
   return fmt::format("no device {:02o} in this machine obeys it", (word >> 6) & 077U);
 }
 
-// The one before, in its bank: PC has gone on.
+// The address before `pc` in its bank: PC has already advanced.
 pdp7::Address before(pdp7::Address pc) {
   return (pc & pdp7::bank_mask) | ((pc - 1) & pdp7::in_bank_mask);
 }
@@ -92,7 +92,7 @@ class Pdp7Machine final : public Machine {
         machine_(setup_.machine),
         switches_(setup_.switches) {}
 
-  // Once, before anything else.
+  // Call once, before anything else.
   [[nodiscard]] Result<Done> put_together() {
     std::string error = machine_.error();
     const auto attach = [&](std::string_view name, std::span<const core::Setting> settings = {}) {
@@ -175,7 +175,7 @@ class Pdp7Machine final : public Machine {
     }
   }
 
-  // A slice ends where the engine is to be asked or the light pen moves.
+  // A slice ends where the engine must be asked or the light pen moves.
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
     display_words_.reset();
     const std::uint64_t done = machine_.counts().instructions;
@@ -245,7 +245,8 @@ class Pdp7Machine final : public Machine {
       flags.emplace_back("disk", (disk_->status_word() & over) != 0);
     }
     if (setup_.display) {
-      // Asked, the display comes to the machine's time, as the run makes it do later. One that is not plugged in yet has no flag up.
+      // Access brings the display to the machine's time, which the run does anyway. A display that is not plugged in yet
+      // has no flag up.
       auto* const display = this->display();
       flags.emplace_back("edge", display != nullptr && (display->vertical_edge(now()) || display->horizontal_edge(now())));
       flags.emplace_back("pen", display != nullptr && display->light_pen_flag(now()));
@@ -253,7 +254,7 @@ class Pdp7Machine final : public Machine {
     }
     return flags;
   }
-  // The order of conditions().
+  // In the order of conditions().
   [[nodiscard]] bool condition(std::size_t number) override {
     switch (number) {
       case 0: return clock_.interrupt_request();
@@ -333,7 +334,8 @@ class Pdp7Machine final : public Machine {
     if (probe_) probe_->keys.push_back({ticks(), code});
     quiet_since_ = machine_.now() + setup_.machine.timing.teletype_character;
   }
-  // A program that takes keys by interrupt alone asks for none: it gets the next when all is quiet for longer.
+  // A program that takes keys only by interrupt never polls: it gets the next key when the console has been quiet for
+  // longer.
   [[nodiscard]] bool wants_key() const override {
     if (!keyboard_.all_read()) return false;
     const core::Duration quiet = machine_.now() - quiet_since_;
@@ -379,7 +381,7 @@ class Pdp7Machine final : public Machine {
       }
       return done;
     }
-    // An output, or --display, asks for one whatever the snapshot has.
+    // An output, or --display, requires one whatever the snapshot has.
     if (setup_.display && !setup_.display_when_used && display() == nullptr) plug_in_display(true);
     switches_ = machine_.console().switches(machine_.now());
     heard_of_printed_ = taken_of_printed_ = printer_.printed().size();
@@ -516,7 +518,7 @@ class Pdp7Machine final : public Machine {
 
   // --- Devices by --device ---
 
-  // tell(name, counts) for each that is attached.
+  // Calls tell(name, counts) for each attached one.
   template <class Tell>
   void further_devices(Tell tell) const {
     for (const DeviceChoice& choice : setup_.devices)
@@ -530,7 +532,7 @@ class Pdp7Machine final : public Machine {
 
   // --- The display ---
 
-  // Null: there is none, or it is not plugged in.
+  // Null: there is no display, or it is not plugged in.
   [[nodiscard]] type340::Display* display() const {
     if (display_ == nullptr) display_ = machine_.find<type340::Display>();
     return display_;
@@ -569,13 +571,13 @@ class Pdp7Machine final : public Machine {
     if (!probe_ || !(probe_->watches_instructions() || probe_->watches_boundaries())) return machine_.run(limits);
     Pdp7Watcher watcher(*probe_, machine_.now());
     const auto reason = machine_.run(limits, watcher);
-    // The last boundary of a run by number is not asked for.
+    // No boundary follows the last instruction of a run limited by number.
     if (reason == pdp7::StopReason::instruction_limit)
       static_cast<void>(watcher.stop(machine_.now(), machine_.registers().pc));
     return reason;
   }
 
-  // An input without a name is no pen.
+  // An input without a name removes the pen.
   Result<Done> attach_pen(const Input& input) {
     if (!setup_.display) return base::usage_error("found no display on this machine, expected one; begin without --no-display");
     std::vector<PenMove> script;
@@ -583,7 +585,7 @@ class Pdp7Machine final : public Machine {
       if (auto done = read_light_pen(input, script); !done) return done;
     }
     if (display() == nullptr) {
-      if (input.name.empty()) return Done{};  // no pen is there to be taken away
+      if (input.name.empty()) return Done{};  // there is no pen to remove
       plug_in_display(true);
     }
     pen_script_ = std::move(script);
@@ -592,7 +594,7 @@ class Pdp7Machine final : public Machine {
     return Done{};
   }
 
-  // An input without a name is an empty drive.
+  // An input without a name empties the drive.
   Result<Done> attach_disk(const Input& input) {
     if (disk_ == nullptr) return base::usage_error("found no disk drive on this machine, expected one; begin with --disk FILE");
     if (input.name.empty()) {
@@ -627,8 +629,8 @@ class Pdp7Machine final : public Machine {
     });
   }
 
-  // Moves the pen as far as the script has come, and says when it goes on. The display stands at the
-  // machine's own time between runs, which is what its pen asks for.
+  // Moves the pen as far as the script has come, and returns the time of the next move. Between runs the display is at the
+  // machine's time, as its pen requires.
   core::Instant move_pen() {
     while (next_move_ < pen_script_.size() && pen_script_[next_move_].time <= machine_.now())
       display()->point_light_pen(pen_script_[next_move_++].pen);
@@ -655,7 +657,7 @@ class Pdp7Machine final : public Machine {
       warnings.push_back(fmt::format("the picture shows the newest {} points; --png-window reaches further back", Screen::strokes_kept));
     }
   }
-  // What a picture of so many strokes shows.
+  // Describes what a picture of that many strokes shows.
   [[nodiscard]] std::string shown(std::size_t strokes) const {
     if (setup_.screen && setup_.screen->window.count() != 0)
       return fmt::format("{} points of the last {} s", strokes, seconds_text(core::Instant(setup_.screen->window)));
@@ -665,10 +667,10 @@ class Pdp7Machine final : public Machine {
   }
   [[nodiscard]] picture::Image developed(core::Instant at) const {
     picture::PhosphorPhotograph photograph(std::max(core::Instant{}, at - shutter_time), at);
-    photograph.expose(screen_.newest_strokes());  // later ones add nothing
+    photograph.expose(screen_.newest_strokes());  // later strokes add nothing
     return photograph.develop();
   }
-  // The movie: a photograph at each frame's time, so that a run is the same with it.
+  // The movie: takes a photograph at each frame's time, so that a movie does not change the run.
   [[nodiscard]] core::Instant next_frame() {
     if (setup_.movie_rate == 0 || movie_.frames() == most_frames) return core::never;
     if (frame_at_ == core::Instant{}) frame_at_ = now() + frame_time();
@@ -699,25 +701,25 @@ class Pdp7Machine final : public Machine {
   Pdp7Recorder recorder_;
   std::optional<Probe> probe_;
   pdp7::Machine machine_;
-  // Of every machine here.
+  // Every machine here has these.
   pdp7::Clock& clock_ = *machine_.find<pdp7::Clock>();
   pdp7::Reader& reader_ = *machine_.find<pdp7::Reader>();
   pdp7::Punch& punch_ = *machine_.find<pdp7::Punch>();
   pdp7::Keyboard& keyboard_ = *machine_.find<pdp7::Keyboard>();
   pdp7::Printer& printer_ = *machine_.find<pdp7::Printer>();
   pdp7::Rb09* disk_ = nullptr;  // null: no drive on the machine
-  mutable type340::Display* display_ = nullptr;  // null: to be found by display()
+  mutable type340::Display* display_ = nullptr;  // null: display() looks it up
   static constexpr std::uint32_t most_frames = 750;
   picture::ApngWriter movie_{{1, static_cast<std::uint16_t>(std::max(1U, setup_.movie_rate))}, 0,
                              {{"Software", "sightline " SIGHTLINE_VERSION}}};
-  core::Instant frame_at_{};  // of the movie, the next one; 0: none yet
+  core::Instant frame_at_{};  // the next frame of the movie; 0: none yet
   core::Word18 switches_;  // their current setting
-  mutable std::optional<std::map<std::uint32_t, type340::Mode>> display_words_;  // as core is now; nullopt: to be found
-  std::string disk_path_;  // of the disk in the drive; empty: none, or it is not written back
+  mutable std::optional<std::map<std::uint32_t, type340::Mode>> display_words_;  // for the current core; nullopt: not computed
+  std::string disk_path_;  // of the disk in the drive; empty: no disk, or it is not written back
   std::vector<PenMove> pen_script_;
   std::size_t next_move_ = 0;  // of pen_script_
-  // For the console: how much the printer has printed, of which how much was handed out, and since when neither it nor
-  // the keyboard has been at work.
+  // For the console: how many characters have been printed, how many of them were handed out, and since when the printer
+  // and the keyboard have been quiet.
   std::size_t heard_of_printed_ = 0;
   std::size_t taken_of_printed_ = 0;
   core::Instant quiet_since_{};

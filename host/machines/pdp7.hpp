@@ -1,5 +1,5 @@
-// A PDP-7 configured for one run, with the devices that the run needs. A run that nothing watches has no observer, and a
-// display whose strokes nobody takes does not compute single flashes.
+// A PDP-7 configured for one run, with the devices that the run needs. A run without trace, dump or monitor has no
+// observer, and a display without a stroke taker does not compute single flashes.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,12 @@ namespace sightline::machines {
 struct Pdp7Setup {
   pdp7::Options machine;
   std::optional<type340::Options> display;  // nullopt: no display on the machine
-  bool display_when_used = false;           // it is plugged in by the program's first IOT of a display
-  std::vector<std::pair<std::string, std::int64_t>> timing;  // what --timing has set, for the report
+  bool display_when_used = false;           // the program's first display IOT plugs it in
+  std::vector<std::pair<std::string, std::int64_t>> timing;  // values of --timing, for the report
   core::Word18 switches;
   std::vector<pdp7::SwitchSetting> switch_script;
   struct Disk {
-    std::string path;                 // it is written back to; empty: it is not
+    std::string path;                 // written back to it; empty: not written back
     std::vector<core::Word18> image;
     std::uint32_t number = 0;         // the checksum of its bytes
     std::uint32_t locks = 0;          // pdp7::Rb09::attach
@@ -37,15 +37,15 @@ struct Pdp7Setup {
   std::vector<DeviceChoice> devices;  // by --device
   Bytes reader_tape;                     // one byte a line, hole 8 = 0200
   std::string reader_name;               // of its file; empty: no tape
-  std::vector<KeyPress> keys;            // not before one another
-  std::vector<PenMove> pen_script;       // likewise; nothing without a display
+  std::vector<KeyPress> keys;            // in order of time
+  std::vector<PenMove> pen_script;       // likewise; empty without a display
   std::vector<std::string> configuration;  // see Machine
-  bool trace = false;                    // take("--trace") is to come
-  std::optional<VcdWriter> vcd;          // of pdp7_signals(); take("--vcd") is to come
-  bool monitored = false;                // it has a probe; instead of a trace
-  bool picture_wanted = false;           // an output shows it
-  std::uint32_t movie_rate = 0;          // photographs a second of emulated time; 0: no movie
-  std::optional<Screen::Wishes> screen;  // of its strokes; its log is taken with take("--strokes")
+  bool trace = false;                    // take("--trace") will be called
+  std::optional<VcdWriter> vcd;          // made from pdp7_signals(); take("--vcd") will be called
+  bool monitored = false;                // has a probe, but no trace
+  bool picture_wanted = false;           // for an output
+  std::uint32_t movie_rate = 0;          // photographs per second of emulated time; 0: no movie
+  std::optional<Screen::Wishes> screen;  // for its strokes; take("--strokes") takes its log
 };
 
 // The registers of the description are PC AC L MQ SC SR ION. Error: devices that use the same IOTs.

@@ -1,5 +1,5 @@
-// The PDP-7 as a MachineDescription: its options and what their texts mean, its tapes, its assembler, and the
-// disassemblers of the processor and of the Type 340.
+// The PDP-7 as a MachineDescription: its options and their meaning, its tapes, its assembler, and the disassemblers of the
+// processor and of the Type 340.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,11 +24,10 @@ namespace {
 
 // --- Times that --timing sets, and choices ---
 //
-// emulators/pdp7/timing.hpp tells the status of each. Bounds keep a run sensible, not realistic: a clock tick
-// takes less than the clock's period, and the sum of the times of any run that a host lives to see stays
-// inside the emulated clock.
+// emulators/pdp7/timing.hpp tells the status of each. Bounds keep a run meaningful, not realistic: a clock tick is shorter
+// than the clock's period, and the times of any feasible run add up within the range of the emulated clock.
 
-// One member of pdp7::Timing. `device` counts only for iot_stretch.
+// One member of pdp7::Timing. `device` is used only for iot_stretch.
 struct TimingName {
   std::string_view name;
   std::string_view unit;
@@ -60,7 +59,7 @@ constexpr TimingName number_named(std::string_view name, std::string_view unit, 
           }};
 }
 
-// A question that is answered with yes or no.
+// A choice between yes and no.
 template <bool pdp7::Timing::*Member>
 constexpr TimingName choice_named(std::string_view name) {
   return {name,
@@ -107,7 +106,7 @@ struct TimingPlace {
   std::size_t device;
 };
 
-// Devices are written in two octal digits: each has one name.
+// Devices are written in two octal digits, so each has one name.
 std::optional<TimingPlace> timing_place(std::string_view name) {
   if (name.starts_with(stretch_prefix)) {
     const std::string_view digits = name.substr(stretch_prefix.size());
@@ -121,7 +120,7 @@ std::optional<TimingPlace> timing_place(std::string_view name) {
   return TimingPlace{&*found, 0};
 }
 
-// "NAME=VALUE" each, in any order; the same name again replaces the value.
+// Each text is "NAME=VALUE", in any order; a repeated name replaces the value.
 Result<Done> set_timing(const std::vector<std::string>& texts, Pdp7Setup& setup) {
   for (const std::string& text : texts) {
     const std::size_t equals = std::min(text.find('='), text.size());
@@ -208,7 +207,7 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   return Done{};
 }
 
-// An octal word, or a script of who moves the switches when.
+// An octal word, or a script of switch settings and their times.
 Result<Done> set_switches(const std::string& text, const FileReader& read, Pdp7Setup& setup) {
   if (text.empty()) return Done{};
   if (text.find_first_not_of("01234567") != std::string::npos)
@@ -219,7 +218,7 @@ Result<Done> set_switches(const std::string& text, const FileReader& read, Pdp7S
   return Done{};
 }
 
-// All that decides how the machine works and is no state; --strict only says where a run ends.
+// Everything that determines how the machine works and is not state; --strict only determines where a run ends.
 std::vector<std::string> configuration_of(const Pdp7Setup& setup) {
   const sightline::pdp7::Options& machine = setup.machine;
   std::vector<std::string> words{fmt::format("--memory {}k", machine.core_words / 1024),
@@ -235,7 +234,7 @@ std::vector<std::string> configuration_of(const Pdp7Setup& setup) {
     if (stretch[device].count() != 0)
       words.push_back(fmt::format("--timing {}{:02o}={}", stretch_prefix, device, stretch[device].count()));
   }
-  // Whether the display is plugged in is state, which the machine adds.
+  // Whether the display is plugged in is state; the machine adds it.
   if (!setup.display) words.emplace_back("--no-display");
   if (setup.display && setup.display->characters_342) words.emplace_back("--display-option 342");
   if (setup.display && setup.display->subroutines_347) words.emplace_back("--display-option 347");
@@ -243,7 +242,7 @@ std::vector<std::string> configuration_of(const Pdp7Setup& setup) {
   return words;
 }
 
-// The devices of the machine's list that --device attaches: those that are not always there, and that no other option attaches.
+// The devices of the list that --device attaches: those that are neither always present nor attached by another option.
 const std::vector<ListedDevice>& further_devices() {
   static const std::vector<ListedDevice> devices = [] {
     std::vector<std::string_view> known = sightline::pdp7::Options{}.devices;

@@ -14,7 +14,7 @@
 
 namespace sightline::machines {
 
-// The fields of a line: time (ns, decimal, of the fetch), PC, word, disassembly, then AC, L, MQ after it.
+// Writes lines with time (ns, decimal, of the fetch), PC, word, disassembly, and AC, L, MQ after the instruction.
 class Pdp7Tracer {
  public:
   void instruction(const pdp7::InstructionRecord& record);
@@ -22,7 +22,7 @@ class Pdp7Tracer {
   void finish() { text_.finish(); }
 
  private:
-  // A loop meets the same words at the same places.
+  // Cached because a loop executes the same words at the same addresses.
   struct Remembered {
     core::Word18 word;
     std::string text;
@@ -47,10 +47,10 @@ class Pdp7Recorder final : public pdp7::Observer {
   std::optional<Pdp7Vcd> vcd;
 };
 
-// The observer of a monitor that has marked places, waits for conditions or listens to each instruction.
+// The observer of a monitor with marks, conditions or an instruction listener.
 class Pdp7Watcher final : public pdp7::Observer {
  public:
-  // A run begins: the probe outlives the watcher, and gets no other marks while the run lasts.
+  // Made when a run begins: the probe must outlive the watcher, and its marks must not change during the run.
   Pdp7Watcher(Probe& probe, core::Instant now);
 
   void instruction(const pdp7::InstructionRecord& record) override;

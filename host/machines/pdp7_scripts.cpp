@@ -38,7 +38,7 @@ struct ScriptLine {
   }
 };
 
-// take(ScriptLine) for every line; what it refuses ends the reading. `ordered`: times may not decrease.
+// Calls take(ScriptLine) for every line; its first error ends the reading. `ordered`: times must not decrease.
 template <class Take>
 Result<Done> each_line(const Input& script, bool ordered, Take take) {
   std::string_view text(reinterpret_cast<const char*>(script.bytes.data()), script.bytes.size());
@@ -66,7 +66,7 @@ Result<Done> each_line(const Input& script, bool ordered, Take take) {
   return Done{};
 }
 
-// One key of `typed`, which begins after it then; empty if the escape is unknown.
+// Removes and returns the first key of `typed`; nullopt if the escape is unknown.
 std::optional<std::uint8_t> take_key(std::string_view& typed) {
   const char first = typed.front();
   typed.remove_prefix(1);
@@ -84,7 +84,7 @@ std::optional<std::uint8_t> take_key(std::string_view& typed) {
   return code;
 }
 
-// The field of view that `X Y [RADIUS]` means; empty if it is malformed.
+// Parses `X Y [RADIUS]`; nullopt if it is malformed.
 std::optional<type340::LightPen> parse_field_of_view(std::string_view text) {
   static constexpr std::uint32_t last_point = type340::Registers::screen_mask;
   constexpr std::uint32_t usual_radius = 4;

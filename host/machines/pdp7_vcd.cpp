@@ -9,7 +9,7 @@ namespace sightline::machines {
 
 namespace {
 
-// The rows of pdp7_signals(), by number.
+// The indices of pdp7_signals().
 namespace pdp7_signal {
 enum : std::size_t {
   fetch, defer, execute, eae, brk, tick, interrupt, address, data, write, device, pulses, pc, ac, link, mq, ion, request, edge, pen,

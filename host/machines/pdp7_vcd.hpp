@@ -15,15 +15,15 @@
 
 namespace sightline::machines {
 
-// What --vcd shows of a PDP-7.
+// The signals that --vcd offers for a PDP-7.
 [[nodiscard]] std::span<const VcdSignal> pdp7_signals();
 
-// Bus events and registers into a VCD. Of the display the registers are read when an instruction ends.
+// Converts bus events and registers into a VCD. The registers of the display are read when an instruction ends.
 class Pdp7Vcd {
  public:
-  // The registers of the display; nullptr: it is not plugged in.
+  // Returns the registers of the display; nullptr: it is not plugged in.
   using DisplayRegisters = std::function<const type340::Registers*()>;
-  // The writer is of pdp7_signals().
+  // The writer must be made from pdp7_signals().
   Pdp7Vcd(VcdWriter writer, DisplayRegisters display) : writer_(std::move(writer)), display_(std::move(display)) {}
   void take(TextTaker taker) { writer_.take(std::move(taker)); }
   void finish(core::Instant now);
@@ -33,15 +33,15 @@ class Pdp7Vcd {
 
  private:
   [[nodiscard]] std::size_t kind_of(const pdp7::Cycle& cycle);
-  // What the cycles after this instruction are for: those of what XCT leads to are distinguished, too.
+  // Predicts the purpose of the cycles after this instruction, including those of the target of an XCT.
   void follow(std::uint32_t word);
   void iot(const pdp7::Cycle& cycle, std::int64_t end);
   void clear_pulses(std::int64_t at);
 
   VcdWriter writer_;
   DisplayRegisters display_;
-  bool defers_ = false;            // the next cycle takes an indirect address
-  bool executes_another_ = false;  // the cycle after that takes an instruction
+  bool defers_ = false;            // the next cycle fetches an indirect address
+  bool executes_another_ = false;  // the cycle after that fetches an instruction
   bool pulses_ = false;
 };
 

@@ -1,4 +1,4 @@
-// How a program on the PDP-7 is measured: by marks at addresses of its program.
+// Measures a program on the PDP-7 by marks at addresses of the program.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace sightline::machines {
 
-// An observer with a table of marks. Its cycle() is also called for the cycles that need no mark (pdp7::Observer).
+// An observer with a table of marks. cycle() is also called for the cycles that need no mark (pdp7::Observer).
 class ProgramWatch : public pdp7::Observer {
  public:
   ProgramWatch() { marks = table_.data(); }
-  // A run keeps the address of the table.
+  // Not copyable, because a run keeps the address of the table.
   ProgramWatch(const ProgramWatch&) = delete;
   ProgramWatch& operator=(const ProgramWatch&) = delete;
 
@@ -25,7 +25,7 @@ class ProgramWatch : public pdp7::Observer {
 
   // `what`: one or several of pdp7::mark.
   void mark(pdp7::Address address, std::uint8_t what) { table_[address & pdp7::address_mask] |= what; }
-  // Ends the run: called by cycle(), at the boundary behind its instruction.
+  // Ends the run at the boundary after the current instruction; for use in cycle().
   void request_stop() { stop_ = true; }
 
  private:

@@ -1,5 +1,5 @@
-// Takes the strokes of the plotters of a run: writes them down, and keeps the lines they draw, as far as the run asks for it.
-// Strokes tell nothing of a lifted pen: marks one step apart are joined.
+// Takes the strokes of a run's plotters: logs them and keeps the lines they draw, as the run requires. Strokes do not show
+// a lifted pen: marks one step apart are joined.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace sightline::machines {
 
 class PlotterTaker final : public core::StrokeTaker {
  public:
-  // Corners kept of a program that draws for ever.
+  // The bound for a program that draws for ever.
   static constexpr std::size_t most_corners = std::size_t{1} << 22;
 
   explicit PlotterTaker(bool drawing) : drawing_(drawing) {}
@@ -42,11 +42,11 @@ class PlotterTaker final : public core::StrokeTaker {
   void take(TextTaker taker) { log_.take(std::move(taker)); }
   void finish() { log_.finish(); }
   [[nodiscard]] const std::vector<picture::PenPath>& paths() const { return paths_; }
-  // Marks beyond what is kept.
+  // The number of marks beyond the bound.
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
-  // The drawing is an output: where it ends is enough to go back to, as corners are only added or moved at the end. A
-  // machine that has not drawn so much begins a new drawing.
+  // The drawing is an output. Its end point is enough to go back to, because corners are only added or moved at the end. A
+  // machine that has drawn less begins a new drawing.
   void visit_state(core::StateVisitor& visit) {
     End end;
     if (!paths_.empty()) {

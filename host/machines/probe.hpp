@@ -1,9 +1,9 @@
-// What a monitor wants to know of a run: where it is to stop, and which instructions it obeys.
+// What a monitor observes in a run: where it stops, and which instructions it executes.
 //
-// A machine made with `--monitor` has one and reads it when a run begins: without marks, condition and listener the run has no
-// observer. Else the machine's observer compares accesses with the marks and asks at boundaries between two instructions. An
-// event ends the run at the boundary that follows. The caller of Machine::run calls resume() first: a run from a place with a
-// breakpoint passes over it once.
+// A machine made with `--monitor` has a probe and reads it when a run begins: without marks, condition and listener the run
+// has no observer. Otherwise the machine's observer compares accesses with the marks and checks conditions at boundaries
+// between instructions. An event ends the run at the following boundary. The caller of Machine::run calls resume() first; a
+// breakpoint at the address where a run begins is skipped once.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace sightline::machines {
 
 class Probe {
  public:
-  // Marks of an address or a port: those of the machines (pdp7::mark, i8080::mark).
-  static constexpr std::uint8_t executed = 1;  // of a port of the PDP-7: an IOT to it
+  // Marks of an address or a port, with the values of the machines' (pdp7::mark, i8080::mark).
+  static constexpr std::uint8_t executed = 1;  // for a port of the PDP-7: an IOT to it
   static constexpr std::uint8_t is_read = 4;
   static constexpr std::uint8_t is_written = 8;
 
@@ -26,42 +26,42 @@ class Probe {
   struct Event {
     Kind kind;
     std::int64_t time;      // in the machine's unit
-    std::uint32_t address;  // of memory, or a port; of an interrupt the instruction it came before
-    std::uint32_t value;    // read or written; of an IOT of the PDP-7 the instruction
+    std::uint32_t address;  // of memory, or a port; for an interrupt, the address of the instruction it preceded
+    std::uint32_t value;    // read or written; for an IOT of the PDP-7, the instruction
     friend bool operator==(const Event&, const Event&) = default;
   };
 
-  // An instruction that has been obeyed.
+  // An instruction that has been executed.
   struct Entry {
     std::int64_t time = 0;  // when it began, in the machine's unit
     std::uint32_t pc = 0;
-    std::uint32_t word = 0;     // the instruction; of the 8080 its bytes, the first lowest
-    std::uint32_t address = 0;  // that it last used; of an XCT, that of the instruction it led to
-    std::uint32_t value = 0;    // there
+    std::uint32_t word = 0;     // the instruction; for the 8080 its bytes, the first lowest
+    std::uint32_t address = 0;  // the last address it accessed; for an XCT, that of its target
+    std::uint32_t value = 0;    // the word at that address
     std::uint32_t accumulator = 0;
     std::uint32_t link = 0;   // or the flags
     bool has_address = false;
-    bool supplied = false;  // by a device
+    bool supplied = false;  // by a device instead of memory
   };
 
   // A machine cycle.
   struct Cycle {
     std::int64_t time = 0;    // when it began, in the machine's unit
-    std::int64_t length = 0;  // at least
+    std::int64_t length = 0;  // minimum length
     std::string_view name = {};
     bool has_address = false;
     std::uint32_t address = 0;
-    std::uint32_t value = 0;  // on the bus; with an address only
+    std::uint32_t value = 0;  // on the bus; only with an address
   };
 
-  // What was typed on the console: the boundary it came at, in the machine's unit, and its code.
+  // A key typed on the console: the time of its boundary, in the machine's unit, and its code.
   struct Key {
     std::int64_t time;
     std::uint8_t code;
   };
 
   Probe(std::size_t addresses, std::size_t ports) : addresses_(addresses), ports_(ports) {}
-  // One of the same size that knows nothing.
+  // A probe of the same size without marks and listeners.
   [[nodiscard]] Probe empty() const { return {addresses_.size(), ports_.size()}; }
 
   void mark(std::uint32_t address, std::uint8_t marks) {
@@ -82,33 +82,33 @@ class Probe {
   }
   [[nodiscard]] std::size_t ports() const { return ports_.size(); }
 
-  std::function<void(const Entry&)> on_instruction;  // empty: nobody listens
-  std::function<void(const Cycle&)> on_cycle;        // of a run with on_instruction; empty: nobody listens
+  std::function<void(const Entry&)> on_instruction;  // empty: no listener
+  std::function<void(const Cycle&)> on_cycle;        // called in runs with on_instruction; empty: no listener
 
-  // Asked at each boundary, when registers, memory, time and counts are those of the boundary; true: the run ends there, with an
-  // event. Empty: nobody waits for conditions.
+  // Called at each boundary, when registers, memory, time and counts are those of the boundary; true ends the run there
+  // with an event. Empty: no conditions.
   std::function<bool()> condition_changed;
 
-  // Whether an event is one that somebody waits for, as not each value is; empty: all are.
+  // Whether an event is wanted, since not every value is; empty: all are wanted.
   std::function<bool(const Event&)> wants;
 
-  std::vector<Key> keys;  // all, in order
+  std::vector<Key> keys;  // all keys, in order
 
-  // Since resume(), in order.
+  // The events since resume(), in order.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
   void resume() { events_.clear(); }
 
-  // For the machine: what a run is to be watched for.
+  // For the machine: what it must observe in a run.
   [[nodiscard]] bool watches_instructions() const { return static_cast<bool>(on_instruction); }
   [[nodiscard]] bool has_conditions() const { return static_cast<bool>(condition_changed); }
   [[nodiscard]] bool watches_boundaries() const { return has_conditions() || marked_; }
   [[nodiscard]] bool marks_interrupts() const { return interrupts_; }
-  // One byte for each address, or port, that the machine can have.
+  // One byte for each possible address or port of the machine.
   [[nodiscard]] const std::uint8_t* marks() const { return addresses_.data(); }
   [[nodiscard]] const std::uint8_t* port_marks() const { return ports_.data(); }
-  // Addresses with the mark is_written, for what the host itself writes.
+  // Addresses with the mark is_written, to detect writes by the host itself.
   [[nodiscard]] const std::vector<std::uint32_t>& written_places() const { return written_places_; }
-  // A watched place can be touched without end in one instruction; the first accesses tell enough.
+  // One instruction can access a watched address without end; the first accesses are enough.
   void add(const Event& event) {
     constexpr std::size_t most = 64;
     if (events_.size() < most) events_.push_back(event);
@@ -120,21 +120,21 @@ class Probe {
   std::vector<std::uint32_t> written_places_;
   std::vector<Event> events_;
   bool interrupts_ = false;
-  bool marked_ = false;  // a place, a port or interrupts
+  bool marked_ = false;  // an address, a port or interrupts
 };
 
-// What a run does for its probe, whatever the machine. Times are in the machine's unit.
+// The work of a run for its probe, common to all machines. Times are in the machine's unit.
 class Watch {
  public:
-  // The probe outlives it; it must not get others marks while the run lasts.
+  // The probe must outlive the watch; its marks must not change during the run.
   explicit Watch(Probe& probe) : probe_(&probe), places_(probe.marks()), ports_(probe.port_marks()) {}
 
-  // A run begins here: an instruction at this place is passed over.
+  // A run begins: a breakpoint at its first instruction is skipped.
   void begin(std::int64_t now) {
     begun_ = now;
     told_ = !probe_->events().empty();
   }
-  // At a boundary; true: the run ends there.
+  // Called at a boundary; true: the run ends there.
   [[nodiscard]] bool stop(std::int64_t now, std::uint32_t next) {
     if (now == begun_) return told_;
     if (has(next, Probe::executed)) add(Probe::Kind::execution, now, next, 0);

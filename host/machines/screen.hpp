@@ -1,8 +1,8 @@
-// The strokes that a run keeps of its display: it does only what was asked for.
+// The strokes that a run keeps of its display, only as far as requested.
 //
-// A picture shows the last complete pass. A program that never completes one is shown by the newest strokes
-// of the run, up to the recorder's limit. A photograph needs the newest strokes too, for the afterglow of
-// what was drawn before the shutter opened.
+// A picture shows the last complete pass. If a program never completes one, it shows the newest strokes of the run, up to
+// the recorder's limit. A photograph needs the newest strokes too, for the afterglow of those drawn before the shutter
+// opened.
 #pragma once
 
 #include <cstddef>
@@ -26,11 +26,11 @@ class Screen final : public core::StrokeTaker {
   struct Wishes {
     bool picture = false;     // for picture_strokes()
     bool photograph = false;  // for newest_strokes()
-    core::Duration window{};  // a picture of all strokes of the last so many nanoseconds; 0: of the last complete pass
+    core::Duration window{};  // a picture shows all strokes of this last period; 0: the last complete pass
   };
 
   explicit Screen(Wishes wishes) : wishes_(wishes), newest_(strokes_kept) {}
-  // Takes every stroke, as host/picture/stroke_log writes it; before the first one.
+  // Logs every stroke, in the format of host/picture/stroke_log; call it before the first stroke.
   void take_log(TextTaker taker) { log_.take(std::move(taker)); }
 
   void begin_pass(core::Instant t) override {
@@ -48,13 +48,13 @@ class Screen final : public core::StrokeTaker {
   void end_pass(core::Instant t) override {
     if (wishes_.picture) passes_.end_pass(t);
   }
-  // The machine goes back to `t`: later strokes are drawn again. What the log has written stays.
+  // The machine goes back to `t`: later strokes will be drawn again. Text that the log has written stays.
   void forget_after(core::Instant t) {
     passes_.forget_after(t);
     newest_.forget_after(t);
     fresh_.clear();
   }
-  // From now on strokes are kept for take_strokes, and for nothing else.
+  // From now on strokes are kept for take_strokes, and only for it.
   void keep_strokes(bool keep) {
     live_ = keep;
     if (keep) wishes_ = {};
@@ -65,13 +65,14 @@ class Screen final : public core::StrokeTaker {
     std::swap(taken_, fresh_);
     return taken_;
   }
-  // Hands out what is left of the log.
+  // Flushes the log.
   void finish() { log_.finish(); }
 
   [[nodiscard]] bool has_complete_pass() const { return passes_.passes() != 0; }
-  // When the last complete pass ended; there is one.
+  // When the last complete pass ended; there must be one.
   [[nodiscard]] core::Instant end_of_pass() const { return passes_.complete().end; }
-  // Of the window that ends at `now`; without one of the last complete pass; if there is none, the newest of the run.
+  // The strokes of the window that ends at `now`; without a window, of the last complete pass; if there is none, the newest
+  // of the run.
   [[nodiscard]] std::vector<core::Stroke> picture_strokes(core::Instant now) const {
     if (wishes_.window.count() == 0) return has_complete_pass() ? passes_.complete().strokes : newest_.strokes();
     std::vector<core::Stroke> strokes = newest_.strokes();

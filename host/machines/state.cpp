@@ -90,7 +90,7 @@ std::size_t StateReader::begin(Group group, std::string_view name, std::size_t e
   switch (group) {
     case Group::part:
     case Group::section: break;
-    // An element has a byte at least.
+    // Bounded by the rest of the section, because an element has at least one byte.
     case Group::list: elements = static_cast<std::size_t>(take("number", 4, left()).value_or(elements)); break;
     case Group::optional: elements = static_cast<std::size_t>(take(name, 1, 1).value_or(elements)); break;
   }

@@ -1,6 +1,5 @@
-// The state of a machine as named sections of bytes, and the visitors (emulators/core/state_visitor.hpp) that
-// write and read them. A section's fields follow each other without gaps, in the order in which visit_state
-// names them:
+// The state of a machine as named sections of bytes, and the visitors (emulators/core/state_visitor.hpp) that write and
+// read them. The fields of a section follow each other without gaps, in the order of visit_state:
 //
 //   bool, std::uint8_t, enumerators   1 byte          core::Word                 4 bytes
 //   std::uint16_t                     2 bytes         TickCount, TickInstant     8 bytes, signed
@@ -11,7 +10,7 @@
 //   input     8 bytes, the length, then 4 bytes, its CRC-32
 //   output    8 bytes, the number of elements produced since the first start
 //
-// All are little-endian. host/live/snapshot.hpp makes a file of the sections.
+// All numbers are little-endian. host/live/snapshot.hpp makes a file of the sections.
 #pragma once
 
 #include <array>
@@ -38,7 +37,7 @@ struct StateSection {
 };
 using MachineState = std::vector<StateSection>;
 
-// The first bytes of a file with a state. No program begins like this.
+// The first bytes of a snapshot file. No program begins like this.
 inline constexpr std::array<std::uint8_t, 8> snapshot_signature{0x89, 'S', 'L', 'S', 'N', 'A', 'P', 0x0A};
 
 class StateWriter final : public core::StateVisitor {
@@ -62,10 +61,10 @@ class StateWriter final : public core::StateVisitor {
   base::Bytes* bytes_ = nullptr;  // of the last section
 };
 
-// After the first error nothing more is assigned.
+// After the first error it assigns nothing more.
 class StateReader final : public core::StateVisitor {
  public:
-  // What is done to outputs: a trial leaves them alone.
+  // What happens to outputs: a trial leaves them unchanged.
   enum class Outputs : std::uint8_t { keep, cut };
 
   StateReader(const MachineState& state, Outputs outputs)
@@ -78,7 +77,7 @@ class StateReader final : public core::StateVisitor {
   [[nodiscard]] bool restores() const override { return true; }
   [[nodiscard]] bool cuts_outputs() const override { return outputs_ == Outputs::cut && !error_; }
 
-  // The error if there was one, also that of a section that nothing has read.
+  // The first error, if any; a section that was not read is one.
   [[nodiscard]] std::optional<base::Error> finish();
 
  private:
@@ -86,7 +85,7 @@ class StateReader final : public core::StateVisitor {
   std::size_t begin(Group group, std::string_view name, std::size_t elements) override;
   void end() override;
 
-  // The next `bytes` bytes of the section, low one first; nothing: an error, which has been noted.
+  // The next `bytes` bytes of the section, low one first; nullopt after an error, which is recorded.
   std::optional<std::uint64_t> take(std::string_view name, unsigned bytes, std::uint64_t most, bool may_be_never = false);
   [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
   bool open(std::string_view name);
@@ -105,12 +104,11 @@ class StateReader final : public core::StateVisitor {
   std::string_view section_;
   std::span<const std::uint8_t> bytes_;
   std::size_t at_ = 0;
-  std::vector<Open> groups_;  // that have begun and not ended
+  std::vector<Open> groups_;  // groups that have begun and not ended
   std::optional<base::Error> error_;
 };
 
-// `visit_all` shows the state of a machine to a visitor. A state that is refused leaves the machine as it
-// was.
+// `visit_all` applies a visitor to the state of a machine. An error leaves the machine unchanged.
 template <class VisitAll>
 [[nodiscard]] base::Result<base::Done> restore_state(const MachineState& state, VisitAll visit_all) {
   StateWriter before;

@@ -1,4 +1,4 @@
-// The strokes of chosen passes of the display, for programs that are measured.
+// Keeps the strokes of chosen passes of the display, to measure programs.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace sightline::machines {
 
-// Keeps strokes while the class that derives from it says so. By itself it keeps none.
+// Keeps strokes while the derived class has enabled it. Initially it keeps none.
 class StrokeKeeper : public core::StrokeTaker {
  public:
   void strokes(std::span<const core::Stroke> strokes) override {
@@ -20,7 +20,7 @@ class StrokeKeeper : public core::StrokeTaker {
   ~StrokeKeeper() = default;
 
   void keep_strokes(bool keeps) { keeps_ = keeps; }
-  // Those kept since they were last taken or forgotten.
+  // The strokes kept since the last call of take_strokes() or forget_strokes().
   [[nodiscard]] std::vector<core::Stroke> take_strokes() { return std::exchange(kept_, {}); }
   void forget_strokes() { kept_.clear(); }
 

@@ -13,7 +13,7 @@ namespace sightline::machines {
 VcdTarget vcd_target(std::string_view text) {
   const std::size_t colon = text.rfind(':');
   const std::string_view behind = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
-  // A path goes on behind a colon of its own.
+  // A colon followed by a path is part of the file name.
   if (behind.empty() || behind.find_first_of("./") != std::string_view::npos) return {std::string(text), {}};
   return {std::string(text.substr(0, colon)), std::string(behind)};
 }
@@ -30,7 +30,7 @@ std::string vcd_help(std::span<const VcdSignal> signals) {
 Result<VcdWriter> VcdWriter::make(std::string_view machine, std::span<const VcdSignal> signals, std::string_view chosen) {
   VcdWriter writer(machine, signals);
   for (std::size_t n = 0; n < signals.size(); ++n) {
-    // Printable characters from ! on, the first digit lowest.
+    // Printable characters from ! on, least significant digit first.
     constexpr std::size_t digits = 94;
     std::string identifier;
     for (std::size_t rest = n + 1; rest != 0; rest = (rest - 1) / digits)
@@ -92,7 +92,7 @@ void VcdWriter::write(std::int64_t nanoseconds, std::size_t signal, std::uint32_
       text += value == floating ? 'z' : value != 0 ? '1' : '0';
     } else {
       text += 'b';
-      // Leading zeros may be left out.
+      // Leading zeros may be omitted.
       unsigned first = bits;
       while (first > 1 && (value >> (first - 1) & 1U) == 0) --first;
       if (value == floating) {

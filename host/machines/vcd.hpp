@@ -1,6 +1,6 @@
-// Value change dumps (IEEE 1364-2005, section 18): what wires of a machine show, for GTKWave and its like.
+// Value change dumps (IEEE 1364-2005, section 18): the signals of a machine, for GTKWave and similar viewers.
 //
-// A machine describes its signals in a table of rows; help, the choice of signals and the file read it.
+// A machine describes its signals in a table; help, the choice of signals and the file are made from it.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 namespace sightline::machines {
 
 struct VcdSignal {
-  std::string_view group;  // chosen together, and a scope of the file
+  std::string_view group;  // selected together, and a scope of the file
   std::string_view name;
   unsigned bits;
   std::string_view meaning;
 };
 
-// FILE[:SIGNALS]: the last colon with a name behind it begins the signals.
+// FILE[:SIGNALS]: the last colon that is followed by a name begins the signals.
 struct VcdTarget {
   std::string file;
   std::string signals;  // names of signals and groups between commas; empty: all
@@ -33,18 +33,18 @@ struct VcdTarget {
 
 class VcdWriter {
  public:
-  // A value that nobody drives.
+  // The value of a wire that nobody drives.
   static constexpr std::uint32_t floating = ~std::uint32_t{0};
 
-  // The table outlives the writer. usage: a name that is in no row.
+  // The table must outlive the writer. Error usage: a name that no row has.
   [[nodiscard]] static Result<VcdWriter> make(std::string_view machine, std::span<const VcdSignal> signals,
                                               std::string_view chosen);
 
   void take(TextTaker taker) { text_.take(std::move(taker)); }
-  // The last values last until then.
+  // Extends the last values to that time.
   void finish(std::int64_t nanoseconds);
 
-  // A signal, by its row, shows a value from `nanoseconds` on, which never decrease. Unchanged values are passed over.
+  // Sets a signal, by its row, from `nanoseconds` on, which must not decrease. Unchanged values are skipped.
   void show(std::int64_t nanoseconds, std::size_t signal, std::uint32_t value) {
     if (!wires_[signal].chosen || (wires_[signal].known && wires_[signal].value == value)) return;
     write(nanoseconds, signal, value);

@@ -320,7 +320,7 @@ TEST_F(RunI8080Command, WrongUsage) {
   refused({"--cpm", "--console", "ascii", "--send", "\\q"}, "--send: found \"\\q\", expected \\r");
   refused({"--cpm", "--console", "ascii", "--dump", "-"}, "--console needs standard output");
   refused({"--cpm", "--speed", "max"}, "--speed: needs --console");
-  refused({"--interrupt", "serial-receive=7"}, "expected a device that is there");
+  refused({"--interrupt", "serial-receive=7"}, "expected an attached device");
   refused({"--interrupt", "ef9365=8", "--board", "ef9365"}, "--interrupt");
   refused({"--plotter", "calcomp", "--plotter-start", "1"}, "--plotter-start");
   for (const char* const hold : {"5", "5+", "5+0", "+5", "5+5/5", "5+5/", "5+5/x", "5+5/6/7", "-1+5"})
