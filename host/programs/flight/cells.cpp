@@ -41,7 +41,7 @@ class Builder {
     return has_pieces(node.before) || has_pieces(node.in) || has_pieces(node.behind);
   }
 
-  // A plane gets its number before those below it do.
+  // A plane gets its number before the planes below it do.
   Place place_of(willis::OrderPlace place) {
     if (!has_pieces(place)) return 0;
     if (place < 0) {
@@ -62,7 +62,7 @@ class Builder {
     return static_cast<Place>(0x80 + at + 1);
   }
 
-  // Far enough from the plane that rounding turns it little, and not so far that the machine's steps become long.
+  // Far enough from the plane that rounding tilts it little, but not so far that the machine's steps become long.
   [[nodiscard]] std::array<std::array<double, 3>, 2> mirrored(const willis::SurfacePlane& plane) const {
     std::array<double, 3> normal{};
     double square = 0;
@@ -87,7 +87,7 @@ class Builder {
   }
 
   const willis::Model& model_;
-  std::vector<Place> numbers_;  // by the model's cell
+  std::vector<Place> numbers_;  // indexed by the model's cell
   std::vector<bool> has_pieces_;
   std::array<double, 3> low_{};
   std::array<double, 3> high_{};

@@ -1,4 +1,4 @@
-// A flight on its machine compared with that of the program's native twin.
+// Compares a flight on its machine with that of the program's native twin.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace sightline::programs::flight {
 
-// Of the frames that both have: the first difference, in words. Empty: none.
+// Describes the first difference among the frames that both have; empty if none.
 [[nodiscard]] std::string first_wrong_frame(const MachineFlight& machine, const TwinFlight& twin);
-// The same of a flight that has ended: of the status, too, and what no program may do: not to end, or to write in vain.
+// The same for a flight that has ended; also compares the status, and reports a program that did not end or lost writes.
 [[nodiscard]] std::string difference_from_twin(const MachineFlight& machine, const TwinFlight& twin);
 
 }  // namespace sightline::programs::flight

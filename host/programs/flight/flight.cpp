@@ -32,7 +32,7 @@ Summary summary_of(const std::vector<Frame>& frames, std::size_t pieces, core::C
     sum.pairs += std::uint64_t{frame.facing} * (frame.facing - (frame.facing > 0 ? 1 : 0)) / 2;
     sum.wrong_points += frame.wrong_points;
     sum.frames_wrong += frame.wrong_points > 0 ? 1 : 0;
-    if (i == 0) continue;  // it has no beginning
+    if (i == 0) continue;  // its computing time has no beginning
     const double gap = core::in_seconds(frame.shown - frames[i - 1].shown);
     shown += gap;
     longest = std::max(longest, gap);
@@ -68,7 +68,7 @@ ShownOrder shown_order(const willis::Model& model, const scene::PolyCamera& came
   for (std::size_t near = 0; near < exact.size(); ++near) {
     for (std::size_t far = 0; far < near; ++far) {
       if (priorities[exact[far] + 1] < priorities[exact[near] + 1]) continue;
-      // Cells have no order by distance that could be the same.
+      // Pieces of different cells are ordered even at equal distances.
       if (model.pieces[exact[far]].cell != model.pieces[exact[near]].cell || distance(exact[far]) != distance(exact[near])) ++shown.wrong;
     }
   }
@@ -78,7 +78,7 @@ ShownOrder shown_order(const willis::Model& model, const scene::PolyCamera& came
   return shown;
 }
 
-// What the host knows of each frame: exact order, and where its pieces are on the screen.
+// The host's data for each frame: the exact order, and the screen spans of its pieces.
 class FlightInProgress::Host {
  public:
   Host(const willis::Model& model, std::span<const scene::PolyCamera> cameras) : model_(model), cameras_(cameras), frames_(model) {}
@@ -213,9 +213,9 @@ base::Result<Outcome> run(const Order& order) {
 
 double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame& frame) {
   const bool space = packed.axes == 3;
-  double packet = 0;  // receipt and check of an eye, and what a frame costs besides
-  double piece = 0;   // its key, its look at the one before it in the order, its priority
-  double key = 0;     // of that
+  double packet = 0;  // receiving and checking an eye, and the fixed cost of a frame
+  double piece = 0;   // its key, its comparison with the piece before it in the order, its priority
+  double key = 0;     // of the same piece
   switch (packed.precision) {
     case Precision::bits_8:
       packet = space ? 1440 : 980;
@@ -233,11 +233,12 @@ double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame&
       key = space ? 1090 : 750;
       break;
   }
-  // SHIFT of order.asm takes 60 for a piece that is passed where the upper bytes of the keys differ. The rest is INSERT, and keys
-  // that begin alike, as those of neighbours do.
+  // SHIFT of order.asm takes 60 for each piece passed if the upper bytes of the keys differ. The rest is INSERT, and keys
+  // with equal upper bytes, as neighbours have.
   constexpr double moved = 124;
   constexpr double exchange = 60;
-  // Both points of a plane have a key; VISIT of cells.asm takes 330, and 86 for each cell. A piece of a cell takes 40 more to be told.
+  // Both points of a plane have a key; VISIT of cells.asm takes 330, and 86 for each cell. A piece of a cell takes 40 more
+  // to receive its priority.
   constexpr double visit = 440;
   constexpr double told = 40;
   const auto planes = static_cast<double>(packed.planes);

@@ -21,7 +21,7 @@ namespace display = devices::priority_display;
 
 }  // namespace
 
-// Notes every frame, and how long the program waited for the display to be free.
+// Records every frame, and how long the program waited until the display was free.
 class FlightMachine::DisplayFront final : public i8080::Front {
  public:
   DisplayFront(i8080::Machine& machine, const Program& program, const MachineOptions& options, MachineFlight& flight)
@@ -41,16 +41,16 @@ class FlightMachine::DisplayFront final : public i8080::Front {
     if (shows) note(at);
   }
 
-  // After the program's end: the last frame is shown, too.
+  // After the program's end: lets the display show the last frame too.
   void end() {
     if (!flight_.frames.empty()) pass_to_host(flight_.frames.back().shown + display::frame);
   }
 
  private:
-  // The pieces' numbers by distance, and how they change from frame to frame.
+  // The pieces' numbers by distance, and their changes from frame to frame.
   class Ranks {
    public:
-    // `order`: the nearest first. The first one is compared with the order of the numbers.
+    // `order`: nearest first. The first order is compared with that of the numbers.
     void take(std::span<const std::uint8_t> order, MachineFrame& frame) {
       if (place_.empty()) {
         place_.resize(256);
@@ -67,7 +67,7 @@ class FlightMachine::DisplayFront final : public i8080::Front {
     }
 
    private:
-    std::vector<unsigned> place_;  // in the order of the frame before, by number
+    std::vector<unsigned> place_;  // by number, in the order of the frame before
   };
 
   static constexpr std::uint8_t control_port = devices::PriorityBoard::info.writes[0].first + devices::PriorityBoard::Register::control;
@@ -81,14 +81,14 @@ class FlightMachine::DisplayFront final : public i8080::Front {
     const std::size_t count = machine().peek(count_);
     ranks_.take(machine().memory().subspan(list_end_ - count, count), frame);
     frame.waiting = last_asked_ - first_asked_;
-    // A frame begins with its first line, where the display takes a new list.
+    // A frame begins with its first line, where the display takes over a new list.
     const std::int64_t length = display::frame.count();
     const std::int64_t now = options_.clock.to_nanoseconds(at).time_since_epoch().count();
     frame.shown = core::at_nanoseconds((now / length + 1) * length);
     flight_.frames.push_back(frame);
     asked_ = false;
   }
-  // Frames whose scan is over by then.
+  // Passes on frames whose scan is over by `now`.
   void pass_to_host(core::Instant now) {
     if (!options_.scanned) return;
     while (handed_ < flight_.frames.size() && flight_.frames[handed_].shown + display::line * display::lines <= now) {
@@ -125,7 +125,7 @@ struct FlightMachine::Parts {
     machine.load(0, program.memory);
     machine.start(program.start);
   }
-  // The machine is a part of this program, so that an error ends the process.
+  // The machine is part of this executable, so an error ends the process.
   void attach(std::string_view device) {
     if (const std::string error = machine.attach(device); !error.empty()) base::give_up(error);
   }
@@ -167,7 +167,8 @@ std::span<const std::uint32_t> FlightMachine::picture() {
 }
 
 core::TStateInstant latest_end(std::span<const std::uint8_t> stream) {
-  // Tables and silence, each byte, and for a frame of so many bytes all pieces in the opposite order.
+  // The tables and the time-out for a silent host, each byte, and for a frame of that many bytes a complete reversal of the
+  // order.
   constexpr std::int64_t once = 20'000'000;
   constexpr std::int64_t a_byte = 2'000'000;
   return core::at_t_state(once + a_byte * static_cast<std::int64_t>(stream.size()));

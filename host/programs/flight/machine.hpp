@@ -1,5 +1,6 @@
-// Runs the program of firmware/i8080/flight on the emulated 8080 between a host, which sends a stream and gives the display what is to be seen,
-// and the priority display; and measures every frame. The ports are watched; nothing is added to the program.
+// Runs the program of firmware/i8080/flight on the emulated 8080 between a host, which sends a stream and gives the display
+// the visible surfaces, and the priority display; measures every frame by observing the ports. Nothing is added to the
+// program.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +19,10 @@ namespace sightline::programs::flight {
 
 struct MachineFrame {
   Priorities priorities{};      // in the display when it was told to show them
-  core::TStateInstant told{};   // when
-  core::TStates waiting{};      // until the display had taken up the frame before
-  core::Instant shown{};        // the beginning of the display's frame that shows it
-  // How far the program's order is from that of the frame before: pieces that went before another, and pairs that changed places.
+  core::TStateInstant told{};   // the time of that command
+  core::TStates waiting{};      // until the display had taken over the frame before
+  core::Instant shown{};        // the beginning of the display's frame that shows them
+  // The distance of the program's order from that of the frame before: pieces moved before another, and pairs exchanged.
   std::uint32_t moved = 0;
   std::uint32_t exchanges = 0;
 };
@@ -30,36 +31,36 @@ struct MachineFlight {
   Status status = Status::running;
   std::vector<MachineFrame> frames;
   core::TStates total{};
-  bool ended = false;             // false: the limit of time came before the program's halt
+  bool ended = false;             // false: the time limit came before the program's halt
   std::uint64_t priorities = 0;   // written
-  std::uint64_t writes_lost = 0;  // by the display: none, if all is well
+  std::uint64_t writes_lost = 0;  // by the display; 0 unless the program has an error
   std::uint64_t unanswered = 0;   // accesses that no device answered
 };
 
 struct MachineOptions {
   bool display = true;
   core::ClockRate clock{};
-  // Called before the display is told to show a frame, from 0: the host gives the board what is to be seen.
+  // Called before the display is told to show a frame, numbered from 0: the host gives the board its surfaces.
   std::function<void(std::uint32_t frame, devices::PriorityBoard& board)> give = {};
-  // Called when a frame has been scanned, with the picture of the display (512 lines of 512 colours, the top line first).
+  // Called when a frame has been scanned, with the display's picture (512 lines of 512 colours, top line first).
   std::function<void(std::uint32_t frame, std::span<const std::uint32_t> picture)> scanned = {};
 };
 
-// A flight that is run from time to time, while somebody looks.
+// A flight that is run in parts while somebody watches.
 class FlightMachine {
  public:
-  // The program's memory is copied; the stream outlives this.
+  // The program's memory is copied; the stream must outlive this.
   FlightMachine(const Program& program, std::span<const std::uint8_t> stream, MachineOptions options = {});
   ~FlightMachine();
   FlightMachine(const FlightMachine&) = delete;
   FlightMachine& operator=(const FlightMachine&) = delete;
 
-  // To that time, or to the program's end, which `flight().ended` tells. The last frame is then shown, too.
+  // Runs to that time or to the program's end, which `flight().ended` tells. Then the last frame is shown too.
   void run(core::TStateInstant until);
-  // So far; what is in the display is as of the last run.
+  // The flight so far; the display's state is as of the last run.
   [[nodiscard]] const MachineFlight& flight() const { return flight_; }
   [[nodiscard]] core::TStateInstant now() const;
-  // What the display shows by now, as `scanned` has it.
+  // The current picture of the display, in the form of `scanned`.
   [[nodiscard]] std::span<const std::uint32_t> picture();
 
  private:
@@ -70,9 +71,9 @@ class FlightMachine {
   std::unique_ptr<Parts> parts_;
 };
 
-// More than any program can take for that stream.
+// An upper bound on the time of any program for that stream.
 [[nodiscard]] core::TStateInstant latest_end(std::span<const std::uint8_t> stream);
-// The whole flight at once.
+// Runs the whole flight at once.
 [[nodiscard]] MachineFlight run_machine(const Program& program, std::span<const std::uint8_t> stream, const MachineOptions& options = {});
 
 }  // namespace sightline::programs::flight

@@ -25,7 +25,7 @@ willis::Point eye_point(const Model& model, const scene::PolyPoint& eye) {
   return point;
 }
 
-// What of the machine's points the model takes.
+// The number of the machine's points that the model takes.
 std::size_t points_of(const Model& model, const Cells& cells) { return model.pieces.size() + 2 * cells.planes.size(); }
 
 std::optional<base::Error> too_many(const Model& model) {
@@ -48,7 +48,7 @@ std::optional<base::Error> too_many(const Model& model) {
                      .remedy = "a flight past the nearest pieces (--pieces), in plan (--plan), or a smaller scene"};
 }
 
-// The pieces with these numbers, in this order.
+// Keeps the pieces with these numbers, in this order.
 void choose(Model& model, const std::vector<std::size_t>& order) {
   std::vector<willis::Surface> chosen;
   for (const std::size_t i : order) chosen.push_back(model.pieces[i]);
@@ -65,7 +65,7 @@ void choose(Model& model, const std::vector<std::size_t>& order) {
   model.residual = std::move(residual);
 }
 
-// Bits of a coordinate.
+// The number of bits of a coordinate.
 int bits_of(Precision precision) {
   switch (precision) {
     case Precision::bits_8: return 8;
@@ -85,7 +85,7 @@ class Space {
   }
 
   [[nodiscard]] std::size_t axes() const { return forward_ || vertical_ < 3 ? 2 : 3; }
-  // Of a unit of its coordinates, in units of the lattice.
+  // A unit of its coordinates, in units of the lattice.
   [[nodiscard]] double unit() const {
     return forward_ ? 1 / std::sqrt(static_cast<double>(geometry::dot(*forward_, *forward_))) : 1;
   }
@@ -140,7 +140,7 @@ base::Result<Model> flight_model(const scene::PolyScene& scene, const willis::Mo
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
   if (pieces) order.resize(std::min({order.size(), *pieces, most_pieces}));
   choose(model, order);
-  // Planes between those that are left take room, too.
+  // Planes between the remaining pieces take space too.
   while (pieces && model.pieces.size() > 1) {
     const std::size_t points = points_of(model, cells_of(model));
     if (points <= most_pieces) break;
@@ -156,7 +156,7 @@ base::Result<Model> view_model(const scene::PolyScene& scene, const willis::Mode
   auto made = willis::make_model(scene, options);
   if (!made) return made.error();
   Model model = std::move(*made);
-  // Frames has the farthest first.
+  // Frames orders the farthest first.
   willis::Frames frames(model);
   const auto facing = frames.order(camera);
   choose(model, {facing.rbegin(), facing.rend()});
@@ -192,8 +192,8 @@ Packed pack(const Model& model, std::span<const scene::PolyCamera> cameras, Prec
   if (!space.has_depth_only())
     for (const Space::Place& eye : eyes)
       for (const Space::Place& point : points) farthest = std::max(farthest, distance(eye, point));
-  // No distance is above the largest number of so many bits, though each difference may be rounded up by one: 2 is more than the
-  // root of three.
+  // No distance exceeds the largest number of that many bits, even if each difference is rounded up by one: 2 is more than
+  // the square root of three.
   const std::int64_t largest = (std::int64_t{1} << bits_of(precision)) - 1;
   const auto steps_of = [](double length, std::int64_t most) {
     return static_cast<std::int64_t>(std::ceil(length / static_cast<double>(most)));

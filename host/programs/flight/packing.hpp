@@ -1,5 +1,5 @@
-// What the host does once for a flight: the model of Willis, as far as the machine holds it, and its points and eyes as the bytes of a stream
-// (firmware/i8080/flight/SPECIFICATION.md).
+// The host's preparation of a flight: the model of Willis, reduced to the machine's capacity, and its points and eyes as
+// the bytes of a stream (firmware/i8080/flight/SPECIFICATION.md).
 #pragma once
 
 #include <cstddef>
@@ -15,35 +15,37 @@
 
 namespace sightline::programs::flight {
 
-inline constexpr std::size_t most_pieces = 255;  // a piece's number is a byte, and 0 is none
+inline constexpr std::size_t most_pieces = 255;  // a piece's number is a byte, and 0 means none
 
-// The model with its pieces in the order of their distance from the eye: piece i has the number i + 1. With `pieces` given, of all no more than the
-// so many nearest. Errors: as willis::make_model; more pieces, and planes between solids that touch or are not convex, than the machine holds, by how many,
-// and whose they are.
+// The model with its pieces in order of distance from the eye: piece i has the number i + 1. With `pieces` given, at most
+// that many of the nearest. Errors: those of willis::make_model; more pieces, or planes between solids that touch or are
+// not convex, than the machine holds, with the excess and the body that causes most of it.
 [[nodiscard]] base::Result<algorithms::willis::Model> flight_model(const scene::PolyScene& scene, const algorithms::willis::ModelOptions& options,
                                                                    const scene::PolyPoint& eye, std::optional<std::size_t> pieces = {});
 
-// The same of the pieces that are turned to one camera: the others need no priority.
+// The same, with only the pieces turned to one camera: the others need no priority.
 [[nodiscard]] base::Result<algorithms::willis::Model> view_model(const scene::PolyScene& scene, const algorithms::willis::ModelOptions& options,
                                                                  const scene::PolyCamera& camera);
 
 struct Packed {
   Precision precision = Precision::bits_8;
   std::size_t axes = 3;
-  std::int64_t step = 1;      // of a coordinate, in units of willis's lattice
-  double step_in_units = 1;   // of the scene
+  std::int64_t step = 1;      // per unit of a coordinate, in units of willis's lattice
+  double step_in_units = 1;   // in units of the scene
   std::size_t planes = 0;
-  // Pieces of a cell whose distances from the eye differ by more than this, in units of the scene, are in the right order: a point and the eye are
-  // each rounded by half a step along every axis.
+  // Pieces of a cell whose distances from the eye differ by more than this, in units of the scene, are ordered correctly: a
+  // point and the eye are each rounded by half a step along every axis.
   double error_in_units = 0;
   std::vector<std::uint8_t> stream;
 };
 
-// The stream of a flight past so many eyes, at least one. A piece's point is its first corner, as it is for willis::Frames. In parallel projection, which has
-// one direction for all cameras (precondition), coordinates are the depth along it and 0, and the eye is where the depth begins.
+// The stream of a flight past the cameras' eyes, at least one. The point of a piece is its first corner, as for
+// willis::Frames. In parallel projection, with one direction for all cameras (precondition), coordinates are the depth
+// along it and 0, and the eye is where the depth begins.
 [[nodiscard]] Packed pack(const algorithms::willis::Model& model, std::span<const scene::PolyCamera> cameras, Precision precision);
 
-// The bytes of a stream, for tests and tools: coordinates within the precision, N + 2 D points, places and cells if there are planes, eyes.
+// Writes the bytes of a stream, for tests and tools: coordinates within the precision, N + 2 D points, places and cells if
+// there are planes, eyes.
 class StreamWriter {
  public:
   StreamWriter(Precision precision, std::size_t axes, std::size_t pieces, std::size_t planes = 0);

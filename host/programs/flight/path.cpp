@@ -17,8 +17,8 @@ using scene::PolyCamera;
 using scene::PolyPoint;
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double begins = 1.3;  // times half the scene's width before the middle
-constexpr double ends = 0.7;    // behind it
+constexpr double begins = 1.3;  // times half the scene's width, before the middle
+constexpr double ends = 0.7;    // the same, after the middle
 
 class Paths {
  public:
@@ -52,7 +52,7 @@ class Paths {
     const double over = std::max(tall, half_ / 4) / 2;
     return straight(pi / 6, 0, frame_.downwards ? bounds_.low[v] - over : bounds_.high[v] + over, 0.35);
   }
-  // A quarter of the way around.
+  // A path around the scene for a quarter of a turn.
   [[nodiscard]] std::optional<std::vector<PolyCamera>> around() const {
     const auto height = height_between();
     if (!height) return std::nullopt;
@@ -66,7 +66,7 @@ class Paths {
   }
 
  private:
-  // Between the feet and the tops of all faces that are not level: nothing, if there is no such height.
+  // The height between the feet and the tops of all faces that are not level; nullopt if there is none.
   [[nodiscard]] std::optional<double> height_between() const {
     const std::size_t v = frame_.vertical;
     std::int32_t feet = bounds_.low[v];
@@ -95,7 +95,7 @@ class Paths {
     at[frame_.vertical] = height;
     return at;
   }
-  // t from 0, the beginning of the way, to 1.
+  // The position at t, from 0, the beginning of the path, to 1.
   [[nodiscard]] Place on_way(double angle, double offset, double height, double t) const {
     const double along = half_ * (-begins + t * (begins + ends));
     return place(along * std::cos(angle) - offset * std::sin(angle), along * std::sin(angle) + offset * std::cos(angle), height);
@@ -134,7 +134,7 @@ class Paths {
       const auto at = grid_point(on_way(angle, offset, height, t));
       if (!at || scene::eye_place(scene_, *at).kind != scene::EyePlace::Kind::free) return false;
     }
-    // The frames' own places are rounded like these.
+    // Rounded like the positions of the frames.
     for (std::uint32_t i = 0; i < frames_; ++i) {
       const auto at = grid_point(on_way(angle, offset, height, frames_ > 1 ? double{1} * i / (frames_ - 1) : 0));
       if (!at || scene::eye_place(scene_, *at).kind != scene::EyePlace::Kind::free) return false;

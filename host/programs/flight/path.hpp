@@ -10,9 +10,9 @@
 
 namespace sightline::programs::flight {
 
-// Cameras of the frames. The eye goes between the buildings if some straight and level way is free, at half the height of the lowest one; else above
-// all of them, looking down a little; and with `level` set (for models in plan) around them, looking to the middle. Errors: no way within the
-// scene's coordinates.
+// The cameras of the frames. The eye passes between the buildings if a straight, level path is free at half the height of
+// the lowest one; otherwise above all of them, looking down a little; with `level` (for models in plan) around them,
+// looking to the middle. Error: no path lies within the scene's coordinates.
 [[nodiscard]] base::Result<std::vector<scene::PolyCamera>> path_through(const scene::PolyScene& scene, const scene::SceneFrame& frame,
                                                                         std::uint32_t frames, bool level);
 

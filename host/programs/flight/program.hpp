@@ -18,13 +18,13 @@ struct Program {
   std::vector<std::uint8_t> memory;  // from 0000 on
   i8080::Address start = 0;
   i8080::Address status = 0;  // STATUS: why the program stopped
-  i8080::Address count = 0;   // COUNT: pieces
-  i8080::Address list_end = 0;  // behind LIST: the pieces' numbers by distance, the nearest first
+  i8080::Address count = 0;   // number of pieces
+  i8080::Address list_end = 0;  // after LIST: the pieces' numbers by distance, nearest first
 };
 
-// The embedded program; it is part of this build, and gives up with the assembler's messages if it has an error.
+// Assembles the embedded program. It is part of this build: an error ends the process with the assembler's messages.
 [[nodiscard]] Program assemble_program();
-// The same, assembled at the first call.
+// The same, assembled on the first call.
 [[nodiscard]] const Program& resident_program();
 
 }  // namespace sightline::programs::flight

@@ -1,4 +1,5 @@
-// How the program of firmware/i8080/flight ends, and what its stream and its display hold. Source: its SPECIFICATION.md.
+// The final statuses of the program of firmware/i8080/flight, and data of its stream and its display. Source: its
+// SPECIFICATION.md.
 #pragma once
 
 #include <array>
@@ -33,10 +34,10 @@ enum class Status : std::uint8_t {
   return "a status that is none of the program's";
 }
 
-// A coordinate's bits: what the byte `precision` of the stream says.
+// The bits of a coordinate: the byte `precision` of the stream.
 enum class Precision : std::uint8_t { bits_8 = 1, bits_12 = 2, bits_16 = 3 };
 
-// Priorities by number; 0 where there is no such piece.
+// Priorities by number; 0 where no such piece exists.
 using Priorities = std::array<std::uint8_t, 256>;
 
 }  // namespace sightline::programs::flight

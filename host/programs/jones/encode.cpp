@@ -51,7 +51,7 @@ class Encoder {
   }
 
  private:
-  // A word that holds flags and the address of another element's word, known when all are placed.
+  // A word with flags and the address of another element's word, which is known when all elements are placed.
   struct Reference {
     std::size_t word;
     bool to_opening;
@@ -85,7 +85,7 @@ class Encoder {
     opening_list(c);
   }
 
-  // Moves to and draws the line that takes the fewest dummy vectors; ties go to the scene's order.
+  // Moves to and draws the line that takes the fewest dummy vectors; in a tie the first in the scene's order.
   void draw_nearest(std::vector<scene::Line>& left, Point& pen) {
     std::size_t best = 0;
     bool best_reversed = false;
@@ -198,7 +198,7 @@ class Encoder {
   EncodedScene result_;
 };
 
-// Refuses what cannot fit before any of it is built: every line is a word, an opening is at least ten.
+// Rejects a scene that cannot fit before building any of it: every line is a word, an opening at least ten.
 std::optional<base::Error> too_large(const scene::CellScene& scene, std::uint32_t base) {
   std::uint64_t words = scene_header_words + 10 * std::uint64_t{scene.openings.size()};
   for (const scene::Cell& cell : scene.cells) words += 5 + cell.lines.size();

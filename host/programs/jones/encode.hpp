@@ -1,5 +1,5 @@
-// A scene as the words that the PDP-7 program works on: the data elements of Fig. 6 (Jones 1971), layout
-// ours.
+// A scene as the words that the PDP-7 program works on: the data elements of Fig. 6 (Jones 1971), with a layout chosen
+// here.
 //
 // In core, from the base address on:
 // - header: address of the initial cell; number of cells; eye x, y, z; the box in which the eye may move: low
@@ -12,9 +12,8 @@
 // - openings: 400000 + cell on the low side, cell on the high side, X Y Z n, n vectors of the closed ring.
 // Numbers are two's complement.
 //
-// Chain of a cell's lines: always the line whose nearer end takes the fewest dummy vectors to reach, the
-// first such in the scene's order, its `from` end first. Dummies go i, then j, then k. A vector beyond
-// +-16383 becomes several.
+// The chain of a cell's lines: always the line whose nearer end takes the fewest dummy vectors to reach, in a tie the first
+// in the scene's order, its `from` end first. Dummies go i, then j, then k. A vector beyond +-16383 becomes several.
 #pragma once
 
 #include <array>
@@ -38,10 +37,10 @@ struct Viewpoint {
   std::size_t cell = 0;
   geometry::Box limits;
 };
-// Error: the eye is in no cell or not within the limits of its own (it would see through the near plane).
+// Error: the eye is in no cell, or outside the limits of its cell (it would see through the near plane).
 [[nodiscard]] base::Result<Viewpoint> viewpoint(const scene::CellScene& scene, const geometry::Point& eye);
 
-// One word, and how the source tape writes it.
+// One word, and its text on the source tape.
 struct EncodedWord {
   std::uint32_t value = 0;  // 18 bits
   std::string tag;          // symbol defined at this word, or empty
@@ -59,8 +58,8 @@ struct EncodedScene {
   std::size_t opening_words = 0;  // words in all opening-elements
 };
 
-// Without an eye: that of the scene's default view; the initial cell is where the eye is. Precondition: check_scene(scene) found
-// nothing. Errors: of viewpoint(); the scene does not fit between base and the end of core.
+// Without an eye, the scene's default view is used; the initial cell is that of the eye. Precondition: check_scene(scene)
+// found no error. Errors: those of viewpoint(); the scene does not fit between base and the end of core.
 [[nodiscard]] base::Result<EncodedScene> encode(const scene::CellScene& scene, std::optional<geometry::Point> eye = {},
                                                 std::uint32_t base = 0);
 
@@ -68,9 +67,9 @@ struct EncodedScene {
 [[nodiscard]] std::array<std::uint32_t, scene_header_words> header_words(const EncodedScene& scene,
                                                                          const Viewpoint& view);
 
-// The symbolic source tape of a scene, which is assembled after the program and loaded into core with it:
-// encode(scene, eye) one word a line, numbers in octal, decimal in the comments; tags scene, c0.., o0...
-// The first line is a comment with the scene's name and counts. Errors are those of encode.
+// The symbolic source tape of a scene, which is assembled after the program and loaded into core with it: encode(scene,
+// eye) one word per line, numbers in octal, in decimal in the comments; tags scene, c0.., o0... The first line is a comment
+// with the scene's name and counts. Errors are those of encode.
 [[nodiscard]] base::Result<std::string> write_tape(const scene::CellScene& scene, std::optional<geometry::Point> eye = {});
 
 }  // namespace sightline::programs::jones

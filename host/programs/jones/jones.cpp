@@ -15,7 +15,7 @@ namespace sightline::programs::jones {
 
 namespace {
 
-// Takes down the line pieces of a view as the program draws them. Source of the labels: firmware/pdp7/jones/NOTES.md.
+// Records the line pieces of a view as the program draws them. Source of the labels: firmware/pdp7/jones/NOTES.md.
 class PieceTaker {
  public:
   explicit PieceTaker(const Program& program) : drawn_(program.labels.piece), clipped_at_(program.symbols.at("piece") + 1) {
@@ -24,7 +24,7 @@ class PieceTaker {
     words_[vectors].address = vector_pointer;
   }
 
-  // Words whose stores it must see; it must also see the fetch at `fetched_label`.
+  // The words whose stores it must observe; it must also observe the fetch at `fetched_label`.
   template <class Mark>
   void for_each_word(Mark&& mark) const {
     for (const Word& word : words_) mark(word.address);
@@ -41,12 +41,12 @@ class PieceTaker {
     Piece& piece = clipped_.emplace_back();
     piece.vector_address = static_cast<std::uint16_t>(words_[vectors].word.value() & pdp7::in_bank_mask);
     piece.line = {{at(0), at(1)}, {at(2), at(3)}};
-    piece.drawn = false;  // until there is room for it in the file
+    piece.drawn = false;  // until it has been added to the file
   }
   void stored(pdp7::Address address, core::Word18 stored, bool in_view) {
     for (Word& word : words_)
       if (word.address == address) word.word = stored;
-    // The ends on the screen are stored in this order, after the piece was taken down.
+    // The ends on the screen are stored in this order, after the piece was recorded.
     if (in_view && address == words_[last_end].address && !clipped_.empty()) on_display_.push_back({{at(4), at(5)}, {at(6), at(7)}});
   }
   void give(View& view) {
@@ -58,7 +58,7 @@ class PieceTaker {
   static constexpr pdp7::Address vector_pointer = 010;  // auto-index register that reads the vectors of a chain
   static constexpr std::size_t last_end = 7, vectors = 8;
 
-  // A word that the program keeps storing.
+  // A word into which the program repeatedly stores.
   struct Word {
     pdp7::Address address = 0;
     core::Word18 word;
@@ -72,8 +72,8 @@ class PieceTaker {
   std::vector<ScreenSegment> on_display_;
 };
 
-// Counts fetches at the program's labels, notes the cells whose words the processor reads, and stops the run when a view is
-// published; while views are measured also when one begins, behind its first instruction.
+// Counts fetches at the program's labels, records the cells whose words the processor reads, and stops the run when a view
+// is published; while views are measured, also when one begins, after its first instruction.
 class Watch final : public machines::ProgramWatch {
  public:
   Watch(const Program& program, const Order& order);
@@ -89,11 +89,11 @@ class Watch final : public machines::ProgramWatch {
     std::uint64_t pieces = 0;
     std::uint64_t distinct_cells = 0;
   };
-  // A view has begun, and the run stopped there; asked once.
+  // Whether the run stopped because a view has begun; resets the answer.
   [[nodiscard]] bool has_begun() { return std::exchange(begins_, false); }
   // The view that ended last.
   [[nodiscard]] const Watched& view() const { return view_; }
-  // Its pieces, if the order asks for them.
+  // Moves the line pieces into the view, if the order asks for them.
   void give_pieces(View& view) {
     if (pieces_) pieces_->give(view);
   }
@@ -106,8 +106,8 @@ class Watch final : public machines::ProgramWatch {
   void end(core::Instant time);
 
   Labels labels_;
-  pdp7::Address last_written_;  // by the instruction that ends a view
-  pdp7::Verb ends_;             // how
+  pdp7::Address last_written_;  // by the last instruction of a view
+  pdp7::Verb ends_;             // how that instruction accesses it
   bool measures_ = true;
   bool begins_ = false;
   bool in_view_ = false;
@@ -118,14 +118,15 @@ class Watch final : public machines::ProgramWatch {
   std::vector<bool> seen_;             // by cell
 };
 
-// Keeps one pass of one display file and stops the run when it has what it waits for.
+// Keeps one pass of one display file, and stops the run when the awaited pass is complete.
 class PassWatch final : public machines::StrokeKeeper {
  public:
   explicit PassWatch(pdp7::Machine& machine) : machine_(machine) {}
 
-  // Wait for a pass that begins at or after `from`: the run stops when it is complete, and again when the next pass begins.
+  // Waits for a pass that begins at or after `from`: the run stops when it is complete, and again when the next pass
+  // begins.
   void wait_from(core::Instant from) { from_ = from; }
-  // Or the strokes so far of one that has not ended. Nothing is waited for any longer.
+  // The pass, or the strokes so far if it has not ended. Ends the waiting.
   [[nodiscard]] std::vector<core::Stroke> take_pass();
   // Keep every stroke from now on, for a photograph.
   void photograph() { keep_strokes(true); }
@@ -136,25 +137,25 @@ class PassWatch final : public machines::StrokeKeeper {
 
   [[nodiscard]] bool complete() const { return ended_; }
   [[nodiscard]] bool repeated() const { return next_begun_.has_value(); }
-  // From its beginning to that of the next pass; 0 while that has not begun.
+  // From the beginning of the pass to that of the next; 0 while that has not begun.
   [[nodiscard]] core::Duration period() const;
 
  private:
   pdp7::Machine& machine_;
   core::Instant from_ = core::never;
-  std::optional<core::Instant> begun_;  // of the pass waited for
+  std::optional<core::Instant> begun_;  // of the awaited pass
   bool ended_ = false;
   std::optional<core::Instant> next_begun_;
 };
 
-// Where lines are added at once a view ends when it is counted, not when its file is first shown.
+// If lines are added at once, a view ends when it is counted, not when its file is first shown.
 Watch::Watch(const Program& program, const Order& order)
     : labels_(program.labels),
       last_written_(order.immediate ? labels_.views : labels_.file),
       ends_(order.immediate ? pdp7::Verb::modify : pdp7::Verb::write),
       cell_of_(core_words, -1),
       seen_(program.scene.cell_addresses.size(), false) {
-  // Cell-elements follow each other; the first opening-element ends the last of them.
+  // Cell-elements are adjacent; the first opening-element ends the last of them.
   const auto& cells = program.scene.cell_addresses;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     const std::uint32_t end = cell + 1 < cells.size()
@@ -257,7 +258,7 @@ void load(pdp7::Machine& machine, const Program& program, std::span<const core::
   machine.start(program.labels.start);
 }
 
-// The file being made, which is the one just published, up to its stop word.
+// The file under construction, which is the one just published, up to its stop word.
 std::vector<core::Word18> display_file(const pdp7::Machine& machine, const Program& program) {
   std::vector<core::Word18> words;
   pdp7::Address address = machine.peek(program.labels.file_begun).value();
@@ -268,7 +269,7 @@ std::vector<core::Word18> display_file(const pdp7::Machine& machine, const Progr
   return words;
 }
 
-// `begun`: when the first instruction of the view had been done. Neither that nor the last, which has just been done, is counted.
+// `begun`: the counts after the view's first instruction. Neither that instruction nor the last, just executed, is counted.
 View view_of(const pdp7::Machine& machine, const Program& program, Watch& watch, const pdp7::Counts& begun) {
   const Watch::Watched& watched = watch.view();
   const pdp7::Counts ended = machine.counts();
@@ -294,16 +295,17 @@ pdp7::Options machine_for(const Program& program, const Order& order) {
   return machine;
 }
 
-// The first pass through the file that has just been published, and a photograph behind it. False: the time limit came first.
+// Takes the first pass through the file that has just been published, and then a photograph. False: the time limit came
+// first.
 bool take_display(pdp7::Machine& machine, Watch& watch, PassWatch& passes, const Order& order, Outcome& outcome) {
   pdp7::Limits limits;
   limits.until = core::Instant(order.time_limit);
   watch.end_measuring();
-  // The file is taken up at the next stop: the pass that begins from now on is its first.
+  // The display changes to the file at the next stop: the pass that begins from now on is the file's first.
   passes.wait_from(machine.now());
   while (!passes.complete())
     if (machine.run(limits, watch) != pdp7::StopReason::observer) return false;
-  // A picture of nothing is not refreshed.
+  // An empty picture is not refreshed.
   pdp7::Limits soon = limits;
   soon.until = std::min(limits.until, machine.now() + longest_pause);
   while (!passes.repeated() && machine.run(soon, watch) == pdp7::StopReason::observer) {
@@ -343,7 +345,8 @@ geometry::Point eye_in(const Program& program, std::span<const core::Word18> cor
   return eye;
 }
 
-// Where an eye can be: in the default view, or else in the middle of a cell. Error: as of viewpoint() there.
+// An accepted eye: that of the default view, or otherwise the middle of a cell. Error: that of viewpoint() for the default
+// view.
 base::Result<geometry::Point> accepted_eye(const scene::CellScene& scene) {
   const auto place = viewpoint(scene, scene.default_view);
   if (place) return scene.default_view;

@@ -9,7 +9,7 @@ namespace sightline::programs::jones {
 
 namespace {
 
-// Core beyond the tables that the program lays out by assignment is not in the image.
+// The tables that the program places by assignment are not in the image.
 std::uint32_t words_of(const assembler::Assembly& assembly, std::string_view name) {
   const auto value = assembly.value_of(name);
   if (!value) base::give_up(fmt::format("the program has no label {}", name));

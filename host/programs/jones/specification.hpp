@@ -1,6 +1,6 @@
-// What Jones's program on the PDP-7 and its twin in C++ have in common, as firmware/pdp7/jones/SPECIFICATION.md fixes
-// it: the room in core, how a view ends, the windows on the screen, and a piece of a line. Left out: the search and its
-// arithmetic, which program and twin have each for themselves.
+// The common part of Jones's program on the PDP-7 and its twin in C++, from firmware/pdp7/jones/SPECIFICATION.md: sizes of
+// areas in core, the statuses of a view, the windows on the screen, and a piece of a line. Left out: the search and its
+// arithmetic, which program and twin implement separately.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ enum class Status : std::uint8_t {
   too_many_mask_vertices,
   deeper_than_cells,
   bad_data_element,
-  unfinished,  // no status of the machine: the twin's own limit was reached, where the machine would run on
+  unfinished,  // no status of the machine: the twin reached its own limit, where the machine would continue
 };
 [[nodiscard]] inline std::string_view name(Status status) {
   switch (status) {
@@ -67,7 +67,7 @@ using ScreenSegment = BasicScreenSegment<std::int32_t>;
 
 enum class Axis : std::uint8_t { x = 1, y = 2, z = 3 };  // A of a vector word: i, j, k
 
-// What is shown on one half of a stereo pair, or on the whole screen.
+// The area of one half of a stereo pair, or of the whole screen.
 struct Window {
   static constexpr std::int32_t unit = std::int32_t{1} << machine_fraction_bits;  // a point of the screen
   // Units relative to the centre.
@@ -97,13 +97,13 @@ enum class Pass : std::uint8_t { mono, left, right };
   return window;
 }
 
-// A line piece as it left the clip: which vector word drew it and where.
+// A line piece as it left the clip: the vector word that drew it, and its position.
 template <class Coordinate>
 struct BasicPiece {
   std::uint16_t vector_address = 0;
   Pass pass = Pass::mono;
   BasicScreenSegment<Coordinate> line;  // units relative to the centre of its window, 2^fraction_bits to a point
-  bool drawn = true;                    // false: both ends are the same point of the screen
+  bool drawn = true;                    // false: both ends are on the same point of the screen
 
   friend bool operator==(const BasicPiece&, const BasicPiece&) = default;
 };

@@ -14,7 +14,7 @@ constexpr std::uint8_t most_planes = 126;
 
 using Coordinates = std::array<std::uint32_t, 3>;
 
-// What ends a flight early is the status; reading goes on only while there is none.
+// Reads until a status ends the flight early.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> stream) : stream_(stream) {}
@@ -26,7 +26,7 @@ class Reader {
     sum_of_sums_ = static_cast<std::uint8_t>(sum_of_sums_ + sum_);
     return value;
   }
-  // Whether the two check bytes are right; none: the stream ends. A wrong first one is not followed by a look at the second.
+  // Whether the two check bytes are right; nullopt if the stream ends. After a wrong first byte the second is not read.
   [[nodiscard]] std::optional<bool> check() {
     for (const std::uint8_t expected : {sum_, sum_of_sums_}) {
       const auto value = unsummed();
@@ -88,7 +88,7 @@ class Run {
     return checked(Status::wrong_sum_of_pieces, Status::running);
   }
 
-  // What comes of each plane, and the cell of each piece.
+  // Reads the places of each plane, and the cell of each piece.
   Status cells() {
     std::array<bool, 256> stands{};
     for (std::size_t plane = 1; plane <= planes_.size(); ++plane) {
@@ -176,7 +176,7 @@ class Run {
     flight_.frames.push_back(result);
   }
 
-  // The priorities that are left to a place and all that comes of it.
+  // Distributes the remaining priorities over a place and everything below it.
   void give(std::uint8_t place, const std::array<std::uint32_t, 256>& keys, std::uint8_t& left) {
     if (place == 0) return;
     if (place < 0x80) {
@@ -197,8 +197,8 @@ class Run {
   std::array<Coordinates, 256> points_{};
   std::vector<std::size_t> order_;
   std::vector<std::array<std::uint8_t, 3>> planes_;
-  std::array<std::uint8_t, 256> cell_of_{};  // by piece
-  std::array<std::uint8_t, 128> sizes_{};    // by cell
+  std::array<std::uint8_t, 256> cell_of_{};  // indexed by piece
+  std::array<std::uint8_t, 128> sizes_{};    // indexed by cell
   std::array<std::uint8_t, 128> next_{};
   TwinFlight flight_;
 };

@@ -1,5 +1,5 @@
-// The native twin of firmware/i8080/flight, written from its SPECIFICATION.md: from the bytes of a stream to the priorities of every
-// frame and the status at the end. It knows nothing of time, nor of how the program finds the order.
+// The native twin of firmware/i8080/flight, written from its SPECIFICATION.md: from the bytes of a stream to the priorities
+// of every frame and the final status. It models neither time nor the way in which the program finds the order.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace sightline::programs::flight {
 
 struct TwinFrame {
   Priorities priorities{};
-  // How far the order is from that of the frame before: pieces that had to go before another, and pairs that changed places.
+  // The distance of the order from that of the frame before: pieces moved before another, and pairs exchanged.
   std::uint32_t moved = 0;
   std::uint32_t exchanges = 0;
 };

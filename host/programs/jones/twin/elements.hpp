@@ -21,7 +21,7 @@ inline constexpr std::uint32_t address_mask = core_words - 1;
   return core::Word18(static_cast<std::uint32_t>(value)).twos_complement();
 }
 
-// Core words by address; addresses wrap at 13 bits, and what the image does not hold is zero.
+// Core words by address; addresses wrap at 13 bits, and words outside the image are zero.
 class CoreImage {
  public:
   explicit CoreImage(std::span<const core::Word18> words) : words_(words) {}
@@ -44,12 +44,12 @@ struct Vector {
         negative(word.bit(3)),
         magnitude(static_cast<std::int32_t>(word.field(4, 17)) - (negative ? 040000 : 0)) {}
   bool actual_line;         // F
-  std::uint32_t axis_code;  // A: 1, 2, 3 for i, j, k; 0 is no vector of this program
+  std::uint32_t axis_code;  // A: 1, 2, 3 for i, j, k; 0 does not occur in this program
   bool negative;
   std::int32_t magnitude;  // object units, -16384..16383
 };
 
-// X Y Z n and what follows: the lines of a cell, or the ring of an opening.
+// X Y Z n and the words after it: the lines of a cell, or the ring of an opening.
 struct Chain {
   std::uint32_t element;  // address of X
   SpacePoint origin;      // relative to the eye
@@ -67,23 +67,23 @@ struct Chain {
   return Axis{static_cast<std::uint8_t>(vector.axis_code)};
 }
 
-// The outline of an opening drawn back into the visible bound, corner by corner.
+// Pulls the outline of an opening into the visible bound, corner by corner.
 //
-// Cutting its sides one by one, as lines are cut, would lose the corners of the bound: an opening all around
-// the bound has no side inside it. Moving each corner to the nearest place of the bound keeps exactly what of
-// the opening lies inside; what folds onto the bound lies outside every window. Source:
-// firmware/pdp7/jones/SPECIFICATION.md section 4.
+// Clipping its sides one by one, as lines are clipped, would lose the corners of the bound: an opening all around the bound
+// has no side inside it. Moving each corner to the nearest point of the bound keeps exactly the part of the opening inside
+// the bound; the parts moved onto the bound lie outside every window. Source: firmware/pdp7/jones/SPECIFICATION.md section
+// 4.
 class RingBound {
  public:
-  // plane: the axis normal to the opening; plane_coordinate: of the opening on it, relative to the eye;
-  // largest: of a word.
+  // plane: the axis normal to the opening; plane_coordinate: of the opening on that axis, relative to the eye; largest: of
+  // a word.
   RingBound(Axis plane, std::int32_t plane_coordinate, std::int32_t bound_factor,
             std::int32_t largest = largest_word);
 
-  // rho: a corner of the ring, moved into the bound.
+  // corner (rho in the specification): a corner of the ring. Returns it moved into the bound.
   [[nodiscard]] SpacePoint into_bound(SpacePoint corner) const;
-  // Where a vector along k, between its ends' moved places, leaves the side of the bound; empty if it does
-  // not.
+  // The point where a vector along k, between the moved positions of its ends, leaves the side of the bound; nullopt if it
+  // does not.
   [[nodiscard]] std::optional<SpacePoint> bend(const SpaceSegment& vector) const;
 
  private:
@@ -99,12 +99,12 @@ class DisplayFile {
  public:
   enum class Outcome : std::uint8_t { drawn, no_length, full };
 
-  // capacity in words, the stop included; joining: pieces that continue each other share their set-up words.
-  // truncate: a long line is divided into vectors by quotients that are cut off, not rounded.
+  // capacity: in words, the stop included; joining: pieces that continue each other share their set-up words; truncate: a
+  // long line is divided into vectors by truncated instead of rounded quotients.
   DisplayFile(std::size_t capacity, bool joining, bool truncate = false);
   // A line from a to b, points of the screen.
   [[nodiscard]] Outcome add(ScreenPoint a, ScreenPoint b, Operations& operations);
-  // Adds the stop; the file takes nothing more.
+  // Adds the stop and ends the file.
   [[nodiscard]] std::vector<core::Word18> finish() &&;
 
  private:

@@ -29,7 +29,7 @@ auto MaskClip<Number>::distance(const SlopedLine& line, Point p, Work& work) -> 
   return number_.double_word(left - right);
 }
 
-// from + the share of the way to `to`: never overflows by itself.
+// from + the share of the difference to `to`: cannot overflow.
 template <class Number>
 auto MaskClip<Number>::between(Coordinate from, Coordinate to, Share<Coordinate> share, Work& work)
     -> Coordinate {

@@ -1,8 +1,8 @@
-// Masks of Jones's program: the clip of a line and of a projected opening to a convex polygon on the screen.
+// Masks of Jones's program: clips a line and a projected opening to a convex polygon on the screen.
 //
-// Twins of the routines of firmware/pdp7/jones that clip. With ShortWords, as by default, the numbers are
-// those of the machine; the templates do the same in any other number of
-// number.hpp. Source: firmware/pdp7/jones/SPECIFICATION.md section 3.
+// The twins of the clipping routines of firmware/pdp7/jones. With ShortWords, the default, the numbers are those of the
+// machine; the templates compute the same with any other number of number.hpp. Source: firmware/pdp7/jones/SPECIFICATION.md
+// section 3.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace sightline::programs::jones {
 
 inline constexpr int max_mask_vertices = 16;
 
-// Convex, counter-clockwise, 3..16 vertices, with its box. What a mask shows is its box cut by the left sides
+// Convex, counter-clockwise, 3..16 vertices, with its box. The visible area of a mask is its box clipped by the left sides
 // of its sloped edges; axis-parallel edges lie on the box.
 template <class Coordinate>
 struct BasicMask {
@@ -73,14 +73,14 @@ template <class Coordinate>
   return window_mask<std::int32_t>(window);
 }
 
-// Points of a polygon while it is made.
+// The points of a polygon under construction.
 template <class Coordinate>
 class BasicPolygonBuilder {
  public:
   using Point = BasicScreenPoint<Coordinate>;
 
-  // A point equal to the one before is dropped. False for a 17th: the polygon has too many vertices, even if
-  // this last would repeat the first.
+  // Drops a point equal to the one before. False for a 17th: the polygon has too many vertices, even if this last would
+  // repeat the first.
   [[nodiscard]] bool append(Point point) {
     if (count_ > 0 && points_[count_ - 1] == point) return true;
     if (count_ == points_.size()) return false;
@@ -91,7 +91,7 @@ class BasicPolygonBuilder {
   void close() {
     if (count_ > 1 && points_[count_ - 1] == points_.front()) --count_;
   }
-  // Leaves the corners at which a counter-clockwise ring turns to the left, if there are three.
+  // Keeps only the corners at which a counter-clockwise ring turns left, if there are three.
   void drop_hollow_corners() {
     for (std::size_t i = 0, straight = 0; count_ > 3 && straight < count_; i = (i + 1) % count_) {
       const Point a = points_[(i + count_ - 1) % count_], b = points_[i], c = points_[(i + 1) % count_];
@@ -118,11 +118,11 @@ enum class MaskOutcome : std::uint8_t { visible, empty, too_many_vertices };
 template <class Coordinate>
 struct BasicIntersection {
   MaskOutcome outcome = MaskOutcome::empty;
-  BasicMask<Coordinate> mask;  // of `visible` only
+  BasicMask<Coordinate> mask;  // only if `visible`
 };
 using Intersection = BasicIntersection<std::int32_t>;
 
-// Masks in the arithmetic of one number. What overflows is remembered by the number.
+// Masks in the arithmetic of one number type, which also records overflow.
 template <class Number>
 class MaskClip {
  public:
@@ -158,7 +158,7 @@ class MaskClip {
   Coordinate between(Coordinate from, Coordinate to, Share<Coordinate> share, Work& work);
   Point cross(const BoxLine& line, Point p, Point q, Distance dp, Distance dq, Work& work);
   Point cross(const SlopedLine& line, Point p, Point q, Distance dp, Distance dq, Work& work);
-  // False if nothing of the line is on the inner side.
+  // False if no part of the line is on the inner side.
   template <class ClipLine>
   bool clip_at(const ClipLine& at, BasicScreenSegment<Coordinate>& line, Work& work);
   template <class ClipLine>
@@ -174,7 +174,7 @@ extern template class MaskClip<MixedWords>;
 extern template class MaskClip<SingleFloat>;
 extern template class MaskClip<DoubleFloat>;
 
-// The machine's own.
+// With the machine's arithmetic.
 [[nodiscard]] std::optional<ScreenSegment> clip2(const Mask& mask, const ScreenSegment& line,
                                                  Operations& operations);
 [[nodiscard]] Intersection intersect(const Mask& mask, std::span<const ScreenPoint> ring,

@@ -1,13 +1,13 @@
-// The numbers that the twin of Jones's program calculates with on the screen: words of the PDP-7, words of
-// another length, and floating point. The search, the masks and the clip are written once for all of them.
+// The number types with which the twin of Jones's program calculates on the screen: words of the PDP-7, words of another
+// length, and floating point. The search, the masks and the clip are templates over them.
 //
-// A number type gives: Coordinate, one coordinate on the screen; Distance, what a product of two differences
-// of coordinates needs; and the operations of firmware/pdp7/jones/SPECIFICATION.md (sections 1 to 3) whose
-// result depends on the length of a word, on the fraction bits, or on rounding. FixedPoint with 18 bits, one
-// fraction bit and rounding is the machine's own arithmetic. Nothing here throws or stops: what does not fit
-// a word becomes 0 and is remembered (overflowed), and the search ends the view with a status.
+// A number type gives: Coordinate, one coordinate on the screen; Distance, for products of two differences of coordinates;
+// and the operations of firmware/pdp7/jones/SPECIFICATION.md (sections 1 to 3) whose result depends on the length of a
+// word, on the fraction bits, or on rounding. FixedPoint with 18 bits, three fraction bits and rounding is the machine's
+// arithmetic. Nothing here throws or stops: a result that does not fit a word becomes 0 and sets overflowed, and the search
+// ends the view with a status.
 //
-// Coordinates in space are integers everywhere: the data are.
+// Coordinates in space are always integers, as in the data.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace sightline::programs::jones {
 
-inline constexpr std::int32_t largest_in_space = 1 << 30;  // of words that hold more
+inline constexpr std::int32_t largest_in_space = 1 << 30;  // for words that hold more
 
 // The ratio in which a line is cut: 0 <= num <= den, den > 0.
 template <class Coordinate>
@@ -37,8 +37,8 @@ class FixedPoint {
   using Coordinate = Single;
   using Distance = Double;
 
-  // word_bits: 12..36. fraction_bits: 0..8. truncate: quotients are cut off and points taken downwards, where
-  // the program otherwise rounds half up.
+  // word_bits: 12..36. fraction_bits: 0..8. truncate: quotients are truncated and points rounded down where the program
+  // otherwise rounds half up.
   explicit constexpr FixedPoint(int word_bits = machine_word_bits, int fraction_bits = machine_fraction_bits,
                                 bool truncate = false)
       : word_bits_(word_bits), fraction_bits_(fraction_bits), truncate_(truncate) {}
@@ -48,12 +48,12 @@ class FixedPoint {
   [[nodiscard]] bool truncate() const { return truncate_; }
   [[nodiscard]] bool overflowed() const { return overflowed_; }
 
-  // Largest number of a word, as far as space needs it.
+  // The largest number of a word, as far as space needs it.
   [[nodiscard]] std::int32_t largest() const {
     return word_bits_ > 30 ? largest_in_space : (std::int32_t{1} << (word_bits_ - 1)) - 1;
   }
 
-  // A sum in space. The machine's own words wrap, as its TAD does; others report what does not fit.
+  // A sum in space. The machine's words wrap, as TAD does; others report a result that does not fit.
   [[nodiscard]] std::int32_t sum(std::int64_t value) {
     if (word_bits_ == machine_word_bits) {
       constexpr std::int64_t wrap = std::int64_t{1} << machine_word_bits;
@@ -70,15 +70,15 @@ class FixedPoint {
   }
   [[nodiscard]] Double double_word(Double value) { return limited(value, Double{1} << (2 * word_bits_ - 1)); }
 
-  // MULDIV of the specification, for a, b >= 0, c > 0, none above 2^word_bits; empty if the quotient needs
-  // more than a word (the divide overflow of the machine).
+  // MULDIV of the specification, for a, b >= 0, c > 0, none above 2^word_bits; nullopt if the quotient does not fit a word
+  // (the divide overflow of the machine).
   [[nodiscard]] std::optional<Single> muldiv(Single a, Single b, Single c) const {
     const Double dividend = Double{a} * b + (truncate_ ? 0 : c / 2);
     if ((dividend >> word_bits_) >= c) return std::nullopt;
     return static_cast<Single>(dividend / c);
   }
 
-  // Of distances of unlike sign.
+  // The ratio for distances of unlike sign.
   [[nodiscard]] Share<Single> share_of(Double dp, Double dq) {
     Double num = dp < 0 ? -dp : dp;
     Double den = double_word(num + (dq < 0 ? -dq : dq));
@@ -86,7 +86,7 @@ class FixedPoint {
       num >>= 1;
       den >>= 1;
     }
-    if (den == 0) return {0, 1};  // after an overflow only
+    if (den == 0) return {0, 1};  // only after an overflow
     return {word(num), word(den)};
   }
 
@@ -112,14 +112,14 @@ class FixedPoint {
   bool overflowed_ = false;
 };
 
-// Coordinates are points of the screen. A float holds every coordinate in space that a word of 18 bits does.
+// Coordinates are points of the screen. A float holds every coordinate in space that an 18-bit word holds.
 template <class Real>
 class FloatingPoint {
  public:
   using Coordinate = Real;
   using Distance = Real;
 
-  [[nodiscard]] static int word_bits() { return 36; }  // as far as the bound is concerned
+  [[nodiscard]] static int word_bits() { return 36; }  // used only for the bound
   [[nodiscard]] static int fraction_bits() { return 0; }
   [[nodiscard]] static bool truncate() { return false; }
   [[nodiscard]] bool overflowed() const { return overflowed_; }
@@ -146,23 +146,23 @@ class FloatingPoint {
   bool overflowed_ = false;
 };
 
-using ShortWords = FixedPoint<std::int32_t, std::int64_t>;     // up to 30 bits; the machine's own
+using ShortWords = FixedPoint<std::int32_t, std::int64_t>;     // up to 30 bits; the machine's type
 using LongWords = FixedPoint<std::int64_t, geometry::Int128>;  // up to 36 bits
 
-// The roundings of a view on the screen: where the ends of its lines lie, the corners of its openings, and the
-// corners that masks get where they cut each other.
+// The roundings of a view on the screen: of the ends of its lines, of the corners of its openings, and of the corners where
+// masks intersect.
 enum class Rounding : std::uint8_t { line_ends, opening_corners, mask_corners };
 inline constexpr int roundings = 3;
 
-// Words of 36 bits with 8 fraction bits, in which chosen roundings are those of the machine: a quotient is a multiple
-// of the machine's unit, and a ratio has 17 bits. With all of them the pieces are the machine's; with some, a
-// difference in the picture is caused by these. Statuses are those of 36 bits.
+// Words of 36 bits with 8 fraction bits, in which selected roundings are those of the machine: a quotient is a multiple of
+// the machine's unit, and a ratio has 17 bits. With all of them the pieces are the machine's; with some, a difference in
+// the picture is caused by these. Statuses are those of 36 bits.
 class MixedWords : public LongWords {
  public:
   static constexpr int fine_bits = 8;
 
-  // machine_bits: fraction bits of the machine, 0..3.
-  // convex_masks: corners at which rounding has made a mask hollow are left out of it.
+  // machine_bits: fraction bits of the machine, 0..3. convex_masks: omits corners at which rounding has made a mask
+  // concave.
   MixedWords(int machine_bits, bool truncate, const std::array<bool, roundings>& of_machine, bool convex_masks = false)
       : LongWords(36, fine_bits, truncate),
         unit_(std::int64_t{1} << (fine_bits - machine_bits)),
@@ -171,7 +171,7 @@ class MixedWords : public LongWords {
 
   [[nodiscard]] bool convex_masks() const { return convex_masks_; }
 
-  // What follows rounds these numbers of the view.
+  // The following operations round these numbers of the view.
   void enter(Rounding rounding) { coarse_ = of_machine_[static_cast<std::size_t>(rounding)]; }
 
   [[nodiscard]] std::optional<std::int64_t> muldiv(std::int64_t a, std::int64_t b, std::int64_t c) const {

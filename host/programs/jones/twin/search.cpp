@@ -13,7 +13,7 @@ using core::Word18;
 constexpr Word18 no_openings{0400000};
 constexpr std::uint32_t no_entry = 0777777;
 
-// Only numbers that round each in another way need to know.
+// Only number types with several roundings need the call.
 template <class Number>
 void enter(Number& number, Rounding rounding) {
   if constexpr (requires { number.enter(rounding); }) number.enter(rounding);
@@ -165,7 +165,7 @@ bool Search<Number>::add_to_file(BasicPiece<Coordinate>& piece) {
   return true;
 }
 
-// The opening's part: which side the eye is on, its part inside the mask, the entrance.
+// The opening: the side of the eye, the part inside the mask, the entrance.
 
 template <class Number>
 bool Search<Number>::opening(std::uint32_t far_word_address) {
