@@ -13,7 +13,7 @@ namespace {
 
 constexpr int raster_width = core::Raster::width;
 
-// Calls action(x, y) for every place until it returns true.
+// Calls action(x, y) for every position until it returns true.
 template <class Action>
 void for_places(Action action) {
   for (int y = 0; y < raster_width; ++y)
@@ -47,7 +47,7 @@ std::string difference(std::span<const PlotterMove> machine, std::span<const Plo
                      described(machine, number), described(twin, number));
 }
 
-// Of a surface's slices a plotter's program keeps nothing.
+// With a plotter the program does not record the slices of a surface.
 std::string difference(const Columns& machine, const Columns& twin, bool slices) {
   for (std::size_t x = 0; x < machine.mask_top.size(); ++x) {
     const auto said = [x](std::string_view mask, int in_machine, int in_twin) {

@@ -1,4 +1,4 @@
-// The picture of Skala's program on its machine compared with the one that its native twin makes.
+// Compares the picture of Skala's program on its machine with that of its native twin.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace sightline::programs::skala {
 
-// The first difference, in words: status, dot, movement of the plotter or mask. Empty: none. `device` is the one on the machine.
+// Describes the first difference: status, dot, movement of the plotter or mask. Empty: none. `device` is the one on the
+// machine.
 [[nodiscard]] std::string difference_from_twin(const MachinePicture& machine, const TwinPicture& twin, Device device);
 
 }  // namespace sightline::programs::skala

@@ -1,5 +1,5 @@
-// The bytes of the Skala program's command stream and the status it ends with: sections 1 and 9 of
-// firmware/i8080/skala/SPECIFICATION.md. The semantics of the commands are in the twin.
+// The bytes of the Skala program's command stream and the program's final status: sections 1 and 9 of
+// firmware/i8080/skala/SPECIFICATION.md. The twin has the semantics of the commands.
 #pragma once
 
 #include <array>
@@ -28,12 +28,12 @@ enum class Command : std::uint8_t {
   gap = 0x0E,  // x n
 };
 
-// Arguments that always come: for CURVE and SURFACE those up to and including the count n.
+// Arguments that are always present: for CURVE and SURFACE those up to and including the count n.
 struct CommandRow {
   Command command;
   std::string_view name;
   int leading_arguments;
-  int bytes_per_item;  // what each of the n items that follow takes; 0 when the command has no list
+  int bytes_per_item;  // bytes of each of the n items that follow; 0 for a command without a list
 };
 
 inline constexpr std::array<CommandRow, 15> commands{{
@@ -54,7 +54,7 @@ inline constexpr std::array<CommandRow, 15> commands{{
     {Command::gap, "GAP", 2, 0},
 }};
 
-// Nothing for a byte that is no command.
+// nullopt for a byte that is no command.
 [[nodiscard]] constexpr std::optional<CommandRow> find_command(std::uint8_t byte) {
   if (byte >= commands.size()) return std::nullopt;
   return commands[byte];
@@ -72,7 +72,7 @@ inline constexpr std::uint8_t no_visibility = 0x80;  // added to the argument of
   return device == Device::ef9365 || device == Device::alt256;
 }
 
-// What a stream is drawn on.
+// The output device of a stream.
 struct Output {
   Device device = Device::ef9365;
   bool serpentine = true;  // plotters: chains are drawn from the end nearer to the pen
@@ -103,12 +103,11 @@ inline constexpr std::array<std::string_view, 7> status_texts{
   return number < status_texts.size() ? status_texts[number] : "no status of this program";
 }
 
-// The buffer of section 9: drawn and used again when fewer than buffer_reserve bytes are free after a
-// command.
+// The buffer of section 9: it is drawn and emptied when fewer than buffer_reserve bytes are free after a command.
 inline constexpr std::size_t buffer_bytes = 49'152;
 inline constexpr std::size_t buffer_reserve = 800;
 
-// The numbers of the commands are their places in the table.
+// The number of a command is its index in the table.
 static_assert([] {
   for (std::size_t i = 0; i < commands.size(); ++i)
     if (static_cast<std::size_t>(commands[i].command) != i) return false;

@@ -9,8 +9,8 @@
 namespace sightline::programs::skala {
 namespace {
 
-// Heights whose differences might overflow are scaled down, which changes no ratio, being by a power of two.
-// Others are not: it would change small ones, down to nothing.
+// Scales heights down if differences of them might overflow; a power of two changes no ratio. Other heights keep their
+// scale, because small ones could become zero.
 double scale_for(double a, double b) {
   constexpr double large = 1e300;
   return std::abs(a) > large || std::abs(b) > large ? 1.0 / 1024 : 1.0;
@@ -24,7 +24,7 @@ Vertex crossing_of_edge(const scene::HeightGrid& grid, const Projection& project
   const Vertex& to = projection.at(b.point, b.slice);
   const double first = grid.height(a.point, a.slice);
   const double second = grid.height(b.point, b.slice);
-  const double scale = scale_for(first, second);  // and for the level, which is between them
+  const double scale = scale_for(first, second);  // valid for the level too, which lies between them
   const double low = scale * first;
   const double high = scale * second;
   const double t = (scale * level - low) / (high - low);
@@ -112,7 +112,7 @@ ContourCrossing contour_crossing(const scene::HeightGrid& grid, const Projection
   std::array<bool, 3> above{};
   for (std::size_t i = 0; i < 3; ++i) above[i] = grid.height(triangle[i].point, triangle[i].slice) >= level;
   if (above[0] == above[1] && above[1] == above[2]) return {};
-  // The corner that is alone on its side: both its edges are crossed.
+  // The corner that is alone on its side: the contour crosses both its edges.
   const std::size_t alone = above[1] == above[2] ? 0 : above[0] == above[2] ? 1 : 2;
   const auto edge = [&](std::size_t other) {
     return crossing_of_edge(grid, projection, triangle[alone], triangle[other], level);

@@ -1,9 +1,8 @@
 // Contours on a surface as a command stream (Skala 1985, section 5; the printed algorithm 5.1 is lost).
 //
-// Every cell is two flat triangles, divided by the diagonal between its side corners. A contour is tested
-// against what lies nearer than its triangle and hides nothing; the triangle's far edges then extend the
-// masks. Levels ascend, so that of contours in one dot the highest keeps it. A height equal to a level counts
-// as above it.
+// Every cell is two flat triangles, divided by the diagonal between its side corners. A contour is tested against
+// everything nearer than its triangle and hides nothing; then the triangle's far edges extend the masks. Levels ascend, so
+// where several contours share a dot, the highest is shown. A height equal to a level counts as above it.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@
 
 namespace sightline::programs::skala {
 
-// Of the levels, lowest first and around again. White is for margins and silhouette.
+// The colours of the levels, lowest first, repeating. White is for margins and silhouette.
 inline constexpr std::array<int, 6> contour_colours{1, 3, 2, 6, 4, 5};
 inline constexpr int margin_colour = 7;
 
@@ -26,7 +25,7 @@ inline constexpr int margin_colour = 7;
 // None if the range is empty.
 [[nodiscard]] std::vector<double> contour_levels(scene::Interval range, int count);
 
-// Where the contour of a level crosses a triangle.
+// The line in which the contour of a level crosses a triangle.
 struct ContourPiece {
   Vertex from;
   Vertex to;

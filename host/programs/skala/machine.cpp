@@ -24,13 +24,13 @@ namespace sightline::programs::skala {
 
 namespace {
 
-// --- what the devices say
+// --- Reports of the devices
 
 void add(MachinePicture& picture, std::string_view what, std::uint64_t count) {
   if (count > 0) picture.faults.push_back({what, count});
 }
 
-// What of a device's counts is an error, and the dots no monitor shows.
+// Adds those of a device's counts that are errors, and the dots that no monitor shows.
 void report_faults(const devices::Ef9365Counts& counts, MachinePicture& picture) {
   add(picture, "commands to the busy EF9365", counts.commands_while_busy);
   add(picture, "registers written while the EF9365 was busy", counts.writes_while_busy);
@@ -57,9 +57,9 @@ void report_faults(const devices::MinigrafCounts& counts, MachinePicture& pictur
   add(picture, "steps off the Minigraf's field", counts.off_field);
 }
 
-// --- in front of the ports
+// --- In front of the ports
 
-// Ends the run where the links say that a block of commands has come, or that the next one is asked for.
+// Ends the run where the links show that a block of commands has arrived, or that the next one is requested.
 class LinkFront final : public i8080::Front {
  public:
   explicit LinkFront(i8080::Machine& machine) : Front(machine, both_links) {}
@@ -71,13 +71,13 @@ class LinkFront final : public i8080::Front {
     return value;
   }
 
-  // Bytes counted from the first one of all.
+  // Counted from the first byte of the stream.
   void stop_after_bytes(std::size_t count) {
     stop_at_ = count;
     at_any_ = false;
     if (taken_ >= stop_at_) machine().request_stop();
   }
-  // When the program next asks for anything.
+  // Stops the run when the program next requests input.
   void stop_at_once() {
     never_stop();
     at_any_ = true;
@@ -97,7 +97,7 @@ class LinkFront final : public i8080::Front {
   bool at_any_ = false;
 };
 
-// Notes every movement of a plotter: by its place, not by its commands.
+// Records every movement of a plotter by its position, not by its commands.
 class PlotterFront final : public i8080::Front {
  public:
   explicit PlotterFront(i8080::Machine& machine)
@@ -137,13 +137,13 @@ struct KeptStrokes final : core::StrokeTaker {
   std::vector<core::Stroke> marks;
 };
 
-// --- the run
+// --- The run
 
-// The way from the last byte's IN to DRAWIT is a few dozen instructions.
+// From the last byte's IN to DRAWIT the program executes a few dozen instructions.
 constexpr std::uint64_t longest_way_to_drawing = 200;
 
-// How many bytes the program has taken at the end of each block, by its rule of receipt (SPECIFICATION,
-// section 1). A stream with an unknown command or without END has fewer blocks than bytes.
+// The number of bytes that the program has received at the end of each block, by its rules (SPECIFICATION, section 1). A
+// stream with an unknown command or without END has bytes after its last block.
 std::vector<std::size_t> block_ends(std::span<const std::uint8_t> stream) {
   std::vector<std::size_t> ends;
   std::size_t begin = 0;
@@ -167,7 +167,7 @@ std::vector<std::size_t> block_ends(std::span<const std::uint8_t> stream) {
   return ends;
 }
 
-// Generous: a command of three bytes steps through 255 points at most.
+// An upper bound: a command of three bytes steps through at most 255 points.
 std::int64_t limit_for(std::size_t bytes, const MachineOptions& options) {
   const std::int64_t seconds = is_raster(options.device) ? 60 + static_cast<std::int64_t>(bytes) / 20
                                                          : 600 + static_cast<std::int64_t>(bytes);
@@ -184,7 +184,7 @@ std::string_view name_of(Device device) {
   return {};
 }
 
-// With the devices of a run. The machine is a part of this program, so that an error ends the process.
+// A machine with the devices of a run. It is part of this executable, so an error ends the process.
 class SkalaMachine : public i8080::Machine {
  public:
   SkalaMachine(std::span<const std::uint8_t> stream, const MachineOptions& options) : i8080::Machine({options.clock}) {
@@ -229,7 +229,7 @@ class MeasuredRun {
   }
 
  private:
-  // From the byte that completes a block.
+  // Runs from the byte that completes a block to the beginning of its drawing.
   bool go_to_drawing() {
     link_.never_stop();
     if (machine_.registers().pc == program_.labels.drawing) return true;
@@ -238,7 +238,7 @@ class MeasuredRun {
     return machines::run_to(machine_, program_.labels.drawing, limits) == i8080::StopReason::observer;
   }
 
-  // The last block's drawing ends with its last dot, the others' when the link is next asked.
+  // The last block's drawing ends with its last dot, that of the others when the program next polls the link.
   [[nodiscard]] core::TStateInstant end_of_drawing(core::TStateInstant begun, i8080::StopReason reason) const {
     if (reason != i8080::StopReason::halt) return machine_.now();
     core::TStateInstant end = machine_.now();

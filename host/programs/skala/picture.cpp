@@ -26,20 +26,20 @@ class Walk {
     y_ = y;
     fresh_ = true;
   }
-  // `hides_only`: the point where it ends is stepped again by the line after it.
+  // `hides_only`: the next line steps its last point again.
   void line(int x, int y, bool hides_only = false) {
     points_ += (fresh_ ? 1U : 0U) + static_cast<std::uint64_t>(std::max(std::abs(x - x_), std::abs(y - y_)));
     x_ = x;
     y_ = y;
     fresh_ = hides_only;
   }
-  // Where nothing is hidden, lines that only hide are movements.
+  // If nothing is hidden, lines that only hide are movements.
   void jump(int x, int y) {
     x_ = x;
     y_ = y;
     fresh_ = true;
   }
-  // A chain that begins with a rim begins at its first vertex.
+  // If a chain begins with a rim, it begins at the rim's first vertex.
   void rim(int x, int y) {
     if (fresh_) move(x, y);
     line(x, y);
@@ -49,7 +49,7 @@ class Walk {
   std::uint64_t points_ = 0;
   int x_ = 0;
   int y_ = 0;
-  bool fresh_ = true;  // the point where the pen is has not been stepped
+  bool fresh_ = true;  // the pen's current point has not been stepped
 };
 
 // Along the top of each run of visited columns, and back along its bottom.

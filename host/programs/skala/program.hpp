@@ -1,7 +1,6 @@
-// Skala's resident program for the 8080, assembled from its source: the bytes for memory, and where its
-// labels are.
+// Skala's resident program for the 8080, assembled from its source: the bytes for memory, and the addresses of its labels.
 //
-// The source (firmware/i8080/skala) is embedded: commands need no files. One program draws every picture.
+// The source (firmware/i8080/skala) is embedded, so commands need no files. One program draws every picture.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +20,7 @@ namespace sightline::programs::skala {
 
 // Labels of the program (NOTES.md maps the paper's terms to them).
 struct Labels {
-  i8080::Address start = 0;           // where the processor is started
+  i8080::Address start = 0;           // start address of the processor
   i8080::Address status = 0;          // why the program stopped
   i8080::Address link_switch = 0;     // LINKSW: 0 parallel, 1 serial
   i8080::Address drawing = 0;         // DRAWIT: the buffered commands are drawn from here on
@@ -36,10 +35,9 @@ struct Program {
   Labels labels;
 };
 
-// The embedded program. std::logic_error with the assembler's messages if it has an error: it is part of this
-// build.
+// Assembles the embedded program. It is part of this build: an error ends the process with the assembler's messages.
 [[nodiscard]] Program assemble_program();
-// The same, assembled at the first call.
+// The same, assembled on the first call.
 [[nodiscard]] const Program& resident_program();
 
 }  // namespace sightline::programs::skala

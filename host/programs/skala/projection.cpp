@@ -12,7 +12,7 @@ namespace {
 constexpr double height_of_unit = 0.6;
 constexpr double last_dot = 255.0;
 constexpr double tie = 1.0 / (1 << 20);
-// Extents below this are the rounding of a picture that has none.
+// Smaller extents are rounding errors of a picture without extent.
 constexpr double smallest_extent = 1e-12;
 
 // Sine and cosine of 0 .. 45 degrees.
@@ -22,13 +22,13 @@ SineCosine of_half_quadrant(double degrees) {
 }
 
 SineCosine of_quadrant(double degrees) {
-  if (degrees == 45.0) return {std::sqrt(0.5), std::sqrt(0.5)};  // which the library does not say exactly
+  if (degrees == 45.0) return {std::sqrt(0.5), std::sqrt(0.5)};  // for which sin and cos are not exact
   if (degrees <= 45.0) return of_half_quadrant(degrees);
   const auto [sine, cosine] = of_half_quadrant(90.0 - degrees);
   return {cosine, sine};
 }
 
-// Extremes of one screen coordinate, and the way from it to the raster.
+// The extremes of one screen coordinate, and its mapping to the raster.
 class Fit {
  public:
   void take(double value) {
@@ -36,7 +36,7 @@ class Fit {
     high_ = std::max(high_, value);
   }
   [[nodiscard]] double place(double value, double zoom) const {
-    // Halves, as of heights below.
+    // Halved, like the heights below.
     const double half = 0.5 * high_ - 0.5 * low_;
     if (!(half > 0.5 * smallest_extent)) return 128.0;
     const double fitted = last_dot * ((0.5 * value - 0.5 * low_) / half);
@@ -72,7 +72,7 @@ int raster_coordinate(double value) {
 
 double normalised_height(const scene::HeightGrid& grid, double height) {
   if (!std::isfinite(height)) return std::numeric_limits<double>::quiet_NaN();
-  // Halves, since the difference of two heights may be beyond the greatest double.
+  // Halved, because the difference of two heights may exceed the greatest double.
   const double extent = 0.5 * grid.range.high - 0.5 * grid.range.low;
   if (!(extent > 0)) return 0;
   return 2.0 * ((0.5 * height - 0.5 * grid.range.low) / extent) - 1.0;

@@ -1,11 +1,11 @@
-// The screen positions of the points of a grid, and the order of drawing: rotation about the
-// vertical, parallel projection from an elevation, fit to the 256 x 256 raster. Verticals stay vertical,
-// which Skala's masks rely on (Skala 1985, section 3).
+// The screen positions of the points of a grid, and the order of drawing: rotation about the vertical, parallel projection
+// from an elevation, fit to the 256 x 256 raster. Verticals stay vertical, which Skala's masks require (Skala 1985, section
+// 3).
 //
 // With x, z, h in [-1, 1], rotation A and elevation E:
 //   screen x = x cos A + z sin A     depth = -x sin A + z cos A     screen y = 0.6 h cos E + depth sin E
-// Screen x and y are each fitted to 0..255 by their extremes over the defined points; an extent of nothing
-// lies at 128. A zoom enlarges about the middle, 127.5.
+// Screen x and y are each fitted to 0..255 by their extremes over the defined points; a coordinate without extent is at
+// 128. A zoom enlarges about the middle, 127.5.
 #pragma once
 
 #include <cstddef>
@@ -31,18 +31,18 @@ struct SineCosine {
 
 inline constexpr int raster_side = 256;  // dots
 
-// A real screen coordinate as a raster coordinate: rounded once, halves upwards. A millionth of a dot below
-// a half counts as the half, so that points of a symmetric surface do not depend on the last bit of a sine.
-// Beyond +-2^20 the result is +-2^20.
+// A real screen coordinate as a raster coordinate: rounded once, halves upwards. A value up to a millionth of a dot below a
+// half counts as the half, so that points of a symmetric surface do not depend on the last bit of a sine. Beyond +-2^20 the
+// result is +-2^20.
 [[nodiscard]] int raster_coordinate(double value);
 
 struct Vertex {
-  double x = 0;  // real screen coordinates: 0..255 but for a zoom
+  double x = 0;  // real screen coordinates: 0..255 without a zoom
   double y = 0;  // (only if defined)
   int column = 0;
   int row = 0;
   double depth = 0;      // greater is farther
-  bool defined = false;  // x, column and depth are right even if not
+  bool defined = false;  // x, column and depth are valid even if false
 };
 
 class Projection {
@@ -67,12 +67,12 @@ class Projection {
 // A height as h in [-1, 1] by the grid's range; 0 if that is empty; NaN for an undefined height.
 [[nodiscard]] double normalised_height(const scene::HeightGrid& grid, double height);
 
-// In which order a grid is drawn: from the foreground to the background, whatever the rotation (Skala 1985,
-// section 3: "the problem is how to select the order of the drawing if some transformations are made").
+// The order in which a grid is drawn: from the foreground to the background, for any rotation (Skala 1985, section 3: "the
+// problem is how to select the order of the drawing if some transformations are made").
 //
-// An order is a view of the grid with its axes exchanged and reversed so that rows[0] is nearest. Along a
-// vertical line of the screen depth grows with z / cos A in slices along x and with -x / sin A in slices
-// along z, which gives the sign of both; cells go away from the corner nearest the eye in both directions.
+// An order is a view of the grid with its axes exchanged and reversed so that rows[0] is nearest. Along a vertical line of
+// the screen depth grows with z / cos A in slices along x and with -x / sin A in slices along z, which gives the sign of
+// both; cells recede from the corner nearest the eye in both directions.
 
 struct GridIndex {
   std::size_t point = 0;
@@ -87,7 +87,7 @@ struct DrawingOrder {
   bool row_is_slice = true;
   bool rows_reversed = false;
   bool columns_reversed = false;
-  double row_shift = 0;  // > 0 if screen x grows from a row to the next farther one, 0: not at all
+  double row_shift = 0;  // > 0 if screen x grows from a row to the next farther one; 0: constant
   double column_shift = 0;
 
   [[nodiscard]] GridIndex index(std::size_t row, std::size_t column) const {
@@ -97,14 +97,13 @@ struct DrawingOrder {
   }
 };
 
-// The family that is drawn: along_x or along_z, for one family at a rotation.
+// The family to draw at a rotation if only one is drawn: along_x or along_z.
 [[nodiscard]] Family less_end_on(SineCosine rotation);
 
-// Rows are the slices of the family (along_x or along_z). Of directions that do not matter the index's own
-// is taken.
+// Rows are the slices of the family (along_x or along_z). A direction that does not matter keeps that of the index.
 [[nodiscard]] DrawingOrder slice_order(const Projection& projection, Family family);
 
-// Row-major from the nearest corner, for cells.
+// Row by row from the nearest corner, for cells.
 [[nodiscard]] DrawingOrder cell_order(const Projection& projection);
 
 }  // namespace sightline::programs::skala

@@ -14,17 +14,17 @@ namespace sightline::programs::skala {
 
 namespace {
 
-// Why a program may fail for want of the clock it is made for; nothing at that clock.
+// A hint that the clock may be why a program failed; empty at the clock for which programs are made.
 std::string_view clock_hint(core::ClockRate clock) {
   return clock.hertz == core::ClockRate{}.hertz ? "" : "; its timing is made for a clock of 3 MHz";
 }
 
-// Empty: the program has done its work.
+// Empty: the program has completed its picture.
 std::string failure_of(const MachinePicture& picture, core::ClockRate clock) {
   if (!picture.ended)
     return fmt::format("the program did not end within {:.0f} emulated seconds", core::in_seconds(picture.total, clock));
   if (!picture.faults.empty()) {
-    std::string text = "the program and the device do not get along";
+    std::string text = "the program misused the device";
     for (const DeviceFault& fault : picture.faults)
       text += fmt::format("{}{}: {}", &fault == &picture.faults.front() ? ": " : ", ", fault.what, fault.count);
     return text.append(clock_hint(clock));

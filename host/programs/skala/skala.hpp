@@ -1,5 +1,5 @@
-// Skala's program (1985) on the emulated 8080: an order in, its picture and costs out. The host computer makes the commands
-// (stream.hpp); the program draws them on the one device of its machine (machine.hpp).
+// Runs Skala's program (1985) on the emulated 8080: takes an order, returns its picture and costs. The host computer makes
+// the commands (stream.hpp); the program draws them on the one device of its machine (machine.hpp).
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Order {
   Device device = Device::ef9365;
   Link link = Link::parallel;
   core::ClockRate clock{};
-  bool time_plain = false;  // run again without the test of visibility, if the view has it
+  bool time_plain = false;  // also run without the visibility test, if the view has it
   bool check = false;       // compare the picture with that of the native twin
 };
 
@@ -31,20 +31,20 @@ struct Outcome {
   std::size_t bytes = 0;  // of the commands
   std::uint64_t points_walked = 0;
   std::uint64_t points_lit = 0;
-  PlotterWork plotter;                       // nothing on a raster board
-  std::optional<core::TStates> plain_drawing;  // of the run without the test of visibility
-  std::optional<Counts> counts;                // the twin's, if the order is checked
+  PlotterWork plotter;                       // empty for a raster board
+  std::optional<core::TStates> plain_drawing;  // drawing time without the visibility test
+  std::optional<Counts> counts;                // the twin's counts, if the order is checked
 
-  // How much longer drawing takes than without the test of visibility, in per cent; below 0 if it takes less. Empty if that was not
+  // How much the visibility test lengthens drawing, in per cent; negative if it shortens it. nullopt if that was not
   // ordered, or nothing is drawn.
   [[nodiscard]] std::optional<double> visibility_cost() const;
 };
 
-// Error program_failed: the program did not end, stopped with an error, or did what its device does not allow. Error differs: its
-// picture is not its twin's, which is a defect of this program.
+// Error program_failed: the program did not end, stopped with an error, or misused its device. Error differs: its picture
+// is not its twin's, which is a defect of this program.
 [[nodiscard]] base::Result<Outcome> run(const Order& order);
 
-// The same for any commands, with a parallel link at 3 MHz.
+// The same for arbitrary commands, with a parallel link at 3 MHz.
 [[nodiscard]] base::Result<Outcome> run(std::span<const std::uint8_t> stream, Device device, bool check);
 
 }  // namespace sightline::programs::skala

@@ -56,8 +56,8 @@ class Slices {
     return shaded_ ? shades_[index.slice * projection_.points() + index.point] : 0;
   }
 
-  // The leading rim is nearest in the columns beyond slice 0, so they are one chain. The trailing rim is
-  // farthest in its columns, so it comes last.
+  // The leading rim is nearest in the columns beyond slice 0, so the two form one chain. The trailing rim is farthest in
+  // its columns, so it comes last.
   RasterChain near_chain() const {
     RasterChain chain;
     const ChainStep rim_step = shaded_ ? ChainStep::rim : ChainStep::draw;
@@ -67,7 +67,7 @@ class Slices {
     return chain;
   }
 
-  // Along a column, from the near end or towards it.
+  // Adds a column's rim, from its near end or towards it.
   void rim(RasterChain& chain, std::size_t column, bool from_near, ChainStep step) const {
     for (std::size_t i = 0; i + 1 < order_.rows; ++i) {
       const std::size_t from = from_near ? i : order_.rows - 1 - i;
@@ -98,7 +98,7 @@ class Slices {
     return column < order_.columns && at(row, column).defined;
   }
 
-  // Nothing may be filled from the slices before this one across its holes, those at its ends included.
+  // Prevents filling from earlier slices across the holes of this one, including those at its ends.
   void gaps(std::size_t row) {
     for (std::size_t column = 0; column < order_.columns; ++column) {
       if (defined(row, column)) continue;
@@ -117,7 +117,7 @@ class Slices {
   std::vector<int> shades_;
 };
 
-// Both families: one pass, the far margins of a cell tested before they hide anything.
+// Both families in one pass; the far margins of a cell are tested before they hide anything.
 std::vector<std::uint8_t> cell_lines(const scene::HeightGrid& grid, const View& view, const Output& output) {
   const Projection projection(grid, view);
   const Cells cells(projection);
@@ -131,7 +131,7 @@ std::vector<std::uint8_t> cell_lines(const scene::HeightGrid& grid, const View& 
   return writer.finish();
 }
 
-// Slope along x at a place in a row of normalised heights, from the neighbours that are defined.
+// Slope along x at a point in a row of normalised heights, from its defined neighbours.
 double slope(double before, double here, double after, double to_before, double to_after) {
   const bool has_before = std::isfinite(before);
   const bool has_after = std::isfinite(after);
@@ -140,8 +140,8 @@ double slope(double before, double here, double after, double to_before, double 
   return has_before ? (here - before) / to_before : 0.0;
 }
 
-// 1 .. 7 by how far the normal leans towards x; that of no leaning where places coincide or are so close that
-// the slope is beyond the greatest double.
+// 1 .. 7 by the normal's lean towards x; that of no lean if points coincide or are so close that the slope exceeds the
+// greatest double.
 int shade_of(double across, double along) {
   const double normal_x = -across / std::hypot(1.0, across, along);
   if (!std::isfinite(normal_x)) return 4;
@@ -153,7 +153,7 @@ int shade_of(double across, double along) {
 std::vector<int> shades(const scene::HeightGrid& grid) {
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   const auto h = [&](std::size_t point, std::size_t slice) {
-    if (point >= grid.points() || slice >= grid.slices()) return undefined;  // also before the first one
+    if (point >= grid.points() || slice >= grid.slices()) return undefined;  // includes indices before the first one
     return 0.6 * normalised_height(grid, grid.height(point, slice));
   };
   const auto distance = [](const std::vector<double>& places, std::size_t i) {

@@ -22,13 +22,13 @@ bool is_shading(ChainStep step) {
   return step == ChainStep::shade || step == ChainStep::rim;
 }
 
-// A segment by its parameter t from 0 to 1.
+// A segment, with a parameter t from 0 to 1.
 class Segment {
  public:
   Segment(const Vertex& from, const Vertex& to, RasterChain::Levels levels)
       : from_(from), to_(to), levels_(levels) {}
 
-  // Where it crosses the border lines of the raster, with 0 and 1, ascending.
+  // The parameters where it crosses the border lines of the raster, with 0 and 1, ascending.
   struct Cuts {
     std::array<double, 6> at{};
     std::size_t count = 0;
@@ -127,7 +127,7 @@ void RasterChain::point(const Vertex& vertex, ChainStep step, int level) {
 RasterChain RasterChain::reversed() const {
   RasterChain result;
   result.nodes_.assign(nodes_.rbegin(), nodes_.rend());
-  // Steps belong to lines, so they move to the other end; so does the beginning of a piece.
+  // Steps belong to lines, so they move to the other end, and so does the beginning of a piece.
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::size_t old = nodes_.size() - 1 - i;
     ChainNode& node = result.nodes_[i];

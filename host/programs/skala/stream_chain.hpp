@@ -1,9 +1,8 @@
-// A chain: connected lines on the raster between two COMMITs, cut at its border.
+// A chain: connected lines on the raster between two COMMITs, clipped at its border.
 //
-// Lines are cut exactly, in real coordinates, and the cuts rounded once. What lies left or right of the
-// raster is left out. What lies above or below still hides what is behind it: it runs along the border
-// without ink (test-only lines have no effect there and are left out; shading has no inkless mode and is
-// clamped).
+// Lines are clipped exactly, in real coordinates, and the clipped ends rounded once. Parts left or right of the raster are
+// dropped. Parts above or below still hide what is behind them: they run along the border without ink (test-only lines have
+// no effect there and are dropped; shading has no inkless mode and is clamped).
 #pragma once
 
 #include <array>
@@ -20,8 +19,8 @@ struct ChainNode {
   int column = 0;  // 0..255
   int row = 0;
   int level = 0;
-  ChainStep step = ChainStep::draw;  // of the line that leads here; of the dot, if this is all of the piece
-  bool fresh = true;                 // a piece begins here: nothing leads here
+  ChainStep step = ChainStep::draw;  // of the line that ends here; of the dot, if it is the whole piece
+  bool fresh = true;                 // a piece begins here: no line ends here
 
   friend bool operator==(const ChainNode&, const ChainNode&) = default;
 };
@@ -33,25 +32,25 @@ class RasterChain {
     int to = 0;
   };
 
-  // Both ends defined. Continues the piece if `from` is the very object the segment before this ended with.
+  // Both ends must be defined. Continues the piece if `from` is the same object as the end of the last segment.
   void segment(const Vertex& from, const Vertex& to, ChainStep step, Levels levels);
   void segment(const Vertex& from, const Vertex& to, ChainStep step) { segment(from, to, step, Levels{}); }
   // A defined vertex without neighbours.
   void point(const Vertex& vertex, ChainStep step, int level = 0);
 
   [[nodiscard]] const std::vector<ChainNode>& nodes() const { return nodes_; }
-  // The same lines from the other end.
+  // The same lines in the opposite direction.
   [[nodiscard]] RasterChain reversed() const;
 
  private:
   void part(const ChainNode& from, const ChainNode& to);
 
   std::vector<ChainNode> nodes_;
-  const Vertex* end_ = nullptr;  // of the last segment; null if that was cut away
+  const Vertex* end_ = nullptr;  // of the last segment; null if it was clipped away
 };
 
-// The cells of a grid from near to far, as polylines: what contours and both families of lines are made of
-// (Skala 1985, section 5: "firstly two margins must be drawn ... then draw back margins of the given grid").
+// The cells of a grid from near to far, as polylines, used for contours and for both families of lines (Skala 1985, section
+// 5: "firstly two margins must be drawn ... then draw back margins of the given grid").
 //
 // A cell has its nearest corner N, side corners L and R and its farthest corner F; N and F lie between L and
 // R on the screen, so N's two edges, F's two edges and the diagonal L-R are all monotone in x.
@@ -67,24 +66,24 @@ struct Cell {
 
 class Cells {
  public:
-  // The projection must outlive it.
+  // The projection must outlive the cells.
   explicit Cells(const Projection& projection) : projection_(projection), order_(cell_order(projection)) {}
 
-  // Of grid points; one more than of cells.
+  // Numbers of grid points; there is one cell fewer.
   [[nodiscard]] std::size_t rows() const { return order_.rows; }
   [[nodiscard]] std::size_t columns() const { return order_.columns; }
 
   [[nodiscard]] const Vertex& at(GridIndex index) const { return projection_.at(index.point, index.slice); }
   [[nodiscard]] Cell cell(std::size_t row, std::size_t column) const;
 
-  // The two edges of the domain that meet in its nearest corner, as far as defined, from left to right.
+  // The two edges of the domain that meet in its nearest corner, where defined, from left to right.
   [[nodiscard]] RasterChain near_margins(ChainStep step) const;
-  // L - F - R as far as defined; `border` is the step on the domain's edge.
+  // L - F - R where defined; `border` is the step on the domain's edge.
   [[nodiscard]] RasterChain far_margins(std::size_t row, std::size_t column, ChainStep step,
                                         ChainStep border) const;
 
  private:
-  // Of the two directions away from the eye the one that goes left, or goes less to the right.
+  // Whether, of the two directions away from the eye, that of the columns goes left or less to the right.
   [[nodiscard]] bool columns_go_left() const { return order_.column_shift < order_.row_shift; }
   void join(RasterChain& chain, GridIndex from, GridIndex to, ChainStep step) const;
 

@@ -23,7 +23,7 @@ Command command_of(ChainStep step) {
   return Command::surface;
 }
 
-// The end of the longest run of consecutive columns from `begin` that is drawn in ink.
+// The end of the longest run of consecutive inked columns from `begin` on.
 std::size_t end_of_curve(const std::vector<ChainNode>& nodes, std::size_t begin, std::size_t end) {
   std::size_t next = begin + 1;
   while (next < end && next - begin < most_items && nodes[next].step == ChainStep::draw &&

@@ -1,6 +1,5 @@
-// Chains as the bytes of the Skala program (firmware/i8080/skala/SPECIFICATION.md, section 1), in the shortest
-// encoding: no MOVE to where the pen is, no COLOUR that is on already, dots in consecutive columns
-// as CURVE.
+// Writes chains as the bytes of the Skala program (firmware/i8080/skala/SPECIFICATION.md, section 1), in the shortest
+// encoding: no MOVE to the pen's position, no COLOUR that is already set, dots in consecutive columns as CURVE.
 #pragma once
 
 #include <cstddef>
@@ -25,16 +24,16 @@ class StreamWriter {
   StreamWriter(const View& view, const Output& output, int colour, std::optional<int> silhouette = {});
 
   void colour(int colour);
-  // On a plotter, if the output is serpentine, from the end nearer to the pen. Nothing for an empty chain.
+  // On a plotter, if the output is serpentine, from the end nearer to the pen. An empty chain writes nothing.
   void chain(const RasterChain& chain);
   void chain_and_commit(const RasterChain& chain);
-  // Chains of test-only lines, which hide nothing from each other. On a raster in their order, of which the
-  // last colours a dot; on a plotter, if the output is serpentine, always the one nearest to the pen.
+  // Chains of test-only lines, which do not hide each other. On a raster they keep their order, and the last one colours a
+  // dot; on a plotter, if the output is serpentine, the one nearest to the pen is always next.
   void test_chains(std::vector<ColouredChain> chains);
-  // The slice just sent is undefined in these columns; cut to the raster, no effect if none are left.
+  // The slice just sent is undefined in these columns; clipped to the raster, no effect if none are left.
   void gap(int first_column, int last_column);
   void outline();
-  // END. The writer is empty afterwards.
+  // Writes END. The writer is empty afterwards.
   [[nodiscard]] std::vector<std::uint8_t> finish();
 
  private:
@@ -49,7 +48,7 @@ class StreamWriter {
   void piece(const Nodes& nodes, std::size_t begin, std::size_t end);
   void curve(const Nodes& nodes, std::size_t begin, std::size_t end);
   void dot(const ChainNode& node);
-  // The lines from `begin` on that are shaded, as many as one command takes; answers the node they end at.
+  // Writes the shaded lines from `begin` on, as many as one command can hold; returns the index of the node where they end.
   [[nodiscard]] std::size_t surface(const Nodes& nodes, std::size_t begin, std::size_t end);
   void surface_list(const Nodes& nodes);
   [[nodiscard]] int distance(const ChainNode& node) const;
@@ -60,7 +59,7 @@ class StreamWriter {
   int colour_;
   int pen_column_ = 0;
   int pen_row_ = 0;
-  // Where a plotter's pen is, if what was last drawn in ink is visible: MASK does not move it.
+  // The position of a plotter's pen if the last inked line is visible: MASK does not move it.
   int ink_column_ = 0;
   int ink_row_ = 0;
 };

@@ -1,4 +1,4 @@
-// The picture of the program of stripes on its machine compared with that of its native twin.
+// Compares the picture of the stripes program on its machine with that of its native twin.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace sightline::programs::stripes {
 
-// The first difference, in words: status, place of the priority list, dot or command to the plotter. Empty: none.
+// Describes the first difference: status, position in the priority list, dot or command to the plotter. Empty: none.
 [[nodiscard]] std::string difference_from_twin(const MachinePicture& machine, const TwinPicture& twin);
 
 }  // namespace sightline::programs::stripes

@@ -1,4 +1,4 @@
-// Polygons cut into stripes, as the program does it and a host computer that does it instead (SPECIFICATION, section 2).
+// Cuts polygons into stripes, as the program does and as a host computer does in its place (SPECIFICATION, section 2).
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace sightline::programs::stripes {
 
-// Toggles of a line, ascending, below 255; without the 255 at the end.
+// The toggles of a line, ascending, below 255; without the final 255.
 using Toggles = std::vector<std::uint8_t>;
 
-// The stripes of a face: lists from line `low` on.
+// The stripes of a face: one list for each line from `low` on.
 struct Stripes {
   int low = 0;
   std::vector<Toggles> lines;
@@ -18,7 +18,7 @@ struct Stripes {
   friend bool operator==(const Stripes&, const Stripes&) = default;
 };
 
-// A corner as the stream has it: X and Y in 1/256 dot, Z.
+// A corner in the form of the stream: X and Y in 1/256 dot, Z.
 struct Corner {
   std::uint16_t x = 0;
   std::uint16_t y = 0;
@@ -29,7 +29,8 @@ struct Corner {
 };
 using CornerRings = std::vector<std::vector<Corner>>;
 
-// Section 2, without its limit: a list may be longer than the program can hold, and `longest` says how long one was, also in between.
+// Section 2, without its limit: a list may be longer than the program can hold; `longest` is the greatest length, including
+// intermediate lists.
 [[nodiscard]] Stripes stripes_of(const CornerRings& rings, std::size_t& longest);
 
 }  // namespace sightline::programs::stripes

@@ -20,14 +20,14 @@ namespace sightline::programs::stripes {
 
 namespace {
 
-// Notes the commands to the plotter. Ends a run where the program begins to wait for it and where it need wait no longer: nothing has to be
-// observed there, and a run without an observer is faster.
+// Records the commands to the plotter. Ends a run where the program begins to wait for the plotter and where it can stop
+// waiting: between them nothing has to be observed, and a run without an observer is faster.
 class PlotterFront final : public i8080::Front {
  public:
   explicit PlotterFront(i8080::Machine& machine)
       : Front(machine, devices::CalComp565::info.writes), plotter_(*machine.find<devices::CalComp565>()) {}
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
-    // Nothing changes in a plotter that is busy, and no line of it has to be polled.
+    // A busy plotter does not change, and none of its lines has to be polled.
     if (waiting_ && at < plotter_.busy_until()) return plotter_.read_status(at);
     const std::uint8_t status = Front::in(port, at);
     const bool busy = (status & devices::CalComp565::Status::busy) != 0;
@@ -49,15 +49,15 @@ class PlotterFront final : public i8080::Front {
   bool waiting_ = false;
 };
 
-// Toggles of the list at `at`.
+// The number of toggles in the list at `at`.
 std::uint32_t toggles_at(const i8080::Machine& machine, i8080::Address at) {
   std::uint32_t count = 0;
   while (machine.peek(at++) != picture_size) ++count;
   return count;
 }
 
-// Counts faces on the raster board, where the program writes a face's colour before it draws the face: its stripes are made by then, and
-// the silhouette is that of all faces before it.
+// Counts faces on the raster board, where the program writes a face's colour before it draws the face: then the face's
+// stripes are complete, and the silhouette is that of all faces before it.
 class ColourFront final : public i8080::Front {
  public:
   ColourFront(i8080::Machine& machine, const Labels& labels) : Front(machine, colour), labels_(labels) {}
@@ -70,7 +70,7 @@ class ColourFront final : public i8080::Front {
       face_most_ = std::max(face_most_, toggles_at(machine(), static_cast<i8080::Address>(labels_.face_slots + 16 * line)));
   }
 
-  // At the end of the run.
+  // Called at the end of the run.
   void add_to(Counts& counts) {
     count_silhouette();
     counts.face_most = face_most_;
@@ -80,7 +80,7 @@ class ColourFront final : public i8080::Front {
  private:
   static constexpr core::PortRange colour[]{{0x50, 0x50}};
 
-  // Where the last face has changed it.
+  // Counts the lines that the last face has changed.
   void count_silhouette() {
     for (int line = low_; line < high_; ++line)
       silhouette_most_ = std::max(silhouette_most_, toggles_at(machine(), static_cast<i8080::Address>(labels_.silhouette_slots + 32 * line)));
@@ -93,7 +93,7 @@ class ColourFront final : public i8080::Front {
   std::uint32_t silhouette_most_ = 0;
 };
 
-// The machine is a part of this program, so that an error ends the process.
+// The machine is part of this executable, so an error ends the process.
 void attach(i8080::Machine& machine, std::string_view device) {
   if (const std::string error = machine.attach(device); !error.empty()) base::give_up(error);
 }
@@ -118,10 +118,10 @@ void add_faults(const devices::CalComp565Counts& counts, MachinePicture& picture
   add("marks beside the CalComp's paper", counts.off_paper);
 }
 
-// Notes when the program comes to its parts, and counts what it does in them.
+// Records when the program reaches its parts, and counts its work in them.
 class WorkObserver final : public i8080::Observer {
  public:
-  // `whole`: the drawing is observed, too; else the run ends where it begins.
+  // `whole`: observes the drawing too; otherwise the run ends where drawing begins.
   WorkObserver(const i8080::Machine& machine, const Labels& labels, std::size_t faces, bool whole)
       : machine_(machine), labels_(labels), faces_(faces), whole_(whole) {
     for (const i8080::Address place : {labels.check, labels.drawing, labels.tests, labels.sides, labels.common, labels.first_hides,
@@ -150,10 +150,10 @@ class WorkObserver final : public i8080::Observer {
     return false;
   }
 
-  // When the program came to its labels; never_t if it did not.
+  // The times at which the program reached its labels; never_t if it did not.
   [[nodiscard]] core::TStateInstant check() const { return check_; }
   [[nodiscard]] core::TStateInstant drawing() const { return drawing_; }
-  // At the end of the run.
+  // Called at the end of the run.
   [[nodiscard]] Counts counts() const {
     Counts counts = counts_;
     counts.cuts = machine_.peek(labels_.cuts);
@@ -171,7 +171,7 @@ class WorkObserver final : public i8080::Observer {
     if (test_ != 0) ++counts_.decided_by[test_];
     test_ = 0;
   }
-  // Pairs that come to no other test are decided by the first.
+  // Pairs that reach no other test are decided by the first.
   void end_pairs() {
     if (ranked_) return;
     ranked_ = true;
@@ -207,10 +207,10 @@ class WorkObserver final : public i8080::Observer {
   std::size_t pairs_ = 0;
   std::uint32_t deletions_ = 0;
   bool ranked_ = false;
-  std::size_t test_ = 0;  // which test decides the pair at hand, so far; 0: there is none
+  std::size_t test_ = 0;  // the last test of the current pair so far; 0: no pair
 };
 
-// Links between dots that are drawn: a diagonal step goes over two.
+// The number of links between drawn dots: a diagonal step crosses two.
 std::uint32_t links_of(std::span<const std::uint8_t> commands) {
   constexpr std::uint8_t pen_up = 8;
   std::uint32_t links = 0;
@@ -225,7 +225,7 @@ std::uint32_t links_of(std::span<const std::uint8_t> commands) {
   return links;
 }
 
-// Ten minutes for the work of the program; and the plotter's, of which no link is drawn twice.
+// Ten minutes for the program's work, and the time of the plotter, which draws no link twice.
 std::int64_t limit_for(const MachineOptions& options) {
   const std::int64_t seconds = options.device == Device::calcomp ? 3600 : 600;
   return seconds * std::max(options.clock.hertz, core::ClockRate{}.hertz);

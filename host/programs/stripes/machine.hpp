@@ -1,6 +1,6 @@
-// Runs the program of firmware/i8080/stripes on the emulated 8080 with its parallel link and one device, the EF9365 board or the
-// CalComp 565, and measures it: receipt, priority list, drawing. An observer notes when the program comes to its labels, and counts with what is put before the ports;
-// nothing is added to the program.
+// Runs the program of firmware/i8080/stripes on the emulated 8080 with its parallel link and one device, the EF9365 board
+// or the CalComp 565, and measures receipt, priority list and drawing. An observer records when the program reaches its
+// labels, and counts together with fronts at the ports; nothing is added to the program.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,10 @@ enum class Device : std::uint8_t { none, ef9365, calcomp };
 struct MachineOptions {
   Device device = Device::ef9365;
   core::ClockRate clock{};
-  std::int64_t t_state_limit = 0;  // 0: more than any scene takes
+  std::int64_t t_state_limit = 0;  // 0: an upper bound for any scene
 };
 
-// Something that the device counts as an error of the program.
+// A count of errors of the program, found by the device.
 struct DeviceFault {
   std::string_view what;
   std::uint64_t count = 0;
@@ -36,7 +36,7 @@ struct MachinePicture {
   std::uint8_t fault = 0;
   core::Raster raster;                 // of the board
   std::vector<std::uint8_t> commands;  // to the plotter, in order
-  std::vector<std::uint8_t> order;     // the priority list; empty if the program did not come to it
+  std::vector<std::uint8_t> order;     // the priority list; empty if the program did not reach it
   core::TStates receiving{};           // from the start to the last byte
   core::TStates ranking{};             // check of the records and priority list
   core::TStates drawing{};             // to the halt, or until the device is done
@@ -45,11 +45,11 @@ struct MachinePicture {
   Counts counts;
   std::vector<DeviceFault> faults;  // counts above 0 only
 
-  // Without the receipt: the link's speed is the host's.
+  // Without the receipt, because the host determines the link's speed.
   [[nodiscard]] core::TStates working() const { return ranking + drawing; }
 };
 
-// Any bytes are taken.
+// Arbitrary bytes are allowed.
 [[nodiscard]] MachinePicture run_machine(const Program& program, std::span<const std::uint8_t> stream,
                                      const MachineOptions& options = {});
 

@@ -25,7 +25,7 @@ constexpr double depth_range = 0xFF00;
 constexpr double plane_sum = 16383;            // of |a|, |b| and |c|
 constexpr double border = picture_size;
 
-// A point in dots, and how far away: growing, linear on every plane in dots.
+// A point in dots, and its depth: increasing, and linear on every plane in dots.
 struct Place {
   double x = 0;
   double y = 0;
@@ -56,7 +56,7 @@ class Projection {
     return placed({static_cast<double>(p.x) / weight, static_cast<double>(p.y) / weight});
   }
 
-  // In perspective -1 / z, else z: both are linear in the image.
+  // -1 / z in perspective, otherwise z: both are linear in the image.
   [[nodiscard]] Slope slope(const native::Face& face) const {
     std::array<double, 3> n{};
     for (std::size_t k = 0; k < 3; ++k) n[k] = static_cast<double>(face.normal[k]);
@@ -69,7 +69,7 @@ class Projection {
   }
 
   [[nodiscard]] std::uint8_t level(const native::Face& face) const {
-    // The frame's axes are as long as the camera's vectors.
+    // The axes of the frame have the lengths of the camera's vectors.
     const auto length = [](const scene::PolyPoint& v) {
       const std::array<double, 3> p{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
       return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
@@ -86,7 +86,7 @@ class Projection {
     return static_cast<std::uint8_t>(std::clamp(std::lround(2 + 5 * lit / std::sqrt(size)), 1L, 7L));
   }
 
-  // What the picture shows, rounded outwards.
+  // The bounds of the picture, rounded outwards.
   [[nodiscard]] native::WindowBounds bounds() const {
     constexpr double limit = 0x1p36;
     std::array<std::array<double, 2>, 2> places{};
@@ -107,7 +107,7 @@ class Projection {
     return bounds;
   }
 
-  // All that is before the eye; clipped only if it has to be.
+  // All faces before the eye; clipped only if necessary.
   [[nodiscard]] native::FaceSet faces() const {
     if (!native::face_past_eye(scene_, camera_)) {
       native::FaceSet set = native::faces_seen(scene_, camera_);
@@ -123,7 +123,7 @@ class Projection {
     return native::faces_seen(scene_, camera_, {}, &window);
   }
 
-  // The rings of the face as the scene has them.
+  // The rings of the face as in the scene.
   [[nodiscard]] PlaceRings whole(const native::FaceSet& set, const native::Face& face) const {
     const scene::PolyFace& source = scene_.bodies[face.body].faces[face.index];
     const Slope plane = slope(face);
@@ -161,7 +161,8 @@ class Projection {
   native::StripeFrame frame_;
 };
 
-// The line is the border between stripes that is nearest to the corner, as the native algorithm has it; the fraction must not change it.
+// The line is the border between stripes nearest to the corner, as in the native algorithm; the fraction must not change
+// it.
 std::uint16_t height_of(double y) {
   const double line = std::clamp(std::floor(y + 0.5), 0.0, border);
   const double value = std::clamp<double>(std::round(y * fraction), line * fraction - fraction / 2, line * fraction + fraction / 2 - 1);
@@ -172,7 +173,7 @@ std::uint16_t width_of(double x) {
   return static_cast<std::uint16_t>(std::clamp(std::round(x * fraction), 0.0, border * fraction));
 }
 
-// Depths of all corners of a scene as words.
+// The depths of all corners of a scene as words.
 class Depths {
  public:
   void take(const PlaceRings& rings) {
@@ -203,7 +204,7 @@ void set_shape(SceneFace& face, const PlaceRings& rings, const Slope& slope, con
   // Z grows by -a / c and -b / c with X and Y.
   const double along_x = slope.along_x * depths.unit() / fraction;
   const double along_y = slope.along_y * depths.unit() / fraction;
-  const double size = (plane_sum - 2) / (std::abs(along_x) + std::abs(along_y) + 1);  // less what rounding may add
+  const double size = (plane_sum - 2) / (std::abs(along_x) + std::abs(along_y) + 1);  // minus what rounding may add
   face.a = static_cast<std::int32_t>(std::lround(-along_x * size));
   face.b = static_cast<std::int32_t>(std::lround(-along_y * size));
   face.c = std::max(1, static_cast<std::int32_t>(std::lround(size)));
@@ -262,7 +263,7 @@ base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const 
   }
   const std::vector<std::uint32_t> first = scene::first_face_numbers(scene);
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (rings[k].empty()) continue;  // wholly cut away
+    if (rings[k].empty()) continue;  // clipped away completely
     const native::Face& source = set.faces[order[k]];
     SceneFace& face = result.faces.emplace_back();
     face.number = first[source.body] + source.index;

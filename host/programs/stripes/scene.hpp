@@ -1,6 +1,6 @@
-// A view of a scene as the program of stripes takes it: the faces turned to the eye, projected and clipped to the picture on this
-// computer, corners in 1/256 dot with a depth, the plane of each as four whole numbers. If the host finds the priority, the native
-// algorithm orders the faces and cuts cycles; nothing else of visibility is decided here.
+// A view of a scene in the form that the stripes program takes: the faces turned to the eye, projected and clipped to the
+// picture on this computer, corners in 1/256 dot with a depth, each plane as four whole numbers. If the host finds the
+// priority, the native algorithm orders the faces and cuts cycles; no other visibility is computed here.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ struct View {
   double bottom = 127.5;
 };
 
-// `window` has 255 columns and lines, or more, of which the picture is the lower left.
+// `window` has at least 255 columns and lines; the picture is its lower left part.
 [[nodiscard]] View view_of(const scene::PolyCamera& camera, const registry::FaceWindow& window);
-// All of the scene before the camera, or `extent` across (as registry::face_window has it).
+// All of the scene before the camera, or `extent` across (as in registry::face_window).
 [[nodiscard]] View view_of(const scene::PolyScene& scene, const scene::PolyCamera& camera, std::optional<double> extent = {});
 
 struct SceneFace {
@@ -33,7 +33,7 @@ struct SceneFace {
   std::uint32_t index = 0;  // in it
   std::uint8_t level = 1;   // 1 to 7, by how the face is turned to a lamp behind the eye's left shoulder
   CornerRings rings;
-  std::int32_t a = 0;  // a X + b Y + c Z - d is positive behind the plane; c > 0
+  std::int32_t a = 0;  // d: a X + b Y + c Z - d is positive behind the plane; c > 0
   std::int32_t b = 0;
   std::int32_t c = 1;
   std::int32_t d = 0;
@@ -41,13 +41,13 @@ struct SceneFace {
 
 struct ProjectedScene {
   std::vector<SceneFace> faces;  // nearest first if the host found the priority
-  std::uint64_t cuts = 0;        // of cycles, and parts cut off faces that hide each other in different places; by the host
-  std::uint64_t mutual_parts = 0;  // of these, the parts
+  std::uint64_t cuts = 0;        // by the host: cuts of cycles, and parts cut off faces that hide each other in different places
+  std::uint64_t mutual_parts = 0;  // those of the cuts that are such parts
   bool clipped = false;          // parts of faces are outside the picture
 };
 
-// The scene is a checked one, and the eye of a camera in perspective is in free space (preconditions). Error: the priority is asked for
-// and faces pass through each other.
+// The scene must have been checked, and the eye of a perspective camera must be in free space. Error: the priority is
+// requested and faces pass through each other.
 [[nodiscard]] base::Result<ProjectedScene> project_scene(const scene::PolyScene& scene, const View& view, bool with_priority);
 
 }  // namespace sightline::programs::stripes

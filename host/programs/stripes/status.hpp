@@ -1,4 +1,4 @@
-// How the program of firmware/i8080/stripes ends, and the limits of what it can hold. Source: its SPECIFICATION.md.
+// The final statuses of the program of firmware/i8080/stripes, and its limits. Source: its SPECIFICATION.md.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ inline constexpr std::size_t most_body_bytes = 0x6800;
 inline constexpr std::size_t most_faces = 64;
 inline constexpr std::size_t most_cuts = 63;
 inline constexpr int picture_size = 255;  // columns and lines
-inline constexpr std::size_t most_face_toggles = 15;  // of a line
+inline constexpr std::size_t most_face_toggles = 15;  // in a line
 inline constexpr std::size_t most_silhouette_toggles = 31;
 inline constexpr std::size_t most_seen_toggles = 15;  // vector output
 

@@ -38,7 +38,7 @@ void put_stripes(std::vector<std::uint8_t>& bytes, const Stripes& stripes) {
 
 constexpr std::size_t most_in_byte = 255;
 
-// What a record cannot say.
+// Reports counts that a record cannot hold.
 base::Result<base::Done> check_counts(const SceneFace& face) {
   if (face.rings.size() > most_in_byte)
     return base::Error{"", name_of(face), fmt::format("{} outlines and holes", face.rings.size()), "at most 255"};

@@ -1,4 +1,4 @@
-// The stream of bytes that the program of stripes is sent (firmware/i8080/stripes/SPECIFICATION.md, section 1).
+// The byte stream for the stripes program (firmware/i8080/stripes/SPECIFICATION.md, section 1).
 #pragma once
 
 #include <cstddef>
@@ -26,10 +26,10 @@ struct Stream {
   std::size_t stripe_bytes = 0;   // of lists
 };
 
-// The faces are in the order of priority if the host has found it. Error: what does not fit, which part, and by how much.
+// The faces are in priority order if the host has found it. Error: what does not fit, its largest part, and by how much.
 [[nodiscard]] base::Result<Stream> encode(const ProjectedScene& scene, const StreamOptions& options);
 
-// Header and check sums around a body, right or wrong.
+// Puts a header and check sums around a body, right or wrong.
 [[nodiscard]] std::vector<std::uint8_t> framed(std::uint8_t mode, std::size_t faces, const std::vector<std::uint8_t>& body);
 
 }  // namespace sightline::programs::stripes

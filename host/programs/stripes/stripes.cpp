@@ -14,7 +14,7 @@ namespace sightline::programs::stripes {
 
 namespace {
 
-// What did not fit, as the twin finds it, which has stopped with status full.
+// Describes what did not fit, from the twin, which has stopped with status full.
 base::Error too_full(const TwinPicture& twin, const ProjectedScene& scene) {
   const SceneFace& face = scene.faces[twin.fault];
   const std::string place = fmt::format("face {} of body {}", face.index, face.body);

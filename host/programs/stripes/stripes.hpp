@@ -1,5 +1,6 @@
-// The program of firmware/i8080/stripes on the emulated 8080: an order in, its picture and costs out. The host computer projects the
-// scene (scene.hpp) and sends its faces (stream.hpp); the program draws them on one device (machine.hpp).
+// Runs the program of firmware/i8080/stripes on the emulated 8080: takes an order, returns its picture and costs. The host
+// computer projects the scene (scene.hpp) and sends its faces (stream.hpp); the program draws them on one device
+// (machine.hpp).
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@
 namespace sightline::programs::stripes {
 
 struct Order {
-  const scene::PolyScene& scene;  // as project_scene takes it
+  const scene::PolyScene& scene;  // as for project_scene
   View view;
   StreamOptions options = {};
   bool check = false;  // compare the picture with that of the native twin
@@ -28,13 +29,14 @@ struct Outcome {
   ProjectedScene scene;
   Stream stream;
   MachinePicture picture;
-  // The twin's, if the order is checked: the face at every dot, numbered over all bodies from 1, 0 for none; rows from the bottom.
+  // From the twin, if the order is checked: the face at every dot, numbered over all bodies from 1, 0 for none; rows from
+  // the bottom.
   std::optional<picture::PixelGrid> faces;
 };
 
-// Errors: those of project_scene and encode; bad_input: the scene does not fit while it is drawn, where, and by how much (the twin finds
-// it out); program_failed: the program did not end, stopped, or a device complains; differs: its picture is not its twin's, which is a
-// defect of this program.
+// Errors: those of project_scene and encode; bad_input: the scene does not fit during drawing, with the place and the
+// excess (computed by the twin); program_failed: the program did not end, stopped, or misused a device; differs: its
+// picture is not its twin's, which is a defect of this program.
 [[nodiscard]] base::Result<Outcome> run(const Order& order);
 
 // The plotter's commands by kind.
@@ -45,7 +47,7 @@ struct PenWork {
 };
 [[nodiscard]] PenWork pen_work(std::span<const std::uint8_t> commands);
 
-// One path from each lowering of the pen to its lifting; straight runs keep only their ends.
+// One path from each lowering of the pen to its lifting; of a straight run only the ends are kept.
 [[nodiscard]] std::vector<picture::PenPath> pen_paths(std::span<const std::uint8_t> commands);
 
 }  // namespace sightline::programs::stripes

@@ -11,13 +11,13 @@
 
 namespace sightline::programs::turn {
 
-// A member of a class with linkage cannot have a type without.
+// A named namespace, because a member of a class with linkage cannot have a type without linkage.
 namespace watching {
 
-// Sees the stores that end pictures, the waiting for the display, and stores into display files.
+// Observes the stores that end pictures, the waiting for the display, and stores into display files.
 class Watch final : public machines::ProgramWatch {
  public:
-  // From `first_file` on the stores into display files are seen.
+  // Stores into display files are observed from `first_file` on.
   explicit Watch(const Labels& labels, std::uint32_t first_file, std::uint32_t file_words) : labels_(labels), file_words_(file_words) {
     for (const pdp7::Address label : {labels.wait, labels.waited, labels.line, labels.junction}) mark(label, pdp7::mark::fetched);
     mark(labels.file, pdp7::mark::written);
@@ -55,7 +55,7 @@ class Watch final : public machines::ProgramWatch {
     shown_ = published_;
     ++passes_;
   }
-  // Pictures complete by now.
+  // The number of pictures complete so far.
   [[nodiscard]] std::uint32_t pictures() const { return pictures_; }
   [[nodiscard]] core::Instant ended() const { return ended_; }
   [[nodiscard]] core::Duration take_waiting() { return std::exchange(waiting_, core::Duration(0)); }

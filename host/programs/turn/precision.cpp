@@ -7,7 +7,7 @@ namespace sightline::programs::turn {
 
 namespace {
 
-// Two products cut off to whole numbers, and 2 added for them.
+// Two products truncated to whole numbers, and 2 added for them.
 constexpr double product_error = 1.5;
 // Two coefficients rounded to whole numbers, times a cosine and a sine.
 constexpr double coefficient_error = 0.7072;
@@ -25,7 +25,7 @@ Precision::Value Precision::form(std::uint32_t address, double angle) const {
 }
 
 EndBound Precision::end(std::uint32_t slot, std::uint32_t code, bool second, double angle, double of_picture) const {
-  // The forms of the two vertices stand in the order of their places.
+  // The forms of the two vertices are adjacent, in the order of their places.
   const std::uint32_t places = word(model_base(tape_.memory) + 5);
   const std::uint32_t forms = word(model_base(tape_.memory) + 4) + 1;
   const auto vertex = [&](std::uint32_t field) { return forms + (word(slot + field) - places); };
@@ -52,7 +52,7 @@ EndBound Precision::end(std::uint32_t slot, std::uint32_t code, bool second, dou
   const double moved = std::abs(part(form(junction, of_picture), form(junction + 2, of_picture)) - bound.at);
   const double certain = std::abs(d.value) - d.error;
   bound.along = certain <= 0 ? 1 : std::min(1.0, (n.error + d.error) / certain + fraction_error + moved);
-  // Both vertices are rounded, and what is between them again.
+  // Both vertices are rounded, and points between them are rounded again.
   bound.x = of_vertex + rounding + dx * bound.along;
   bound.y = 2 * rounding + dy * bound.along;
   return bound;

@@ -1,7 +1,8 @@
-// How far the program's picture can be from the exact one at the machine's own angle: bounds from the lengths of its words.
+// Bounds of the distance between the program's picture and the exact one at the machine's angle, from the lengths of its
+// words.
 //
-// firmware/pdp7/turn/NOTES.md, "How exact the picture is", derives each of them. Left out: what the beam does between the ends of a
-// vector word (vector_wander is its bound) and everything that is not rounding: the structure is exact.
+// firmware/pdp7/turn/NOTES.md, "How exact the picture is", derives each of them. Left out: the path of the beam between the
+// ends of a vector word (bounded by vector_wander) and everything but rounding: the structure is exact.
 #pragma once
 
 #include <array>
@@ -14,21 +15,22 @@
 
 namespace sightline::programs::turn {
 
-// Of the program's cosine and sine of an angle, as a vector: from the true ones, in 2^-14. All angles are tested.
+// Error of the program's cosine and sine of an angle, as a vector, in 2^-14. All angles are tested.
 inline constexpr double rotation_error = 1.12;
-// Of a corner between the vector words of a line from the straight line between its ends, in points of the display.
+// Distance of a corner between the vector words of a line from the straight line between its ends, in points of the
+// display.
 inline constexpr double corner_error = 0.5;
-// Of a flash from the straight line of its vector word, in points: the Type 340's rate multiplier. All words are tested.
-// Along the line the next flash is at most a diagonal step away.
+// Distance of a flash from the straight line of its vector word, in points, caused by the Type 340's rate multiplier. All
+// words are tested. Along the line the next flash is at most a diagonal step away.
 inline constexpr double vector_wander = 1.55;
 inline constexpr double flash_step = 1.4143;
 
-// One end of a piece that the structure shows.
+// One end of a visible piece of an edge.
 struct EndBound {
   bool junction = false;
-  double at = 0;     // where on the slot's edge, 0 to 1 from the slot's first vertex, by the words of the tape
-  double along = 0;  // how far from there the end can be, as a part of the edge
-  double x = 0;      // how far the place of the end can be from that of the exact one, in points
+  double at = 0;     // position on the slot's edge, 0 to 1 from the slot's first vertex, by the words of the tape
+  double along = 0;  // error of that position, as a part of the edge
+  double x = 0;      // error of the end's position on the display, in points
   double y = 0;
 };
 
@@ -36,25 +38,25 @@ struct PieceBound {
   std::uint32_t slot = 0;
   double length = 0;  // of its edge in the image, in points
   std::array<EndBound, 2> ends;
-  // The program may find its ends in the wrong order, and then does not draw it.
+  // The program may find its ends in the wrong order; then it does not draw the piece.
   bool may_be_missing = false;
 };
 
 class Precision {
  public:
-  // The tape outlives it.
+  // The tape must outlive the object.
   explicit Precision(const Tape& tape) : tape_(tape) {}
 
-  // Of every piece that the states of the slots (Twin::state, one for each) show at an angle. The exact picture may be of another
-  // angle between the same events, in radians: its T-junctions are elsewhere on their edges.
+  // The bounds of every piece that the states of the slots (Twin::state, one for each) show at an angle. The exact picture
+  // may be at another angle between the same events, in radians: then its T-junctions are elsewhere on their edges.
   [[nodiscard]] std::vector<PieceBound> pieces(std::span<const std::uint32_t> states, std::uint32_t angle) const {
     return pieces(states, angle, radians(angle));
   }
   [[nodiscard]] std::vector<PieceBound> pieces(std::span<const std::uint32_t> states, std::uint32_t angle, double of_picture) const;
 
  private:
-  // What a form is at an angle, not rounded; how far the program's value can be from that of the form that was put on tape, in the
-  // form's own units.
+  // The unrounded value of a form at an angle, and the error of the program's value from that of the form before it was
+  // rounded for the tape, in the form's units.
   struct Value {
     double value = 0;
     double error = 0;
@@ -66,7 +68,7 @@ class Precision {
   const Tape& tape_;
 };
 
-// How far the lines of the whole picture can be from the exact ones, and those from them (Hausdorff), in points. Vector words are
+// The Hausdorff distance between the lines of the whole picture and the exact ones, in points. Vector words are taken as
 // straight lines; for the flashes of the display add flash_bound.
 [[nodiscard]] double picture_bound(std::span<const PieceBound> pieces);
 [[nodiscard]] double flash_bound();

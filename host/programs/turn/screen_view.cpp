@@ -19,8 +19,8 @@ ScreenView::ScreenView(const scene::PolyScene& standing) {
 
 namespace {
 
-// The fraction nearest to r, from 0 to 1, whose denominator keeps below 2^15: of the last convergent that does and the mediant
-// before the next one.
+// The fraction nearest to r, 0 to 1, with a denominator below 2^15: the better of the last convergent with such a
+// denominator and the mediant before the next one.
 std::array<std::int64_t, 2> nearest_fraction(double r) {
   constexpr std::int64_t most = 32767;
   constexpr std::int64_t one = std::int64_t{1} << 52;

@@ -1,5 +1,5 @@
-// What the program of firmware/pdp7/turn and its twin in C++ have in common, as its SPECIFICATION.md fixes it: how a picture ends,
-// and the AC switches.
+// The common part of the program of firmware/pdp7/turn and its twin in C++, from its SPECIFICATION.md: the status of a
+// picture, and the AC switches.
 #pragma once
 
 #include <cstdint>

@@ -32,12 +32,12 @@ constexpr std::size_t most_partners = 62;
 constexpr std::uint32_t most_file_words = 2048;
 constexpr double largest_form = 65535;
 
-// A' of A.
+// The word A' of a coefficient A.
 std::uint32_t form_word(double value) {
   return static_cast<std::uint32_t>(std::clamp(std::lround(value + form_word_middle), 0L, 131071L));
 }
 
-// A function A cos + B sin, not yet of any scale.
+// A function A cos + B sin, not yet scaled.
 struct Form {
   double a = 0;
   double b = 0;
@@ -92,12 +92,12 @@ class Encoder {
   Tape tape_;
   std::vector<plantinga::EdgeStructure> start_;   // at angle 0
   std::vector<std::uint32_t> most_pieces_;        // by edge
-  std::vector<std::pair<EdgeIndex, bool>> trail_;  // edges in the order of slots, and which are reversed
-  std::vector<std::uint32_t> places_;             // by vertex: its place less 1
+  std::vector<std::pair<EdgeIndex, bool>> trail_;  // edges in the order of slots, and whether each is reversed
+  std::vector<std::uint32_t> places_;             // by vertex: its place minus 1
   std::vector<std::uint32_t> junctions_;          // by edge: forms of its first junction
 };
 
-// Goes round the turn once: which ends every edge has, and how many pieces at most.
+// Goes through the whole turn: finds the ends of every edge, and its greatest number of pieces.
 std::optional<base::Error> Encoder::find_structures() {
   const std::size_t edges = model_.edges().size();
   tape_.partners.resize(edges);
@@ -134,7 +134,7 @@ std::optional<base::Error> Encoder::find_structures() {
   return std::nullopt;
 }
 
-// 1: a vertex of the edge itself.
+// 1 means a vertex of the edge itself.
 std::uint32_t Encoder::code_of(EdgeIndex edge, const End& end) {
   if (end.kind() == EndKind::vertex) return 1;
   auto& partners = tape_.partners[edge];
@@ -144,8 +144,8 @@ std::uint32_t Encoder::code_of(EdgeIndex edge, const End& end) {
   return static_cast<std::uint32_t>(partners.size()) + 1;
 }
 
-// Edges in trails, so that one begins where the one before it ends: the beam need not be set again. Trails begin at
-// vertices with an odd number of edges left, while there are any.
+// Orders edges in trails, so that each begins where the one before it ends and the beam need not be set again. Trails begin
+// at vertices with an odd number of remaining edges, if there are any.
 void Encoder::order_edges() {
   const auto& edges = model_.edges();
   std::vector<bool> used(edges.size(), false);
@@ -233,7 +233,7 @@ void Encoder::put_slots() {
   tape_.layout.edges = 4 * tape_.slots;
 }
 
-// N and D of equation 5a, from the slot's first vertex; of a vertex at the height of a level edge, likewise.
+// N and D of equation 5a, from the slot's first vertex; the same for a vertex at the height of a level edge.
 std::array<Form, 2> Encoder::junction_of(const Tape::Slot& slot, const End& end) const {
   const auto& edge = model_.edges()[slot.edge];
   const auto& p = model_.vertices()[slot.reversed ? edge.to : edge.from];
@@ -293,14 +293,14 @@ void Encoder::put_events() {
     if (words.empty()) continue;
     words.front() |= 2U;
     words.back() |= 1U;
-    // Angles ascend from just behind half a turn backwards; words above 2^17 are less than 0.
+    // Angles ascend from just after minus half a turn; words above 2^17 are negative.
     if (!next && word != 0 && word <= (1U << 17U)) next = here();
     put(word);
     for (const std::uint32_t w : words) put(w);
     ++tape_.events;
     tape_.changes += static_cast<std::uint32_t>(words.size());
   }
-  if (tape_.events == 0) {  // the program expects one; this one changes nothing
+  if (tape_.events == 0) {  // the program needs at least one event; this one changes nothing
     put(1U << 17U);
     put(3);
     next = begun;
@@ -325,7 +325,7 @@ void Encoder::lay_out() {
   header(3) = less(tape_.edges);
 }
 
-// The display files take what the pictures of a whole turn need, three of them if there is room, else two.
+// Sizes the display files for the pictures of a whole turn; three of them if there is space, otherwise two.
 std::optional<base::Error> Encoder::divide_core() {
   header(11) = Word18(most_file_words);
   Twin twin(tape_.words, model_base(tape_.memory));
@@ -338,12 +338,12 @@ std::optional<base::Error> Encoder::divide_core() {
   }
   static_cast<void>(twin.next(wire_switch | 1U, picture));
   most = std::max(most, picture.display_file.size());
-  // Between the angles examined a picture may have a few lines more.
+  // Between the examined angles a picture may have a few lines more.
   constexpr std::uint32_t spare = 24;
   tape_.file_words = std::min(static_cast<std::uint32_t>(most) + spare, most_file_words);
 
   const bool small = tape_.memory == Memory::words_8k;
-  const std::uint32_t base = small ? here() + 1 : model_base(Memory::words_8k);  // the sum is behind the model
+  const std::uint32_t base = small ? here() + 1 : model_base(Memory::words_8k);  // the sum is after the model
   const std::uint32_t end = model_end(Memory::words_8k);
   const std::uint32_t free = base < end ? end - base : 0;
   tape_.files = free >= 3 * tape_.file_words ? 3 : 2;
@@ -383,7 +383,7 @@ base::Result<scene::PolyScene> stand_on_axis(const scene::PolyScene& scene, bool
         tilted ? std::array<std::int64_t, 3>{13 * p[0], 12 * p[1] - 5 * p[2], 5 * p[1] + 12 * p[2]} : p;
     for (std::size_t a = 0; a < 3; ++a) {
       if (std::abs(q[a]) >= scene::poly_coordinate_limit) {
-        // In the unit of the file: a tilted vertex has 13 times its coordinates.
+        // In the unit of the file: tilting multiplied the coordinates by 13.
         const double unit = scene.step / (tilted ? 13 : 1);
         return base::bad_input(fmt::format("vertex {} is {:.6g} from the middle of the model along {}{}, expected less than {:.6g}{}",
                                       scene::file_point_text(scene, vertex), std::abs(static_cast<double>(q[a])) * unit, "xyz"[a],

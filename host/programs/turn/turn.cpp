@@ -27,7 +27,7 @@ Summary summary_of(const std::vector<Picture>& pictures) {
     sum.junctions_mean += picture.junctions;
     sum.lines_mean += picture.lines;
     ++sum.pictures;
-    // The first picture has no beginning; the second one waits for nothing, or is waited for by nothing.
+    // The first picture has no beginning; the second does not wait, and the display does not wait for it.
     if (i < 2) continue;
     const double one = seconds_of(picture.time);
     const double waited = seconds_of(picture.waiting);

@@ -1,8 +1,9 @@
-// A solid turning on the emulated PDP-7 with hidden lines removed: a tape and an order in, the pictures of a turn out.
+// Shows a solid turning on the emulated PDP-7 with hidden lines removed: takes a tape and an order, returns the pictures of
+// a turn.
 //
-// run() assembles the program, puts the words of the tape into core, finds the step at which a turn takes about eight seconds, and
-// takes the pictures of a turn from the machine, with hidden lines removed and as wire frames. make_tape (tape.hpp) makes the tape of
-// a scene. The native twin (twin/twin.hpp) runs only where the order asks for a check.
+// run() assembles the program, puts the words of the tape into core, finds the step at which a turn takes about eight
+// seconds, and reads the pictures of a turn from the machine, with hidden lines removed and as wire frames. make_tape
+// (tape.hpp) makes the tape of a scene. The native twin (twin/twin.hpp) runs only if the order asks for a check.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +23,16 @@ struct Order {
   bool eae = true;
   std::uint32_t pictures = 0;  // of each kind; 0: those of one turn
   bool strokes = false;        // keep the first pass of the display through each picture's file
-  // Compare every picture with the twin's, word for word, and see that no display file is changed while it is shown.
+  // Compares every picture with the twin's, word for word, and checks that no display file is changed while it is shown.
   bool check = false;
 };
 
-// What a run of pictures comes to. Times are the machine's.
+// The summary of a run of pictures. Times are emulated.
 struct Summary {
   std::uint32_t pictures = 0;
   double frames_per_second_mean = 0;
   double frames_per_second_worst = 0;
-  double computing_mean = 0;  // seconds a picture without waiting
+  double computing_mean = 0;  // seconds per picture, without waiting
   double computing_worst = 0;
   double waiting_fraction = 0;
   double refreshes_per_second = 0;
@@ -40,7 +41,7 @@ struct Summary {
 };
 
 struct Pictures {
-  std::vector<Picture> pictures;  // without display files unless they are asked for
+  std::vector<Picture> pictures;  // without display files unless requested
   std::vector<ShownPass> shown;   // if strokes are kept
   Summary summary;
 };
@@ -48,20 +49,20 @@ struct Pictures {
 struct Outcome {
   std::uint32_t program_words = 0;
   std::uint32_t core_words = 0;  // program, model and display files
-  std::uint32_t step = 0;        // from picture to picture, 2^18 a turn
+  std::uint32_t step = 0;        // from picture to picture, in 2^18 to a turn
   Pictures hidden;               // hidden lines removed
   Pictures wire;                 // the same pictures as wire frames
 
-  // Mean time of a picture with hidden lines removed over that of a wire frame: the paper's claim.
+  // The mean time of a picture with hidden lines removed, divided by that of a wire frame: the paper's claim.
   [[nodiscard]] double cost_against_wire_frame() const;
-  // Seconds a turn takes.
+  // The duration of a turn in seconds.
   [[nodiscard]] double turn_seconds() const;
 };
 
 // Errors: program_failed, the machine makes no more pictures; differs, a picture is not its twin's.
 [[nodiscard]] base::Result<Outcome> run(const Tape& tape, const Order& order = {});
 
-// --- One kind of pictures, with the switches as they are wanted for each
+// --- One kind of pictures, with chosen switches for each
 
 struct PicturesOrder {
   std::uint32_t pictures = 0;
@@ -70,12 +71,13 @@ struct PicturesOrder {
   bool strokes = false;
   bool check = false;
 };
-// The program is assembled for the memory of the tape. Errors: as of run().
+// The program must be assembled for the memory of the tape. Errors: as of run().
 [[nodiscard]] base::Result<Pictures> run_pictures(const Program& program, const Tape& tape, const PicturesOrder& order);
 
-// The step, in words of 2^18 to a turn, at which one turn takes `seconds` nearest: found by turning. Error: as of run().
+// The step, in words of 2^18 to a turn, at which a turn takes closest to `seconds`; found by running turns. Error: as of
+// run().
 [[nodiscard]] base::Result<std::uint32_t> step_for(const Program& program, const Tape& tape, double seconds, bool wire);
-// Pictures of one turn at a step.
+// The number of pictures of one turn at a step.
 [[nodiscard]] std::uint32_t pictures_of_turn(std::uint32_t step);
 
 // The first difference between a picture of the machine and its twin's, empty if there is none.

@@ -1,5 +1,5 @@
-// The search along the avenues of sight, with its explicit stack: the inside of twin.hpp.
-// Source: firmware/pdp7/jones/SPECIFICATION.md section 4; Jones (1971), "The algorithm".
+// The search along the avenues of sight, with its explicit stack, which implements twin.hpp. Source:
+// firmware/pdp7/jones/SPECIFICATION.md section 4; Jones (1971), "The algorithm".
 #pragma once
 
 #include <bitset>
@@ -14,14 +14,14 @@
 
 namespace sightline::programs::jones {
 
-// Words that the stack takes to come back to a cell seen through this mask: place in the list, entry, cell,
-// the link to the frame before; count and box of the mask, its sloped edges.
+// Number of stack words needed to return to a cell seen through this mask: place in the list, entry, cell, the link to the
+// frame before; count and box of the mask, its sloped edges.
 template <class Coordinate>
 [[nodiscard]] int frame_words(const BasicMask<Coordinate>& mask) {
   return 9 + 4 * sloped_edges(mask);
 }
 
-// One view in one arithmetic: made, run once, and used up.
+// One view in one arithmetic; run once.
 template <class Number>
 class Search {
  public:
@@ -42,7 +42,7 @@ class Search {
   using Point = BasicScreenPoint<Coordinate>;
   using Mask = BasicMask<Coordinate>;
   using PolygonBuilder = BasicPolygonBuilder<Coordinate>;
-  // What is known of an opening before its ring is walked.
+  // The properties of an opening found before its ring is walked.
   struct RingScan {
     bool crossing = false;  // the eye is strictly on the near side
     bool counter_clockwise = false;
@@ -50,22 +50,22 @@ class Search {
     Axis plane = Axis::z;       // normal to the opening
     std::int32_t distance = 0;  // of the plane from the eye, signed
   };
-  // What becomes of a ring's outline on the screen.
+  // The outline of a ring on the screen.
   struct Outline {
     RingBound bound;
     PolygonBuilder polygon;
   };
   struct Level {
     Mask mask;
-    std::uint32_t entry;       // element of the opening come through
-    std::uint32_t next_entry;  // list of openings: where to go on
+    std::uint32_t entry;       // element of the opening through which the search came
+    std::uint32_t next_entry;  // list of openings: where to continue
     bool exhausted = false;
   };
 
-  // The functions that give bool give false as soon as the view has ended with a status.
+  // The functions that return bool return false as soon as the view has ended with a status.
   bool pass(Pass which, SpacePoint eye);
   bool visit(std::uint32_t cell, const Mask& mask, std::uint32_t entry);
-  // Draws the lines of a chain or ring, and collects the outline of a ring if one is asked for.
+  // Draws the lines of a chain or ring, and collects the outline of a ring unless `outline` is null.
   bool walk(const Chain& chain, Outline* outline);
   bool move(SpacePoint& point, Vector vector, SpaceSegment& moved);
   bool draw(const SpaceSegment& moved, Axis axis, std::uint32_t vector_address);
@@ -84,7 +84,7 @@ class Search {
   }
   bool spend() { return spent_++ < parameters_.limit || fail(Status::unfinished); }
   [[nodiscard]] SpacePoint stereo_eye(std::int32_t shift) const;
-  // No number has left its word so far.
+  // Whether no number has overflowed its word so far.
   bool sound() { return !number_.overflowed() || fail(Status::arithmetic_overflow); }
   bool chain_at(std::uint32_t element, Chain& chain);
   void count_fresh(const SpacePoint& point);

@@ -106,7 +106,7 @@ void TwinDrawing::curve(std::span<const std::uint8_t> arguments) {
   for (const std::uint8_t y : heights) line_to({x++, y}, Mode::draw);
 }
 
-// Ends a slice. A shaded column of the next slice is entered again, with visibility or without.
+// Ends a slice. The next slice enters its first shaded column anew, with or without visibility.
 void TwinDrawing::commit() {
   shaded_column_.reset();
   if (visibility_) plot_folds(masks_.fold());
@@ -124,7 +124,7 @@ void TwinDrawing::outline() {
   }
 }
 
-// Along the top of the visited columns first..last and back along the bottom.
+// Draws along the top of the visited columns first..last and back along the bottom.
 void TwinDrawing::outline_run(int first, int last) {
   const auto point = [](int x, const std::array<std::uint8_t, 256>& mask) {
     return Point{static_cast<std::uint8_t>(x), mask[static_cast<std::size_t>(x)]};
@@ -162,8 +162,8 @@ void TwinDrawing::step(Point point, Mode mode) {
   }
 }
 
-// A pen goes on along the border of the strip once it draws: lifting it for every point that only touches the
-// horizon would turn close curves into dots.
+// A lowered pen continues along the border of the strip: lifting it for every point that only touches the horizon would
+// turn close curves into dots.
 bool TwinDrawing::visible_to_draw(Point point) const {
   if (masks_.outside(point)) return true;
   return !on_raster() && pen_.in_run() && masks_.on_border(point);
@@ -232,7 +232,7 @@ void PlotterPen::step_towards(Point point) {
   moves_.push_back({PlotterAction::step, at_.x, at_.y, down_});
 }
 
-// The shaded surface: levels along a slice, and from the slice down or up to the one before it. Source:
+// The shaded surface: levels along a slice, and between the slice and the one before it. Source:
 // firmware/i8080/skala/SPECIFICATION.md section 6.
 
 void TwinDrawing::surface(std::span<const std::uint8_t> arguments) {
@@ -243,8 +243,8 @@ void TwinDrawing::surface(std::span<const std::uint8_t> arguments) {
     line_to({vertices[0], vertices[1]}, Mode::surface, vertices[2] & 7U);
 }
 
-// A chain that begins with a rim makes the step of its first vertex at once: if it were left to what follows,
-// as for MOVE, a second rim vertex would find the pen fresh again and no rim would ever be drawn.
+// A chain that begins with a rim steps its first vertex at once. If it were left to the next command, as for MOVE, a second
+// rim vertex would find the pen fresh again and no rim would ever be drawn.
 void TwinDrawing::rim(Point point, std::uint8_t level) {
   if (fresh_) {
     move_to(point);

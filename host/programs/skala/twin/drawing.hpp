@@ -12,9 +12,8 @@
 
 namespace sightline::programs::skala {
 
-// The pen of the Skala program on a plotter: visible points, fed one by one, become steps and pen movements;
-// runs of one point are dropped and the pen is lifted only to travel. Source:
-// firmware/i8080/skala/SPECIFICATION.md section 8.
+// The pen of the Skala program on a plotter: converts visible points, given one by one, to steps and pen movements; runs of
+// one point are dropped, and the pen is lifted only to travel. Source: firmware/i8080/skala/SPECIFICATION.md section 8.
 class PlotterPen {
  public:
   // Movements are appended to `moves` and counted in `counts`; both must outlive the pen.
@@ -22,10 +21,10 @@ class PlotterPen {
 
   // The next visible point. Within a run it is a neighbour of the one before.
   void visible(Point point);
-  // A hidden point, a movement to another place, or the end of the picture.
+  // Ends a run: at a hidden point, a movement elsewhere, or the end of the picture.
   void end_run() { run_points_ = 0; }
   void lift();
-  // The step before was visible and belongs to the run a visible point would continue.
+  // The last step was visible and belongs to the run that a visible point would continue.
   [[nodiscard]] bool in_run() const { return run_points_ != 0; }
 
  private:
@@ -34,34 +33,34 @@ class PlotterPen {
 
   std::vector<PlotterMove>& moves_;
   Counts& counts_;
-  Point at_;  // where the pen really is
+  Point at_;  // the pen's actual position
   bool down_ = false;
-  int run_points_ = 0;  // of the present run, not counted beyond two
+  int run_points_ = 0;  // length of the current run, not counted beyond two
   Point remembered_;    // its first point
 };
 
 struct ReceivedCommand {
   Command command;
-  std::size_t last_byte;  // its place in the stream
+  std::size_t last_byte;  // index in the stream
   std::span<const std::uint8_t> arguments;
 };
 
 class TwinDrawing {
  public:
-  // Draws into `picture`, which must outlive it, as a program that has just been started.
+  // Draws into `picture`, which must outlive it, like a program that has just been started.
   TwinDrawing(TwinPicture& picture, const Equipment& equipment);
 
-  // False when the device of a DEVICE command does not answer; nothing has changed then.
+  // False if the device of a DEVICE command does not answer; then nothing has changed.
   [[nodiscard]] bool obey(const ReceivedCommand& received);
 
  private:
-  // What happens to the points of a line.
+  // The treatment of a line's points.
   enum class Mode : std::uint8_t {
     draw,     // tested and masked
     test,     // tested with slack
     mask,     // masked without ink
     plain,    // every point plotted
-    travel,   // the pen moves, there are no points
+    travel,   // moves the pen without points
     surface,  // shaded and filled
     rim,      // shaded
   };
@@ -69,9 +68,9 @@ class TwinDrawing {
   [[nodiscard]] bool select_device(std::uint8_t argument);
   void reset();
   void move_to(Point point);
-  // A MOVE that is obeyed wherever the pen is.
+  // A MOVE that is executed wherever the pen is.
   void set_down(Point point);
-  // `mode` is what the command asks for; what the device and visibility make of it is decided here.
+  // `mode` is that of the command; effective() adapts it to the device and visibility.
   void line_to(Point point, Mode mode) { line_to(point, mode, level_); }
   void line_to(Point point, Mode mode, std::uint8_t level);
   void curve(std::span<const std::uint8_t> arguments);

@@ -1,6 +1,6 @@
-// The masks of the Skala program: in every column of the screen the strip [MB, MT] behind which nothing is
-// seen, and the one column that is being visited. Source: firmware/i8080/skala/SPECIFICATION.md sections 2
-// and 4; the strip is the paper's MaskTop and MaskBottom, the pending column is its M1T and M1B.
+// The masks of the Skala program: in every column of the screen the strip [MB, MT] that hides everything behind it, and the
+// column being visited. Source: firmware/i8080/skala/SPECIFICATION.md sections 2 and 4; the strip is the paper's MaskTop
+// and MaskBottom, the pending column is its M1T and M1B.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,8 @@
 
 namespace sightline::programs::skala {
 
-// The two error terms of the Skala program: Bresenham's line with ties that do not depend on the direction a
-// segment is drawn in, and a level that changes along it. Source: firmware/i8080/skala/SPECIFICATION.md
-// sections 3 and 6.
+// The two error terms of the Skala program: Bresenham's line with ties that do not depend on the direction of a segment,
+// and a level that changes along it. Source: firmware/i8080/skala/SPECIFICATION.md sections 3 and 6.
 
 struct Point {
   std::uint8_t x = 0;
@@ -27,7 +26,7 @@ struct Point {
   return (value > 0 ? 1 : 0) - (value < 0 ? 1 : 0);
 }
 
-// The steps of the line from `from` to `to`: its first point is no step, its last is one.
+// The number of steps from `from` to `to`: the first point is not a step, the last is.
 [[nodiscard]] constexpr int line_steps(Point from, Point to) {
   const int u = to.x < from.x ? from.x - to.x : to.x - from.x;
   const int v = to.y < from.y ? from.y - to.y : to.y - from.y;
@@ -57,8 +56,8 @@ constexpr void walk_line(Point from, Point to, Step&& step) {
   }
 }
 
-// A level on its way from one value to another in a number of steps; it arrives with the last. With 0 steps
-// next() is not to be called.
+// A level that goes from one value to another in a number of steps and arrives with the last. With 0 steps next() must not
+// be called.
 class LevelRamp {
  public:
   constexpr LevelRamp(int from, int to, int steps)
@@ -68,7 +67,7 @@ class LevelRamp {
         steps_(steps),
         error_(-((steps + 1) >> 1)) {}
 
-  // One step on; the level there.
+  // Advances one step; returns the level there.
   constexpr std::uint8_t next() {
     for (error_ += change_; error_ >= 0; error_ -= steps_) level_ += towards_;
     return static_cast<std::uint8_t>(level_);
@@ -89,7 +88,7 @@ struct FoldLine {
   std::uint8_t to = 0;
 };
 
-// Where the surface turned away from the eye in a column just folded.
+// The lines where the surface turned away from the eye in a column just folded.
 struct FoldLines {
   std::optional<FoldLine> top;
   std::optional<FoldLine> bottom;
@@ -112,11 +111,11 @@ class Masks {
   [[nodiscard]] bool on_border(Point point) const {
     return point.y == columns_.mask_top[point.x] || point.y == columns_.mask_bottom[point.x];
   }
-  // The test of TESTDRAW: outside, or in the outermost two rows of the strip; or outside or on the border of
-  // the strip in a column beside it that has been visited.
+  // The test of TESTDRAW: outside, or in the outermost two rows of the strip; or outside or on the border of the strip in
+  // an adjacent visited column.
   [[nodiscard]] bool outside_with_slack(Point point) const;
 
-  // The point belongs to the pending column. The fold lines are those of the column that was pending before.
+  // Adds the point to the pending column. The fold lines are those of the column that was pending before.
   FoldLines touch(Point point);
   FoldLines fold();
 

@@ -7,19 +7,18 @@
 namespace sightline::programs::skala {
 namespace {
 
-// --- receipt: the checks made before a command is buffered, and how much of the stream gets drawn
-// (SPECIFICATION.md sections 1 and 9)
+// --- Receipt: the checks before a command is buffered, and which part of the stream is drawn (SPECIFICATION.md sections 1
+// and 9)
 
 struct Receipt {
-  // The commands that are drawn, in order: those buffered when the buffer filled up, and all when END came.
+  // The commands that are drawn, in order: those buffered when the buffer was full, and all when END arrived.
   std::vector<ReceivedCommand> drawn;
-  // What receipt itself ends with: complete, an error, or running when the stream is at its end too early.
+  // The status of receipt: complete, an error, or running if the stream ends too early.
   Status status = Status::running;
   std::size_t bytes_taken = 0;
 };
 
-// The first argument that is out of range, counted from 0, or -1. Only arguments that always come are ever
-// checked.
+// The first argument that is out of range, counted from 0, or -1. Only arguments that are always present are checked.
 [[nodiscard]] int offending_argument(Command command, std::span<const std::uint8_t> arguments) {
   switch (command) {
     case Command::curve:
@@ -29,7 +28,7 @@ struct Receipt {
   }
 }
 
-// How many arguments the command at hand has, as far as those that have come tell.
+// The number of arguments of the current command, as far as the received ones tell.
 [[nodiscard]] std::size_t arguments_wanted(const CommandRow& row, std::span<const std::uint8_t> arguments) {
   const auto leading = static_cast<std::size_t>(row.leading_arguments);
   if (row.bytes_per_item == 0 || arguments.size() < leading) return leading;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int columns = picture_size;
 
-// --- section 3: one rule for all operations
+// --- Section 3: one rule for all operations
 
 template <class Rule>
 Toggles combined(const Toggles& a, const Toggles& b, Rule rule) {
@@ -53,7 +53,7 @@ void for_substripes(const Toggles& list, Action action) {
   for (std::size_t k = 0; k < list.size(); k += 2) action(int{list[k]}, k + 1 < list.size() ? int{list[k + 1]} : columns);
 }
 
-// --- the stream
+// --- The stream
 
 struct Plane {
   std::int32_t a = 0;
@@ -83,7 +83,7 @@ struct Face {
   int end_line = 0;
 };
 
-// Ends the work, wherever it is.
+// Thrown to end the work at any depth.
 struct Stop {
   Status status;
   std::size_t fault = 0;
@@ -204,7 +204,7 @@ Scene read_scene(std::span<const std::uint8_t> stream) {
   return scene;
 }
 
-// --- sections 5 and 6
+// --- Sections 5 and 6
 
 enum class Relation : std::uint8_t { none, told, confirmed };
 
@@ -327,7 +327,7 @@ class Work {
     const std::size_t n = scene_.faces.size();
     left_.assign(n, true);
     std::vector<std::uint8_t> front;
-    std::vector<std::uint8_t> back;  // its classes, the last one first
+    std::vector<std::uint8_t> back;  // its classes, in reverse order
     for (std::size_t count = n; count > 0;) {
       std::vector<std::uint8_t> to_front;
       std::vector<std::uint8_t> to_back;
@@ -390,7 +390,7 @@ class Work {
   std::vector<bool> left_;
 };
 
-// --- section 4
+// --- Section 4
 
 class Pen {
  public:
@@ -504,7 +504,7 @@ class Drawing {
     });
   }
 
-  // The square to the right of what goes from (x, y) in a direction; to the left is that of the direction before.
+  // The square to the right of a link from (x, y) in a direction; the square to the left is that of the direction before.
   static std::array<int, 2> square(int x, int y, int direction) {
     const int d = direction & 3;
     return {d >= 2 ? x - 1 : x, d == 1 || d == 2 ? y - 1 : y};
@@ -514,7 +514,7 @@ class Drawing {
     if (k < 0 || k >= static_cast<int>(seen.lines.size()) || place[0] < 0 || place[0] >= columns) return false;
     return covers(seen.lines[static_cast<std::size_t>(k)], place[0]);
   }
-  // Nothing is drawn to what is nearer, nor at the border of the picture.
+  // No link is drawn beside nearer faces or at the border of the picture.
   [[nodiscard]] bool drawn_beside(const std::array<int, 2>& place) const {
     if (place[0] < 0 || place[0] >= columns || place[1] < 0 || place[1] >= columns) return false;
     return !covers(silhouette_[static_cast<std::size_t>(place[1])], place[0]);

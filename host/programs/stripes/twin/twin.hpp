@@ -1,5 +1,5 @@
-// The native twin of firmware/i8080/stripes, written from its SPECIFICATION.md: dot for dot, step for step, for every stream of
-// bytes. It also says what the machine's picture does not: which face each dot shows, and how the work went.
+// The native twin of firmware/i8080/stripes, written from its SPECIFICATION.md: dot for dot, step for step, for every
+// stream of bytes. It also gives data that the machine's picture lacks: the face shown at each dot, and counts of the work.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@ struct TwinPicture {
   Status status = Status::running;
   std::uint8_t fault = 0;
   core::Raster raster;
-  std::vector<std::uint8_t> commands;  // of the plotter, in order
+  std::vector<std::uint8_t> commands;  // to the plotter, in order
   std::vector<std::uint8_t> order;     // the priority list
-  std::vector<std::pair<std::uint8_t, std::uint8_t>> cuts;  // face, what it is cut by
+  std::vector<std::pair<std::uint8_t, std::uint8_t>> cuts;  // face, and the face that cuts it
   std::vector<std::uint8_t> items;     // picture_size squared, from the lowest line: face + 1, 0 for none
-  std::uint32_t seen_most = 0;  // toggles in a line of what is seen of a face
+  std::uint32_t seen_most = 0;  // toggles in a line of the visible part of a face
   Counts counts;
 };
 
-// The device of the stream's mode is there and makes no errors.
+// Assumes that the device of the stream's mode is present and makes no errors.
 [[nodiscard]] TwinPicture run_twin(std::span<const std::uint8_t> stream);
 
 }  // namespace sightline::programs::stripes

@@ -17,7 +17,7 @@ std::int32_t as_signed(std::uint32_t word) {
   return static_cast<std::int32_t>(word) - ((word & turn_half) != 0 ? 1 << 18 : 0);
 }
 
-// Words of the header, behind the first (SPECIFICATION.md section 2).
+// Words of the header after the first (SPECIFICATION.md section 2).
 enum Header : std::uint32_t {
   h_vertices = 1, h_slots, h_edges, h_forms, h_places, h_slot_base, h_first_event, h_events_end, h_event, h_angle, h_file_words
 };
@@ -36,12 +36,12 @@ const std::array<std::uint32_t, 130>& sine_table() {
 
 }  // namespace
 
-// A display file being made (section 7).
+// A display file under construction (section 7).
 class Twin::File {
  public:
   explicit File(std::uint32_t room) : room_(room) { words_.push_back(0410117); }
 
-  // Whether a piece of the greatest length and the stop have room.
+  // Whether there is space for a piece of the greatest length and the stop.
   [[nodiscard]] bool has_room() const { return words_.size() + 13 <= room_; }
 
   void begin(const Place& at, TwinPicture& picture) {
@@ -156,7 +156,7 @@ Twin::Place Twin::place(std::uint32_t before) const {
   return {static_cast<std::int32_t>(word(before + 1)), static_cast<std::int32_t>(word(before + 2))};
 }
 
-// Where on the slot's edge: 4096ths.
+// The position on the slot's edge in 4096ths.
 std::int32_t Twin::junction(std::uint32_t slot, std::uint32_t code) const {
   const std::uint32_t forms = word(slot + 3) + 4 * code + 1;
   std::int32_t n = form(forms);
@@ -204,7 +204,7 @@ void Twin::turn(TwinPicture& picture) {
   if (way > 0) {
     for (;;) {
       if (event_ == events_end_) event_ = first_event_;
-      const std::uint32_t to = (word(event_) - at_ - 1) & word_mask;  // how far it is, less 1
+      const std::uint32_t to = (word(event_) - at_ - 1) & word_mask;  // the distance to it, minus 1
       if (to >= ((angle_ - at_) & word_mask)) break;
       at_ = word(event_);
       change(event_, picture);
@@ -225,7 +225,7 @@ void Twin::turn(TwinPicture& picture) {
   at_ = angle_;
 }
 
-// What is seen of a cut edge, in 4096ths; false if that is nothing.
+// The visible part of a cut edge, in 4096ths; false if it is empty.
 bool Twin::range_of(std::uint32_t slot, Range& range, TwinPicture& picture) const {
   ++picture.cut_edges;
   const std::uint32_t first = word(slot) >> 12U;

@@ -1,5 +1,5 @@
 // The native twin of firmware/pdp7/turn, written from its SPECIFICATION.md: from the words of a model's tape and the
-// switches to the display words of every picture, bit for bit. It knows nothing of time.
+// switches to the display words of every picture, bit for bit. It does not model time.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace sightline::programs::turn {
 
 struct TwinPicture {
-  std::uint32_t angle = 0;  // 2^18 a turn
+  std::uint32_t angle = 0;  // 2^18 to a turn
   bool wire = false;
   Status status = Status::right;
   std::vector<core::Word18> display_file;  // to its stop word
@@ -20,10 +20,10 @@ struct TwinPicture {
   std::uint32_t vertices = 0;
   std::uint32_t slots_empty = 0;
   std::uint32_t whole_edges = 0;
-  std::uint32_t cut_edges = 0;      // with a junction, and drawn or not
-  std::uint32_t junctions = 0;      // ends in one
+  std::uint32_t cut_edges = 0;      // with a junction, drawn or not
+  std::uint32_t junctions = 0;      // ends at a junction
   std::uint32_t junctions_drawn = 0;
-  std::uint32_t beginnings = 0;     // of chains of lines
+  std::uint32_t beginnings = 0;     // beginnings of chains of lines
   std::uint32_t lines = 0;          // drawn
   std::uint32_t long_lines = 0;     // of more than 127 points
   std::uint32_t long_words = 0;     // of 127 points
@@ -33,16 +33,16 @@ struct TwinPicture {
 
 class Twin {
  public:
-  // `words`: of a tape, from address `base`.
+  // `words`: of a tape, from address `base` on.
   Twin(std::span<const core::Word18> words, std::uint32_t base);
 
-  // The picture that the program makes next, or false if these switches make none. The first one is at the
-  // tape's own angle whatever the switches say of speed.
+  // Computes the program's next picture; false if these switches make none. The first one is at the tape's angle whatever
+  // speed the switches set.
   [[nodiscard]] bool next(std::uint32_t switches, TwinPicture& picture);
 
   [[nodiscard]] std::uint32_t angle() const { return angle_; }
   [[nodiscard]] std::uint32_t structure_angle() const { return at_; }
-  // State of a slot, as its word has it.
+  // The state word of a slot.
   [[nodiscard]] std::uint32_t state(std::uint32_t slot) const { return word(slots_ + 4 * slot); }
 
   // 2^14 times the sine of an angle from 0 to 2^16, a quarter turn.
@@ -81,7 +81,7 @@ class Twin {
   std::uint32_t angle_ = 0, at_ = 0;
   std::uint32_t last_switches_ = 0;
   bool begun_ = false;
-  // Of the angle.
+  // For the current angle.
   std::uint32_t first_multiplier_ = 0, second_multiplier_ = 0, first_mask_ = 0, second_mask_ = 0;
   std::int32_t constant_ = 0;
 };
