@@ -33,7 +33,7 @@ struct SceneFace {
   std::uint32_t index = 0;  // in it
   std::uint8_t level = 1;   // 1 to 7, by how the face is turned to a lamp behind the eye's left shoulder
   CornerRings rings;
-  std::int32_t a = 0;  // d: a X + b Y + c Z - d is positive behind the plane; c > 0
+  std::int32_t a = 0;  // a X + b Y + c Z - d is positive behind the plane; c > 0
   std::int32_t b = 0;
   std::int32_t c = 1;
   std::int32_t d = 0;
