@@ -92,7 +92,7 @@ class IotDevice : public Device<Nanosecond> {
   // first in its list.
   [[nodiscard]] virtual const DataBreak* data_break() const { return nullptr; }
   // The break has ended: `word` is the word moved, or the sum.
-  virtual void served(Instant end, Word18 word) { static_cast<void>(end), static_cast<void>(word); }
+  virtual void end_break(Instant end, Word18 word) { static_cast<void>(end), static_cast<void>(word); }
 
   // Ends a run at `now`: puts what the device draws up to then into the machine's stroke buffer. Flags and outputs stay as
   // of the last boundary, so that a run in pieces equals a run in one piece.

@@ -117,7 +117,7 @@ class PortDevice : public Device<TState> {
   [[nodiscard]] virtual LinkHost* link_host() { return nullptr; }
   [[nodiscard]] virtual Terminal* terminal() { return nullptr; }
   // Of a plotter: the length of a step.
-  [[nodiscard]] virtual std::int64_t micrometres_a_step() const { return 0; }
+  [[nodiscard]] virtual std::int64_t micrometres_per_step() const { return 0; }
 };
 
 }  // namespace sightline::core

@@ -57,11 +57,11 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
   [[nodiscard]] std::uint8_t read(std::uint8_t port, core::TStateInstant at) {
     advance(at);
     if ((port & 1U) == 0) {
-      asked_ = asked_ || keys_.empty();
+      polled_ = polled_ || keys_.empty();
       return status();
     }
     if (!key_is_there()) {
-      asked_ = asked_ || keys_.empty();
+      polled_ = polled_ || keys_.empty();
       return last_read_;
     }
     last_read_ = keys_.front();
@@ -105,10 +105,10 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
   // The terminal's side. A typed key is sent as soon as the line and the program allow.
   void type(std::uint8_t code) override {
     keys_.push_back(code);
-    asked_ = false;
+    polled_ = false;
   }
   // The program has read all keys and polled for another.
-  [[nodiscard]] bool wants_key() const override { return keys_.empty() && asked_; }
+  [[nodiscard]] bool wants_key() const override { return keys_.empty() && polled_; }
   // The characters sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> take_printed() override { return std::exchange(printed_, {}); }
 
@@ -126,7 +126,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
     visit("holding", holding_);
     visit("line_free", line_free_);
     visit("next_key", next_key_);
-    visit("asked", asked_);
+    visit("asked", polled_);
     visit.list("keys", keys_, [&visit](std::uint8_t& key) { visit("key", key); });
     visit("received", counts_.received);
     visit("sent", counts_.sent);
@@ -158,7 +158,7 @@ class AltairSerial : public core::PortDevice, public core::Terminal {
   bool holding_ = false;
   core::TStateInstant line_free_{};  // when the character before has been sent
   core::TStateInstant next_key_{};   // earliest instant of the next key
-  bool asked_ = false;               // the program has polled for a key since the last was typed
+  bool polled_ = false;               // the program has polled for a key since the last was typed
   std::vector<std::uint8_t> keys_;
   std::vector<std::uint8_t> printed_;
   AltairSerialCounts counts_;

@@ -87,7 +87,7 @@ class CalComp565 final : public core::PortDevice {
   [[nodiscard]] std::uint8_t in(std::uint8_t, core::TStateInstant at) override { return read_status(at); }
   void out(std::uint8_t, std::uint8_t value, core::TStateInstant at) override { write(value, at); }
   [[nodiscard]] unsigned requests() const override { return done_ ? 1 : 0; }
-  [[nodiscard]] std::int64_t micrometres_a_step() const override { return 254; }
+  [[nodiscard]] std::int64_t micrometres_per_step() const override { return 254; }
 
   [[nodiscard]] std::uint8_t read_status(core::TStateInstant at) {
     advance(at);
@@ -175,8 +175,8 @@ class CalComp565 final : public core::PortDevice {
   void step(std::uint8_t direction, core::TStateInstant at) {
     work(step_time_, at);
     ++counts_.steps;
-    place_.x = stepped(place_.x, along_x[direction]);
-    const std::int32_t wanted = stepped(place_.y, along_y[direction]);
+    place_.x = step_coordinate(place_.x, along_x[direction]);
+    const std::int32_t wanted = step_coordinate(place_.y, along_y[direction]);
     place_.y = std::clamp(wanted, std::int32_t{0}, calcomp565::carriage_steps);
     if (wanted != place_.y) {
       ++counts_.off_carriage;

@@ -57,7 +57,7 @@ class Ef9365 final : public core::PortDevice {
   explicit Ef9365(const core::PortDeviceSetup& setup) : Ef9365(setup.clock) {}
   explicit Ef9365(core::ClockRate rate) : rate_(rate) {
     for (std::size_t dots = 0; dots < vector_times_.size(); ++dots)
-      vector_times_[dots] = rate.t_states_in(drawn(static_cast<std::int64_t>(dots)));
+      vector_times_[dots] = rate.t_states_in(drawing_time(static_cast<std::int64_t>(dots)));
   }
 
   struct Status {
@@ -231,28 +231,28 @@ class Ef9365 final : public core::PortDevice {
 
   // Returns the number of dots. Single dots, the most frequent case, skip the code for lines.
   SIGHTLINE_INLINE std::size_t small_vector(std::uint8_t code) {
-    if ((code & 0x78U) != 0) return directed(code, (code >> 5) & 3, (code >> 3) & 3);
+    if ((code & 0x78U) != 0) return directed_vector(code, (code >> 5) & 3, (code >> 3) & 3);
     drawing_.single_dot();
     return 1;
   }
 
   // All commands except small vectors. Returns the busy time.
   [[gnu::noinline]] core::Duration obey(std::uint8_t code) {
-    if (code >= 0x20) return drawn(drawing_.symbol(ef9365::character(code)));
+    if (code >= 0x20) return drawing_time(drawing_.symbol(ef9365::character(code)));
     if (code < 0x10) return basic(code);
     // The special vectors run along one of eight directions by the larger of the two deltas.
     const int larger = std::max(delta_x_, delta_y_);
     const std::size_t dots =
-        (code & 0x08U) != 0 ? directed(code, larger, larger) : directed(code, delta_x_, delta_y_);
-    return drawn(static_cast<std::int64_t>(dots));
+        (code & 0x08U) != 0 ? directed_vector(code, larger, larger) : directed_vector(code, delta_x_, delta_y_);
+    return drawing_time(static_cast<std::int64_t>(dots));
   }
 
-  static constexpr core::Duration drawn(std::int64_t dots) {
+  static constexpr core::Duration drawing_time(std::int64_t dots) {
     return ef9365::clocks(dots + ef9365::start_up_clocks);
   }
 
   // A vector whose signs are in bits 2-0 of the command: an odd code moves along both axes, an even one along one.
-  std::size_t directed(std::uint8_t code, int dx, int dy) {
+  std::size_t directed_vector(std::uint8_t code, int dx, int dy) {
     constexpr std::array<std::int8_t, 8> sign_x{1, 1, 0, -1, 0, 1, -1, -1};
     constexpr std::array<std::int8_t, 8> sign_y{0, 1, 1, 1, -1, -1, 0, -1};
     return drawing_.vector(sign_x[code & 7U] * dx, sign_y[code & 7U] * dy);
@@ -275,8 +275,8 @@ class Ef9365 final : public core::PortDevice {
         reset_registers();
         busy = sweep_clear();
         break;
-      case 0x0A: busy = drawn(drawing_.symbol(ef9365::block_5x8)); break;
-      case 0x0B: busy = drawn(drawing_.symbol(ef9365::block_4x4)); break;
+      case 0x0A: busy = drawing_time(drawing_.symbol(ef9365::block_5x8)); break;
+      case 0x0B: busy = drawing_time(drawing_.symbol(ef9365::block_4x4)); break;
       case 0x0C:
         drawing_.fill();
         busy = ef9365::sweep;

@@ -243,19 +243,19 @@ class I8251 {
   }
 
   // The level in the middle of the receiver's n-th bit.
-  [[nodiscard]] bool sampled(const SerialFrame& frame, std::int64_t n) const {
+  [[nodiscard]] bool sampled_level(const SerialFrame& frame, std::int64_t n) const {
     return frame.level((2 * n + 1) * factor_ * frame.baud / (2 * clock_hertz_));
   }
   void sample(const SerialFrame& frame) {
     std::uint32_t data = 0;
-    for (int n = 0; n < format_.data_bits; ++n) data |= std::uint32_t{sampled(frame, 1 + n)} << n;
+    for (int n = 0; n < format_.data_bits; ++n) data |= std::uint32_t{sampled_level(frame, 1 + n)} << n;
     received_ = static_cast<std::uint8_t>(data);
     int next = 1 + format_.data_bits;
-    if (format_.parity && sampled(frame, next++) != format_.parity_of(data)) {
+    if (format_.parity && sampled_level(frame, next++) != format_.parity_of(data)) {
       ++counts_.parity_errors;
       errors_ |= Status::parity_error;
     }
-    if (!sampled(frame, next)) {
+    if (!sampled_level(frame, next)) {
       ++counts_.framing_errors;
       errors_ |= Status::framing_error;
     }

@@ -146,7 +146,7 @@ class I8255 {
     if (side.strobed_output) side.pending = true;
   }
 
-  static Side configured(const Side& before, unsigned mode, bool input) {
+  static Side make_side(const Side& before, unsigned mode, bool input) {
     Side side;
     side.levels = before.levels;
     side.strobed_input = mode == 2 || (mode == 1 && input);
@@ -157,8 +157,8 @@ class I8255 {
 
   void set_mode(std::uint8_t word) {
     const unsigned mode_a = (word & 0x40U) != 0 ? 2U : (word >> 5 & 1U);
-    a_ = configured(a_, mode_a, (word & 0x10U) != 0);
-    b_ = configured(b_, word >> 2 & 1U, (word & 0x02U) != 0);
+    a_ = make_side(a_, mode_a, (word & 0x10U) != 0);
+    b_ = make_side(b_, word >> 2 & 1U, (word & 0x02U) != 0);
     c_latch_ = 0;
     c_inputs_ =
         static_cast<std::uint8_t>(((word & 0x08U) != 0 ? 0xF0U : 0U) | ((word & 0x01U) != 0 ? 0x0FU : 0U));

@@ -72,7 +72,7 @@ class Minigraf0507 final : public core::PortDevice {
         place_(start) {}
 
   void out(std::uint8_t, std::uint8_t value, core::TStateInstant at) override { write(value, at); }
-  [[nodiscard]] std::int64_t micrometres_a_step() const override { return 125; }
+  [[nodiscard]] std::int64_t micrometres_per_step() const override { return 125; }
 
   void write(std::uint8_t value, core::TStateInstant at) {
     const std::int32_t dx = x_.follow(value & 7U, at, shortest_step_, counts_);
@@ -151,7 +151,7 @@ class Minigraf0507 final : public core::PortDevice {
   }
 
   void move(std::int32_t dx, std::int32_t dy, bool lowered_before, core::TStateInstant at) {
-    place_ = {stepped(place_.x, dx), stepped(place_.y, dy)};
+    place_ = {step_coordinate(place_.x, dx), step_coordinate(place_.y, dy)};
     ++counts_.steps;
     if (place_.x < 0 || place_.x > minigraf0507::width || place_.y < 0 || place_.y > minigraf0507::height)
       ++counts_.off_field;

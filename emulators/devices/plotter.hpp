@@ -19,7 +19,7 @@ struct PlotterPlace {
 };
 
 // One step along an unlimited axis; the count saturates.
-[[nodiscard]] constexpr std::int32_t stepped(std::int32_t from, std::int32_t by) {
+[[nodiscard]] constexpr std::int32_t step_coordinate(std::int32_t from, std::int32_t by) {
   using Range = std::numeric_limits<std::int32_t>;
   return static_cast<std::int32_t>(
       std::clamp<std::int64_t>(std::int64_t{from} + by, Range::min(), Range::max()));

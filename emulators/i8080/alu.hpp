@@ -42,12 +42,12 @@ inline constexpr auto sign_zero_parity_carry = [] {
 }();
 
 // F after INR or DCR gave a byte, without CY: AC is 1 where the low digit became 0 (INR), or did not become F (DCR).
-inline constexpr auto counted_up = [] {
+inline constexpr auto flags_after_increment = [] {
   std::array<Byte, 256> table = sign_zero_parity;
   for (unsigned value = 0; value < 256; value += 16) table[value] |= flag::auxiliary;
   return table;
 }();
-inline constexpr auto counted_down = [] {
+inline constexpr auto flags_after_decrement = [] {
   std::array<Byte, 256> table = sign_zero_parity;
   for (unsigned value = 0; value < 256; ++value) table[value] |= value % 16 != 15 ? flag::auxiliary : Byte{0};
   return table;
@@ -88,11 +88,11 @@ inline constexpr auto counted_down = [] {
 // INR and DCR do not change CY.
 [[nodiscard]] SIGHTLINE_INLINE constexpr Result increment(Byte value, Byte flags) {
   const Byte result = static_cast<Byte>(value + 1);
-  return {result, static_cast<Byte>(detail::counted_up[result] | (flags & flag::carry))};
+  return {result, static_cast<Byte>(detail::flags_after_increment[result] | (flags & flag::carry))};
 }
 [[nodiscard]] SIGHTLINE_INLINE constexpr Result decrement(Byte value, Byte flags) {
   const Byte result = static_cast<Byte>(value - 1);
-  return {result, static_cast<Byte>(detail::counted_down[result] | (flags & flag::carry))};
+  return {result, static_cast<Byte>(detail::flags_after_decrement[result] | (flags & flag::carry))};
 }
 
 // DAA corrects a sum of two packed decimal numbers; it cannot correct a difference. It sets CY but never clears it.

@@ -147,7 +147,7 @@ class PinBus {
 
   // One more T-state of a HOLD that was granted between two instructions. False: HOLD is not granted.
   bool wait_in_hold() {
-    if (!stands_still()) return false;
+    if (!is_held()) return false;
     latches_.passed_over = true;
     tick(TState::held);
     return true;
@@ -194,9 +194,9 @@ class PinBus {
   }
 
   // A cycle does not begin while HOLD is granted, except the one that ends a halt.
-  [[nodiscard]] bool stands_still() const { return latches_.hold && !latches_.woken; }
+  [[nodiscard]] bool is_held() const { return latches_.hold && !latches_.woken; }
   void wait_while_held() {
-    while (stands_still()) {
+    while (is_held()) {
       tick(TState::held);
       if constexpr (requires { board_->pass_held(); }) {
         if (latches_.hold) board_->pass_held();

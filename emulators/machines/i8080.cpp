@@ -28,7 +28,7 @@ class Run {
   StopReason run() {
     machine_.state.f = as_flags(machine_.state.f);
     machine_.ports.poll_all();
-    machine_.attend_next();
+    machine_.serve_next_boundary();
     while (!reason_) advance();
     // A halted processor samples INT from halt_sampled on: devices must not be ahead of it.
     const bool waits = machine_.state.halted && machine_.state.interrupts_on;
@@ -47,7 +47,7 @@ class Run {
       reason_ = StopReason::observer;
       return;
     }
-    const Next next = machine_.now > machine_.deadline ? attend() : Next::execute;
+    const Next next = machine_.now > machine_.deadline ? serve_boundary() : Next::execute;
     if (next == Next::by_pins) {
       in_hold_ = !state.halted;
       if (step_by_pins(machine_, watch_, limits_.until)) in_hold_ = false;
@@ -59,7 +59,7 @@ class Run {
   }
 
   // A boundary at which something may be due.
-  Next attend() {
+  Next serve_boundary() {
     if (const auto reason = machine_.ports.take_stop()) return stop(*reason);
     const std::uint64_t count = machine_.instructions - begun_;
     if (count >= limits_.instructions) return stop(StopReason::instruction_limit);
@@ -73,7 +73,7 @@ class Run {
     if (samples && state.interrupts_on && machine_.ports.interrupt()) return Next::by_pins;
     most_ = static_cast<std::int64_t>(std::min<std::uint64_t>(limits_.instructions - count, core::Allowance<core::TState>::most));
     if (samples && !machine_.ports.stops()) machine_.deadline = next_deadline();
-    else machine_.attend_next();
+    else machine_.serve_next_boundary();
     state.deferred = false;
     machine_.ports.note_change();
     return Next::execute;
@@ -115,7 +115,7 @@ class Run {
       if (machine_.ports.interrupt()) {
         state.halted = false;
         now = machine_.halt_ended = std::max(now, t + core::TStates(3));
-        machine_.attend_next();
+        machine_.serve_next_boundary();
         return Next::other_boundary;
       }
       machine_.halt_sampled = t + MachineParts::one;
@@ -175,8 +175,8 @@ std::span<const AttachedDevice> Machine::devices() const { return parts_->ports.
 core::StrokeBuffer& Machine::strokes() { return parts_->strokes; }
 
 void Machine::put_before(core::PortRange ports, core::PortDevice& front) { parts_->ports.put_before(ports, front); }
-std::uint8_t Machine::in_behind(std::uint8_t port, core::TStateInstant at) { return parts_->ports.in_behind(port, at); }
-void Machine::out_behind(std::uint8_t port, std::uint8_t value, core::TStateInstant at) { parts_->ports.out_behind(port, value, at); }
+std::uint8_t Machine::forward_in(std::uint8_t port, core::TStateInstant at) { return parts_->ports.forward_in(port, at); }
+void Machine::forward_out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) { parts_->ports.forward_out(port, value, at); }
 std::span<const UnansweredPort, 256> Machine::unanswered() const { return parts_->ports.unanswered(); }
 
 State& Machine::registers() { return parts_->state; }

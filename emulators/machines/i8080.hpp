@@ -74,7 +74,7 @@ struct HoldPins {
   core::TStateInstant time;
   bool hold;
   bool acknowledge;  // HLDA
-  bool stands;       // the processor waits for the end of HOLD
+  bool waits;        // the processor waits for the end of HOLD
 
   friend constexpr bool operator==(const HoldPins&, const HoldPins&) = default;
 };
@@ -153,11 +153,11 @@ class Machine {
   // Where plotters draw.
   [[nodiscard]] core::StrokeBuffer& strokes();
 
-  // `front` gets the IN and OUT of these ports instead of the device there, and passes accesses on by in_behind() and
-  // out_behind(). It must outlive all later runs. A port has one front: the last. i8080_front.hpp has a base class.
+  // `front` gets the IN and OUT of these ports instead of the device there, and passes accesses on by forward_in() and
+  // forward_out(). It must outlive all later runs. A port has one front: the last. i8080_front.hpp has a base class.
   void put_before(core::PortRange ports, core::PortDevice& front);
-  [[nodiscard]] std::uint8_t in_behind(std::uint8_t port, core::TStateInstant at);
-  void out_behind(std::uint8_t port, std::uint8_t value, core::TStateInstant at);
+  [[nodiscard]] std::uint8_t forward_in(std::uint8_t port, core::TStateInstant at);
+  void forward_out(std::uint8_t port, std::uint8_t value, core::TStateInstant at);
   // Indexed by port.
   [[nodiscard]] std::span<const UnansweredPort, 256> unanswered() const;
 

@@ -18,8 +18,8 @@ class Front : public core::PortDevice {
     for (const core::PortRange range : ports) machine.put_before(range, *this);
   }
 
-  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return machine_.in_behind(port, at); }
-  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { machine_.out_behind(port, value, at); }
+  [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override { return machine_.forward_in(port, at); }
+  void out(std::uint8_t port, std::uint8_t value, core::TStateInstant at) override { machine_.forward_out(port, value, at); }
 
  protected:
   [[nodiscard]] Machine& machine() const { return machine_; }

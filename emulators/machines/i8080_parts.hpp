@@ -46,7 +46,7 @@ struct MachineParts {
   static constexpr core::TStates longest_instruction{18};  // XTHL, without wait states
 
   // The next boundary must be served.
-  void attend_next() { deadline = now - one; }
+  void serve_next_boundary() { deadline = now - one; }
 
   [[nodiscard]] bool pins_under_way() const {
     return pins.acknowledged || pins.hold || pins.hold_acknowledge || pins.passed_over || pins.waking;

@@ -60,10 +60,10 @@ class Board {
 
   void t_state(const PinState& row) {
     if (row.sync) begin(row.status, row.address);
-    const bool stands = row.state == TState::held;
-    if (stands) ++machine_.held;
-    if (row.inputs.hold != shown_.hold || row.hold_acknowledge != shown_.acknowledge || stands != shown_.stands) {
-      shown_ = {machine_.now, row.inputs.hold, row.hold_acknowledge, stands};
+    const bool waits = row.state == TState::held;
+    if (waits) ++machine_.held;
+    if (row.inputs.hold != shown_.hold || row.hold_acknowledge != shown_.acknowledge || waits != shown_.waits) {
+      shown_ = {machine_.now, row.inputs.hold, row.hold_acknowledge, waits};
       if (watch_.is_observed()) watch_.report(shown_);
     }
     machine_.now += core::TStates(1);
@@ -209,7 +209,7 @@ bool step_by_pins(MachineParts& machine, Watch& watch, core::TStateInstant until
   machine.pins.acknowledged = machine.pins.acknowledged && machine.pins.interrupt;
   machine.pins.after_write = machine.pins.after_write && machine.pins.hold;
   machine.pins.interrupt = machine.pins.halted = machine.pins.woken = false;  // these follow from the rest, see above
-  machine.attend_next();
+  machine.serve_next_boundary();
   if (executed && watch.wants_instructions()) {
     watch.report({begun, machine.now, before.pc, acknowledged ? board.supplied() : bytes, acknowledged, before, machine.state});
   }

@@ -31,8 +31,8 @@ std::string Ports::attach(const core::PortDeviceInfo& info, std::unique_ptr<core
   for (const AttachedDevice& other : devices_) {
     if (other.info->name == info.name) return quoted(info.name) + " is already attached";
   }
-  if (std::string error = find_taken(readers_, info.reads, info.name, "read"); !error.empty()) return error;
-  if (std::string error = find_taken(writers_, info.writes, info.name, "written"); !error.empty()) return error;
+  if (std::string error = find_conflict(readers_, info.reads, info.name, "read"); !error.empty()) return error;
+  if (std::string error = find_conflict(writers_, info.writes, info.name, "written"); !error.empty()) return error;
   core::PortDevice* const it = device.get();
   if (it->drives_interrupt() && interrupter_ != nullptr) return quoted(info.name) + " drives INT, and so does another device";
 
@@ -60,7 +60,7 @@ std::string Ports::attach(const core::PortDeviceInfo& info, std::unique_ptr<core
   return {};
 }
 
-std::string Ports::find_taken(const Table& table, std::span<const core::PortRange> ranges, std::string_view name,
+std::string Ports::find_conflict(const Table& table, std::span<const core::PortRange> ranges, std::string_view name,
                               std::string_view direction) const {
   for (const core::PortRange range : ranges) {
     for (unsigned port = range.first; port <= range.last; ++port) {

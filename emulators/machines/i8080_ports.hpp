@@ -40,13 +40,13 @@ class Ports {
   // --- The processor's accesses, at times that never go back.
   [[nodiscard]] Byte in(std::uint8_t port, core::TStateInstant at) {
     if (fronts_[port] != nullptr) return fronts_[port]->in(port, at);
-    return in_behind(port, at);
+    return forward_in(port, at);
   }
   void out(std::uint8_t port, Byte byte, core::TStateInstant at) {
     if (fronts_[port] != nullptr) return fronts_[port]->out(port, byte, at);
-    out_behind(port, byte, at);
+    forward_out(port, byte, at);
   }
-  [[nodiscard]] Byte in_behind(std::uint8_t port, core::TStateInstant at) {
+  [[nodiscard]] Byte forward_in(std::uint8_t port, core::TStateInstant at) {
     const Port& there = readers_[port];
     if (there.device == nullptr) {
       count_unanswered(unanswered_[port].reads);
@@ -56,7 +56,7 @@ class Ports {
     if (there.connection != nullptr) poll(*there.connection);
     return byte;
   }
-  void out_behind(std::uint8_t port, Byte byte, core::TStateInstant at) {
+  void forward_out(std::uint8_t port, Byte byte, core::TStateInstant at) {
     const Port& there = writers_[port];
     if (there.device == nullptr) return count_unanswered(unanswered_[port].writes);
     there.device->out(port, byte, at);
@@ -119,7 +119,7 @@ class Ports {
   static constexpr unsigned own_instruction = 0x100;
 
   // An error text if another device has one of these ports in the table.
-  [[nodiscard]] std::string find_taken(const Table& table, std::span<const core::PortRange> ranges, std::string_view name,
+  [[nodiscard]] std::string find_conflict(const Table& table, std::span<const core::PortRange> ranges, std::string_view name,
                                        std::string_view direction) const;
   Connection& connect(std::size_t device);
   void poll(Connection& connection);

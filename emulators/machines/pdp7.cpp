@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint8_t no_device = 0xFF;
 constexpr std::uint8_t control_code = 033, extension_code = 077;  // of the processor itself
 
-Options completed(Options options) {
+Options with_implied_options(Options options) {
   if (options.core_words > 8192) options.model.extend = true;
   return options;
 }
@@ -41,7 +41,7 @@ std::string unknown_device(std::string_view name) {
 }
 
 // The settings, with the names taken from the options, which live as long as the program.
-std::vector<core::Setting> kept_settings(std::span<const core::DeviceOption> options, std::span<const core::Setting> settings) {
+std::vector<core::Setting> with_lasting_names(std::span<const core::DeviceOption> options, std::span<const core::Setting> settings) {
   std::vector<core::Setting> kept;
   for (const core::Setting& setting : settings) {
     for (const core::DeviceOption& option : options) {
@@ -63,7 +63,7 @@ std::unique_ptr<core::IotDevice> make(const KnownDevice& known, std::span<const 
 
 }  // namespace
 
-Machine::Machine(const Options& options) : options_(completed(options)), core_(options_.core_words) {
+Machine::Machine(const Options& options) : options_(with_implied_options(options)), core_(options_.core_words) {
   wire();
   for (const std::string_view name : options_.devices) {
     if (error_.empty()) error_ = attach(name);
@@ -84,7 +84,7 @@ std::string Machine::attach(std::string_view name, std::span<const core::Setting
 
 std::string Machine::attach(const core::IotDeviceInfo& info, std::unique_ptr<core::IotDevice> device) {
   if (device == nullptr) return "found a null device to attach as " + std::string(info.name);
-  if (std::string error = wrong_codes(info); !error.empty()) return error;
+  if (std::string error = find_code_conflict(info); !error.empty()) return error;
   devices_.push_back(std::make_unique<Attached>(Attached{info, std::move(device), priority_of(info.name)}));
   wire();
   return {};
@@ -92,7 +92,7 @@ std::string Machine::attach(const core::IotDeviceInfo& info, std::unique_ptr<cor
 
 // Why such a device cannot be attached: its name is taken, or a device code belongs to another device, even to one that
 // waits for its first IOT. Empty if it can.
-std::string Machine::wrong_codes(const core::IotDeviceInfo& info) const {
+std::string Machine::find_code_conflict(const core::IotDeviceInfo& info) const {
   const std::string name(info.name);
   if (find_attached(info.name) != nullptr) return "the device " + name + " is already attached";
   for (const std::uint8_t code : info.codes) {
@@ -129,8 +129,8 @@ std::string Machine::attach_when_used(std::string_view name, std::span<const cor
   const KnownDevice* const known = find_known(name);
   if (known == nullptr) return unknown_device(name);
   std::string error = core::wrong_setting(name, known->info.options, settings);
-  if (error.empty()) error = wrong_codes(known->info);
-  if (error.empty()) spares_.push_back({known, kept_settings(known->info.options, settings)});
+  if (error.empty()) error = find_code_conflict(known->info);
+  if (error.empty()) spares_.push_back({known, with_lasting_names(known->info.options, settings)});
   return error;
 }
 
@@ -236,12 +236,12 @@ SIGHTLINE_INLINE inline core::Instant Machine::grant(core::IotDevice& device, co
   const core::Duration length = machine_cycle * request.cycles;
   if (calls != nullptr) calls->access(access, {now, length, verb, request.address, word});
   counts_.stolen_cycles += static_cast<std::uint64_t>(request.cycles);
-  device.served(now + length, word);
+  device.end_break(now + length, word);
   return now + length;
 }
 
 // A boundary at which something may be due: advances the devices that are due, and grants their data breaks.
-Machine::Boundary Machine::attend(core::Instant now, Registers& registers, ObserverCalls* calls) {
+Machine::Boundary Machine::serve_boundary(core::Instant now, Registers& registers, ObserverCalls* calls) {
   const bool deferred = registers.is(mode::interrupts_deferred);
   const bool open = registers.is(mode::interrupts_on) && !deferred;
   registers.modes &= ~mode::interrupts_deferred;

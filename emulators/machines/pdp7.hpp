@@ -206,7 +206,7 @@ class Machine {
   };
 
   [[nodiscard]] Attached* find_attached(std::string_view name) const;
-  [[nodiscard]] std::string wrong_codes(const core::IotDeviceInfo& info) const;
+  [[nodiscard]] std::string find_code_conflict(const core::IotDeviceInfo& info) const;
   void wire();
   void plug_in_used(std::uint32_t word);
 
@@ -223,7 +223,7 @@ class Machine {
   };
   void begin_run();
   void end_run();
-  [[nodiscard]] Boundary attend(core::Instant now, Registers& registers, ObserverCalls* calls);
+  [[nodiscard]] Boundary serve_boundary(core::Instant now, Registers& registers, ObserverCalls* calls);
   [[nodiscard]] inline core::Instant grant(core::IotDevice& device, core::DataBreak request, core::Instant now, ObserverCalls* calls);
   [[nodiscard]] IotEffect input_output(core::Instant now, std::uint32_t word, core::Word18 ac);
   void control_pulses(core::Instant now, std::uint32_t word, core::IotReply& reply);

@@ -29,7 +29,7 @@ struct Machine::FastRun {
         words(of.core_.size()),
         bank(enter(of.state_.pc & bank_mask)),
         processor(of.options_.model, of.options_.timing, of.state_) {
-    attend_at(of.now_, of.now_, 1);
+    serve_boundary_at(of.now_, of.now_, 1);
   }
 
   [[nodiscard]] core::Instant now() const { return horizon - allowance.left(); }
@@ -39,7 +39,7 @@ struct Machine::FastRun {
     return core + first;
   }
   // Serves the first boundary at or after `deadline`; at most `most` instructions end before it.
-  void attend_at(core::Instant now, core::Instant deadline, std::int64_t most) {
+  void serve_boundary_at(core::Instant now, core::Instant deadline, std::int64_t most) {
     horizon = deadline - core::Duration(1);
     allowance = Allowance(horizon - now, most);
   }
@@ -197,12 +197,12 @@ StopReason Machine::FastRun::run(std::uint64_t& left, core::Instant until) {
       if (left == 0) return StopReason::instruction_limit;
       if (std::exchange(machine->stop_requested_, false)) return StopReason::observer;
       if (now() >= until) return StopReason::time_limit;
-      const Boundary boundary = machine->attend(now(), processor.registers, nullptr);
+      const Boundary boundary = machine->serve_boundary(now(), processor.registers, nullptr);
       // `most` instructions cannot end before `shortest`, because each takes at least a cycle. So they are counted, but
       // their number is compared only at the other deadlines.
       const auto most = static_cast<std::int64_t>(std::min(left, static_cast<std::uint64_t>(Allowance::most)));
       const core::Instant shortest = boundary.now + machine_cycle * most;
-      attend_at(boundary.now, std::min(boundary.due, std::min(until, shortest)), most);
+      serve_boundary_at(boundary.now, std::min(boundary.due, std::min(until, shortest)), most);
       if (boundary.interrupt) {
         Thread(*this).interrupt();
         continue;

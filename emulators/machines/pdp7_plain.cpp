@@ -30,7 +30,7 @@ class Machine::PlainRun::Bus {
 
   [[nodiscard]] core::Instant now() const { return now_; }
   [[nodiscard]] bool due() const { return now_ >= due_; }
-  void attend(core::Instant now, core::Instant due) {
+  void serve_boundary(core::Instant now, core::Instant due) {
     now_ = now;
     due_ = due;
   }
@@ -119,8 +119,8 @@ StopReason Machine::PlainRun::run(const Limits& limits) {
       if (bus.due()) {
         if (std::exchange(machine.stop_requested_, false)) return ends(StopReason::observer);
         if (bus.now() >= limits.until) return ends(StopReason::time_limit);
-        const Boundary boundary = machine.attend(bus.now(), processor.registers, &calls);
-        bus.attend(boundary.now, std::min(boundary.due, limits.until));
+        const Boundary boundary = machine.serve_boundary(bus.now(), processor.registers, &calls);
+        bus.serve_boundary(boundary.now, std::min(boundary.due, limits.until));
         interrupted = boundary.interrupt;
         if (interrupted) execution.interrupt();
         is_shown = false;

@@ -54,7 +54,7 @@ class Clock final : public core::IotDevice {
                                 next_period_ % hertz_ * nanoseconds_in_a_second / hertz_);
   }
   [[nodiscard]] const core::DataBreak* data_break() const override { return ticks_ ? &tick_ : nullptr; }
-  void served(core::Instant end, core::Word18 count) override {
+  void end_break(core::Instant end, core::Word18 count) override {
     static_cast<void>(end);
     ticks_ = false;
     ++next_period_;

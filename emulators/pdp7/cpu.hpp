@@ -243,7 +243,7 @@ class Execution {
       default: break;
     }
     if ((word >> 14) == detail::code(Operation::eae_setup)) {
-      if (!processor_->model->eae) return not_answered(word, at);
+      if (!processor_->model->eae) return report_unanswered(word, at);
       calculate(word);
     } else {
       core::dispatch<codes>(code_of(word), Common{this, word, InBank{from & bank_mask}});
@@ -372,7 +372,7 @@ class Execution {
     if (reply.skip) skip();
     if ((word & 07U) == 0 || (word & 07U & (inside | reply.answered)) != 0 || belongs_to_absent_device(word))
       return Outcome::completed;
-    return not_answered(word, at);
+    return report_unanswered(word, at);
   }
 
   // Obeys the processor's pulses of `word` and returns them.
@@ -410,7 +410,7 @@ class Execution {
     return 07;
   }
 
-  constexpr Outcome not_answered(std::uint32_t word, Address at) {
+  constexpr Outcome report_unanswered(std::uint32_t word, Address at) {
     bus_.unanswered(word, at);
     return processor_->model->strict ? Outcome::unanswered : Outcome::completed;
   }

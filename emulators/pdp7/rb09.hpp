@@ -32,10 +32,10 @@ namespace sightline::pdp7 {
 namespace rb09 {
 
 inline constexpr std::uint32_t tracks = 200, sectors = 80, words = 64;
-inline constexpr std::uint32_t words_a_track = sectors * words;
-inline constexpr std::uint32_t words_of_disk = tracks * words_a_track;
-inline constexpr std::uint32_t tracks_a_lock = 10;  // twenty write-lock switches
-inline constexpr std::uint32_t all_locked = (1U << (tracks / tracks_a_lock)) - 1;
+inline constexpr std::uint32_t words_per_track = sectors * words;
+inline constexpr std::uint32_t words_of_disk = tracks * words_per_track;
+inline constexpr std::uint32_t tracks_per_lock = 10;  // twenty write-lock switches
+inline constexpr std::uint32_t all_locked = (1U << (tracks / tracks_per_lock)) - 1;
 
 // Bits of the status word.
 namespace status {
@@ -77,7 +77,7 @@ struct Counters {
   return ((hundreds * 100 + tens * 10 + units) * sectors + sector_tens * 10 + sector_units) * words;
 }
 [[nodiscard]] constexpr std::uint32_t bcd_of_address(std::uint32_t address) {
-  const std::uint32_t track = address / words_a_track, sector = address / words % sectors;
+  const std::uint32_t track = address / words_per_track, sector = address / words % sectors;
   return (track / 100) << 16 | (track / 10 % 10) << 12 | (track % 10) << 8 | (sector / 10) << 4 | sector % 10;
 }
 
@@ -143,7 +143,7 @@ class Rb09 final : public core::IotDevice {
       return stop();
     }
     const bool writes = (status_ & rb09::status::write) != 0;
-    if (writes && (locks_ >> (address_ / rb09::words_a_track / rb09::tracks_a_lock) & 1U) != 0) {
+    if (writes && (locks_ >> (address_ / rb09::words_per_track / rb09::tracks_per_lock) & 1U) != 0) {
       if (late) note_late();
       fail(rb09::status::illegal);
       status_ |= rb09::status::done;
@@ -156,7 +156,7 @@ class Rb09 final : public core::IotDevice {
               .word = writes ? Word(0) : word(address_)};
   }
   [[nodiscard]] const core::DataBreak* data_break() const override { return passed_ ? &break_ : nullptr; }
-  void served(core::Instant end, Word moved) override {
+  void end_break(core::Instant end, Word moved) override {
     passed_ = false;
     if (end - machine_cycle > next_ + choices_.word) note_late();
     if ((status_ & rb09::status::write) != 0) {
@@ -289,8 +289,8 @@ class Rb09 final : public core::IotDevice {
       return;
     }
     // Each word passes once per turn; the disk turns from instant zero.
-    const std::int64_t turn = choices_.word.count() * rb09::words_a_track;
-    const std::int64_t place = choices_.word.count() * (address_ % rb09::words_a_track);
+    const std::int64_t turn = choices_.word.count() * rb09::words_per_track;
+    const std::int64_t place = choices_.word.count() * (address_ % rb09::words_per_track);
     const std::int64_t since = now.time_since_epoch().count() - place;
     next_ = core::Instant(core::Duration(place + (since < 0 ? 0 : since / turn + 1) * turn));
   }

@@ -40,17 +40,17 @@ class Keyboard final : public core::IotDevice {
   void send(core::Instant when, std::uint8_t code) {
     const core::Instant line_free = keys_.empty() ? when : keys_.back().arrives;
     keys_.push_back({std::max(when, line_free) + character_, code});
-    asked_ = false;
+    polled_ = false;
   }
 
   // Pulse 4 of this code is IORS, which the machine executes.
   void iot(core::Instant now, std::uint32_t word, core::IotReply& reply) override {
     advance(now);
     reply.test(word, flag_);
-    if ((word & 01U) != 0 && !flag_) asked_ = true;
+    if ((word & 01U) != 0 && !flag_) polled_ = true;
     if ((word & 02U) != 0) {
       reply.collect(core::Word18(buffer_));
-      flag_ = asked_ = false;
+      flag_ = polled_ = false;
     }
     reply.answered |= word & 02U;
   }
@@ -67,12 +67,12 @@ class Keyboard final : public core::IotDevice {
   [[nodiscard]] std::uint32_t status(core::Instant now) override { return advance(now), flag_ ? status::keyboard : 0U; }
   void clear_flags(core::Instant now) override {
     advance(now);
-    flag_ = asked_ = false;
+    flag_ = polled_ = false;
   }
 
   [[nodiscard]] std::uint8_t buffer() const { return buffer_; }
   // The program waits for a key: a skip test has found the flag down since a key was last pressed or read.
-  [[nodiscard]] bool asked() const { return asked_; }
+  [[nodiscard]] bool polled() const { return polled_; }
   // Every key pressed has been sent and read.
   [[nodiscard]] bool all_read() const { return next_ == keys_.size() && !flag_; }
 
@@ -87,7 +87,7 @@ class Keyboard final : public core::IotDevice {
     visit.count("next", next_, 1);
     visit("buffer", buffer_);
     visit("flag", flag_);
-    visit("asked", asked_);
+    visit("asked", polled_);
     visit.require(next_ <= keys_.size(), "next", "no more than the number of keys");
   }
 
@@ -102,7 +102,7 @@ class Keyboard final : public core::IotDevice {
   std::size_t next_ = 0;
   std::uint8_t buffer_ = 0;
   bool flag_ = false;
-  bool asked_ = false;  // since the last key was pressed or read
+  bool polled_ = false;  // since the last key was pressed or read
 };
 
 class Printer final : public core::IotDevice {

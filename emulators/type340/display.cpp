@@ -99,7 +99,7 @@ void Display::power_clear(core::Instant now) {
 
 // --- Data breaks
 
-void Display::served(core::Instant end, core::Word18 word) {
+void Display::end_break(core::Instant end, core::Word18 word) {
   const bool written = writing_;
   advance(end);  // a point that IDRS cut short may raise its request before the word is written
   if (written) {
@@ -342,7 +342,7 @@ void Display::fire(Delay delay, core::Instant t) {
       registers_.strobe(input_);
       start_intensify(t);
       break;
-    case Delay::settle: settled(t); break;
+    case Delay::settle: continue_word(t); break;
     case Delay::intensify: operate(t); break;
     case Delay::deflection:
       flash(t, decode_point(registers_.br).intensify);
@@ -459,7 +459,7 @@ void Display::end_word(core::Instant t) {
 }
 
 // The beam has settled after a count pulse, or IDRS resumes the word.
-void Display::settled(core::Instant t) {
+void Display::continue_word(core::Instant t) {
   if (registers_.mode == Mode::vector && registers_.rate.brm == RateMultiplier::full) registers_.halt = true;
   if (registers_.edge()) {
     const bool goes_on = registers_.mode == Mode::vector_continue;

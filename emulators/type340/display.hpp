@@ -143,7 +143,7 @@ class Display final : public core::IotDevice {
     return registers_.request || writing_ ? &request_ : nullptr;
   }
   // Ignored if no data break is requested. After a word is written, the next data break is requested at once.
-  void served(core::Instant end, core::Word18 word) override;
+  void end_break(core::Instant end, core::Word18 word) override;
   // The instant since when the data break is requested.
   [[nodiscard]] core::Instant requested_at() const { return request_since_; }
 
@@ -190,7 +190,7 @@ class Display final : public core::IotDevice {
   void count(core::Instant t);
   void note_motion(bool moved);
   void end_word(core::Instant t);
-  void settled(core::Instant t);
+  void continue_word(core::Instant t);
   void next_stroke(core::Instant t);
   void start_intensify(core::Instant t);
   void flash(core::Instant t, bool lit);

@@ -212,7 +212,7 @@ class Pace {
   [[nodiscard]] int ahead() {
     if (!speed_) return 0;
     const double emulated =
-        static_cast<double>(machine_.ticks() - ticks_) / static_cast<double>(machine_.ticks_a_second()) / *speed_;
+        static_cast<double>(machine_.ticks() - ticks_) / static_cast<double>(machine_.ticks_per_second()) / *speed_;
     const auto due = since_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                   std::chrono::duration<double>(emulated));
     const auto now = std::chrono::steady_clock::now();
@@ -318,7 +318,7 @@ std::unique_ptr<Operator> standard_operator(int output_descriptor, bool terminal
 Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& options, Operator& person) {
   Session session(machine, options, person);
   Pace pace(machine, options.speed);
-  const std::int64_t slice = std::max<std::int64_t>(1, machine.ticks_a_second() / slices_a_second);
+  const std::int64_t slice = std::max<std::int64_t>(1, machine.ticks_per_second() / slices_a_second);
   std::optional<Stop> stop;
   while (!stop) {
     const std::int64_t now = machine.ticks();

@@ -97,7 +97,7 @@ std::vector<std::uint32_t> Debugger::instructions_before(std::uint32_t at, std::
 }
 
 std::string Debugger::time_text(std::int64_t ticks) const {
-  const std::int64_t second = machine_.ticks_a_second();
+  const std::int64_t second = machine_.ticks_per_second();
   const auto nanoseconds =
       static_cast<std::int64_t>(static_cast<double>(ticks % second) * (1e9 / static_cast<double>(second)));
   return fmt::format("{}.{:09} s", ticks / second, nanoseconds);
@@ -351,7 +351,7 @@ Halted Debugger::run(const Goal& goal) {
     if (conditions) end_at_times(goal.condition, part);
     constexpr std::int64_t looks_for_keys_a_second = 50;
     if (!keys_.empty())
-      part.until = std::min(part.until, machine_.ticks() + machine_.ticks_a_second() / looks_for_keys_a_second);
+      part.until = std::min(part.until, machine_.ticks() + machine_.ticks_per_second() / looks_for_keys_a_second);
     stop = host_.run(machine_, part, [this](std::string_view text) { printed_ += text; });
     const bool part_done = (stop.at_until && machine_.ticks() < limits.until) ||
                            (stop.name == "instruction_limit" && machine_.instructions() < limits.instructions);
@@ -359,7 +359,7 @@ Halted Debugger::run(const Goal& goal) {
     if (part_done || key_due) stop = {machines::stopped_by_probe, {}};
     const bool unanswered = host_.nobody_types && for_ever && keys_.empty() && machine_.wants_key();
     if (!unanswered) answered_at = machine_.ticks();
-    if (stop.name == machines::stopped_by_probe && machine_.ticks() - answered_at >= host_.patience * machine_.ticks_a_second()) {
+    if (stop.name == machines::stopped_by_probe && machine_.ticks() - answered_at >= host_.patience * machine_.ticks_per_second()) {
       stop = {end_of_input, fmt::format("the program has asked for a key for {} s of its time, and there is none: `send` types keys, and "
                                         "`run for TIME` runs on without",
                                         host_.patience)};

@@ -148,24 +148,24 @@ void Cpm::start(i8080::State& registers, std::span<Byte> memory) const {
   if (registers.sp == 0) registers.sp = first_stack;
 }
 
-Cpm::Called Cpm::out(std::uint8_t port, Processor processor) {
+Cpm::Outcome Cpm::out(std::uint8_t port, Processor processor) {
   const Address pc = processor.registers.pc;
-  if (port == exit_port && !whole_ && (pc == boot + 2 || pc == returned + 2)) return stopped("exit", {});
+  if (port == exit_port && !whole_ && (pc == boot + 2 || pc == returned + 2)) return stop_with("exit", {});
   if (port == bdos_port && pc == (whole_ ? bdos_entry : bdos) + 2) return call_bdos(processor);
   if (port == bios_port && whole_ && pc >= bios_entries) {
     const unsigned place = pc - bios_entries;
     if (place % 3 == 2 && place / 3 < bios_names.size()) return call_bios(place / 3, processor);
   }
-  return Called::no;
+  return Outcome::no;
 }
 
 // Ends the run; a complaint is prefixed with the address of the call.
-Cpm::Called Cpm::stopped(std::string_view name, std::string_view complaint) {
+Cpm::Outcome Cpm::stop_with(std::string_view name, std::string_view complaint) {
   stop_ = {name, complaint.empty() ? std::string() : fmt::format("PC {:04X}: stopped: {}", *caller_, complaint)};
-  return Called::stopped;
+  return Outcome::stopped;
 }
 
-void Cpm::give_back(i8080::State& registers, std::uint16_t value) const {
+void Cpm::return_value(i8080::State& registers, std::uint16_t value) const {
   registers.a = i8080::low(value);
   registers.hl = value;
   registers.bc = i8080::joined(i8080::high(value), i8080::low(registers.bc));
@@ -173,33 +173,33 @@ void Cpm::give_back(i8080::State& registers, std::uint16_t value) const {
 
 // --- Functions ---
 
-Cpm::Called Cpm::call_bdos(Processor processor) {
+Cpm::Outcome Cpm::call_bdos(Processor processor) {
   i8080::State& registers = processor.registers;
   function_ = i8080::low(registers.bc);
   switch (function_) {
-    case 0: registers.pc = boot; return Called::answered;
-    case 2: print_(std::string(1, static_cast<char>(i8080::low(registers.de)))); return Called::answered;
-    case 5: list_(static_cast<char>(i8080::low(registers.de))); return Called::answered;
+    case 0: registers.pc = boot; return Outcome::answered;
+    case 2: print_(std::string(1, static_cast<char>(i8080::low(registers.de)))); return Outcome::answered;
+    case 5: list_(static_cast<char>(i8080::low(registers.de))); return Outcome::answered;
     case 9:
       if (const auto text = string_at(registers.de, processor.memory)) {
         print_(*text);
-        return Called::answered;
+        return Outcome::answered;
       }
       caller_ = caller_of(bdos, processor);
-      return stopped("endless_string", "found no $ in memory for BDOS function 9, expected one at the end of the text");
+      return stop_with("endless_string", "found no $ in memory for BDOS function 9, expected one at the end of the text");
     case 1:
     case 10:
       if (!setup_.console) break;
       wait_for(function_ == 1 ? Waiting::key : Waiting::line, processor);
-      return Called::answered;
+      return Outcome::answered;
     case 6:
       if (!setup_.console) break;
       direct_input_output(processor);
-      return Called::answered;
+      return Outcome::answered;
     case 11:
       if (!setup_.console) break;
-      give_back(registers, key_is_there() ? 0xFF : 0x00);
-      return Called::answered;
+      return_value(registers, key_is_there() ? 0xFF : 0x00);
+      return Outcome::answered;
     default:
       if (CpmFiles::answers(function_) && files_.has_drives()) return call_files(processor);
       break;
@@ -211,43 +211,43 @@ Cpm::Called Cpm::call_bdos(Processor processor) {
   if (files_.has_drives()) expected += ", 12 to 26, 28 to 30, 32 to 37, 40";
   if (!setup_.console) expected += "; 1, 6, 10, 11 with --console MODE";
   if (!files_.has_drives()) expected += "; 12 to 37 and 40 with --cpm-drive A=FOLDER";
-  return stopped("unknown_bdos", fmt::format("found a call of BDOS function {}{}, expected {}", function_, name, expected));
+  return stop_with("unknown_bdos", fmt::format("found a call of BDOS function {}{}, expected {}", function_, name, expected));
 }
 
-Cpm::Called Cpm::call_bios(unsigned function, Processor processor) {
+Cpm::Outcome Cpm::call_bios(unsigned function, Processor processor) {
   i8080::State& registers = processor.registers;
   switch (function) {
     case cold_boot:
-    case warm_boot: return stopped("exit", {});
-    case console_status: registers.a = setup_.console && key_is_there() ? 0xFF : 0x00; return Called::answered;
+    case warm_boot: return stop_with("exit", {});
+    case console_status: registers.a = setup_.console && key_is_there() ? 0xFF : 0x00; return Outcome::answered;
     case console_in:
       if (!setup_.console) break;
       wait_for(Waiting::bios_key, processor);
-      return Called::answered;
-    case console_out: print_(std::string(1, static_cast<char>(i8080::low(registers.bc)))); return Called::answered;
-    case list_out: list_(static_cast<char>(i8080::low(registers.bc))); return Called::answered;
-    case list_status: registers.a = 0xFF; return Called::answered;
+      return Outcome::answered;
+    case console_out: print_(std::string(1, static_cast<char>(i8080::low(registers.bc)))); return Outcome::answered;
+    case list_out: list_(static_cast<char>(i8080::low(registers.bc))); return Outcome::answered;
+    case list_status: registers.a = 0xFF; return Outcome::answered;
     default: break;
   }
   caller_ = caller_of(static_cast<Address>(bios_table + 3 * function), processor);
-  return stopped("unknown_bios", fmt::format("found a call of {} of the BIOS, expected BOOT, WBOOT, CONST, CONIN (with --console MODE), CONOUT, LIST "
+  return stop_with("unknown_bios", fmt::format("found a call of {} of the BIOS, expected BOOT, WBOOT, CONST, CONIN (with --console MODE), CONOUT, LIST "
                              "or LISTST: drives are folders and have no sectors",
                              bios_names[function]));
 }
 
-Cpm::Called Cpm::call_files(Processor processor) {
+Cpm::Outcome Cpm::call_files(Processor processor) {
   const std::uint16_t de = processor.registers.de;
   const CpmFiles::Answer answer = setup_.journal && CpmFiles::needs_host(function_)
-                                      ? from_journal(processor)
+                                      ? recorded_answer(processor)
                                       : files_.call(function_, de, processor.memory);
   if (!answer.fault) {
-    give_back(processor.registers, answer.hl);
-    return Called::answered;
+    return_value(processor.registers, answer.hl);
+    return Outcome::answered;
   }
   const std::string text = fmt::format("Bdos Err On {}: {}", answer.fault->drive, answer.fault->why);
   print_("\r\n" + text + "\r\n");
   caller_ = caller_of(bdos, processor);
-  return stopped("bdos_error", fmt::format("found \"{}\" in BDOS function {} ({}), after which CP/M ends a program, expected a drive and a file "
+  return stop_with("bdos_error", fmt::format("found \"{}\" in BDOS function {} ({}), after which CP/M ends a program, expected a drive and a file "
                              "that the program may use",
                              text, function_, bdos_names[function_]));
 }
@@ -256,7 +256,7 @@ Cpm::Called Cpm::call_files(Processor processor) {
 
 // If the same call is made at the same time with the same data, the answer is the recorded one and the host is not
 // accessed. Any other call begins a different run, so later records are invalid.
-CpmFiles::Answer Cpm::from_journal(Processor processor) {
+CpmFiles::Answer Cpm::recorded_answer(Processor processor) {
   constexpr std::size_t block = 36;
   const std::uint16_t de = processor.registers.de;
   CpmFiles::State& state = files_.state();
@@ -299,11 +299,11 @@ std::int64_t Cpm::trim_journal(std::size_t most) {
 
 void Cpm::type(std::uint8_t code) {
   keys_.push_back(code);
-  asked_ = false;
+  polled_ = false;
 }
 
 bool Cpm::key_is_there() {
-  if (keys_.empty()) asked_ = true;
+  if (keys_.empty()) polled_ = true;
   return !keys_.empty();
 }
 
@@ -320,24 +320,24 @@ void Cpm::direct_input_output(Processor processor) {
     print_(std::string(1, static_cast<char>(e)));
   } else {
     const bool there = key_is_there();
-    give_back(processor.registers, !there ? 0 : e == 0xFF ? take_key() : 0xFF);
+    return_value(processor.registers, !there ? 0 : e == 0xFF ? take_key() : 0xFF);
   }
 }
 
 void Cpm::wait_for(Waiting what, Processor processor) {
   waiting_ = what;
   line_.clear();
-  static_cast<void>(goes_on(processor));
+  static_cast<void>(resume(processor));
 }
 
-bool Cpm::goes_on(Processor processor) {
+bool Cpm::resume(Processor processor) {
   while (waiting_ != Waiting::no && !keys_.empty()) {
     const Byte key = take_key();
     switch (waiting_) {
       case Waiting::key:
         waiting_ = Waiting::no;
         echo(key);
-        give_back(processor.registers, key);
+        return_value(processor.registers, key);
         break;
       case Waiting::bios_key:
         waiting_ = Waiting::no;

@@ -54,16 +54,16 @@ class Cpm {
     std::span<i8080::Byte> memory;
     std::int64_t now;
   };
-  enum class Called : std::uint8_t { no, answered, stopped };
+  enum class Outcome : std::uint8_t { no, answered, stopped };
   // no: the OUT does not belong to an entry. stopped: stop() tells why.
-  [[nodiscard]] Called out(std::uint8_t port, Processor processor);
+  [[nodiscard]] Outcome out(std::uint8_t port, Processor processor);
   [[nodiscard]] const Stop& stop() const { return stop_; }
 
   void type(std::uint8_t code);
-  [[nodiscard]] bool wants_key() const { return keys_.empty() && (waiting_ != Waiting::no || asked_); }
+  [[nodiscard]] bool wants_key() const { return keys_.empty() && (waiting_ != Waiting::no || polled_); }
   [[nodiscard]] bool waits_for_key() const { return keys_.empty() && waiting_ != Waiting::no; }
   // Processes the keys typed so far. True: the program continues.
-  [[nodiscard]] bool goes_on(Processor processor);
+  [[nodiscard]] bool resume(Processor processor);
 
   // "bdos" of the report, if the last call ended the run.
   void add_details(base::Json& report) const;
@@ -77,7 +77,7 @@ class Cpm {
     visit.list("keys", keys_, [&visit](i8080::Byte& key) { visit("key", key); });
     visit.list("line", line_, [&visit](i8080::Byte& key) { visit("key", key); });
     visit("waiting", waiting_, Waiting::bios_key);
-    visit("asked", asked_);
+    visit("asked", polled_);
     visit.require(waiting_ == Waiting::no || setup_.console, "waiting", "0 without a console");
     visit.part("files", files_.state());
   }
@@ -93,13 +93,13 @@ class Cpm {
     std::vector<std::pair<i8080::Address, i8080::Byte>> written;
   };
 
-  Called call_bdos(Processor processor);
-  Called call_bios(unsigned function, Processor processor);
-  Called call_files(Processor processor);
-  CpmFiles::Answer from_journal(Processor processor);
-  Called stopped(std::string_view name, std::string_view complaint);
+  Outcome call_bdos(Processor processor);
+  Outcome call_bios(unsigned function, Processor processor);
+  Outcome call_files(Processor processor);
+  CpmFiles::Answer recorded_answer(Processor processor);
+  Outcome stop_with(std::string_view name, std::string_view complaint);
   void wait_for(Waiting what, Processor processor);
-  void give_back(i8080::State& registers, std::uint16_t value) const;
+  void return_value(i8080::State& registers, std::uint16_t value) const;
   bool key_is_there();
   i8080::Byte take_key();
   void direct_input_output(Processor processor);
@@ -117,7 +117,7 @@ class Cpm {
   std::vector<i8080::Byte> keys_;
   std::vector<i8080::Byte> line_;  // the unfinished line of function 10
   Waiting waiting_ = Waiting::no;
-  bool asked_ = false;  // the program has polled for a key since the last was typed
+  bool polled_ = false;  // the program has polled for a key since the last was typed
   // The last BDOS function called, and the address of the call, if it ended the run; 0005 if the address is unknown.
   std::uint8_t function_ = 0;
   std::optional<i8080::Address> caller_;

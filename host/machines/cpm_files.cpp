@@ -18,7 +18,7 @@ namespace sightline::machines {
 namespace {
 
 constexpr unsigned most_drives = 16;
-constexpr std::uint32_t records_an_extent = 128;
+constexpr std::uint32_t records_per_extent = 128;
 constexpr std::uint8_t not_found = 0xFF;
 constexpr std::uint8_t end_of_text = 0x1A;
 constexpr std::uint8_t empty_entry = 0xE5;
@@ -87,13 +87,13 @@ std::uint32_t records_of(std::uint64_t bytes) {
 
 // The records in one extent, as RC counts them.
 std::uint8_t records_in(std::uint32_t records, std::uint32_t extent) {
-  const std::uint32_t before = extent * records_an_extent;
-  return static_cast<std::uint8_t>(std::min(records - std::min(records, before), records_an_extent));
+  const std::uint32_t before = extent * records_per_extent;
+  return static_cast<std::uint8_t>(std::min(records - std::min(records, before), records_per_extent));
 }
 
 // An empty file has one extent.
 bool has_extent(std::uint32_t records, std::uint32_t extent) {
-  return extent == 0 || records > extent * records_an_extent;
+  return extent == 0 || records > extent * records_per_extent;
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ class CpmFiles::Block {
     (*this)[extent_at] = extent & 0x1FU;
     (*this)[module_at] = static_cast<std::uint8_t>(extent >> 5U);
   }
-  [[nodiscard]] std::uint32_t next_record() const { return extent() * records_an_extent + (*this)[current_at]; }
+  [[nodiscard]] std::uint32_t next_record() const { return extent() * records_per_extent + (*this)[current_at]; }
   [[nodiscard]] std::uint32_t random_record() const {
     return static_cast<std::uint32_t>((*this)[random_at] | (*this)[random_at + 1] << 8U | (*this)[random_at + 2] << 16U);
   }
@@ -544,7 +544,7 @@ CpmFiles::Answer CpmFiles::read_record(Block& fcb, std::uint32_t number, std::sp
     read += static_cast<std::size_t>(got);
   }
   for (std::size_t n = 0; n < record; ++n) memory[static_cast<std::uint16_t>(state_.transfer + n)] = bytes[n];
-  fcb[Block::count_at] = records_in(records_of(*length), number / records_an_extent);
+  fcb[Block::count_at] = records_in(records_of(*length), number / records_per_extent);
   return {done};
 }
 
@@ -581,7 +581,7 @@ CpmFiles::Answer CpmFiles::write_record(Block& fcb, std::uint32_t number, std::s
     if (end > *length) static_cast<void>(::ftruncate(file->file.number(), static_cast<off_t>(*length)));
     return {disk_full};
   }
-  fcb.fill(number / records_an_extent, records_of(std::max(*length, place + record)));
+  fcb.fill(number / records_per_extent, records_of(std::max(*length, place + record)));
   return {done};
 }
 
@@ -591,8 +591,8 @@ CpmFiles::Answer CpmFiles::read_next(Block fcb, std::span<std::uint8_t> memory) 
   if (number >= most_records) return {behind_end};
   const Answer answer = read_record(fcb, number, memory, behind_end);
   if (answer.fault || answer.hl != done) return answer;
-  fcb.set_extent(number / records_an_extent);
-  fcb[Block::current_at] = static_cast<std::uint8_t>(number % records_an_extent + 1);
+  fcb.set_extent(number / records_per_extent);
+  fcb[Block::current_at] = static_cast<std::uint8_t>(number % records_per_extent + 1);
   return answer;
 }
 
@@ -601,8 +601,8 @@ CpmFiles::Answer CpmFiles::write_next(Block fcb, std::span<std::uint8_t> memory)
   if (number >= most_records) return {disk_full};
   const Answer answer = write_record(fcb, number, memory);
   if (answer.fault || answer.hl != done) return answer;
-  fcb.set_extent(number / records_an_extent);
-  fcb[Block::current_at] = static_cast<std::uint8_t>(number % records_an_extent + 1);
+  fcb.set_extent(number / records_per_extent);
+  fcb[Block::current_at] = static_cast<std::uint8_t>(number % records_per_extent + 1);
   return answer;
 }
 
@@ -610,8 +610,8 @@ CpmFiles::Answer CpmFiles::write_next(Block fcb, std::span<std::uint8_t> memory)
 CpmFiles::Answer CpmFiles::read_random(Block fcb, std::span<std::uint8_t> memory) {
   const std::uint32_t number = fcb.random_record();
   if (number >= most_records) return {behind_disk};
-  fcb.set_extent(number / records_an_extent);
-  fcb[Block::current_at] = number % records_an_extent;
+  fcb.set_extent(number / records_per_extent);
+  fcb[Block::current_at] = number % records_per_extent;
   const auto host = host_->find(drive_of(fcb), fcb.name());
   const bool extent_is_there = host && has_extent(host_->records(drive_of(fcb), *host), fcb.extent());
   return read_record(fcb, number, memory, extent_is_there ? behind_end : no_extent);
@@ -622,8 +622,8 @@ CpmFiles::Answer CpmFiles::write_random(Block fcb, std::span<std::uint8_t> memor
   if (number >= most_records) return {behind_disk};
   const Answer answer = write_record(fcb, number, memory);
   if (answer.fault || answer.hl != done) return answer;
-  fcb.set_extent(number / records_an_extent);
-  fcb[Block::current_at] = number % records_an_extent;
+  fcb.set_extent(number / records_per_extent);
+  fcb[Block::current_at] = number % records_per_extent;
   return answer;
 }
 

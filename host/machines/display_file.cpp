@@ -8,7 +8,7 @@ namespace {
 using type340::Mode;
 
 // Whether a display with these options continues after a word of that mode.
-bool is_built(Mode mode, const type340::Options& options) {
+bool is_supported(Mode mode, const type340::Options& options) {
   switch (mode) {
     case Mode::slave: return false;
     case Mode::character: return options.characters_342;
@@ -37,7 +37,7 @@ std::map<std::uint32_t, Mode> display_file(const type340::Options& options, cons
   for (int left = most_words; left > 0; --left) {
     const core::Word18 here = word(at);
     modes.emplace(at, mode);
-    if (!is_built(mode, options)) break;
+    if (!is_supported(mode, options)) break;
     const type340::Following after = type340::following(mode, here);
     if (after.stops) break;
     auto next = static_cast<std::uint16_t>((at + 1) & type340::Registers::address_mask);

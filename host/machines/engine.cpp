@@ -469,8 +469,8 @@ std::vector<SourceLine> source_lines(std::span<const assembler::ListingLine> lis
 }
 
 std::string digits(const MachineDescription& machine, std::uint32_t value, unsigned bits) {
-  const unsigned bits_a_digit = machine.radix == 16 ? 4 : 3;
-  return in_radix(value, machine.radix, (bits + bits_a_digit - 1) / bits_a_digit);
+  const unsigned bits_per_digit = machine.radix == 16 ? 4 : 3;
+  return in_radix(value, machine.radix, (bits + bits_per_digit - 1) / bits_per_digit);
 }
 
 std::string dump_text(const MachineDescription& description, const Machine& machine) {
@@ -482,7 +482,7 @@ std::string dump_text(const MachineDescription& description, const Machine& mach
   }
   std::string text = registers + '\n';
   for (std::uint32_t a = 0; a < machine.words(); ++a) {
-    const bool last_in_line = (a + 1) % description.words_a_line == 0 || a + 1 == machine.words();
+    const bool last_in_line = (a + 1) % description.words_per_line == 0 || a + 1 == machine.words();
     text += digits(description, machine.word(a), description.word_bits);
     text += last_in_line ? '\n' : ' ';
   }
@@ -498,7 +498,7 @@ bool is_dump(const MachineDescription& description, std::span<const std::uint8_t
   for (std::size_t n = 0; n < numbers.size(); ++n)
     if (!dump_number(description, registers[n], description.registers[numbers[n]].bits)) return false;
   const auto words = dump_words(base::take_line(text));
-  return words.size() == description.words_a_line &&
+  return words.size() == description.words_per_line &&
          std::all_of(words.begin(), words.end(), [&](std::string_view word) {
            return dump_number(description, word, description.word_bits).has_value();
          });

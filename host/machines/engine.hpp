@@ -58,7 +58,7 @@ inline constexpr std::string_view interrupted = "interrupted";
 
 // A number of `bits` bits in the machine's radix, with leading zeros.
 [[nodiscard]] std::string digits(const MachineDescription& machine, std::uint32_t value, unsigned bits);
-// A dump: the registers on the first line, then all of memory, words_a_line words per line, all in the machine's radix with
+// A dump: the registers on the first line, then all of memory, words_per_line words per line, all in the machine's radix with
 // leading zeros. A dump can be loaded as a program with its memory and registers.
 [[nodiscard]] std::string dump_text(const MachineDescription& description, const Machine& machine);
 // Whether a text begins like a dump of this machine: with a line of registers and a line of words.

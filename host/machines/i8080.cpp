@@ -93,7 +93,7 @@ class CpmFront final : public i8080::Front {
 
   // Returns the OUT that ended the run, once.
   [[nodiscard]] std::optional<Call> take_call() { return std::exchange(call_, std::nullopt); }
-  void hand_on(const Call& call) { Front::out(call.port, call.value, call.at); }
+  void pass_on(const Call& call) { Front::out(call.port, call.value, call.at); }
 
  private:
   static constexpr core::PortRange ports[]{{0, Cpm::last_port}};
@@ -193,7 +193,7 @@ class I8080Run final : public Machine {
   [[nodiscard]] std::optional<Stop> run(const Limits& limits, bool asked) override {
     if (cpm_) {
       const bool waited = cpm_->waits_for_key();
-      if (!watching_host([this] { return cpm_->goes_on(processor()); })) return std::nullopt;
+      if (!watching_host([this] { return cpm_->resume(processor()); })) return std::nullopt;
       if (waited && condition_changed()) return Stop{stopped_by_probe, {}};
       // CP/M has written to a watched address, now or at the end of the last slice.
       if (probe_ && !probe_->events().empty()) return Stop{stopped_by_probe, {}};
@@ -290,7 +290,7 @@ class I8080Run final : public Machine {
     return clock().to_nanoseconds(machine_->now());
   }
   [[nodiscard]] std::int64_t ticks() const override { return core::t_states_of(machine_->now()); }
-  [[nodiscard]] std::int64_t ticks_a_second() const override { return clock().hertz; }
+  [[nodiscard]] std::int64_t ticks_per_second() const override { return clock().hertz; }
 
   [[nodiscard]] std::vector<std::string> configuration() const override { return setup_.configuration; }
   [[nodiscard]] MachineState save() override {
@@ -373,7 +373,7 @@ class I8080Run final : public Machine {
   [[nodiscard]] Bytes output(std::string_view option) const override {
     for (const auto& [info, device] : machine_->devices()) {
       if (option == "--png" && device->raster() != nullptr) return png(*device->raster());
-      if (option == "--svg" && info->kind == core::PortDeviceKind::plotter) return svg(device->micrometres_a_step());
+      if (option == "--svg" && info->kind == core::PortDeviceKind::plotter) return svg(device->micrometres_per_step());
       core::LinkHost* const host = device->link_host();
       if (host != nullptr && option == fmt::format("--{}-out", info->name)) return host->received();
     }
@@ -451,11 +451,11 @@ class I8080Run final : public Machine {
   // nullopt: the run continues.
   std::optional<Stop> answer(const CpmFront::Call& call) {
     switch (watching_host([this, &call] { return cpm_->out(call.port, processor()); })) {
-      case Cpm::Called::answered: return std::nullopt;
-      case Cpm::Called::stopped: return cpm_->stop();
-      case Cpm::Called::no: break;
+      case Cpm::Outcome::answered: return std::nullopt;
+      case Cpm::Outcome::stopped: return cpm_->stop();
+      case Cpm::Outcome::no: break;
     }
-    cpm_front_->hand_on(call);  // with --strict and no device there, the next slice ends where it begins
+    cpm_front_->pass_on(call);  // with --strict and no device there, the next slice ends where it begins
     return std::nullopt;
   }
   template <class Visit>
@@ -516,8 +516,8 @@ class I8080Run final : public Machine {
          {"End of run", fmt::format("T-state {}", core::t_states_of(machine_->now()))}});
   }
   // The paper is as large as the drawing needs, starting at step (0, 0).
-  [[nodiscard]] Bytes svg(std::int64_t micrometres_a_step) const {
-    picture::PlotterPaper paper{.micrometres_a_step = micrometres_a_step};
+  [[nodiscard]] Bytes svg(std::int64_t micrometres_per_step) const {
+    picture::PlotterPaper paper{.micrometres_per_step = micrometres_per_step};
     for (const picture::PenPath& path : plotter_.paths()) {
       for (const picture::PenPoint corner : path.corners)
         paper.steps = std::max({paper.steps, corner.x + 1, corner.y + 1});

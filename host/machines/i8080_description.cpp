@@ -287,7 +287,7 @@ void read_links(const Arguments& arguments, const FileReader& read, I8080Setup& 
   });
 }
 
-Result<Done> put_together(const Wanted& wanted, I8080Setup& setup) {
+Result<Done> build_machine(const Wanted& wanted, I8080Setup& setup) {
   setup.machine = std::make_unique<i8080::Machine>(wanted.options);
   for (const DeviceChoice& choice : wanted.devices)
     if (const std::string error = setup.machine->attach(choice.name, choice.settings); !error.empty()) return base::usage_error(error);
@@ -327,7 +327,7 @@ Result<std::unique_ptr<Machine>> make_i8080(const Arguments& arguments, const Fi
   setup.drawing = arguments.given("--svg");
   setup.grey = arguments.given("--grey");
   setup.configuration = configuration_of(wanted, setup.cpm);
-  if (auto done = put_together(wanted, setup); !done) return done.error();
+  if (auto done = build_machine(wanted, setup); !done) return done.error();
   return make_i8080(std::move(setup));
 }
 
@@ -516,7 +516,7 @@ MachineDescription describe_i8080() {
   i8080.radix = 16;
   i8080.address_bits = 16;
   i8080.word_bits = 8;
-  i8080.words_a_line = 16;
+  i8080.words_per_line = 16;
   i8080.one_start = true;
   i8080.in_snapshot = {"--plotter-start"};
   for (const char* name : {"A", "F", "B", "C", "D", "E", "H", "L"})

@@ -58,15 +58,15 @@ class I8080Recorder final : public i8080::Observer {
   std::optional<I8080Vcd> vcd;
 
  private:
-  struct Remembered {
+  struct CachedText {
     std::array<i8080::Byte, 3> bytes;
     int length = 0;  // 0: nothing remembered
     std::string text;
   };
 
   // Cached because a loop executes the same bytes at the same addresses.
-  const Remembered& disassembled(const i8080::InstructionRecord& record) {
-    Remembered& known = remembered_[record.pc];
+  const CachedText& disassemble(const i8080::InstructionRecord& record) {
+    CachedText& known = cache_[record.pc];
     if (known.length == 0 || known.bytes != record.bytes) {
       const disassembler::I8080Line line = disassembler::disassemble_i8080_instruction(record.bytes);
       known = {record.bytes, line.bytes, (line.duplicate ? "*" : "") + line.text};
@@ -75,7 +75,7 @@ class I8080Recorder final : public i8080::Observer {
   }
 
   void write(const i8080::InstructionRecord& record) {
-    const Remembered& known = disassembled(record);
+    const CachedText& known = disassemble(record);
     const i8080::State& s = record.after;
     trace_.write([&](std::string& text) {
       base::append(text, "{:>12} {:04X} ", core::t_states_of(record.time), record.pc);
@@ -106,7 +106,7 @@ class I8080Recorder final : public i8080::Observer {
 
   TextBlocks trace_;
   TextBlocks bus_;
-  std::vector<Remembered> remembered_ = std::vector<Remembered>(65536);
+  std::vector<CachedText> cache_ = std::vector<CachedText>(65536);
 };
 
 static_assert(Probe::executed == i8080::mark::stop && Probe::is_read == i8080::mark::read && Probe::is_written == i8080::mark::written);
@@ -129,7 +129,7 @@ class I8080Watcher : public i8080::Observer {
     namespace status = i8080::status;
     if (cycle.operand) return;
     if ((cycle.status & status::first) != 0) {
-      if ((cycle.status & status::acknowledge) != 0 && watch_.at_interrupts()) add(Probe::Kind::interrupt, cycle, cycle.address);
+      if ((cycle.status & status::acknowledge) != 0 && watch_.wants_interrupts()) add(Probe::Kind::interrupt, cycle, cycle.address);
       return;
     }
     if ((cycle.status & status::halt) != 0) return;

@@ -90,7 +90,7 @@ void I8080Vcd::instruction(const i8080::InstructionRecord& record) {
 }
 
 void I8080Vcd::hold(const i8080::HoldPins& pins) {
-  if (pins.stands) end_cycle(pins.time);
+  if (pins.waits) end_cycle(pins.time);
   holds_.push_back(pins);
 }
 
@@ -109,7 +109,7 @@ void I8080Vcd::show_holds(core::TStateInstant at) {
       show_pin(pins.time, i8080_signal::address, VcdWriter::floating);
       show_pin(pins.time, i8080_signal::data, VcdWriter::floating);
     }
-    if (pins.stands) show_pin(pins.time, i8080_signal::t, 0);
+    if (pins.waits) show_pin(pins.time, i8080_signal::t, 0);
   }
 }
 

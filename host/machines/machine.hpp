@@ -353,7 +353,7 @@ class Machine {
   [[nodiscard]] virtual core::Instant now() const = 0;
   // The same in the machine's unit, that of Limits::until, and the number of these units per second.
   [[nodiscard]] virtual std::int64_t ticks() const = 0;
-  [[nodiscard]] virtual std::int64_t ticks_a_second() const = 0;
+  [[nodiscard]] virtual std::int64_t ticks_per_second() const = 0;
 
   // Snapshots (host/live/snapshot.hpp), taken between two calls of run. The configuration is that with which the machine
   // was built, as command line options; a state can be restored only into a machine with the same configuration.
@@ -401,11 +401,11 @@ struct MachineDescription {
   std::string_view name;  // "pdp7", also the name of the subcommands
   std::string_view help;  // of `sightline run NAME`
   std::string more_help;  // the end of the text of `sightline run NAME --help`
-  std::int64_t ticks_a_cycle = 1;  // memory cycle, in the unit of Limits::until
+  std::int64_t ticks_per_cycle = 1;  // memory cycle, in the unit of Limits::until
   int radix = 8;          // of addresses, words and registers: 8 or 16
   unsigned address_bits = 0;
   unsigned word_bits = 0;
-  std::size_t words_a_line = 8;             // of a dump
+  std::size_t words_per_line = 8;           // of a dump
   std::string_view memory_name = "memory";  // in messages
   std::string_view an_address = "an address";
   std::string_view memory_option = {};  // sets the size of memory

@@ -88,12 +88,12 @@ class Pdp7Machine final : public Machine {
  public:
   explicit Pdp7Machine(Pdp7Setup setup)
       : setup_(std::move(setup)),
-        screen_(setup_.screen.value_or(Screen::Wishes{})),
+        screen_(setup_.screen.value_or(Screen::Outputs{})),
         machine_(setup_.machine),
         switches_(setup_.switches) {}
 
   // Call once, before anything else.
-  [[nodiscard]] Result<Done> put_together() {
+  [[nodiscard]] Result<Done> build_machine() {
     std::string error = machine_.error();
     const auto attach = [&](std::string_view name, std::span<const core::Setting> settings = {}) {
       if (error.empty()) error = machine_.attach(name, settings);
@@ -280,7 +280,7 @@ class Pdp7Machine final : public Machine {
         {"keyboard", fmt::format("{}, buffer {:03o}", flag(keyboard_.interrupt_request()), keyboard_.buffer())},
         {"printer", fmt::format("{}, {} characters typed", flag(printer_.interrupt_request()), printer_.printed().size())}};
     if (disk_ != nullptr) {
-      const std::uint32_t track = disk_->address() / pdp7::rb09::words_a_track;
+      const std::uint32_t track = disk_->address() / pdp7::rb09::words_per_track;
       const std::uint32_t sector = disk_->address() / pdp7::rb09::words % pdp7::rb09::sectors;
       lines.push_back({"disk", fmt::format("{}, status {:06o}, track {} sector {} word {} (decimal), core {:05o}, count {:06o}",
                                            disk_->attached() ? disk_path_.empty() ? "read only" : disk_path_ : "none in the drive",
@@ -340,7 +340,7 @@ class Pdp7Machine final : public Machine {
     if (!keyboard_.all_read()) return false;
     const core::Duration quiet = machine_.now() - quiet_since_;
     const core::Duration character = setup_.machine.timing.teletype_character;
-    return (keyboard_.asked() && quiet >= character) ||
+    return (keyboard_.polled() && quiet >= character) ||
            (machine_.registers().interrupts_on && quiet >= 2 * character);
   }
   [[nodiscard]] std::string take_printed() override {
@@ -353,7 +353,7 @@ class Pdp7Machine final : public Machine {
   [[nodiscard]] std::uint64_t instructions() const override { return machine_.counts().instructions; }
   [[nodiscard]] core::Instant now() const override { return machine_.now(); }
   [[nodiscard]] std::int64_t ticks() const override { return core::nanoseconds_of(machine_.now()); }
-  [[nodiscard]] std::int64_t ticks_a_second() const override { return 1'000'000'000; }
+  [[nodiscard]] std::int64_t ticks_per_second() const override { return 1'000'000'000; }
 
   [[nodiscard]] std::vector<std::string> configuration() const override { return configuration_with(display() != nullptr); }
   [[nodiscard]] std::vector<std::string> configuration_in(const MachineState& state) const override {
@@ -384,7 +384,7 @@ class Pdp7Machine final : public Machine {
     // An output, or --display, requires one whatever the snapshot has.
     if (setup_.display && !setup_.display_when_used && display() == nullptr) plug_in_display(true);
     switches_ = machine_.console().switches(machine_.now());
-    heard_of_printed_ = taken_of_printed_ = printer_.printed().size();
+    printed_seen_ = taken_of_printed_ = printer_.printed().size();
     screen_.forget_after(machine_.now());
     return done;
   }
@@ -482,10 +482,10 @@ class Pdp7Machine final : public Machine {
     if (option == "--phosphor") return photograph();
     if (option == "--movie") return *movie_.finish();
     const auto strokes = screen_.picture_strokes(now());
-    if (option == "--svg") return bytes_of(picture::svg_drawing(strokes, "Type 340: " + shown(strokes.size())));
+    if (option == "--svg") return bytes_of(picture::svg_drawing(strokes, "Type 340: " + describe_picture(strokes.size())));
     const std::string made_at = fmt::format("{} ns of emulated time", core::nanoseconds_of(now()));
     return *picture::encode_png(picture::crisp_raster(strokes), {{"Software", "sightline " SIGHTLINE_VERSION},
-                                                                 {"Shown", shown(strokes.size())},
+                                                                 {"Shown", describe_picture(strokes.size())},
                                                                  {"End of run", made_at}});
   }
 
@@ -610,9 +610,9 @@ class Pdp7Machine final : public Machine {
   }
 
   void listen_to_printer() {
-    if (printer_.deadline() != core::never || printer_.printed().size() != heard_of_printed_)
+    if (printer_.deadline() != core::never || printer_.printed().size() != printed_seen_)
       quiet_since_ = std::max(quiet_since_, machine_.now());
-    heard_of_printed_ = printer_.printed().size();
+    printed_seen_ = printer_.printed().size();
   }
 
   void visit_state(core::StateVisitor& visit) {
@@ -642,7 +642,7 @@ class Pdp7Machine final : public Machine {
     const core::Duration window = setup_.screen->window;
     if (window.count() == 0) {
       if (!screen_.has_complete_pass()) {
-        warnings.push_back("the picture shows " + shown(screen_.picture_strokes(now()).size()));
+        warnings.push_back("the picture shows " + describe_picture(screen_.picture_strokes(now()).size()));
       } else if (now() - screen_.end_of_pass() > oldest_picture) {
         warnings.push_back(fmt::format("the picture shows a pass that ended {} s before the run did; --png-window 0.2 shows what was "
                                        "drawn last, --phosphor what the screen showed",
@@ -658,7 +658,7 @@ class Pdp7Machine final : public Machine {
     }
   }
   // Describes what a picture of that many strokes shows.
-  [[nodiscard]] std::string shown(std::size_t strokes) const {
+  [[nodiscard]] std::string describe_picture(std::size_t strokes) const {
     if (setup_.screen && setup_.screen->window.count() != 0)
       return fmt::format("{} points of the last {} s", strokes, seconds_text(core::Instant(setup_.screen->window)));
     if (screen_.has_complete_pass()) return "the last complete pass";
@@ -720,7 +720,7 @@ class Pdp7Machine final : public Machine {
   std::size_t next_move_ = 0;  // of pen_script_
   // For the console: how many characters have been printed, how many of them were handed out, and since when the printer
   // and the keyboard have been quiet.
-  std::size_t heard_of_printed_ = 0;
+  std::size_t printed_seen_ = 0;
   std::size_t taken_of_printed_ = 0;
   core::Instant quiet_since_{};
 };
@@ -729,7 +729,7 @@ class Pdp7Machine final : public Machine {
 
 Result<std::unique_ptr<Machine>> make_pdp7(Pdp7Setup setup) {
   auto machine = std::make_unique<Pdp7Machine>(std::move(setup));
-  if (auto done = machine->put_together(); !done) return done.error();
+  if (auto done = machine->build_machine(); !done) return done.error();
   return std::unique_ptr<Machine>(std::move(machine));
 }
 

@@ -45,7 +45,7 @@ struct Pdp7Setup {
   bool monitored = false;                // has a probe, but no trace
   bool picture_wanted = false;           // for an output
   std::uint32_t movie_rate = 0;          // photographs per second of emulated time; 0: no movie
-  std::optional<Screen::Wishes> screen;  // for its strokes; take("--strokes") takes its log
+  std::optional<Screen::Outputs> screen;  // for its strokes; take("--strokes") takes its log
 };
 
 // The registers of the description are PC AC L MQ SC SR ION. Error: devices that use the same IOTs.

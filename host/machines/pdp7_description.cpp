@@ -38,7 +38,7 @@ struct TimingName {
 };
 
 template <core::Duration pdp7::Timing::*Member>
-constexpr TimingName time_named(std::string_view name, std::int64_t least, std::int64_t most) {
+constexpr TimingName make_time(std::string_view name, std::int64_t least, std::int64_t most) {
   return {name,
           "ns",
           least,
@@ -48,7 +48,7 @@ constexpr TimingName time_named(std::string_view name, std::int64_t least, std::
 }
 
 template <auto Member>
-constexpr TimingName number_named(std::string_view name, std::string_view unit, std::int64_t least, std::int64_t most) {
+constexpr TimingName make_number(std::string_view name, std::string_view unit, std::int64_t least, std::int64_t most) {
   return {name,
           unit,
           least,
@@ -61,7 +61,7 @@ constexpr TimingName number_named(std::string_view name, std::string_view unit, 
 
 // A choice between yes and no.
 template <bool pdp7::Timing::*Member>
-constexpr TimingName choice_named(std::string_view name) {
+constexpr TimingName make_choice(std::string_view name) {
   return {name,
           "yes/no",
           0,
@@ -77,23 +77,23 @@ constexpr std::int64_t longest_line = 1'000'000'000;
 
 using pdp7::Timing;
 constexpr std::array timing_names{
-    time_named<&Timing::eae_setup>("eae_setup", 0, longest_step),
-    time_named<&Timing::eae_shift_step>("eae_shift_step", 0, longest_step),
-    time_named<&Timing::eae_normalize_step>("eae_normalize_step", 0, longest_step),
-    time_named<&Timing::eae_multiply_step>("eae_multiply_step", 0, longest_step),
-    time_named<&Timing::eae_divide_step>("eae_divide_step", 0, longest_step),
-    number_named<&Timing::interrupt_cycles>("interrupt_cycles", "cycles", 1, 100),
-    number_named<&Timing::clock_tick_cycles>("clock_tick_cycles", "cycles", 1, 100),
-    number_named<&Timing::clock_hertz>("clock_hertz", "Hz", 1, 400),
-    time_named<&Timing::reader_line>("reader_line", 1, longest_line),
-    time_named<&Timing::punch_line>("punch_line", 1, longest_line),
-    time_named<&Timing::teletype_character>("teletype_character", 1, longest_line),
-    choice_named<&Timing::skip_703361>("skip_703361"),
-    choice_named<&Timing::device_33_each_pulse>("device_33_each_pulse"),
-    time_named<&Timing::disk_word>("disk_word", 1, longest_stretch),
-    choice_named<&Timing::disk_clear_stops>("disk_clear_stops"),
-    choice_named<&Timing::disk_late_stops>("disk_late_stops"),
-    number_named<&Timing::disk_after_last>("disk_after_last", "word", 0, pdp7::rb09::words_of_disk - 1),
+    make_time<&Timing::eae_setup>("eae_setup", 0, longest_step),
+    make_time<&Timing::eae_shift_step>("eae_shift_step", 0, longest_step),
+    make_time<&Timing::eae_normalize_step>("eae_normalize_step", 0, longest_step),
+    make_time<&Timing::eae_multiply_step>("eae_multiply_step", 0, longest_step),
+    make_time<&Timing::eae_divide_step>("eae_divide_step", 0, longest_step),
+    make_number<&Timing::interrupt_cycles>("interrupt_cycles", "cycles", 1, 100),
+    make_number<&Timing::clock_tick_cycles>("clock_tick_cycles", "cycles", 1, 100),
+    make_number<&Timing::clock_hertz>("clock_hertz", "Hz", 1, 400),
+    make_time<&Timing::reader_line>("reader_line", 1, longest_line),
+    make_time<&Timing::punch_line>("punch_line", 1, longest_line),
+    make_time<&Timing::teletype_character>("teletype_character", 1, longest_line),
+    make_choice<&Timing::skip_703361>("skip_703361"),
+    make_choice<&Timing::device_33_each_pulse>("device_33_each_pulse"),
+    make_time<&Timing::disk_word>("disk_word", 1, longest_stretch),
+    make_choice<&Timing::disk_clear_stops>("disk_clear_stops"),
+    make_choice<&Timing::disk_late_stops>("disk_late_stops"),
+    make_number<&Timing::disk_after_last>("disk_after_last", "word", 0, pdp7::rb09::words_of_disk - 1),
     TimingName{"iot_stretch.DD", "ns", 0, longest_stretch,
                [](const Timing& t, std::size_t device) { return t.iot_stretch[device].count(); },
                [](Timing& t, std::size_t device, std::int64_t value) {
@@ -164,9 +164,9 @@ std::string timing_help() {
 // --- A machine from its options ---
 
 Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
-  Screen::Wishes wishes;
-  wishes.picture = arguments.given("--png") || arguments.given("--svg");
-  wishes.photograph = arguments.given("--phosphor") || arguments.given("--movie");
+  Screen::Outputs outputs;
+  outputs.picture = arguments.given("--png") || arguments.given("--svg");
+  outputs.photograph = arguments.given("--phosphor") || arguments.given("--movie");
   if (arguments.given("--movie")) {
     constexpr std::uint64_t usual = 25, most = 100;
     std::uint64_t rate = usual;
@@ -179,16 +179,16 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
       return base::usage_error(fmt::format("--movie-rate: found {}, expected 1 to {} pictures a second", arguments.text("--movie-rate"), most));
     setup.movie_rate = static_cast<std::uint32_t>(rate);
   }
-  setup.picture_wanted = wishes.picture;
+  setup.picture_wanted = outputs.picture;
   if (arguments.given("--png-window")) {
     const auto window = parse_seconds(arguments.text("--png-window"));
     if (!window || *window == core::Instant{}) {
       return base::usage_error(fmt::format("--png-window: found \"{}\", expected {}, more than 0", arguments.text("--png-window"),
                                seconds_expected));
     }
-    wishes.window = window->time_since_epoch();
+    outputs.window = window->time_since_epoch();
   }
-  if (wishes.picture || wishes.photograph || arguments.given("--strokes")) setup.screen = wishes;
+  if (outputs.picture || outputs.photograph || arguments.given("--strokes")) setup.screen = outputs;
   const std::vector<std::string>& options = arguments.list("--display-option");
   if (arguments.given("--no-display")) {
     for (const std::string_view option : {"--png", "--svg", "--phosphor", "--movie", "--strokes", "--display-option", "--light-pen"})
@@ -203,7 +203,7 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
   setup.display = type340::Options{};
   setup.display->subroutines_347 = has("347");
   setup.display->characters_342 = has("342");
-  if (arguments.given("--monitor")) setup.screen = Screen::Wishes{.picture = true, .photograph = true};
+  if (arguments.given("--monitor")) setup.screen = Screen::Outputs{.picture = true, .photograph = true};
   return Done{};
 }
 
@@ -464,10 +464,10 @@ MachineDescription describe_pdp7() {
   pdp7.name = "pdp7";
   pdp7.help = "Run a program on the PDP-7";
   pdp7.radix = 8;
-  pdp7.ticks_a_cycle = sightline::pdp7::machine_cycle.count();
+  pdp7.ticks_per_cycle = sightline::pdp7::machine_cycle.count();
   pdp7.address_bits = 15;
   pdp7.word_bits = 18;
-  pdp7.words_a_line = 8;
+  pdp7.words_per_line = 8;
   pdp7.memory_name = "core";
   pdp7.an_address = "an address in core";
   pdp7.memory_option = "--memory";

@@ -24,7 +24,7 @@ void Pdp7Tracer::instruction(const pdp7::InstructionRecord& record) {
 }
 
 const std::string& Pdp7Tracer::instruction_text(const pdp7::InstructionRecord& record) {
-  Remembered& known = remembered_[record.pc & pdp7::address_mask];
+  CachedText& known = cache_[record.pc & pdp7::address_mask];
   if (known.text.empty() || known.word != record.word)
     known = {record.word, disassembler::disassemble_word(record.word, record.pc)};
   return known.text;
@@ -94,7 +94,7 @@ void Pdp7Watcher::compare_with_marks(const pdp7::Cycle& cycle) {
     case Verb::break_write:
     case Verb::break_modify: return add(Probe::is_written, Probe::Kind::break_write, cycle, word);
     case Verb::interrupt:
-      if (watch_.at_interrupts())
+      if (watch_.wants_interrupts())
         watch_.add(Probe::Kind::interrupt, core::nanoseconds_of(cycle.time), word & pdp7::address_mask, 0);
       return add(Probe::is_written, Probe::Kind::interrupt_write, cycle, word);
     case Verb::iot: {

@@ -23,14 +23,14 @@ class Pdp7Tracer {
 
  private:
   // Cached because a loop executes the same words at the same addresses.
-  struct Remembered {
+  struct CachedText {
     core::Word18 word;
     std::string text;
   };
   const std::string& instruction_text(const pdp7::InstructionRecord& record);
 
   TextBlocks text_;
-  std::vector<Remembered> remembered_{std::size_t{pdp7::address_mask} + 1};
+  std::vector<CachedText> cache_{std::size_t{pdp7::address_mask} + 1};
 };
 
 // The observer of a run with a trace, a VCD or both.

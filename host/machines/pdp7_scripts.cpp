@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 std::string_view without_comment(std::string_view text) {
-  return trimmed(text.substr(0, text.find('#')));
+  return trim(text.substr(0, text.find('#')));
 }
 
 struct ScriptLine {
@@ -90,7 +90,7 @@ std::optional<type340::LightPen> parse_field_of_view(std::string_view text) {
   constexpr std::uint32_t usual_radius = 4;
   std::array<std::uint32_t, 3> numbers{0, 0, usual_radius};
   std::size_t count = 0;
-  for (; !text.empty(); text = trimmed(text)) {
+  for (; !text.empty(); text = trim(text)) {
     const std::size_t length = std::min(text.find_first_of(blanks), text.size());
     const auto number = base::whole_number<std::uint32_t>(text.substr(0, length), 10);
     if (count == numbers.size() || !number || *number > last_point) return std::nullopt;

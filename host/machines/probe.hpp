@@ -132,24 +132,24 @@ class Watch {
   // A run begins: a breakpoint at its first instruction is skipped.
   void begin(std::int64_t now) {
     begun_ = now;
-    told_ = !probe_->events().empty();
+    reported_ = !probe_->events().empty();
   }
   // Called at a boundary; true: the run ends there.
   [[nodiscard]] bool stop(std::int64_t now, std::uint32_t next) {
-    if (now == begun_) return told_;
+    if (now == begun_) return reported_;
     if (has(next, Probe::executed)) add(Probe::Kind::execution, now, next, 0);
     if (probe_->condition_changed && probe_->condition_changed()) add(Probe::Kind::condition, now, next, 0);
-    return told_;
+    return reported_;
   }
 
   [[nodiscard]] bool has(std::uint32_t address, std::uint8_t marks) const { return (places_[address] & marks) != 0; }
   [[nodiscard]] bool port_has(std::uint32_t port, std::uint8_t marks) const { return (ports_[port] & marks) != 0; }
-  [[nodiscard]] bool at_interrupts() const { return probe_->marks_interrupts(); }
+  [[nodiscard]] bool wants_interrupts() const { return probe_->marks_interrupts(); }
   void add(Probe::Kind kind, std::int64_t time, std::uint32_t address, std::uint32_t value) {
     const Probe::Event event{kind, time, address, value};
     if (probe_->wants && !probe_->wants(event)) return;
     probe_->add(event);
-    told_ = true;
+    reported_ = true;
   }
 
  private:
@@ -157,7 +157,7 @@ class Watch {
   const std::uint8_t* places_;
   const std::uint8_t* ports_;
   std::int64_t begun_ = 0;
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 }  // namespace sightline::machines

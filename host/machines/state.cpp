@@ -71,12 +71,12 @@ void StateReader::input(std::string_view name, std::span<const std::uint8_t> byt
   if (!length || !checksum) return;
   const std::uint32_t here = base::crc32(bytes);
   if (*length == bytes.size() && *checksum == here) return;
-  const auto described = [](std::uint64_t size, std::uint64_t crc) {
+  const auto describe = [](std::uint64_t size, std::uint64_t crc) {
     return size == 0 ? std::string("none") : fmt::format("{} bytes with the CRC-32 {:08X}", size, crc);
   };
   error_ = base::Error{.place = place(name),
-                       .found = "found another input: " + described(bytes.size(), here),
-                       .expected = described(*length, *checksum),
+                       .found = "found another input: " + describe(bytes.size(), here),
+                       .expected = describe(*length, *checksum),
                        .remedy = "name the file that the snapshot was made with"};
 }
 

@@ -57,11 +57,11 @@ Image pen_image(std::span<const PenPath> paths, const PlotterPaper& paper, int s
 }
 
 std::string pen_svg(std::span<const PenPath> paths, const PlotterPaper& paper, const std::string& title) {
-  const std::int64_t side = 2 * margin + (paper.steps - 1) * paper.micrometres_a_step;
+  const std::int64_t side = 2 * margin + (paper.steps - 1) * paper.micrometres_per_step;
   SvgWriter svg(static_cast<double>(side) / 1000, static_cast<double>(side) / 1000, title);
   svg.open_lines("pen-1", "1 pen", {}, pen_width);
-  const auto across = [&](PenPoint at) { return margin + at.x * paper.micrometres_a_step; };
-  const auto down = [&](PenPoint at) { return side - margin - at.y * paper.micrometres_a_step; };
+  const auto across = [&](PenPoint at) { return margin + at.x * paper.micrometres_per_step; };
+  const auto down = [&](PenPoint at) { return side - margin - at.y * paper.micrometres_per_step; };
   for (const PenPath& path : paths) {
     if (path.corners.empty()) continue;
     svg.begin_polyline();

@@ -14,7 +14,7 @@ int sign(int value) {
 
 // The nearest unit, halves upwards.
 std::int64_t units(int steps, const PlotterPaper& paper) {
-  const std::int64_t twice = 2 * steps * paper.micrometres_a_step + hpgl_unit_micrometres;
+  const std::int64_t twice = 2 * steps * paper.micrometres_per_step + hpgl_unit_micrometres;
   const std::int64_t whole = twice / (2 * hpgl_unit_micrometres);
   return twice % (2 * hpgl_unit_micrometres) < 0 ? whole - 1 : whole;
 }

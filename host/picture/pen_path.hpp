@@ -30,7 +30,7 @@ void extend(PenPath& path, PenPoint next);
 // A square field of whole steps, and how long a step is.
 struct PlotterPaper {
   int steps = 256;                        // points a side
-  std::int64_t micrometres_a_step = 254;  // 0.01 inch
+  std::int64_t micrometres_per_step = 254;  // 0.01 inch
 };
 inline constexpr PlotterPaper calcomp_paper{256, 254};
 inline constexpr PlotterPaper minigraf_paper{256, 125};

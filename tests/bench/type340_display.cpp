@@ -37,7 +37,7 @@ void draw_pass(Display& display, const Memory& memory, core::Instant& now) {
   while (!display.interrupt_request()) {
     if (const core::DataBreak* request = display.data_break(); request != nullptr) {
       now = display.requested_at() + core::Duration(1750);
-      display.served(now, memory[request->address]);
+      display.end_break(now, memory[request->address]);
     }
     now = display.deadline();
     display.advance(now);

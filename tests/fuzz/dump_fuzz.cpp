@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (refusal.kind != base::ErrorKind::bad_input || !refusal.message().starts_with("fuzz: line ")) std::abort();
       continue;
     }
-    if (begins && program->words.size() < machine->words_a_line) std::abort();
+    if (begins && program->words.size() < machine->words_per_line) std::abort();
     for (const auto& [number, value] : program->registers)
       if (number >= machine->registers.size() || value >> machine->registers[number].bits != 0) std::abort();
     for (std::size_t n = 0; n < program->words.size(); ++n) {

@@ -89,7 +89,7 @@ std::pair<std::uint32_t, std::uint32_t> Reader::range(std::string_view text) con
 
 std::int64_t Reader::cycles(std::string_view text) const {
   constexpr std::uint64_t most = std::uint64_t{1} << 40;
-  return static_cast<std::int64_t>(std::min(text.empty() ? 1 : count(text), most)) * debugger_.description().ticks_a_cycle;
+  return static_cast<std::int64_t>(std::min(text.empty() ? 1 : count(text), most)) * debugger_.description().ticks_per_cycle;
 }
 
 Goal Reader::goal(std::string_view arguments) const {
@@ -111,7 +111,7 @@ Goal Reader::goal(std::string_view arguments) const {
     const auto number = base::fixed_number(text, 0, 1e12);
     if (unit == 0 || !number) return std::nullopt;
     return static_cast<std::int64_t>(std::llround(
-        std::min(*number * unit * static_cast<double>(debugger_.machine().ticks_a_second()), 4e18)));
+        std::min(*number * unit * static_cast<double>(debugger_.machine().ticks_per_second()), 4e18)));
   };
   if (const auto time = ticks(rest)) return {.until = word == "for" ? debugger_.machine().ticks() + *time : *time};
   if (word == "until") {

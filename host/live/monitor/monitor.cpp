@@ -457,7 +457,7 @@ Answer Monitor::Inside::expect(std::string_view arguments) {
   if (!text) throw base::usage_error(text.error().message());
   if (text->empty()) throw base::usage_error("expected a text");
   constexpr std::int64_t most_seconds = 60;
-  const std::int64_t end = machine_.ticks() + most_seconds * machine_.ticks_a_second();
+  const std::int64_t end = machine_.ticks() + most_seconds * machine_.ticks_per_second();
   while (true) {
     debugger_.show_printed();
     const std::size_t found = debugger_.printed().find(*text);
@@ -469,7 +469,7 @@ Answer Monitor::Inside::expect(std::string_view arguments) {
       return {Kind::failed, fmt::format("expect: not printed in {} s; printed since the last expect: \"{}\"\n",
                                         most_seconds, debugger_.printed())};
     }
-    const Halted halted = debugger_.run({.until = std::min(end, machine_.ticks() + machine_.ticks_a_second() / 50)});
+    const Halted halted = debugger_.run({.until = std::min(end, machine_.ticks() + machine_.ticks_per_second() / 50)});
     const bool stopped = halted.why != Halted::Why::goal;
     if (stopped && debugger_.printed().find(*text) == std::string::npos) return {Kind::failed, answer_of(halted).text};
   }

@@ -42,7 +42,7 @@ Json Flying::make(const Workbench& workbench, const Json& request) {
   shades.push_back(number(picture::sky));
   for (const picture::Shade& shade : picture::face_shades(loaded->scene)) shades.push_back(number(shade));
   const flight::Plan& made = journey_->plan;
-  const flight::Packed& packed = journey_->run.so_far().packed;
+  const flight::Packed& packed = journey_->run.outcome().packed;
   return Json{{"pieces", made.model.pieces.size()},
               {"surfaces", made.model.surfaces},
               {"frames", made.path.size()},
@@ -55,7 +55,7 @@ Json Flying::make(const Workbench& workbench, const Json& request) {
 // Counts of all frames so far, and of the last one.
 Json Flying::state() const {
   if (journey_ == nullptr) return refusal("nothing flies");
-  const flight::Outcome& run = journey_->run.so_far();
+  const flight::Outcome& run = journey_->run.outcome();
   const flight::Summary& sum = run.summary;
   Json state{{"ended", run.flight.ended},
              {"status", flight::text_of(run.flight.status)},

@@ -276,7 +276,7 @@ Json Workbench::make(const Json& request) {
   Json warnings = Json::array();
   for (const std::string& warning : prepared->warnings) warnings.push_back(warning);
   const int number = add(std::make_unique<MachineSession>(*description, std::move(*prepared), std::move(symbols)));
-  return Json{{"id", number}, {"warnings", std::move(warnings)}, {"ticks_a_second", session(number)->machine().ticks_a_second()}};
+  return Json{{"id", number}, {"warnings", std::move(warnings)}, {"ticks_a_second", session(number)->machine().ticks_per_second()}};
 }
 
 Json Workbench::assemble(const Json& request) {

@@ -147,7 +147,7 @@ struct FlightInProgress::Parts {
       const std::size_t i = outcome.frames.size();
       Frame frame;
       frame.waiting = frames[i].waiting;
-      if (i > 0) frame.computing = frames[i].told - frames[i - 1].told - frames[i].waiting;
+      if (i > 0) frame.computing = frames[i].commanded_at - frames[i - 1].commanded_at - frames[i].waiting;
       frame.shown = frames[i].shown;
       frame.moved = frames[i].moved;
       frame.exchanges = frames[i].exchanges;
@@ -175,7 +175,7 @@ void FlightInProgress::run(core::TStateInstant until) {
 core::TStateInstant FlightInProgress::now() const { return parts_->machine.now(); }
 bool FlightInProgress::ended() const { return parts_->machine.flight().ended; }
 core::TStateInstant FlightInProgress::latest_end() const { return flight::latest_end(parts_->outcome.packed.stream); }
-const Outcome& FlightInProgress::so_far() const { return parts_->outcome; }
+const Outcome& FlightInProgress::outcome() const { return parts_->outcome; }
 
 std::string FlightInProgress::difference() const {
   if (!parts_->twin) return "";
@@ -200,7 +200,7 @@ base::Result<Plan> plan_flight(const scene::PolyScene& scene, bool level, std::u
 base::Result<Outcome> run(const Order& order) {
   FlightInProgress flight(order);
   flight.run(flight.latest_end());
-  const MachineFlight& machine = flight.so_far().flight;
+  const MachineFlight& machine = flight.outcome().flight;
   if (const std::string difference = flight.difference(); !difference.empty())
     return base::difference("internal error: a priority on the 8080 is not the one its native twin computes: " + difference);
   if (!machine.ended) return base::program_failed("the program did not end");
@@ -208,7 +208,7 @@ base::Result<Outcome> run(const Order& order) {
   if (machine.writes_lost + machine.unanswered > 0)
     return base::program_failed(
         fmt::format("{} writes to the display lost, {} accesses unanswered", machine.writes_lost, machine.unanswered));
-  return flight.so_far();
+  return flight.outcome();
 }
 
 double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame& frame) {
@@ -240,10 +240,10 @@ double predicted_t_states(const Packed& packed, std::size_t pieces, const Frame&
   // Both points of a plane have a key; VISIT of cells.asm takes 330, and 86 for each cell. A piece of a cell takes 40 more
   // to receive its priority.
   constexpr double visit = 440;
-  constexpr double told = 40;
+  constexpr double cell_piece = 40;
   const auto planes = static_cast<double>(packed.planes);
   return packet + piece * static_cast<double>(pieces) + moved * frame.moved + exchange * frame.exchanges +
-         (packed.planes > 0 ? planes * (2 * key + visit) + told * static_cast<double>(pieces) : 0);
+         (packed.planes > 0 ? planes * (2 * key + visit) + cell_piece * static_cast<double>(pieces) : 0);
 }
 
 }  // namespace sightline::programs::flight

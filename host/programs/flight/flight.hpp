@@ -100,7 +100,7 @@ class FlightInProgress {
   [[nodiscard]] bool ended() const;
   // An upper bound on the end, whatever the program does.
   [[nodiscard]] core::TStateInstant latest_end() const;
-  [[nodiscard]] const Outcome& so_far() const;
+  [[nodiscard]] const Outcome& outcome() const;
   // The difference of the frames so far from the twin's, in words, and of the end if the flight has ended. Empty: none, or
   // the order is not checked.
   [[nodiscard]] std::string difference() const;

@@ -29,8 +29,8 @@ class FlightMachine::DisplayFront final : public i8080::Front {
 
   [[nodiscard]] std::uint8_t in(std::uint8_t port, core::TStateInstant at) override {
     pass_to_host(options_.clock.to_nanoseconds(at));
-    if (!asked_) first_asked_ = at;
-    asked_ = true;
+    if (!polled_) first_poll_ = at;
+    polled_ = true;
     last_asked_ = at;
     return Front::in(port, at);
   }
@@ -77,16 +77,16 @@ class FlightMachine::DisplayFront final : public i8080::Front {
     MachineFrame frame;
     const auto priorities = board_.priorities();
     std::copy(priorities.begin(), priorities.end(), frame.priorities.begin());
-    frame.told = at;
+    frame.commanded_at = at;
     const std::size_t count = machine().peek(count_);
     ranks_.take(machine().memory().subspan(list_end_ - count, count), frame);
-    frame.waiting = last_asked_ - first_asked_;
+    frame.waiting = last_asked_ - first_poll_;
     // A frame begins with its first line, where the display takes over a new list.
     const std::int64_t length = display::frame.count();
     const std::int64_t now = options_.clock.to_nanoseconds(at).time_since_epoch().count();
     frame.shown = core::at_nanoseconds((now / length + 1) * length);
     flight_.frames.push_back(frame);
-    asked_ = false;
+    polled_ = false;
   }
   // Passes on frames whose scan is over by `now`.
   void pass_to_host(core::Instant now) {
@@ -107,8 +107,8 @@ class FlightMachine::DisplayFront final : public i8080::Front {
   Ranks ranks_;
   const MachineOptions& options_;
   MachineFlight& flight_;
-  bool asked_ = false;
-  core::TStateInstant first_asked_{};
+  bool polled_ = false;
+  core::TStateInstant first_poll_{};
   core::TStateInstant last_asked_{};
   std::size_t handed_ = 0;
 };
@@ -170,8 +170,8 @@ core::TStateInstant latest_end(std::span<const std::uint8_t> stream) {
   // The tables and the time-out for a silent host, each byte, and for a frame of that many bytes a complete reversal of the
   // order.
   constexpr std::int64_t once = 20'000'000;
-  constexpr std::int64_t a_byte = 2'000'000;
-  return core::at_t_state(once + a_byte * static_cast<std::int64_t>(stream.size()));
+  constexpr std::int64_t per_byte = 2'000'000;
+  return core::at_t_state(once + per_byte * static_cast<std::int64_t>(stream.size()));
 }
 
 MachineFlight run_machine(const Program& program, std::span<const std::uint8_t> stream, const MachineOptions& options) {

@@ -19,7 +19,7 @@ namespace sightline::programs::flight {
 
 struct MachineFrame {
   Priorities priorities{};      // in the display when it was told to show them
-  core::TStateInstant told{};   // the time of that command
+  core::TStateInstant commanded_at{};   // the time of that command
   core::TStates waiting{};      // until the display had taken over the frame before
   core::Instant shown{};        // the beginning of the display's frame that shows them
   // The distance of the program's order from that of the frame before: pieces moved before another, and pairs exchanged.

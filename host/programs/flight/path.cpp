@@ -17,8 +17,8 @@ using scene::PolyCamera;
 using scene::PolyPoint;
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double begins = 1.3;  // times half the scene's width, before the middle
-constexpr double ends = 0.7;    // the same, after the middle
+constexpr double path_begin = 1.3;  // times half the scene's width, before the middle
+constexpr double path_end = 0.7;    // the same, after the middle
 
 class Paths {
  public:
@@ -97,7 +97,7 @@ class Paths {
   }
   // The position at t, from 0, the beginning of the path, to 1.
   [[nodiscard]] Place on_way(double angle, double offset, double height, double t) const {
-    const double along = half_ * (-begins + t * (begins + ends));
+    const double along = half_ * (-path_begin + t * (path_begin + path_end));
     return place(along * std::cos(angle) - offset * std::sin(angle), along * std::sin(angle) + offset * std::cos(angle), height);
   }
   [[nodiscard]] static std::optional<PolyPoint> grid_point(const Place& at) {

@@ -16,9 +16,9 @@ namespace sightline::programs::jones {
 namespace {
 
 // Records the line pieces of a view as the program draws them. Source of the labels: firmware/pdp7/jones/NOTES.md.
-class PieceTaker {
+class PieceRecorder {
  public:
-  explicit PieceTaker(const Program& program) : drawn_(program.labels.piece), clipped_at_(program.symbols.at("piece") + 1) {
+  explicit PieceRecorder(const Program& program) : drawn_(program.labels.piece), clipped_at_(program.symbols.at("piece") + 1) {
     constexpr std::array names{"lax", "lay", "lbx", "lby", "pax", "pay", "pbx", "pby"};
     for (std::size_t i = 0; i < names.size(); ++i) words_[i].address = program.symbols.at(names[i]);
     words_[vectors].address = vector_pointer;
@@ -113,7 +113,7 @@ class Watch final : public machines::ProgramWatch {
   bool in_view_ = false;
   Watched current_;
   Watched view_;
-  std::optional<PieceTaker> pieces_;
+  std::optional<PieceRecorder> pieces_;
   std::vector<std::int32_t> cell_of_;  // by core address: the cell whose element is there, or -1
   std::vector<bool> seen_;             // by cell
 };
@@ -347,7 +347,7 @@ geometry::Point eye_in(const Program& program, std::span<const core::Word18> cor
 
 // An accepted eye: that of the default view, or otherwise the middle of a cell. Error: that of viewpoint() for the default
 // view.
-base::Result<geometry::Point> accepted_eye(const scene::CellScene& scene) {
+base::Result<geometry::Point> find_accepted_eye(const scene::CellScene& scene) {
   const auto place = viewpoint(scene, scene.default_view);
   if (place) return scene.default_view;
   for (const scene::Cell& cell : scene.cells) {
@@ -419,7 +419,7 @@ base::Result<Outcome> run(const scene::CellScene& scene, const Build& build, con
 Prepared::Prepared(const scene::CellScene& scene, Program program) : scene_(scene), program_(std::move(program)) {}
 
 base::Result<Prepared> Prepared::of(const scene::CellScene& scene, const Build& build) {
-  const auto eye = accepted_eye(scene);
+  const auto eye = find_accepted_eye(scene);
   if (!eye) return eye.error();
   auto program = assemble_program(scene, build, *eye);
   if (!program) return program.error();

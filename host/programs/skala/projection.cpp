@@ -16,15 +16,15 @@ constexpr double tie = 1.0 / (1 << 20);
 constexpr double smallest_extent = 1e-12;
 
 // Sine and cosine of 0 .. 45 degrees.
-SineCosine of_half_quadrant(double degrees) {
+SineCosine sine_cosine_in_half_quadrant(double degrees) {
   const double radians = degrees / 180.0 * std::numbers::pi;
   return {std::sin(radians), std::cos(radians)};
 }
 
-SineCosine of_quadrant(double degrees) {
+SineCosine sine_cosine_in_quadrant(double degrees) {
   if (degrees == 45.0) return {std::sqrt(0.5), std::sqrt(0.5)};  // for which sin and cos are not exact
-  if (degrees <= 45.0) return of_half_quadrant(degrees);
-  const auto [sine, cosine] = of_half_quadrant(90.0 - degrees);
+  if (degrees <= 45.0) return sine_cosine_in_half_quadrant(degrees);
+  const auto [sine, cosine] = sine_cosine_in_half_quadrant(90.0 - degrees);
   return {cosine, sine};
 }
 
@@ -55,7 +55,7 @@ SineCosine sine_and_cosine(double degrees) {
   if (turn < 0) turn += 360.0;
   const int quadrant = static_cast<int>(turn / 90.0) % 4;
   const double rest = std::fmod(turn, 90.0);
-  const auto [sine, cosine] = of_quadrant(rest);
+  const auto [sine, cosine] = sine_cosine_in_quadrant(rest);
   switch (quadrant) {
     case 0: return {sine, cosine};
     case 1: return {cosine, 0.0 - sine};

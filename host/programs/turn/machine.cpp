@@ -12,7 +12,7 @@
 namespace sightline::programs::turn {
 
 // A named namespace, because a member of a class with linkage cannot have a type without linkage.
-namespace watching {
+namespace machine_watch {
 
 // Observes the stores that end pictures, the waiting for the display, and stores into display files.
 class Watch final : public machines::ProgramWatch {
@@ -111,7 +111,7 @@ class Passes final : public machines::StrokeKeeper {
   std::vector<ShownPass> shown_;
 };
 
-}  // namespace watching
+}  // namespace machine_watch
 
 namespace {
 
@@ -140,18 +140,18 @@ class Machine::Parts {
   }
 
   Program program_;
-  watching::Watch watch_;
-  watching::Passes passes_;
+  machine_watch::Watch watch_;
+  machine_watch::Passes passes_;
   pdp7::Machine machine_;
   core::Instant last_{};
   bool first_ = true;
   bool halted_ = false;
 };
 
-Machine::Machine(const Program& program, const Tape& tape, Watching watching)
+Machine::Machine(const Program& program, const Tape& tape, Observation observation)
     : parts_(std::make_unique<Parts>(
-          program, model_end(Memory::words_8k) - (watching.torn_stores ? tape.files * tape.file_words : 0), tape.file_words,
-          watching.strokes)) {
+          program, model_end(Memory::words_8k) - (observation.torn_stores ? tape.files * tape.file_words : 0), tape.file_words,
+          observation.strokes)) {
   auto& machine = parts_->machine_;
   const Labels& labels = program.labels;
   const std::uint32_t base = model_base(program.memory);

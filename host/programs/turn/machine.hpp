@@ -40,14 +40,14 @@ struct Picture {
 class Machine {
  public:
   // What is observed in addition to the times; each costs host time.
-  struct Watching {
+  struct Observation {
     bool strokes = false;      // keep the first pass through each picture's file
     bool torn_stores = false;  // count them
   };
 
   // The model is in core, and the program is started after its reading of the tape.
-  Machine(const Program& program, const Tape& tape, Watching watching);
-  Machine(const Program& program, const Tape& tape) : Machine(program, tape, Watching()) {}
+  Machine(const Program& program, const Tape& tape, Observation observation);
+  Machine(const Program& program, const Tape& tape) : Machine(program, tape, Observation()) {}
   // The tape is in the reader.
   Machine(const Program& program, const base::Bytes& tape);
   ~Machine();

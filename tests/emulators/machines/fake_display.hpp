@@ -64,7 +64,7 @@ class FakeDisplay final : public core::IotDevice {
     next_ = core::never;
   }
   [[nodiscard]] const core::DataBreak* data_break() const override { return requested_ ? &request_ : nullptr; }
-  void served(core::Instant end, core::Word18 word) override {
+  void end_break(core::Instant end, core::Word18 word) override {
     counter_ = (counter_ + 1) & 017777;
     if (request_.direction == core::DataBreak::Direction::to_core) {
       deposited_at = end;

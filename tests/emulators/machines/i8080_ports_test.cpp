@@ -170,7 +170,7 @@ TEST(I8080Ports, OfAllDevicesThoseOfTheListComeFirst) {
   ASSERT_EQ(machine.attach(Timer::info, std::make_unique<Timer>()), "");
   ASSERT_EQ(machine.attach("sio"), "");
   ASSERT_EQ(machine.attach("ef9365"), "");
-  machine.out_behind(0x10, 1, at_t_state(10));
+  machine.forward_out(0x10, 1, at_t_state(10));
   std::vector<std::string> names;
   for (const auto& [info, device] : machine.devices()) names.emplace_back(info->name);
   EXPECT_EQ(names, (std::vector<std::string>{"ef9365", "sio", "latch", "timer"}));
@@ -246,11 +246,11 @@ struct Front : core::PortDevice {
 
   std::uint8_t in(std::uint8_t port, TStateInstant at) override {
     times.push_back(core::t_states_of(at));
-    return machine.in_behind(port, at);
+    return machine.forward_in(port, at);
   }
   void out(std::uint8_t port, std::uint8_t value, TStateInstant at) override {
     times.push_back(core::t_states_of(at));
-    machine.out_behind(port, static_cast<std::uint8_t>(~value), at);
+    machine.forward_out(port, static_cast<std::uint8_t>(~value), at);
   }
 };
 

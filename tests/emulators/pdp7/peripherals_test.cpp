@@ -53,7 +53,7 @@ class Pdp7Peripherals : public testing::Test {
     EXPECT_EQ(request->direction, core::DataBreak::Direction::count);
     EXPECT_EQ(request->address, 7U);
     EXPECT_EQ(request->cycles, timing_.clock_tick_cycles);
-    clock_.served(at_nanoseconds(ns + 1750), core::Word18(count));
+    clock_.end_break(at_nanoseconds(ns + 1750), core::Word18(count));
     return true;
   }
 
@@ -139,16 +139,16 @@ TEST_F(Pdp7Peripherals, KeyboardMarksChannelEightAndSendsTenCharactersASecond) {
 
 TEST_F(Pdp7Peripherals, AProgramThatHasReadItsKeyAsksForNone) {
   EXPECT_FALSE(skips(0, 0700301));
-  EXPECT_TRUE(keyboard_.asked());
+  EXPECT_TRUE(keyboard_.polled());
   keyboard_.press(at_nanoseconds(0), 'A');
-  EXPECT_FALSE(keyboard_.asked());
+  EXPECT_FALSE(keyboard_.polled());
   EXPECT_FALSE(skips(50'000'000, 0700301));
-  EXPECT_TRUE(keyboard_.asked());
+  EXPECT_TRUE(keyboard_.polled());
   EXPECT_TRUE(skips(100'000'000, 0700301));
   EXPECT_EQ(iot(100'000'000, 0700312), 0301U);
-  EXPECT_FALSE(keyboard_.asked());
+  EXPECT_FALSE(keyboard_.polled());
   EXPECT_FALSE(skips(100'000'001, 0700301));
-  EXPECT_TRUE(keyboard_.asked());
+  EXPECT_TRUE(keyboard_.polled());
 }
 
 TEST_F(Pdp7Peripherals, PrinterRaisesItsFlagACharacterTimeLater) {
@@ -183,7 +183,7 @@ TEST(Pdp7Clock, SixtyHertzDoesNotDrift) {
   for (int i = 0; i < 59; ++i) {
     clock.advance(clock.deadline());
     ASSERT_NE(clock.data_break(), nullptr);
-    clock.served(clock.deadline(), core::Word18(1));
+    clock.end_break(clock.deadline(), core::Word18(1));
   }
   EXPECT_EQ(clock.deadline(), at_nanoseconds(1'000'000'000));
 }

@@ -60,7 +60,7 @@ class Rb09 : public testing::Test {
       const core::DataBreak* const request = break_at(now);
       if (request == nullptr) break;
       words.emplace_back(request->address, request->word.value());
-      disk_->served(now + pdp7::machine_cycle, Word18(from_core++));
+      disk_->end_break(now + pdp7::machine_cycle, Word18(from_core++));
     }
     return words;
   }

@@ -31,7 +31,7 @@ class DisplayControl : public ::testing::Test {
     display_.load_address_and_start(at_nanoseconds(t), Word18(address));
     for (const std::uint32_t word : words) {
       EXPECT_NE(display_.data_break(), nullptr);
-      display_.served(at_nanoseconds(t), Word18(word));
+      display_.end_break(at_nanoseconds(t), Word18(word));
       for (const std::int64_t end = t + 400'000; t < end && display_.data_break() == nullptr; t += 100) {
         display_.advance(at_nanoseconds(t + 100));
       }
@@ -73,7 +73,7 @@ TEST_F(DisplayControl, IdleDisplayHasNoDeadline) {
 
 // A word that comes when none was asked for is dropped.
 TEST_F(DisplayControl, UnaskedWordIsIgnored) {
-  display_.served(at_nanoseconds(0), Word18(0003000));
+  display_.end_break(at_nanoseconds(0), Word18(0003000));
   EXPECT_EQ(display_.deadline(), core::never);
   EXPECT_EQ(display_.counters().words, 0U);
 }
@@ -93,7 +93,7 @@ TEST_F(DisplayControl, ClearFlagsDropsAWaitingRequestAndTheStop) {
 
 TEST_F(DisplayControl, ClearFlagsLeavesTheRunningWordAlone) {
   const std::int64_t t = play(0, 0, {0100117});
-  display_.served(at_nanoseconds(t), Word18(0200177));
+  display_.end_break(at_nanoseconds(t), Word18(0200177));
   display_.clear_flags(at_nanoseconds(t + 50'000));
   display_.advance(at_nanoseconds(t + 193'799));
   EXPECT_EQ(display_.data_break(), nullptr);
@@ -105,7 +105,7 @@ TEST_F(DisplayControl, ClearFlagsLeavesTheRunningWordAlone) {
 // The old word ends where it is; scale, intensity and position stay.
 TEST_F(DisplayControl, StartWhileRunningAbandonsTheWord) {
   const std::int64_t t = play(0, 0, {0100137});
-  display_.served(at_nanoseconds(t), Word18(0200177));
+  display_.end_break(at_nanoseconds(t), Word18(0200177));
   display_.load_address_and_start(at_nanoseconds(t + 10'000), Word18(0100));
   ASSERT_NE(display_.data_break(), nullptr);
   EXPECT_EQ(display_.requested_at(), at_nanoseconds(t + 10'000));
@@ -151,7 +151,7 @@ TEST_F(DisplayControl, ResumeAfterAStopDoesTheBufferAgain) {
 // For 1 us the edge flag of a vector continue is seen by the skips and the interrupt line.
 TEST_F(DisplayControl, VectorContinueShowsItsEdgeForOneMicrosecond) {
   const std::int64_t t = play(0, 0, {0120117});
-  display_.served(at_nanoseconds(t), Word18(0200377));
+  display_.end_break(at_nanoseconds(t), Word18(0200377));
   EXPECT_EQ(display_.deadline(), at_nanoseconds(t + 3300));
   EXPECT_TRUE(display_.horizontal_edge(at_nanoseconds(t + 3300)));
   EXPECT_FALSE(display_.vertical_edge(at_nanoseconds(t + 3300)));

@@ -43,7 +43,7 @@ class DisplayOptions : public ::testing::Test {
       const core::Instant at = display_.requested_at();
       log_.push_back({request->address, core::nanoseconds_of(at)});
       if (request->direction == core::DataBreak::Direction::to_core) memory_[request->address] = request->word;
-      display_.served(at, memory_[request->address]);
+      display_.end_break(at, memory_[request->address]);
     }
   }
 
@@ -97,9 +97,9 @@ TEST_F(DisplayOptions, ARequestTakesThePlaceOfADeposit) {
   for (const std::int64_t served : {42'500, 50'000}) {
     Display display({.subroutines_347 = true}, strokes_);
     display.load_address_and_start(at_nanoseconds(0), Word18(0));
-    display.served(at_nanoseconds(0), Word18(0020000));
+    display.end_break(at_nanoseconds(0), Word18(0020000));
     display.advance(at_nanoseconds(3300));
-    display.served(at_nanoseconds(3300), Word18(0362100));
+    display.end_break(at_nanoseconds(3300), Word18(0362100));
     display.resume(at_nanoseconds(10'000));
     display.advance(at_nanoseconds(11'500));
     ASSERT_NE(display.data_break(), nullptr);
@@ -109,7 +109,7 @@ TEST_F(DisplayOptions, ARequestTakesThePlaceOfADeposit) {
     // of the request itself.
     const bool writes = served < 45'000;
     if (!writes) display.advance(at_nanoseconds(42'100));
-    display.served(at_nanoseconds(served), Word18(0003000));
+    display.end_break(at_nanoseconds(served), Word18(0003000));
     EXPECT_EQ(display.counters().words, writes ? 2U : 3U);
     EXPECT_EQ(display.data_break() != nullptr, writes);
     if (!writes) continue;

@@ -100,7 +100,7 @@ class Replay {
     }
     if (asked_ && due_ <= now) {
       asked_ = false;
-      display_.served(core::at_nanoseconds(due_), word_);
+      display_.end_break(core::at_nanoseconds(due_), word_);
       note_changes(due_);
     }
   }

@@ -107,10 +107,10 @@ struct LastFlashes final : core::StrokeTaker {
 // A parameter word, then the vector with escape, from where the beam is.
 void draw(Display& display, std::int64_t start, std::uint32_t vector) {
   display.load_address_and_start(core::at_nanoseconds(start), core::Word18(0));
-  display.served(core::at_nanoseconds(start), core::Word18(0100117));
+  display.end_break(core::at_nanoseconds(start), core::Word18(0100117));
   display.advance(core::at_nanoseconds(start + 3300));
   ASSERT_NE(display.data_break(), nullptr);
-  display.served(core::at_nanoseconds(start + 3300), core::Word18(vector));
+  display.end_break(core::at_nanoseconds(start + 3300), core::Word18(vector));
   display.advance(core::at_nanoseconds(start + 400'000));
 }
 
@@ -123,7 +123,7 @@ TEST(Display, EveryVectorStartsDarkAndEndsLitAtItsEndPoint) {
   // To the middle of the screen: a Y and an X point word.
   for (const std::uint32_t word : {020000U, 0221000U, 01000U}) {
     if (t == 0) display.load_address_and_start(core::at_nanoseconds(t), core::Word18(0));
-    display.served(core::at_nanoseconds(t), core::Word18(word));
+    display.end_break(core::at_nanoseconds(t), core::Word18(word));
     display.advance(core::at_nanoseconds(t += 40'000));
   }
   const std::uint32_t step = tests::effort(1U, 5U);

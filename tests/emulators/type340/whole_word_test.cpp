@@ -63,7 +63,7 @@ struct Rig {
   void run(core::Instant now) {
     while (const core::DataBreak* request = display.data_break()) {
       if (served_at() > now) break;
-      display.served(served_at(), memory[request->address % memory.size()]);
+      display.end_break(served_at(), memory[request->address % memory.size()]);
     }
   }
 
@@ -198,9 +198,9 @@ TEST(Display, EndlessVectorContinueCostsNothing) {
   Display display({}, strokes);
   display.point_light_pen(LightPen{.right = 1023, .top = 1023});
   display.load_address_and_start(core::Instant{}, core::Word18(0));
-  display.served(core::Instant{}, core::Word18(0120117));
+  display.end_break(core::Instant{}, core::Word18(0120117));
   display.advance(core::at_nanoseconds(3300));
-  display.served(core::at_nanoseconds(3300), core::Word18(0200000));
+  display.end_break(core::at_nanoseconds(3300), core::Word18(0200000));
   // The first pulse comes at 6600.
   RateMultiplier expected;
   for (std::int64_t pulse = 1; pulse <= 40; ++pulse) {

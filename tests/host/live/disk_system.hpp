@@ -16,7 +16,7 @@
 namespace sightline::test {
 
 inline constexpr std::size_t bytes_of_disk = 4'096'000;
-inline constexpr std::size_t words_a_track = 80 * 64;
+inline constexpr std::size_t words_per_track = 80 * 64;
 
 inline std::filesystem::path disk_system_file(const char* name) {
   return std::filesystem::path(SIGHTLINE_TEST_DATA) / "disk_system" / name;
@@ -39,7 +39,7 @@ inline std::string disk_system_image() {
   std::string image(bytes_of_disk, '\0');
   for (const auto& [address, word] : assembled_file(disk_system_file("kernel.s")).image.words) {
     EXPECT_LT(address, 256U);
-    put_disk_word(image, 180 * words_a_track + address, word.value());
+    put_disk_word(image, 180 * words_per_track + address, word.value());
   }
   return image;
 }

@@ -1082,7 +1082,7 @@ TEST(MonitorPdp7, WaitsForAKeyThatNobodyTypesOnlySoLong) {
   auto m = pdp7_session("begin, 700301\n jmp begin\n 700312\n hlt\nbusy, jmp busy\n start begin\n", nullptr, 2);
   const std::string text = (*m)("go");
   EXPECT_NE(text.find("the program has asked for a key for 2 s of its time, and there is none"), std::string::npos) << text;
-  const std::int64_t second = m->machine().ticks_a_second();
+  const std::int64_t second = m->machine().ticks_per_second();
   EXPECT_GE(m->machine().ticks(), 2 * second);
   EXPECT_LT(m->machine().ticks(), 5 * second);
   EXPECT_EQ((*m)("run for 4000ms").find("asked for a key"), std::string::npos);

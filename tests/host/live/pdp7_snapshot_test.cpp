@@ -42,7 +42,7 @@ machines::Pdp7Setup busy_setup(std::uint32_t core_words = 8192) {
     }
   }
   setup.trace = true;
-  setup.screen = machines::Screen::Wishes{true, true};
+  setup.screen = machines::Screen::Outputs{true, true};
   return setup;
 }
 
@@ -58,7 +58,7 @@ TEST_P(JonesSnapshots, ContinueBitForBit) {
     machines::Pdp7Setup setup;
     setup.display = type340::Options{};
     setup.trace = true;
-    setup.screen = machines::Screen::Wishes{true, false};
+    setup.screen = machines::Screen::Outputs{true, false};
     auto machine = machines::make_pdp7(std::move(setup)).value();
     for (std::uint32_t a = 0; a < jones.core.size(); ++a) machine->put(a, jones.core[a].value());
     machine->start(jones.labels.start);

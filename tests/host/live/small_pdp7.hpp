@@ -23,7 +23,7 @@ inline std::unique_ptr<machines::Machine> small_pdp7(bool monitored = false) {
   setup.switch_script = {{core::at_nanoseconds(1'000'000'000), core::Word18(1)}};
   setup.pen_script = {{core::at_nanoseconds(0), type340::LightPen{0, 0, 1023, 1023}},
                       {core::at_nanoseconds(2'000'000'000), std::nullopt}};
-  setup.screen = machines::Screen::Wishes{true, true};
+  setup.screen = machines::Screen::Outputs{true, true};
   auto machine = machines::make_pdp7(std::move(setup)).value();
   std::uint32_t at = 0100;
   const auto put = [&](std::initializer_list<std::uint32_t> words) {

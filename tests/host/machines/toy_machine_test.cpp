@@ -40,7 +40,7 @@ class Toy final : public machines::Machine {
 
   [[nodiscard]] std::uint64_t instructions() const override { return instructions_; }
   [[nodiscard]] std::int64_t ticks() const override { return core::nanoseconds_of(now()); }
-  [[nodiscard]] std::int64_t ticks_a_second() const override { return 1'000'000'000; }
+  [[nodiscard]] std::int64_t ticks_per_second() const override { return 1'000'000'000; }
   [[nodiscard]] core::Instant now() const override {
     return core::at_nanoseconds(static_cast<std::int64_t>(instructions_) * 1000);
   }
@@ -117,7 +117,7 @@ const machines::MachineDescription& toy() {
     toy.radix = 16;
     toy.address_bits = 4;
     toy.word_bits = 8;
-    toy.words_a_line = 4;
+    toy.words_per_line = 4;
     toy.registers = {{"PC", 4, "an address", true}, {"ACC", 8, "a word"}};
     toy.options = {{OptionKind::files, "--load", "FILE", "Programs"},
                    {OptionKind::text, "--start", "ADDRESS", "Where to begin"},

@@ -90,7 +90,7 @@ class Run {
 
   // Reads the places of each plane, and the cell of each piece.
   Status cells() {
-    std::array<bool, 256> stands{};
+    std::array<bool, 256> placed{};
     for (std::size_t plane = 1; plane <= planes_.size(); ++plane) {
       for (std::uint8_t& place : planes_[plane - 1]) {
         const auto byte = reader_.byte();
@@ -98,8 +98,8 @@ class Run {
         place = *byte;
         if (place == 0) continue;
         const std::size_t other = place < 0x80 ? 0 : place - 0x80U;
-        if (stands[place] || (place >= 0x80 && (other <= plane || other > planes_.size()))) return Status::out_of_range;
-        stands[place] = true;
+        if (placed[place] || (place >= 0x80 && (other <= plane || other > planes_.size()))) return Status::out_of_range;
+        placed[place] = true;
       }
     }
     for (std::size_t number = count_; number > 0; --number) {

@@ -16,7 +16,7 @@ constexpr int columns = picture_size;
 // --- Section 3: one rule for all operations
 
 template <class Rule>
-Toggles combined(const Toggles& a, const Toggles& b, Rule rule) {
+Toggles combine(const Toggles& a, const Toggles& b, Rule rule) {
   Toggles result;
   bool inside = false;
   for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
@@ -32,14 +32,14 @@ Toggles combined(const Toggles& a, const Toggles& b, Rule rule) {
   return result;
 }
 
-Toggles less(const Toggles& a, const Toggles& b) {
-  return combined(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
+Toggles subtract(const Toggles& a, const Toggles& b) {
+  return combine(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
 }
-Toggles common(const Toggles& a, const Toggles& b) {
-  return combined(a, b, [](bool in_a, bool in_b) { return in_a && in_b; });
+Toggles intersect(const Toggles& a, const Toggles& b) {
+  return combine(a, b, [](bool in_a, bool in_b) { return in_a && in_b; });
 }
-Toggles either(const Toggles& a, const Toggles& b) {
-  return combined(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
+Toggles unite(const Toggles& a, const Toggles& b) {
+  return combine(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
 }
 
 bool covers(const Toggles& list, int column) {
@@ -206,7 +206,7 @@ Scene read_scene(std::span<const std::uint8_t> stream) {
 
 // --- Sections 5 and 6
 
-enum class Relation : std::uint8_t { none, told, confirmed };
+enum class Relation : std::uint8_t { none, unconfirmed, confirmed };
 
 class Work {
  public:
@@ -252,7 +252,7 @@ class Work {
   void hide(std::size_t near, std::size_t far, std::size_t test) {
     decided(test);
     ++picture_.counts.relations;
-    hides_[near][far] = test == 6 ? Relation::confirmed : Relation::told;
+    hides_[near][far] = test == 6 ? Relation::confirmed : Relation::unconfirmed;
   }
 
   void relate(std::size_t i, std::size_t j) {
@@ -308,7 +308,7 @@ class Work {
     const int end = std::min(a.low + static_cast<int>(a.lines.size()), b.low + static_cast<int>(b.lines.size()));
     for (int line = std::max(a.low, b.low); line < end; ++line) {
       const auto at = [line](const Stripes& s) -> const Toggles& { return s.lines[static_cast<std::size_t>(line - s.low)]; };
-      for_substripes(common(at(a), at(b)), [&](int west, int east) {
+      for_substripes(intersect(at(a), at(b)), [&](int west, int east) {
         if (east - west > widest.width()) widest = {west, east, line};
       });
     }
@@ -366,7 +366,7 @@ class Work {
     do {
       const std::size_t near = occluder_of(f);
       Relation& relation = hides_[near][f];
-      if (relation == Relation::told) {
+      if (relation == Relation::unconfirmed) {
         relation = Relation::confirmed;
         if (widest_common(near, f).width() == 0) {
           relation = Relation::none;
@@ -472,7 +472,7 @@ class Drawing {
       for (std::size_t k = 0; k < seen.lines.size(); ++k) {
         const int there = seen.low + static_cast<int>(k) - other.low;
         if (there < 0 || there >= static_cast<int>(other.lines.size())) continue;
-        seen.lines[k] = less(seen.lines[k], other.lines[static_cast<std::size_t>(there)]);
+        seen.lines[k] = subtract(seen.lines[k], other.lines[static_cast<std::size_t>(there)]);
         if (seen.lines[k].size() > most_face_toggles) throw Stop{Status::full, f};
       }
     }
@@ -482,8 +482,8 @@ class Drawing {
       Toggles& shadow = silhouette_[static_cast<std::size_t>(seen.low) + k];
       most(picture_.counts.face_most, line.size());
       const Toggles face = line;
-      line = less(face, shadow);
-      shadow = either(shadow, face);
+      line = subtract(face, shadow);
+      shadow = unite(shadow, face);
       most(picture_.counts.silhouette_most, shadow.size());
       most(picture_.seen_most, line.size());
       if (shadow.size() > most_silhouette_toggles) throw Stop{Status::full, f};

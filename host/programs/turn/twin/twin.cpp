@@ -169,7 +169,7 @@ std::int32_t Twin::junction(std::uint32_t slot, std::uint32_t code) const {
   return n >= d ? 4095 : static_cast<std::int32_t>((std::int64_t{n} << 12) / d);
 }
 
-Twin::Place Twin::located(std::uint32_t slot, std::int32_t s) const {
+Twin::Place Twin::junction_place(std::uint32_t slot, std::int32_t s) const {
   const Place p = place(word(slot + 1));
   const Place q = place(word(slot + 2));
   const auto part = [s](std::int32_t from, std::int32_t to) {
@@ -273,11 +273,11 @@ void Twin::draw(TwinPicture& picture) {
     if (!range_of(slot, range, picture)) continue;
     picture.junctions_drawn += (range.from_junction ? 1U : 0U) + (range.to_junction ? 1U : 0U);
     if (range.from_junction) {
-      file.begin(located(slot, range.from), picture);
+      file.begin(junction_place(slot, range.from), picture);
     } else {
       go_on(p);
     }
-    file.line(range.to_junction ? located(slot, range.to) : place(q), picture);
+    file.line(range.to_junction ? junction_place(slot, range.to) : place(q), picture);
     last = range.to_junction ? 0 : q;
   }
   picture.display_file = file.finished();

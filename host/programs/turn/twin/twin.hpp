@@ -69,7 +69,7 @@ class Twin {
   [[nodiscard]] std::int32_t form(std::uint32_t address) const;
   [[nodiscard]] Place place(std::uint32_t before) const;
   [[nodiscard]] std::int32_t junction(std::uint32_t slot, std::uint32_t code) const;
-  [[nodiscard]] Place located(std::uint32_t slot, std::int32_t s) const;
+  [[nodiscard]] Place junction_place(std::uint32_t slot, std::int32_t s) const;
   void set_angle();
   void draw(TwinPicture& picture);
   bool range_of(std::uint32_t slot, Range& range, TwinPicture& picture) const;

@@ -71,7 +71,7 @@ Json fly(Rooms& rooms) {
 Json run(Rooms& rooms, const Json& made, std::int64_t until) {
   MachineSession* const session = sightline::live::web::session_of(rooms.workbench, made);
   if (session == nullptr) return Json::object();
-  const std::int64_t slice = session->machine().ticks_a_second() / 20;
+  const std::int64_t slice = session->machine().ticks_per_second() / 20;
   constexpr std::uint64_t no_limit = std::uint64_t{1} << 50U;
   Hash strokes;
   std::int64_t count = 0;
