@@ -353,7 +353,7 @@ class I8080Run final : public Machine {
                       console_left_out_));
     }
     if (list_dropped_ != 0)
-      warnings.push_back(fmt::format("the list device: {} characters went nowhere; --list FILE takes them", list_dropped_));
+      warnings.push_back(fmt::format("the list device: {} characters were discarded; --list FILE keeps them", list_dropped_));
     if (plotter_.left_out() != 0)
       warnings.push_back(fmt::format("the drawing lacks the last {} marks of the pen", plotter_.left_out()));
     return warnings;

@@ -176,7 +176,7 @@ Result<Done> choose_display(const Arguments& arguments, Pdp7Setup& setup) {
       rate = *wanted;
     }
     if (rate == 0 || rate > most)
-      return base::usage_error(fmt::format("--movie-rate: found {}, expected 1 to {} pictures a second", arguments.text("--movie-rate"), most));
+      return base::usage_error(fmt::format("--movie-rate: found {}, expected 1 to {} pictures per second", arguments.text("--movie-rate"), most));
     setup.movie_rate = static_cast<std::uint32_t>(rate);
   }
   setup.picture_wanted = outputs.picture;
@@ -412,7 +412,7 @@ std::vector<Option> pdp7_options() {
        .excludes = "--eae"},
       {list, "--set", "REGISTER=VALUE", "Set PC, AC, L, MQ, SC, SR or ION before the run, in octal"},
       {text, "--switches", "OCTAL|SCRIPT",
-       "The AC switches: an octal word, or a script of who moves them when"},
+       "The AC switches: an octal word, or a script of settings and their times"},
       {flag, "--display", {}, "Attach the Type 340 from the beginning, not only when the program uses it"},
       {.kind = flag, .name = "--no-display", .help = "The PDP-7 without the Type 340, whose instructions do nothing", .excludes = "--display"},
       {list,
@@ -420,7 +420,7 @@ std::vector<Option> pdp7_options() {
        "342|347",
        "Build into the display: 342 draws characters, 347 calls subroutines",
        {"342", "347"}},
-      {text, "--light-pen", "SCRIPT", "A script of where the display's light pen points when"},
+      {text, "--light-pen", "SCRIPT", "A script of positions of the display's light pen and their times"},
       {list, "--timing", "NAME=VALUE", "Set a time or a choice of the machine that no document settles; names below"},
       {text, "--reader", "FILE", "The tape in the paper-tape reader"},
       {text, "--disk", "FILE", "The image in the RB09 disk drive; what the program writes is written back after the run"},
@@ -428,7 +428,7 @@ std::vector<Option> pdp7_options() {
        .name = "--disk-read-only",
        .help = "All write-lock switches of the disk on: the image stays as it is",
        .needs = "--disk"},
-      {text, "--keyboard", "SCRIPT", "A script of what is typed when"},
+      {text, "--keyboard", "SCRIPT", "A script of typed text and its times"},
       {text, "--max-instructions", "N", "Stop after this many instructions"},
       {text, "--max-time", "SECONDS", "Stop after this much emulated time"},
       {flag, "--strict", {}, "Stop at an instruction that nothing in the machine obeys (exit code 3)"},
@@ -438,16 +438,16 @@ std::vector<Option> pdp7_options() {
       {stream, "--vcd", "FILE[:SIGNALS]", "Cycles, breaks, registers and display flags as a value change dump; names below"},
       {stream, "--strokes", "FILE", "Every flash of the display's beam"},
       {output, "--png", "FILE", "The last complete pass through the display file, 1024x1024, crisp"},
-      {text, "--png-window", "SECONDS", "--png and --svg show all strokes of the last so many seconds instead"},
+      {text, "--png-window", "SECONDS", "--png and --svg show all strokes of this last period instead"},
       {output, "--phosphor", "FILE", "A photograph of the P7 screen, the last 0.2 s (PNG)"},
-      {output, "--movie", "FILE", "Such photographs one after the other (APNG), at most 750"},
+      {output, "--movie", "FILE", "A movie of such photographs (APNG), at most 750"},
       {.name = "--movie-rate",
        .argument = "N",
-       .help = "So many of them to a second of emulated time",
+       .help = "Photographs per second of emulated time",
        .shown_initial = "25",
        .needs = "--movie"},
       {output, "--svg", "FILE", "The same pass as lines in millimetres"},
-      {output, "--punch", "FILE", "What was punched, a byte a line of tape"},
+      {output, "--punch", "FILE", "What was punched, one byte per line of tape"},
       {output, "--teletype", "FILE", "What was typed, seven-bit codes"},
       {flag, "--json", {}, "The report as one JSON document"},
   };

@@ -159,8 +159,8 @@ base::Result<std::vector<scene::PolyCamera>> path_through(const scene::PolyScene
   auto way = paths.between();
   if (!way) way = level ? paths.around() : paths.above();
   if (way) return std::move(*way);
-  return base::Error{.found = level ? "no height is between the feet and the tops of all walls, or the way leaves the scene's coordinates"
-                                    : "the way leaves the scene's coordinates",
+  return base::Error{.found = level ? "no height is between the feet and the tops of all walls, or the path leaves the scene's coordinates"
+                                    : "the path leaves the scene's coordinates",
                      .expected = "a scene with room for a flight"};
 }
 

@@ -12,7 +12,7 @@ Program assemble_program() {
   program.status = assembled.at("STATUS");
   program.count = assembled.at("COUNT");
   program.list_end = static_cast<i8080::Address>(assembled.at("LIST") + 0x100U);
-  if (assembled.at("CODEND") > assembled.at("SQL")) base::give_up("the flight program reaches into its tables");
+  if (assembled.at("CODEND") > assembled.at("SQL")) base::give_up("the flight program overlaps its tables");
   return program;
 }
 

@@ -31,7 +31,7 @@ enum class Status : std::uint8_t {
     case Status::host_silent: return "the host has gone silent";
     case Status::no_display: return "there is no priority display";
   }
-  return "a status that is none of the program's";
+  return "unknown status";
 }
 
 // The bits of a coordinate: the byte `precision` of the stream.

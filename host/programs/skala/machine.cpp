@@ -34,7 +34,7 @@ void add(MachinePicture& picture, std::string_view what, std::uint64_t count) {
 void report_faults(const devices::Ef9365Counts& counts, MachinePicture& picture) {
   add(picture, "commands to the busy EF9365", counts.commands_while_busy);
   add(picture, "registers written while the EF9365 was busy", counts.writes_while_busy);
-  add(picture, "things asked of the EF9365 that it cannot do", counts.unanswered);
+  add(picture, "operations that the EF9365 does not support", counts.unanswered);
   add(picture, "dots outside the EF9365's planes", counts.dots_outside);
 }
 

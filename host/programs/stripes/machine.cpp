@@ -104,7 +104,7 @@ void add_faults(const devices::Ef9365Counts& counts, MachinePicture& picture) {
   };
   add("commands to the busy EF9365", counts.commands_while_busy);
   add("registers written while the EF9365 was busy", counts.writes_while_busy);
-  add("things asked of the EF9365 that it cannot do", counts.unanswered);
+  add("operations that the EF9365 does not support", counts.unanswered);
   add("dots outside the EF9365's planes", counts.dots_outside);
 }
 

@@ -7,10 +7,10 @@
 namespace sightline::programs::stripes {
 
 Program assemble_program() {
-  const machines::I8080Program assembled(embedded_sources(), "stripes.asm", "the program of stripes");
+  const machines::I8080Program assembled(embedded_sources(), "stripes.asm", "the stripes program");
   const auto at = [&assembled](std::string_view label) { return assembled.at(label); };
   std::vector<std::uint8_t> memory = assembled.memory();
-  if (memory.size() > program_room) base::give_up("the program of stripes reaches into its data");
+  if (memory.size() > program_room) base::give_up("the stripes program overlaps its data");
   Labels labels{at("START"), at("STATUS"), at("FAULT"), at("CHECK"), at("DRAWIT"), at("ORDER")};
   labels.tests = at("TESTS");
   labels.sides = at("SIDES");

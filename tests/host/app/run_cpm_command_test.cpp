@@ -86,7 +86,7 @@ TEST_F(CpmCommand, TheListDeviceHasAFile) {
   assemble("\tORG 100H\n\tMVI E,'x'\n\tMVI C,5\n\tCALL 5\n\tJMP 0\n");
   EXPECT_EQ(run({"--list", "l.txt"}).exit_code, 0);
   EXPECT_EQ(read("l.txt"), "x");
-  EXPECT_TRUE(has(run({}).err, "the list device: 1 characters went nowhere; --list FILE takes them"));
+  EXPECT_TRUE(has(run({}).err, "the list device: 1 characters were discarded; --list FILE keeps them"));
 }
 
 TEST_F(CpmCommand, BiosKeysComeFromTheConsole) {
