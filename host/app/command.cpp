@@ -1,4 +1,3 @@
-// See command.hpp.
 #include "host/app/command.hpp"
 
 #include <fmt/core.h>
@@ -44,7 +43,7 @@ ExitCode exit_code_of(base::ErrorKind kind) {
   return ExitCode::bad_input;
 }
 
-// A terminal that is gone is no failure of the command: its files are still to be put in their places.
+// A failure to write is ignored: after the terminal is closed, the command must still commit its files.
 void complain(std::string_view text) {
   static_cast<void>(std::fputs(fmt::format("sightline: {}\n", text).c_str(), stderr));
 }

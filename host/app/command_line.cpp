@@ -1,4 +1,3 @@
-// See command_line.hpp.
 #include "host/app/command_line.hpp"
 
 #include <fmt/core.h>
@@ -23,12 +22,12 @@
 
 namespace sightline::app {
 
-// host/app/help, embedded.
+// The embedded files of host/app/help.
 [[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> help_files();
 
 namespace {
 
-// From the whole command to the subcommand the user got to.
+// The chain of commands from the program to the subcommand that was parsed last.
 std::vector<const CLI::App*> way_to_subcommand(const CLI::App& app) {
   std::vector<const CLI::App*> way{&app};
   for (auto below = app.get_subcommands(); !below.empty(); below = below.front()->get_subcommands()) {
@@ -41,7 +40,7 @@ std::vector<const CLI::App*> choices(const CLI::App& command) {
   return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// `name`: the command as it is typed.
+// `name`: the command as a user types it.
 void finish_help(CLI::App& app, const std::string& name) {
   std::string footer = app.get_footer();
   if (!footer.empty()) footer += "\n";
@@ -65,7 +64,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
   return names;
 }
 
-// "-3" and "-1,2,3" are values that the parser took for options.
+// "-3" and "-1,2,3" are values, although the parser takes them for options.
 bool is_option(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9');
 }
@@ -74,7 +73,7 @@ std::string unknown_option(const CLI::App& command, const std::string& argument)
   const std::string written = argument.substr(0, argument.find('='));
   for (const CLI::App* below : choices(command))
     if (below->get_option_no_throw(written) != nullptr)
-      return fmt::format("{}: found before the subcommand, expected behind it, as in `{} {} {}`", written, command.get_name(),
+      return fmt::format("{}: found before the subcommand, expected after it, as in `{} {} {}`", written, command.get_name(),
                          below->get_name(), written);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
@@ -90,8 +89,8 @@ std::string unknown_command(const CLI::App& command, const std::string& argument
   return error.message();
 }
 
-// What is wrong with a command line, if that is an argument which no command takes: it comes before what the library
-// misses, such as an option that the user has misspelt.
+// The complaint about an argument that no command accepts, if there is one. It is reported before the errors of the library,
+// because a misspelt option would otherwise be reported as a missing one.
 std::optional<std::string> explain_unknown(const CLI::App& app) {
   const auto way = way_to_subcommand(app);
   for (const CLI::App* command : way) {
@@ -108,12 +107,12 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   if (const auto unknown = explain_unknown(app)) return *unknown;
   const auto way = way_to_subcommand(app);
   const CLI::App& command = *way.back();
-  // `explain house jones`: the subcommand is found behind the words that should follow it.
+  // `explain house jones`: the subcommand is after the words that should follow it.
   if (way.size() > 2 && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     const CLI::App& parent = *way[way.size() - 2];
     const auto before = parent.remaining();
     if (!before.empty() && !is_option(before.front()))
-      return fmt::format("found \"{}\" before {}, expected it behind, as in `{} {} {}`", before.front(), command.get_name(), parent.get_name(),
+      return fmt::format("found \"{}\" before {}, expected after it, as in `{} {} {}`", before.front(), command.get_name(), parent.get_name(),
                          command.get_name(), before.front());
   }
   // The library only says that a subcommand is required.
@@ -125,16 +124,16 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
-// An empty value would pass for an option not given: "--at $UNSET" must not draw another picture in silence.
+// An empty value would have the effect of an omitted option: `--at "$UNSET"` must not silently draw another picture.
 void refuse_empty_arguments(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (argv[i][0] != '\0') continue;
     throw base::usage_error("found an empty argument after \"" + std::string(argv[i - 1]) +
-                                       "\", expected something in it");
+                                       "\", expected a value");
   }
 }
 
-// `help COMMAND...`: what `COMMAND... --help` prints.
+// `help COMMAND...` prints the same text as `COMMAND... --help`.
 void add_help_command(CLI::App& app) {
   const HelpPage page = help_page("help");
   CLI::App* const help = app.add_subcommand("help", page.summary);
@@ -182,7 +181,7 @@ constexpr bool is_whole<std::optional<Value>> = std::is_integral_v<Value>;
 template <class Value>
 constexpr bool is_whole<std::vector<Value>> = std::is_integral_v<Value>;
 
-// 1e6 for 1000000.
+// Writes a count such as 1e6 as digits, 1000000.
 std::string count_in_digits(std::string text) {
   const auto count = base::count_number(text);
   return count ? std::to_string(*count) : text;
@@ -249,7 +248,7 @@ Option Option::one_of_any_case(const std::vector<std::string>& values) const {
 
 template <class Number>
 Option Option::range(Number low, Number high) const {
-  CLI::Range range(low, high);  // for its description
+  CLI::Range range(low, high);  // gives the option its description
   range.operation([low, high](std::string& text) {
     Number number{};
     if (CLI::detail::lexical_cast(text, number) && number >= low && number <= high) return std::string();
@@ -363,7 +362,7 @@ bool Command::is_given(const std::string& option) const {
 
 int run_command_line(int argc, char** argv, const HelpPage& help,
                      const std::function<void(const Command&)>& add_commands, std::string_view greeting) {
-  // A file that grows beyond what the shell allows is an error of writing like others, not the end.
+  // A file that exceeds the shell's limit of size is reported as a write error; the signal would end the process.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   ExitCode exit_code = ExitCode::ok;
   try {

@@ -29,7 +29,7 @@ constexpr bool addresses_can_be_limited = true;
 constexpr bool addresses_can_be_limited = true;
 #endif
 
-// The answer begins with one of these; an error's fields are separated by zeros.
+// The first byte that the child sends; the fields of an error are separated by zero bytes.
 constexpr char value_mark = 'V';
 constexpr char error_mark = 'E';
 
@@ -83,7 +83,7 @@ std::string answer_of(const std::function<Result<std::string>()>& work, const Ap
     ::dup2(nowhere, STDERR_FILENO);
   }
   send(pipe, answer_of(work, limits));
-  ::_exit(0);  // nothing that was buffered before is written twice
+  ::_exit(0);  // without flushing stdio: the parent writes what was buffered before the fork
 }
 
 Error error_in(std::string_view fields) {

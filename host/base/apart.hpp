@@ -1,5 +1,4 @@
-// Work that may crash, run without an end or need any amount of memory, such as a library that reads damaged files: done
-// in a process of its own, which can be lost.
+// Runs work that may crash, never end or exhaust memory, such as a library that reads damaged files, in a child process.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +10,13 @@
 namespace sightline::base {
 
 struct ApartLimits {
-  unsigned seconds = 60;                     // of processor time
-  std::size_t memory = std::size_t{4} << 30;  // bytes of addresses; not limited under AddressSanitizer, which maps terabytes
+  unsigned seconds = 60;                     // processor time
+  std::size_t memory = std::size_t{4} << 30;  // bytes of address space; not limited under AddressSanitizer, which maps terabytes
 };
 
-// What `work` returns, done in a copy of this process; what it changes or prints is lost. It may throw.
-// Errors have neither file nor place: what the work threw, that it crashed or met a limit, or that there can
-// be no process. This process has one thread (precondition).
+// Runs `work` in a forked copy of this process and returns its result; what it changes or prints is lost. It may throw.
+// Errors have neither file nor place: the work threw, crashed or exceeded a limit, or no process could be started.
+// The calling process has one thread (precondition).
 [[nodiscard]] Result<std::string> run_apart(const std::function<Result<std::string>()>& work, const ApartLimits& limits = {});
 
 }  // namespace sightline::base

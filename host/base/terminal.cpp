@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::array end_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-// What signal handlers need; tcsetattr, signal and raise may be called in one.
+// The state that signal handlers use. They may call tcsetattr, signal and raise.
 volatile std::sig_atomic_t signal_received = 0;
 volatile std::sig_atomic_t terminal_is_raw = 0;
-timespec received_at;  // written before signal_received is
+timespec received_at;  // written before signal_received
 termios terminal_before;
 termios terminal_raw;
 
@@ -49,7 +49,7 @@ extern "C" void remember_signal(int number) {
   const std::int64_t since = std::int64_t{now.tv_sec - received_at.tv_sec} * 1'000'000'000 + (now.tv_nsec - received_at.tv_nsec);
   if (since >= same_press) {
     constexpr std::string_view last_words = "\nsightline: ended by a second signal; files that were not complete are as they were before\n";
-    // A terminal that takes no more must not hold it up.
+    // A terminal that accepts no output must not block the process.
     const int flags = fcntl(STDERR_FILENO, F_GETFL);
     static_cast<void>(fcntl(STDERR_FILENO, F_SETFL, flags | O_NONBLOCK));
     if (write(STDERR_FILENO, last_words.data(), last_words.size()) < 0) signal_received = number;
@@ -76,7 +76,7 @@ void handle(int number, void (*handler)(int)) {
   static_cast<void>(sigaction(number, &action, nullptr));
 }
 
-// Programs that crash: the terminal is put in order first.
+// Before a crash ends the process, the terminal's settings are restored.
 constexpr std::array crash_signals{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
 
 }  // namespace

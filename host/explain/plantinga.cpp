@@ -30,20 +30,20 @@ using pl::EventKind;
 
 constexpr std::size_t circle = 1;
 constexpr std::size_t most_lesson_edges = 300;
-constexpr std::size_t most_hidden_shown = 4;        // edges of the initial picture with a step of their own: hidden altogether,
-constexpr std::size_t most_parts_shown = 8;         // and in part
+constexpr std::size_t most_hidden_shown = 4;        // edges of the initial picture with a step each: wholly hidden,
+constexpr std::size_t most_parts_shown = 8;         // and partly hidden
 constexpr std::size_t most_edges_in_detail = 4;     // edges studied direction by direction
-constexpr std::size_t most_directions_shown = 10;   // of such an edge,
-constexpr std::size_t most_equal_shown = 4;         // and of them those where nothing changes
-constexpr std::size_t most_summaries = 16;          // of all other edges
-constexpr std::size_t most_events_with_views = 80;  // a step for each event and one for the view after it
+constexpr std::size_t most_directions_shown = 10;   // directions per such edge,
+constexpr std::size_t most_equal_shown = 4;         // of which nothing changes at so many
+constexpr std::size_t most_summaries = 16;          // summaries of all other edges
+constexpr std::size_t most_events_with_views = 80;  // events with one step for the event and one for the view after it
 constexpr std::size_t most_events_shown = 200;
 
 std::string counted(std::uint64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-// The three kinds that the circle distinguishes.
+// The three groups of events that the circle distinguishes.
 enum class Group : std::uint8_t { edge_on, vertex_and_edge, three_edges };
 Group group_of(EventKind kind) {
   switch (kind) {
@@ -68,7 +68,7 @@ Look look_of(Group group) {
   return Look::plain;
 }
 
-// The things that a caption names: "vertex 3", "edge 4-5" with its vertices, "face 7", "faces 7, 8".
+// The vertices and faces that a caption names: "vertex 3", "edge 4-5" (two vertices), "face 7", "faces 7, 8".
 struct Named {
   std::set<std::uint32_t> vertices;
   std::set<std::uint32_t> faces;  // from 0
@@ -88,7 +88,7 @@ Named named_in(std::string_view caption) {
     return true;
   };
   while (at < caption.size()) {
-    if (passes("dge ")) {  // an edge that begins a sentence, too
+    if (passes("dge ")) {  // matches "Edge" at the beginning of a sentence, too
       const auto from = number();
       if (!from || !passes("-")) continue;
       named.vertices.insert(*from);
@@ -126,7 +126,7 @@ class PlantingaTeller final : public pl::Trace {
     steps_.count("events passed", passed_);
   }
 
-  // The initial picture.
+  // The initial picture: hidden-line removal from scratch.
 
   void scratch_begins(pl::EdgeIndex, std::span<const pl::Occluder> occluders) override {
     occluder_count_ = occluders.size();
@@ -214,7 +214,7 @@ class PlantingaTeller final : public pl::Trace {
     if (summary_.size() == summary_size_) end_summary();
   }
 
-  // A step about the edges that had none.
+  // Adds one step for the edges that had none.
   void end_summary() {
     if (summary_.empty()) return;
     std::vector<Mark> edges;
@@ -242,7 +242,7 @@ class PlantingaTeller final : public pl::Trace {
     summary_directions_ = summary_changes_ = 0;
   }
 
-  // The on-line phase: once round, from where the graph stands.
+  // The on-line phase: a full turn from the graph's current direction.
   void turn(const pl::EventList& list, pl::EdgeStructureGraph& graph) {
     events_ = list.events.size();
     count();
@@ -303,7 +303,7 @@ class PlantingaTeller final : public pl::Trace {
   }
 
  private:
-  // A step whose image is seen from a direction, with the numbers of all that its caption names.
+  // Adds a step whose image is seen from `angle`, with the numbers of the vertices and faces that the caption names.
   void tell(double angle, std::string caption, std::string section, std::vector<Layer> changes) {
     const Named named = named_in(caption);
     Layer in_image{image, "numbers", {}};
@@ -321,7 +321,8 @@ class PlantingaTeller final : public pl::Trace {
     pl::EdgeStructure after;
   };
 
-  // The first edges whose structure changes for a reason not told yet, or stays the same at some directions.
+  // Whether an edge is shown in detail: one of the first whose structure changes for a reason not yet explained, or stays the same
+  // at some directions.
   [[nodiscard]] bool worth_detail(pl::EdgeIndex edge, const pl::EdgeHistory& history) const {
     if (detailed_ == most_edges_in_detail || history.changes.empty() || history.changes.size() == comparisons_.size())
       return false;
@@ -491,7 +492,7 @@ class PlantingaTeller final : public pl::Trace {
          {circle, "sight", stage_.radius(angle)}});
   }
 
-  // What the trace told of the edge at a direction; the faces first.
+  // The potential events of an edge at a direction, faces first.
   [[nodiscard]] std::vector<pl::PotentialEvent> causes_at(pl::EdgeIndex edge, const pl::Direction& direction) const {
     std::vector<pl::PotentialEvent> found;
     for (const pl::PotentialEvent& event : causes_[edge])
@@ -504,7 +505,7 @@ class PlantingaTeller final : public pl::Trace {
     const auto found = causes_at(edge, direction);
     return found.empty() ? pl::PotentialEvent{EventKind::own_plane, edge, edge, 0, direction} : found.front();
   }
-  // One for each edge that changes, those that say the same once.
+  // One cause for each edge that changes, without duplicates.
   [[nodiscard]] std::vector<pl::PotentialEvent> causes_of(const pl::EventList& list, const pl::Event& event) const {
     std::vector<pl::PotentialEvent> causes;
     std::set<std::string> said;
@@ -545,7 +546,7 @@ class PlantingaTeller final : public pl::Trace {
     return {};
   }
 
-  // Of the groups that have an event.
+  // The legend of the groups that have events.
   static std::vector<Mark> legend(const std::array<std::size_t, 3>& events) {
     constexpr std::array<std::string_view, 3> words{"plane edge-on", "EV: vertex, edge", "EEE: three edges"};
     std::vector<Mark> marks;
@@ -567,7 +568,7 @@ class PlantingaTeller final : public pl::Trace {
     }
     return fmt::format("face {}", end.index() + 1);
   }
-  // "from vertex 3 to edge 4-5": what the pieces end in.
+  // The ends of the pieces: "from vertex 3 to edge 4-5".
   [[nodiscard]] std::string structure_in_words(const pl::EdgeStructure& structure) const {
     if (structure.empty()) return "nothing is visible";
     if (structure.size() > 2) return counted(structure.size(), "piece");
@@ -595,7 +596,7 @@ class PlantingaTeller final : public pl::Trace {
     return fmt::format("{} of it {} left{}.", counted(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
   }
 
-  // Of the graph; counts its pieces.
+  // The view of the graph; counts its pieces.
   [[nodiscard]] std::vector<Mark> view_of(const pl::EdgeStructureGraph& graph, double angle) {
     pieces_ = graph.piece_count();
     count();
@@ -605,21 +606,21 @@ class PlantingaTeller final : public pl::Trace {
   const pl::RotationModel& model_;
   TurnStage& stage_;
   Steps& steps_;
-  const double angle_;  // of the camera
+  const double angle_;  // of the camera's direction
   std::vector<std::vector<pl::PotentialEvent>> causes_;
 
-  // Of the initial picture.
+  // For the initial picture.
   std::size_t occluder_count_ = 0;
   std::set<pl::FaceIndex> covering_;
   std::vector<Mark> initial_;
   std::size_t turned_away_ = 0;
   std::size_t hidden_shown_ = 0;
   std::size_t parts_shown_ = 0;
-  // Of the edge being studied.
+  // For the edge being studied.
   std::vector<pl::Occluder> occluders_;
   std::vector<Comparison> comparisons_;
   std::size_t dropped_here_ = 0;
-  // Of all.
+  // For all edges.
   std::vector<Mark> found_;
   std::set<EventKind> kinds_told_;
   std::size_t detailed_ = 0;

@@ -16,10 +16,10 @@ namespace {
 using algorithms::skala::Piece;
 using algorithms::skala::Vertex;
 
-constexpr int columns = 256;  // of the masks, as in the paper
+constexpr int columns = 256;  // of a mask, as in the paper
 constexpr float nothing = 1e29F;
 constexpr double extent = 255;
-// A step for each line of a slice is only for the first of them: the others are a step each.
+// The first slices have a step for each line; each further slice is one step.
 constexpr std::size_t rows_in_full = 2;
 
 Point place(Vertex vertex) { return {(static_cast<double>(vertex.x) + 0.5) * extent / columns, static_cast<double>(vertex.y)}; }

@@ -1,4 +1,3 @@
-// See turn_stage.hpp.
 #include "host/explain/turn_stage.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace {
 
 using pl::EventKind;
 
-constexpr double plan_radius = 0.8;  // of the scene on the circle's sheet
+constexpr double plan_radius = 0.8;  // of the scene's plan; the circle of directions has radius 1
 
 Space space_of(const pl::Vector3& p) { return geometry::real_vector(p); }
 
@@ -144,7 +143,7 @@ void TurnStage::add_cause(std::vector<Mark>& image_marks, std::vector<Mark>& pla
   add_line_of_sight(plan_marks, through, angle);
 }
 
-// Across the circle through a point of the plan.
+// A line across the circle through a point of the plan.
 void TurnStage::add_line_of_sight(std::vector<Mark>& marks, const Space& through, double angle) const {
   const Point p = in_plan(through);
   const Point v = on_circle(angle);
@@ -193,7 +192,7 @@ void TurnStage::add_face(std::vector<Mark>& marks, Look look, pl::FaceIndex face
   marks.push_back(area(look, std::move(outline)));
 }
 
-// At an event edges may be parallel in the image and their junction anywhere.
+// At an event the edges may be parallel in the image; the parameter may then be any number or none.
 double TurnStage::parameter(pl::EdgeIndex edge, pl::End end) const {
   const double s = maker_.parameter_of(edge, end);
   return s > 0 ? std::min(s, 1.0) : 0;

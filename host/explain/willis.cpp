@@ -20,10 +20,10 @@ namespace {
 namespace wl = algorithms::willis;
 
 constexpr std::size_t ground = 1;
-// Clusters beyond these in one round are summed up, and so are surfaces in flight.
+// Further clusters in a round, and further surfaces in flight, are summarised in one step.
 constexpr std::size_t most_shown = 25;
 constexpr std::size_t most_painted = 120;
-// A lesson is for scenes that can be followed.
+// Larger scenes are rejected, because nobody could follow the lesson.
 constexpr std::size_t most_pieces = 3000;
 
 Space place_of(const wl::Point& p) {
@@ -40,7 +40,7 @@ double distance(const Space& a, const Space& b) { return std::hypot(a[0] - b[0],
 
 class WillisTeller final : public wl::Trace {
  public:
-  // `unit`: of the scene's coordinates, in that of its file.
+  // `unit`: one unit of the scene's coordinates, in units of its file.
   WillisTeller(const ImageStage& stage, const PlanStage& plan, double unit, Steps& steps) : stage_(stage), plan_(plan), unit_(unit), steps_(steps) { count(); }
 
   void surfaces(std::span<const wl::Surface> pieces, const wl::OrderCells& cells) override {
@@ -122,7 +122,7 @@ class WillisTeller final : public wl::Trace {
     const std::size_t at_once = std::max<std::size_t>(1, (order.size() + most_painted - 1) / most_painted);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const wl::Surface& surface = model.pieces[order[i]];
-      // What is painted over is gone from the picture; the outline of the surface is drawn upon it.
+      // The area hides what was painted before; its outline is drawn on it.
       stage_.add_area(painted, Look::seen, corners_of(surface));
       ++shown_;
       if ((i + 1) % at_once != 0 && i + 1 != order.size()) continue;
@@ -151,7 +151,7 @@ class WillisTeller final : public wl::Trace {
     std::vector<Mark> image;
     std::vector<Mark> ground;
   };
-  // As the captions name it.
+  // Labels a surface as the captions name it.
   void add_number(Numbers& numbers, Look look, const wl::Surface& surface, std::uint32_t number, std::string_view more = {}) const {
     const std::string words = fmt::format("surface {}{}", number + 1, more);
     stage_.add_label(numbers.image, look, corners_of(surface), words);

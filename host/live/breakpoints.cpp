@@ -1,4 +1,3 @@
-// See breakpoints.hpp.
 #include "host/live/breakpoints.hpp"
 
 #include <algorithm>
@@ -60,7 +59,7 @@ bool Breakpoints::counts(Breakpoint& breakpoint, const Condition& holds) {
 
 namespace {
 
-// Of events that are no conditions.
+// Whether an event matches a breakpoint of any kind except conditions.
 bool is_met(const Breakpoint& breakpoint, const Probe::Event& event) {
   const auto [kind, access] = [&event]() -> std::pair<Breakpoint::Kind, std::uint8_t> {
     switch (event.kind) {

@@ -1,4 +1,3 @@
-// See snapshot.hpp.
 #include "host/live/snapshot.hpp"
 
 #include <fmt/core.h>
@@ -83,7 +82,7 @@ class Parser {
     const auto taken = take(width, what);
     return taken.empty() ? 0 : number_at(taken, 0, width);
   }
-  // Each takes two bytes at least.
+  // Each item takes at least two bytes.
   std::uint32_t count(std::string_view what) {
     const std::uint32_t count = number(what);
     const std::size_t most = (bytes_.size() - at_) / 2;
@@ -118,7 +117,7 @@ std::vector<std::string> without(const std::vector<std::string>& a, const std::v
   return left;
 }
 
-// Nothing for equal configurations.
+// nullopt for equal configurations.
 std::optional<base::Error> difference(const std::vector<std::string>& saved,
                                       const std::vector<std::string>& here) {
   const std::vector<std::string> missing = without(saved, here);

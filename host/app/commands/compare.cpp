@@ -1,4 +1,4 @@
-// `sightline compare`: the old programs and the native methods compared with oracles, on one view.
+// `sightline compare`: compares the programs on emulated machines and the native methods with oracles.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -46,18 +46,18 @@ struct CompareArguments {
   CameraArguments camera;
   std::optional<int> scale;
   bool no_eae = false;
-  SkalaSource function;  // without a name: names are among the scenes
+  SkalaSource function;  // without a name: functions by name are in `scenes`
   algorithms::skala::View function_view;
-  std::string picture;  // as --picture names it
+  std::string picture;  // the value of --picture
   SkalaSlices slices;
   std::optional<int> levels;
   std::optional<int> fraction;
   std::vector<std::string> methods;
-  std::uint64_t views = 0;  // 0: the one that the camera options say
-  std::optional<std::uint64_t> only_view;  // of the random views
+  std::uint64_t views = 0;  // 0: one view, that of the camera options
+  std::optional<std::uint64_t> only_view;  // number of a random view
   RandomViewOptions random;
   bool no_host_times = false;
-  bool all = false;  // pictures, those without a difference too
+  bool all = false;  // write all pictures, also those without a difference
   std::string plot;  // empty: none
   std::string directory = "out";
   bool json = false;
@@ -76,7 +76,7 @@ void refuse(bool given, const char* option, const std::string& name, std::string
     throw base::usage_error(fmt::format("{}: found with {}, expected {}", option, name, expected));
 }
 
-// Of functions, which have no camera, and scenes of cells, which have only an eye.
+// Rejects camera options: all of them for functions, all but the eye for scenes of cells.
 void refuse_camera(const CameraArguments& camera, bool eye, const std::string& name, std::string_view expected) {
   const bool point = camera.view.find(',') != std::string::npos;
   refuse(eye && !camera.eye.empty(), "--eye", name, expected);
@@ -88,10 +88,10 @@ void refuse_camera(const CameraArguments& camera, bool eye, const std::string& n
   refuse(camera.steps, "--steps", name, expected);
 }
 
-// Names for the overlays of one call: d1/part.off and d2/part.off do not overwrite each other's.
+// Makes unique names for the overlays of one call, so that those of d1/part.off and d2/part.off are different files.
 class OverlayNames {
  public:
-  // `name`, with a number behind it if an earlier scene has it.
+  // `name`, with a number appended if an earlier scene has this name.
   std::string unused(const std::string& name) {
     std::string free = name;
     for (int n = 2; !used_.insert(free).second; ++n) free = fmt::format("{}-{}", name, n);
@@ -102,15 +102,15 @@ class OverlayNames {
   std::set<std::string> used_;
 };
 
-// Everything of one scene or function.
+// All results for one scene or function.
 struct ComparedScene {
   bool agrees = true;
-  std::string nothing;  // why no method asked for applies; empty: some does
+  std::string nothing;  // why none of the requested methods applies; empty: one does
   std::string heading;
   std::string notes;
   Json json;
   std::vector<std::string> overlays;
-  std::vector<compare::PlotPoint> plotted;  // if there is to be a plot
+  std::vector<compare::PlotPoint> plotted;  // only if a plot is requested
 };
 
 compare::CompareOptions options_of(const CompareArguments& arguments) {
@@ -127,10 +127,10 @@ bool chosen(const CompareArguments& arguments, const std::string& method) {
   return arguments.methods.empty() || std::find(arguments.methods.begin(), arguments.methods.end(), method) != arguments.methods.end();
 }
 
-// Why methods drew nothing: the first reason of each, and in how many views.
+// The methods that were omitted: the first reason of each, and the number of views.
 class LeftOut {
  public:
-  // The methods asked for that draw nothing of this kind at all.
+  // Begins with the requested methods that do not draw this kind of scene at all.
   LeftOut(const CompareArguments& arguments, compare::SceneKind kind) {
     for (const std::string& method : arguments.methods)
       if (const auto reason = compare::why_never(method, kind)) reasons_.push_back({method, *reason, 0});
@@ -148,7 +148,7 @@ class LeftOut {
   [[nodiscard]] std::string first() const {
     return reasons_.empty() ? std::string() : fmt::format("{} does not apply: {}", reasons_.front().method, reasons_.front().reason);
   }
-  // Of `all` views.
+  // The lines of the output; `all`: the number of views.
   [[nodiscard]] std::string text(std::uint64_t all) const {
     std::string lines;
     for (const Reason& r : reasons_)
@@ -166,12 +166,12 @@ class LeftOut {
   struct Reason {
     std::string method;
     std::string reason;
-    std::uint64_t views = 0;  // 0: all, whatever they are
+    std::uint64_t views = 0;  // 0: all views
   };
   std::vector<Reason> reasons_;
 };
 
-// A scene or function that none of the methods asked for draws.
+// The result for a scene or function that none of the requested methods draws.
 ComparedScene nothing_compared(const std::string& name, const LeftOut& left_out, Json json) {
   ComparedScene compared;
   compared.nothing = left_out.first();
@@ -181,7 +181,7 @@ ComparedScene nothing_compared(const std::string& name, const LeftOut& left_out,
   return compared;
 }
 
-// `many` views, numbered from 0: of each what `view` makes of it goes into the table.
+// Calls `view` for the views 0 to `many` - 1.
 template <class View>
 void compare_views(std::uint64_t many, const compare::CompareProgress& progress, View&& view) {
   for (std::uint64_t number = 0; number < many; ++number)
@@ -192,7 +192,7 @@ std::string views_heading(const std::string& name, const CompareArguments& argum
   return fmt::format("{}, {} random views of seed {}: the median, and the greatest in brackets\n", name, arguments.views, arguments.random.seed);
 }
 
-// Texts that are inputs of hard cases, but neither scenes nor grids.
+// Rejects files that are inputs of hard cases, but neither scenes nor grids.
 void refuse_commands(const std::string& name) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(name, unknown)) return;
@@ -211,7 +211,7 @@ std::vector<compare::MethodView> chosen_rows(const CompareArguments& arguments, 
   return views;
 }
 
-// `source` is by name, from a file or an expression.
+// `source`: a function by name, a grid file or an expression.
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source, OverlayNames& overlays,
                                const compare::CompareProgress& progress, compare::Answer& answer) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
@@ -259,7 +259,7 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
   return compared;
 }
 
-// Of the functions among the scenes: only what is sampled has a size to choose.
+// The source of a function named among the scenes. Only sampled functions have --points and --slices.
 SkalaSource source_of(const CompareArguments& arguments, const std::string& name) {
   SkalaSource source;
   source.name_or_file = name;
@@ -277,7 +277,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   scene::LoadedScene source = load_scene(name, mesh);
   const compare::Directions directions = directions_of(arguments.random, source);
   const std::optional<scene::CellScene> cells = source.cells;
-  if (directions != compare::Directions::usual) source.cells.reset();  // its polyhedra are compared
+  if (directions != compare::Directions::usual) source.cells.reset();  // its polyhedra are compared instead
   if (source.cells) {
     refuse_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
   } else {
@@ -335,7 +335,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   return compared;
 }
 
-// One scene or function; the last is --function's if there is no name left.
+// Compares the n-th scene or function; the expression of --function comes after all names.
 ComparedScene compare_next(const CompareArguments& arguments, const std::vector<std::string>& names, std::size_t n,
                            OverlayNames& overlays, const compare::CompareProgress& progress, compare::Answer& answer) {
   if (n == names.size()) return compare_function(arguments, arguments.function, overlays, progress, answer);
@@ -354,7 +354,7 @@ void check_methods(const std::vector<std::string>& methods) {
   }
 }
 
-// Empty if no plot is asked for.
+// The output of --plot; empty if not requested.
 std::optional<Output> plot_output(const CompareArguments& arguments) {
   if (arguments.plot.empty()) return std::nullopt;
   if (arguments.plot == "-") throw base::usage_error("--plot: found -, expected a file: the table goes to standard output");
@@ -386,8 +386,8 @@ ExitCode run_compare(CompareArguments arguments) {
   bool compared_any = false;
   std::size_t pictures = 0;
   bool first_table = true;
-  std::string text;     // of scenes without a table, until there is one: if there is none at all, that is an error
-  std::string nothing;  // why the first of these has none
+  std::string text;     // messages about scenes without a table; an error if no scene has one
+  std::string nothing;  // why the first of these scenes has none
   const std::size_t count = names.size() + (expression ? 1 : 0);
   OverlayNames overlays;
   for (std::size_t n = 0; n < count; ++n) {
@@ -466,14 +466,14 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
       .default_value("all that apply")
       .separated_by(',')
       .value("NAME,...");
-  command.option("--views", arguments.views, "So many random views instead of one: median and greatest")
+  command.option("--views", arguments.views, "Compare this many random views instead of one: median and greatest values")
       .range(std::uint64_t{1}, std::uint64_t{100'000})
       .value("N");
-  command.option("--only-view", arguments.only_view, "One of the random views by its number, from 0, as sweeps number them").check(why_no_whole_number).value("K");
+  command.option("--only-view", arguments.only_view, "One of the random views, by its number in a sweep, from 0").check(why_no_whole_number).value("K");
   add_random_view_options(command, arguments.random);
-  command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
+  command.flag("--no-host-times", arguments.no_host_times, "Omit times of this computer: the same bytes in every run");
   command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");
-  command.flag("--all", arguments.all, "Write the pictures in which nothing differs, too");
+  command.flag("--all", arguments.all, "Also write the pictures without a difference");
   command.option("-o,--output", arguments.directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--json", arguments.json, "One JSON document instead of the tables");
 }

@@ -30,7 +30,7 @@ using machines::OptionKind;
   throw base::usage_error("launch: " + complaint);
 }
 
-// A text or a number, as it would stand on the command line.
+// A text or a number, as a word of the command line.
 std::string word_of(const Json& value, std::string_view name) {
   if (const std::string* const text = value.text()) return *text;
   if (value.is_number()) return value.dump();
@@ -94,7 +94,7 @@ base::Result<live::Launched> launch(const Json& request) {
   }
 }
 
-// A signal that ends the process ends the session, as does a client that has gone: what was written on disks is put back.
+// A signal, or a client that closes its connection, ends the session in order: changed disks are written back.
 ExitCode serve() {
   const base::EndSignals signals;
   live::DapHost host;

@@ -1,4 +1,3 @@
-// See demo_answer.hpp.
 #include "host/app/commands/demo_answer.hpp"
 
 #include <fmt/core.h>
@@ -52,7 +51,7 @@ void compare_polyhedra(const compare::CompareOptions& options, DemoAnswer& answe
     answer.scenes.push_back(done(compare::compare_poly_scene(scene, camera_of(camera, scene, name), options), name));
     answer.scenes.back().scene = name;
     if (name == boxes) continue;
-    // The other methods are in the plot with the scene of cells.
+    // The plot shows the other methods on the scene of cells.
     std::vector<compare::PlotPoint> points = compare::variants_of(scene, options, answer.scenes.back());
     std::erase_if(points, [](const compare::PlotPoint& point) {
       return !point.series.starts_with("plantinga") && point.series != "turn-pdp7";
@@ -93,7 +92,7 @@ DemoAnswer answer_for_demo(bool host_times) {
   std::uint64_t number = 0;
   const auto add = [&](const std::string& name, std::vector<compare::MethodView> views) {
     by_scene.add(name, 0, views);
-    for (compare::MethodView& view : views) view.read = view.of_all = std::nullopt;  // counts of different scenes
+    for (compare::MethodView& view : views) view.read = view.of_all = std::nullopt;  // counts of different scenes cannot be combined
     by_method.add("all", number++, views);
   };
   for (const compare::SceneComparison& scene : answer.scenes)

@@ -41,7 +41,7 @@ flight::Precision precision_of(const std::string& bits) {
   return bits == "12" ? flight::Precision::bits_12 : flight::Precision::bits_16;
 }
 
-// What the display showed, the bottom row first; 256 by 256, every second point of every second line.
+// The picture on the display, the bottom row first; 256 by 256, every second point of every second line.
 picture::PixelGrid faces_shown(std::span<const std::uint32_t> shown) {
   picture::PixelGrid faces(display::columns / 2, display::lines / 2);
   for (int row = 0; row < faces.height; ++row)
@@ -51,7 +51,7 @@ picture::PixelGrid faces_shown(std::span<const std::uint32_t> shown) {
   return faces;
 }
 
-// The whole of one picture.
+// The same picture with all its points.
 picture::PixelGrid whole_shown(std::span<const std::uint32_t> shown) {
   picture::PixelGrid faces(display::columns, display::lines);
   for (int row = 0; row < faces.height; ++row)
@@ -60,7 +60,7 @@ picture::PixelGrid whole_shown(std::span<const std::uint32_t> shown) {
   return faces;
 }
 
-// Each picture for as long as the display showed it: until the next.
+// The time during which the display showed a picture, until the next one.
 picture::FrameTime time_shown(const std::vector<flight::Frame>& frames, std::size_t number) {
   const core::Duration shown = number + 1 < frames.size() ? frames[number + 1].shown - frames[number].shown : display::frame;
   return {static_cast<std::uint16_t>(std::min<std::int64_t>(shown.count() / 1'000'000, 65'535)), 1000};
@@ -143,7 +143,7 @@ Json flight_document(const FlightArguments& arguments, const flight::Plan& plann
               {"files", made.files}};
 }
 
-// `unit`: of the scene's coordinates, in that of its file.
+// `unit`: one unit of the scene's coordinates, in units of its file.
 std::string flight_text(const FlightArguments& arguments, const flight::Plan& planned, const Made& made, double unit) {
   const flight::Packed& packed = made.run.packed;
   const flight::Summary& sum = made.run.summary;
@@ -186,10 +186,10 @@ void add_flight_command(const Command& program) {
   const Command command = program.add_command("flight", help_page("flight"));
   const auto arguments = std::make_shared<FlightArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
-  command.option("--bits", arguments->bits, "Of a coordinate on the machine").one_of({"8", "12", "16"}).default_value();
+  command.option("--bits", arguments->bits, "Bits of a coordinate on the machine").one_of({"8", "12", "16"}).default_value();
   command.flag("--plan", arguments->plan,
                "Measure in plan, along the scene's vertical, as the paper does: walls only, seen from between their feet and tops");
-  command.option("--pieces", arguments->pieces, "Fly past this many of the pieces, those nearest to the start")
+  command.option("--pieces", arguments->pieces, "Use only this many pieces, those nearest to the start")
       .default_value("all")
       .range(1, static_cast<int>(flight::most_pieces));
   command.option("--frames", arguments->frames, "Frames of the flight").default_value().range(2, 2000);

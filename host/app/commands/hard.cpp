@@ -1,4 +1,4 @@
-// `sightline hard`: the inputs that break programs of this kind, by every method that they name.
+// `sightline hard`: runs the inputs that break programs of this kind, by every method that they name.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct Chosen {
 
 std::string stem_of(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
-// "J5", and the file of one of its inputs: "J5-strip" or "J5-strip.json".
+// Whether `name` is the case's number, "J5", or a file of its inputs, "J5-strip" or "J5-strip.json".
 bool is_called(const HardCase& hard, const std::string& name) {
   return hard.id == name || (!hard.input.empty() && (hard.input == name || stem_of(hard.input) == name));
 }
@@ -90,7 +90,7 @@ Chosen choose(const compare::Manifest& manifest, const std::vector<std::string>&
 
 // --- pictures and inputs
 
-// Names of files, each once: the input's, with the case's in front of it where it does not begin with that.
+// Makes unique file names: the name of the input, which begins with the case's number.
 class FileNames {
  public:
   std::string unused(const HardCase& hard) {
@@ -106,7 +106,7 @@ class FileNames {
   std::set<std::string> used_;
 };
 
-// The input and the picture; returns the paths.
+// Writes the input and the picture; returns the paths.
 std::vector<std::string> write_files(const std::string& directory, const HardCase& hard, const CaseOutcome& outcome,
                                      FileNames& names) {
   const auto path_of = [&](const std::string& name) { return (std::filesystem::path(directory) / name).string(); };
@@ -127,7 +127,7 @@ std::vector<std::string> write_files(const std::string& directory, const HardCas
 
 // --- texts
 
-// As the help explains it: the two builds of a program by what they run on, any other method by its name.
+// The name of a method in the output: "emulated" or "in C++" for the two builds of a program, else its own name.
 std::string shown_method(std::string_view method) {
   for (const auto& [name, shown] : {std::pair{"guest", "emulated"}, std::pair{"twin", "in C++"}})
     if (method.substr(0, method.find(',')) == name) return shown + std::string(method.substr(std::string_view(name).size()));

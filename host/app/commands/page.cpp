@@ -1,4 +1,4 @@
-// `sightline page`: the page of live machines as a file.
+// `sightline page`: writes the page of live machines.
 #include <fmt/core.h>
 #include <zlib.h>
 

@@ -1,4 +1,3 @@
-// See program_sources.hpp.
 #include "host/app/commands/program_sources.hpp"
 
 #include <fmt/core.h>
@@ -56,7 +55,7 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
   const auto form = std::find_if(machine.formats.begin(), machine.formats.end(), [&machine](const auto& format) {
     return format.name == machine.assembler.format;
   });
-  // Sources side by side are one program, as those of a command line of `sightline asm` are.
+  // Adjacent sources are one program, as in `sightline asm`.
   std::vector<std::string>& loads = arguments.value("--load").list;
   for (auto first = loads.begin(); first != loads.end(); ++first) {
     const auto last = std::find_if_not(first, loads.end(), machines::named_as_source);

@@ -1,4 +1,4 @@
-// `sightline scene`: what is known of a scene, and a scene in other forms.
+// `sightline scene`: describes, checks, converts, generates and decomposes scenes.
 #include "host/scene/generate/scene.hpp"
 
 #include <fmt/core.h>
@@ -35,7 +35,7 @@ namespace {
 using base::Json;
 using base::TextTable;
 
-// Openings through which the cells are entered from outside.
+// The number of openings that lead outside.
 std::size_t openings_outside(const scene::CellComplex& complex) {
   return static_cast<std::size_t>(
       std::count_if(complex.openings.begin(), complex.openings.end(), [](const auto& opening) {
@@ -52,7 +52,7 @@ std::size_t sheet_count(const scene::PolyScene& scene) {
       std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const scene::PolyBody& body) { return body.sheet; }));
 }
 
-// As the file's name says; JSON to standard output (-). `name`: what the scene came from, for an error in it.
+// Writes a scene in the format of the file's extension; JSON on standard output (-). `name`: the scene's name in errors.
 void write_scene(const scene::PolyScene& scene, const std::string& name, const std::string& path) {
   const auto format = scene::poly_format_of(path);
   if (path != "-" && !(format && scene::can_be_written(*format))) {
@@ -108,14 +108,14 @@ struct ShowArguments {
   bool json = false;
 };
 
-// What is wrong with a mesh, and what the other commands make of it.
+// Reports the defects of a scene; for a mesh, also whether the other commands would repair them.
 ExitCode check(const ShowArguments& arguments) {
   scene::SceneFile file = find_scene(arguments.scene);
   std::optional<scene::SceneReading> mended;
   if (!arguments.json && scene::can_be_mended(file)) mended = scene::read_scene(file, {.mend = true});
   scene::SceneReading reading = scene::read_scene(std::move(file));
   const std::string& name = reading.loaded.name;
-  // Where the eye is, is known only among bodies that are in order.
+  // The position of the eye can only be checked among correct bodies.
   if (reading.errors.empty() && reading.loaded.kind != scene::SceneKind::cells) {
     if (auto error = scene::eye_error(reading.loaded.scene, reading.loaded.scene.camera)) {
       error->file = name;
@@ -137,7 +137,7 @@ ExitCode check(const ShowArguments& arguments) {
     if (possible) {
       write_stdout(name + ": a possible scene\n");
     } else if (mended && mended->errors.empty()) {
-      write_stdout(name + ": all other commands mend this, unless --strict is given\n");
+      write_stdout(name + ": all other commands repair this, unless --strict is given\n");
     }
   }
   return possible ? ExitCode::ok : ExitCode::bad_input;
@@ -366,19 +366,19 @@ struct GenerateArguments {
   std::string output = "-";
 };
 
-// What SIZE counts; host/scene/generate/scene.hpp says what the families look like.
+// The meaning of SIZE for each family. host/scene/generate/scene.hpp describes the families.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 11> family_sizes{{
-    {"boxes", "SIZE boxes anywhere that touch nowhere"},
-    {"edgeon", "SIZE such boxes, viewed from the plane of a face"},
+    {"boxes", "SIZE boxes that do not touch"},
+    {"edgeon", "SIZE boxes that do not touch, seen from the plane of a face"},
     {"touch", "SIZE x SIZE x SIZE cubes that share faces"},
-    {"aligned", "SIZE x SIZE x SIZE cubes in rows, apart"},
+    {"aligned", "SIZE x SIZE x SIZE separate cubes in rows"},
     {"town", "SIZE buildings on the ground"},
     {"triangles", "SIZE triangles"},
-    {"bricks", "SIZE small boxes that may touch, fewer where there is no room"},
+    {"bricks", "SIZE small boxes that may touch; fewer if there is no room"},
     {"rooms", "SIZE x SIZE rooms with doors and hatches"},
-    {"big_rooms", "SIZE x SIZE such rooms, all lengths divided by 5"},
+    {"big_rooms", "SIZE x SIZE rooms with doors and hatches, all lengths divided by 5"},
     {"corridors", "SIZE rooms one behind the other"},
-    {"prisms", "SIZE turned houses of one height"},
+    {"prisms", "SIZE rotated houses of equal height"},
 }};
 
 std::string families_help() {
@@ -458,7 +458,7 @@ void write_counts(const DecomposeArguments& arguments, const scene::Decompositio
   write_stdout(counts.text());
 }
 
-// The file it writes is that of host/scene/read/cell_complex_file.hpp.
+// host/scene/read/cell_complex_file.hpp describes the format of the file.
 ExitCode decompose(const DecomposeArguments& arguments) {
   std::unique_ptr<Output> output;
   if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);

@@ -18,7 +18,7 @@ std::string_view link_name(programs::skala::Link link) {
   return link == programs::skala::Link::serial ? "serial" : "parallel";
 }
 
-// The paper gives both figures for its pictures on a raster display, lines, surfaces and contours alike, and no number of slices.
+// Whether the paper gives times for such a picture. It gives one for all pictures on a raster display, and no number of slices.
 bool in_the_paper(const programs::skala::Order& order) {
   return is_raster(order.device) && order.view.visibility;
 }
@@ -31,7 +31,7 @@ std::string plotter_lines(const programs::skala::Order& order, const programs::s
       work.pen_lifts, core::in_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
 }
 
-// The program looks once for the EF9365 board: that nobody answers is no finding.
+// The program tests once for the EF9365 board; a missing answer is normal.
 bool is_the_look_for_a_board(const programs::skala::Unanswered& port) {
   constexpr std::uint8_t ef9365_status = 0x40;
   return port.port == ef9365_status && port.reads == 1 && port.writes == 0;
@@ -121,7 +121,7 @@ std::string skala_document(const SkalaRequest& request, const programs::skala::O
                            {"steps_pen_up", outcome.plotter.steps_pen_up}};
   }
   document["pictures"] = pictures;
-  // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
+  // Names of functions and files come from the user: bytes that are not UTF-8 are replaced.
   return document.dump(2) + "\n";
 }
 

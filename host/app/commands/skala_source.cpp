@@ -34,7 +34,7 @@ scene::GridSize size_of(const SkalaSource& source, scene::GridSize usual) {
   return {source.points.value_or(usual.points), source.slices.value_or(usual.slices)};
 }
 
-// What of `usual` is not asked for otherwise.
+// The domain of the options; parts that are not given are those of `usual`.
 scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usual) {
   const auto read = [](const std::string& text, const char* option, scene::Interval otherwise) {
     return text.empty() ? otherwise : checked(scene::read_domain(text, option), base::ErrorKind::usage);

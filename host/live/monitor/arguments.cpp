@@ -1,4 +1,3 @@
-// See arguments.hpp.
 #include "host/live/monitor/arguments.hpp"
 
 #include <fmt/core.h>
@@ -18,7 +17,7 @@ using machines::Probe;
 
 namespace {
 
-// Where `word` stands by itself in the text, else npos.
+// The position of `word` as a separate word in the text, or npos.
 std::size_t find_word(std::string_view text, std::string_view word) {
   std::size_t at = 0;
   while ((at = text.find(word, at)) != std::string_view::npos) {

@@ -1,4 +1,3 @@
-// See listings.hpp.
 #include "host/live/monitor/listings.hpp"
 
 #include <fmt/core.h>

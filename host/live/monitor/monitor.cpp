@@ -1,4 +1,3 @@
-// See monitor.hpp.
 #include "host/live/monitor/monitor.hpp"
 
 #include <fmt/core.h>
@@ -68,13 +67,13 @@ class Monitor::Inside {
 
   struct Verb {
     std::string_view name;
-    std::size_t shortest;  // letters that are enough
+    std::size_t shortest;  // length of the shortest abbreviation
     std::string_view arguments;
     std::string_view help;
     Answer (Inside::*work)(std::string_view arguments);
   };
   static std::span<const Verb> verbs();
-  // Null: there is none. `line` is left at what follows the verb.
+  // Removes the verb from `line` and returns it; null: unknown.
   static const Verb* take_verb(std::string_view& line);
 
  private:
@@ -82,7 +81,7 @@ class Monitor::Inside {
   Answer answer_of(const Halted& halted) const;
   Answer run(const Goal& goal) { return answer_of(debugger_.run(goal)); }
   Answer back(std::string_view arguments);
-  // Before a medium is taken out of its device.
+  // Called before a medium is removed from its device.
   void write_media_back() {
     for (const auto& medium : machine_.changed_media()) {
       const auto done = host_.write(medium.path, medium.content);
@@ -123,13 +122,13 @@ class Monitor::Inside {
   Answer read_commands(std::string_view arguments);
   Answer help(std::string_view arguments);
   Answer quit(std::string_view arguments) {
-    if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+    if (!arguments.empty()) throw base::usage_error("expected no arguments");
     return {Kind::quit, {}};
   }
   void write_trace();
 
   Answer add(Breakpoint breakpoint);
-  // What a command has done, a line with or without its end: for a person at the prompt.
+  // A note about what a command has done, shown only to a person at the prompt. The line end may be missing.
   [[nodiscard]] Answer noted(std::string_view note) const {
     if (!host_.person || depth_ > 0) return {};
     return {Kind::done, std::string(note) + (note.ends_with('\n') ? "" : "\n")};
@@ -143,12 +142,12 @@ class Monitor::Inside {
   const MachineDescription& description_;
   Machine& machine_;
   MonitorHost host_;
-  std::unique_ptr<Debugger> own_;  // unless it is another's
+  std::unique_ptr<Debugger> own_;  // empty if the debugger belongs to the caller
   Debugger& debugger_;
   Reader read_{debugger_};
-  std::string trace_;  // under way
+  std::string trace_;  // lines of the current trace
   std::string trace_file_;
-  int depth_ = 0;  // of files that are read
+  int depth_ = 0;  // nesting of `do`
 };
 
 std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
@@ -157,16 +156,16 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
            &Inside::examine},
       Verb{"deposit", 1, "ADDRESS WORD... | ADDRESS \"INSTRUCTION\" | REGISTER VALUE", "change words or a register",
            &Inside::deposit},
-      Verb{"step", 1, "[N]", "obey N instructions (1) and show where the machine is", &Inside::step},
-      Verb{"next", 1, "", "one instruction; a subroutine that it calls runs to its return", &Inside::over},
-      Verb{"out", 1, "", "run on to the return from the subroutine called last", &Inside::out},
+      Verb{"step", 1, "[N]", "execute N instructions (1) and show where the machine is", &Inside::step},
+      Verb{"next", 1, "", "execute one instruction; a subroutine that it calls runs to its return", &Inside::over},
+      Verb{"out", 1, "", "run to the return from the subroutine called last", &Inside::out},
       Verb{"cycle", 2, "[N]", "run N memory cycles or T-states (1), and show those of an instruction that is under way then", &Inside::cycle},
-      Verb{"continue", 1, "", "run on from where the machine is", &Inside::resume},
-      Verb{"go", 1, "[ADDRESS]", "press START at the address, or run on", &Inside::go},
+      Verb{"continue", 1, "", "continue from where the machine is", &Inside::resume},
+      Verb{"go", 1, "[ADDRESS]", "press START at the address, or continue", &Inside::go},
       Verb{"run", 2, "[until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions]",
-           "run on to a goal; TIME is 0.5s, 20ms or 100us", &Inside::run_until},
+           "run to a goal; TIME is 0.5s, 20ms or 100us", &Inside::run_until},
       Verb{"break", 1, "[ADDRESS | iot DEVICE | interrupt | when EXPRESSION] [if EXPRESSION] [count N]",
-           "stop before an instruction, after an IOT or an interrupt, or when something becomes true; alone: where PC is",
+           "stop before an instruction, after an IOT or an interrupt, or when an expression becomes true; alone: at PC",
            &Inside::set_break},
       Verb{"watch", 1, "ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N]",
            "stop after an access to memory (w) or a port (rw)", &Inside::set_watch},
@@ -176,21 +175,21 @@ std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
            &Inside::history},
       Verb{"list", 1, "[ADDRESS[-ADDRESS]]", "disassemble, ten instructions from PC or the address", &Inside::list},
       Verb{"disassemble", 3, "[ADDRESS[-ADDRESS]]", "the same", &Inside::list},
-      Verb{"evaluate", 2, "EXPRESSION", "show its value", &Inside::evaluate_verb},
+      Verb{"evaluate", 2, "EXPRESSION", "show the value of an expression", &Inside::evaluate_verb},
       Verb{"show", 2, "registers|devices|display|stack|time|breaks|conditions|symbols",
-           "show that; the stack as the last instructions tell it", &Inside::show},
-      Verb{"who", 3, "ADDRESS", "which instruction last wrote the word, when and what", &Inside::who_wrote},
-      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk, pen (a script of where it points)", &Inside::attach},
+           "show one of these; the stack is found from the last instructions", &Inside::show},
+      Verb{"who", 3, "ADDRESS", "show which instruction last wrote the word, when, and its value", &Inside::who_wrote},
+      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk, pen (a script of its positions)", &Inside::attach},
       Verb{"detach", 3, "DEVICE", "take it out; a disk that was written is written back to its file", &Inside::detach},
-      Verb{"send", 3, "\"KEYS\"", "type on the console, as the program asks for keys in the runs that follow (\\r \\n \\t \\e \\NNN \\xHH)", &Inside::send},
-      Verb{"expect", 3, "\"TEXT\"", "run on until the program has printed the text", &Inside::expect},
+      Verb{"send", 3, "\"KEYS\"", "type on the console when the program asks for keys in the next runs (\\r \\n \\t \\e \\NNN \\xHH)", &Inside::send},
+      Verb{"expect", 3, "\"TEXT\"", "run until the program has printed the text", &Inside::expect},
       Verb{"assert", 3, "EXPRESSION", "fail unless it is true", &Inside::assert_verb},
-      Verb{"back", 2, "[N]", "N instructions (1) back in time, to the state as it was", &Inside::back},
-      Verb{"save", 2, "FILE", "the whole machine into a snapshot", &Inside::save},
-      Verb{"restore", 3, "FILE", "the machine of a snapshot, made with the same options", &Inside::restore},
-      Verb{"screenshot", 3, "FILE", "the picture as PNG", &Inside::screenshot},
-      Verb{"trace", 2, "FILE | off", "write each instruction that is obeyed, as history shows it", &Inside::trace},
-      Verb{"speed", 2, "real | max | N", "of runs with a console", &Inside::speed},
+      Verb{"back", 2, "[N]", "go back N instructions (1), to the state at that time", &Inside::back},
+      Verb{"save", 2, "FILE", "save the whole machine as a snapshot", &Inside::save},
+      Verb{"restore", 3, "FILE", "restore a snapshot of a machine with the same options", &Inside::restore},
+      Verb{"screenshot", 3, "FILE", "write the picture as PNG", &Inside::screenshot},
+      Verb{"trace", 2, "FILE | off", "write each executed instruction, in the format of history", &Inside::trace},
+      Verb{"speed", 2, "real | max | N", "set the speed of runs with a console", &Inside::speed},
       Verb{"do", 2, "FILE", "read commands from a file; # begins a comment", &Inside::read_commands},
       Verb{"help", 1, "[VERB]", "this, or one verb", &Inside::help},
       Verb{"quit", 1, "", "end", &Inside::quit},
@@ -276,13 +275,13 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
     const auto read = debugger_.evaluate(text);
-    if (!read) throw base::usage_error(read.error().message() + "; an instruction stands in quotes, \"" + std::string(text) + " ...\"");
+    if (!read) throw base::usage_error(read.error().message() + "; an instruction must be in quotes, \"" + std::string(text) + " ...\"");
     const std::int64_t value = *read;
     if (value < 0 || value > most)
       throw base::usage_error(fmt::format("found {}, expected a word of {} bits", text, description_.word_bits));
     words.push_back(static_cast<std::uint32_t>(value));
   }
-  if (words.size() > machine_.words() - at) throw base::usage_error("found more words than memory has behind that address");
+  if (words.size() > machine_.words() - at) throw base::usage_error("found more words than memory has from that address on");
   const std::uint32_t first = at;
   for (const std::uint32_t value : words) debugger_.put(at++, value);
   if (words.size() == 1) return noted(monitor::memory(debugger_, first, first));
@@ -384,12 +383,12 @@ Answer Monitor::Inside::step(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::over(std::string_view arguments) {
-  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+  if (!arguments.empty()) throw base::usage_error("expected no arguments");
   return answer_of(debugger_.step_over());
 }
 
 Answer Monitor::Inside::out(std::string_view arguments) {
-  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+  if (!arguments.empty()) throw base::usage_error("expected no arguments");
   return answer_of(base::value_of(debugger_.step_out()));
 }
 
@@ -399,7 +398,7 @@ Answer Monitor::Inside::cycle(std::string_view arguments) {
 }
 
 Answer Monitor::Inside::resume(std::string_view arguments) {
-  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+  if (!arguments.empty()) throw base::usage_error("expected no arguments");
   return run({});
 }
 
@@ -483,7 +482,7 @@ Answer Monitor::Inside::assert_verb(std::string_view arguments) {
 Answer Monitor::Inside::screenshot(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw base::usage_error("expected a file");
-  // Of a vector display the photograph of its screen, of a raster board what it shows.
+  // The photograph of a vector display, or the picture of a raster board.
   auto picture = machine_.output("--phosphor");
   if (picture.empty()) picture = machine_.output("--png");
   if (picture.empty()) throw base::usage_error("this machine has no display or raster board, or its program has not used the display yet");
@@ -497,20 +496,20 @@ Answer Monitor::Inside::trace(std::string_view arguments) {
   if (path.empty()) throw base::usage_error("expected a file, or off");
   if (path != "off") {
     write_trace();
-    // A file that cannot be written is told now, not at the end.
+    // Reports now, not at the end, that the file cannot be written.
     if (const auto done = host_.write(path, {}); !done) throw base::usage_error(done.error().message());
     trace_file_ = path;
     machine_.probe()->on_instruction = [this](const Past::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
     return noted(fmt::format("{}: written by `trace off` or at the end of the session", path));
   }
-  if (trace_file_.empty()) throw base::usage_error("no trace is under way");
+  if (trace_file_.empty()) throw base::usage_error("no trace is being written");
   const std::string written = trace_file_;
   const auto instructions = std::count(trace_.begin(), trace_.end(), '\n');
   write_trace();
   return noted(fmt::format("{}: {} instruction{}", written, instructions, instructions == 1 ? "" : "s"));
 }
 
-// Of the trace that is under way, which ends.
+// Writes and ends the current trace.
 void Monitor::Inside::write_trace() {
   machine_.probe()->on_instruction = nullptr;
   if (trace_file_.empty()) return;

@@ -52,7 +52,7 @@ Json Flying::make(const Workbench& workbench, const Json& request) {
               {"shades", std::move(shades)}};
 }
 
-// Counts of all frames so far, and of the last one.
+// The counts of all frames so far, and of the last frame.
 Json Flying::state() const {
   if (journey_ == nullptr) return refusal("nothing flies");
   const flight::Outcome& run = journey_->run.so_far();

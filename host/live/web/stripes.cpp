@@ -15,7 +15,7 @@ namespace {
 
 namespace stripes = programs::stripes;
 
-// The program on an 8080 whose host computer sends the faces; it cuts them into stripes and finds the order itself.
+// Makes an 8080 with the program, to which a host computer sends the faces. The 8080 cuts them into stripes and finds their order.
 Json make_stripes(Workbench& workbench, const Json& request) {
   auto loaded = scene_named(workbench, text_of(request, "scene"));
   if (!loaded) return refusal(loaded.error().message());

@@ -55,7 +55,7 @@ Json scene_json(const scene::LoadedScene& loaded) {
                 {"up", vector_json(scene.camera.up)}}}};
 }
 
-// Exact: an edge by its vertices, then the two ends of the piece as fractions; what two builds are compared by.
+// An edge by its vertices, then the two ends of the piece as fractions. Exact, so that two builds can be compared.
 Json pieces_json(const picture::LinePicture& picture) {
   Json pieces = Json::array();
   for (const auto& piece : picture.pieces) {
@@ -82,8 +82,8 @@ std::string grid_text(const Workbench& workbench, const std::string& name) {
   return bytes != nullptr ? std::string(bytes->begin(), bytes->end()) : std::string();
 }
 
-// By the name of a function, a file of the page, or "heights": the values of an expression that the page has worked out on
-// "points" by "slices" places, and on 65 by 65 for their range.
+// The grid of a function by name, of a file of the page, or of "heights": values of an expression that the page has computed at
+// "points" by "slices" places, and at 65 by 65 places for their range.
 base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
   const std::string name = text_of(request, "function");
   const auto size = [&](std::string_view key, double usual) {
@@ -94,7 +94,7 @@ base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& 
     const Json* const range = request.find("range");
     const double half = number_of(request, "domain", 1);
     scene::HeightGrid grid{scene::even_positions(wanted.points), scene::even_positions(wanted.slices), {}, {-half, half}, {-half, half}, {}};
-    if (heights->size() != wanted.points * wanted.slices) return base::bad_input("found another number of heights than points times slices");
+    if (heights->size() != wanted.points * wanted.slices) return base::bad_input("the number of heights is not points times slices");
     for (const Json& each : heights->elements()) grid.heights.push_back(each.number().value_or(std::nan("")));
     if (!scene::anywhere_finite(grid.heights)) return base::bad_input("the expression has no value anywhere in its domain");
     grid.range = scene::finite_range(grid.heights);
@@ -128,7 +128,7 @@ skala::Device device_of(const Json& request) {
   return device == "alt256" ? skala::Device::alt256 : device == "calcomp" ? skala::Device::calcomp : device == "minigraf" ? skala::Device::minigraf : skala::Device::ef9365;
 }
 
-// Skala's program on an 8080 whose host computer sends the picture.
+// Makes an 8080 with Skala's program, to which a host computer sends the picture.
 Json make_skala(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
   if (!grid) return refusal(grid.error().message());
@@ -147,7 +147,7 @@ Json make_skala(Workbench& workbench, const Json& request) {
   return made;
 }
 
-// What hiding costs: the drawing time of the picture with its hidden lines removed, and of all its lines, on the same machine.
+// The cost of the visibility test: the drawing times with hidden lines removed and with all lines, on the same machine.
 Json cost(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
   if (!grid) return refusal(grid.error().message());
@@ -197,8 +197,8 @@ Json make_jones(Workbench& workbench, const Json& request) {
   return made;
 }
 
-// What an eye at "eye" sees of a scene of cells at scale "scale", exactly, as `compare` has it: the visible lines of the
-// scene's matter in the program's own windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" the pair.
+// The exact picture of a scene of cells from "eye" at scale "scale", as in `compare`: the visible lines of the scene's matter in
+// the program's windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" those of both eyes.
 Json sight(Workbench& workbench, const Json& request) {
   namespace jones = programs::jones;
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
@@ -214,7 +214,7 @@ Json sight(Workbench& workbench, const Json& request) {
   Json lines = Json::array();
   const auto add = [&](jones::Pass pass, std::int32_t shift) {
     geometry::Point eye = *given;
-    // The eyes of a pair stay in the box in which the program moves.
+    // Both eyes of a pair stay in the box in which the program moves.
     if (shift != 0) eye[0] = std::clamp(eye[0] + shift, place->limits.low[0], place->limits.high[0]);
     const jones::Window shown = jones::window_of(pass, scale, 0);
     oracle::Window window;
@@ -258,7 +258,7 @@ Json explain(Workbench& workbench, const Json& request) {
   return *base::parse_json(text, "lesson");
 }
 
-// The sources of the programs that are built in, by folder and file: "jones/tape1-control.s".
+// The sources of the built-in programs, by folder and file: "jones/tape1-control.s".
 Json firmware() {
   Json sources = Json::object();
   const auto add = [&sources](std::string_view folder, auto files) {

@@ -32,7 +32,7 @@ std::int64_t whole_of(const Json& request, std::string_view key, std::int64_t ot
   return member != nullptr ? member->integer().value_or(otherwise) : otherwise;
 }
 
-// Options as a command line has them: {"--memory": "8k", "--display": true, "--load": ["a.rim"]}. A complaint, or empty.
+// Takes the options of a command line: {"--memory": "8k", "--display": true, "--load": ["a.rim"]}. Returns a complaint, or empty.
 std::string take_options(const Json& given, std::span<const machines::Option> options, Arguments& arguments) {
   for (const auto& [key, value] : given.members()) {
     const std::string& name = key;
@@ -59,7 +59,7 @@ std::string take_options(const Json& given, std::span<const machines::Option> op
   return {};
 }
 
-// The options of the machine of a snapshot, from its configuration. A complaint if they name files, or empty.
+// Takes the options of a snapshot's machine from its configuration. Returns a complaint if they name files, or empty.
 std::string take_configuration(const std::string& file, const Snapshot& snapshot, const MachineDescription& description, Arguments& arguments) {
   for (const std::string& word : snapshot.configuration) {
     const std::size_t end = std::min(word.find(' '), word.size());
@@ -149,7 +149,7 @@ Json rows_json(MachineSession& session, std::uint32_t from, std::int64_t before,
 
 }  // namespace
 
-// A request that runs a machine comes back after some seconds, whatever the program does: the page must stay alive.
+// A request that runs a machine returns after some seconds, whatever the program does, so that the page stays responsive.
 constexpr std::uint64_t most_instructions = 200'000'000;
 constexpr int most_slices = 2000;
 constexpr std::string_view waits_for_a_key = "waits for a key";
@@ -287,7 +287,7 @@ Json Workbench::assemble(const Json& request) {
   std::vector<assembler::SourceFile> files;
   for (const Json& source : sources->elements()) files.push_back({text_of(source, "name"), text_of(source, "text")});
   Arguments arguments(description->assembler.options);
-  // Defines are an option of the command, not of the language.
+  // Definitions are an option of the command, not of the language.
   if (const Json* const options = request.find("options")) {
     if (std::string complaint = take_options(*options, description->assembler.options, arguments); !complaint.empty())
       return refusal(complaint);
@@ -464,7 +464,7 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
     const auto at = address();
     if (!at) return refusal(at.error().message());
     const auto writer = debugger.last_writer(*at);
-    if (!writer) return Json{{"text", "nothing has written it since this machine's past begins"}};
+    if (!writer) return Json{{"text", "nothing has written it since the machine was made"}};
     return Json{{"text", debugger.instruction_text(writer->pc)}, {"pc", writer->pc}, {"time", debugger.time_text(writer->event.time)}};
   }
   if (what == "evaluate") {
@@ -499,7 +499,7 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
       if (where >= machine.words()) return refusal(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));
       debugger.put(where, word);
     }
-    debugger.set_symbols(Symbols(session.description().radix));  // those of the program that was there
+    debugger.set_symbols(Symbols(session.description().radix));  // removes those of the previous program
     if (program->start && flag_of(request, "start")) debugger.start(*program->start);
     return Json{{"words", program->words.size()}, {"start", program->start ? Json(*program->start) : Json()}};
   }

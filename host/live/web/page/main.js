@@ -1,4 +1,4 @@
-// The page: its rooms, which one is shown, and the links to them.
+// The page: its tabs and the links to them.
 
 import {element, notice} from './ui.js';
 import {openModule} from './module.js';
@@ -11,8 +11,8 @@ import {Theatre} from './theatre.js';
 
 const ROOMS = [['jones', 'PDP-7'], ['skala', '8080'], ['bench', 'Workbench'], ['theatre', 'Theatre'], ['about', 'About']];
 
-// `wasm`: the module's bytes. `shelf`: the examples (examples.txt); one whose text is of the firmware has the names of its sources, which
-// the module has.
+// `wasm`: the module's bytes. `shelf`: the examples (examples.txt); those from the firmware only have the names of their sources, which are
+// in the module.
 export async function begin(wasm, shelf) {
   const main = document.getElementById('main');
   const nav = document.getElementById('rooms');
@@ -50,7 +50,7 @@ export async function begin(wasm, shelf) {
     }
     return room;
   };
-  // What the address says. Where it says something unknown, the room stays as it was.
+  // Shows what the address requests. If it is unknown, the tab does not change.
   const show = () => {
     let complaint = '';
     try {
@@ -84,6 +84,6 @@ export async function begin(wasm, shelf) {
   addEventListener('unhandledrejection', event => failed(event.reason?.message ?? event.reason));
   show();
   document.documentElement.dataset.ready = String(Math.round(performance.now() - began));
-  // For tests and for people who like to look inside.
+  // For tests and for the browser's console.
   globalThis.sightline = {module, files, get room() { return current; }};
 }
