@@ -226,7 +226,7 @@ class Aiming {
 };
 
 // Rotates about the vertical axis by `number` of `count` parts of a turn.
-Vector turned_by(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
+Vector rotate(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
   const std::size_t u = (frame.vertical + 1) % 3;
   const std::size_t v = (frame.vertical + 2) % 3;
   const double angle = 2 * std::numbers::pi * number / count;
@@ -328,10 +328,10 @@ scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyS
   return aimed_camera_of(arguments, scene, source).camera;
 }
 
-std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+std::optional<scene::PolyPoint> eye_of_turn(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                            const scene::PolyCamera& camera, int number, int count) {
   const scene::PolyPoint middle = bounds_of(scene).middle();
-  const Vector moved = turned_by(frame, geometry::difference(geometry::real_vector(camera.eye), geometry::real_vector(middle)), number, count);
+  const Vector moved = rotate(frame, geometry::difference(geometry::real_vector(camera.eye), geometry::real_vector(middle)), number, count);
   scene::PolyPoint eye{};
   for (std::size_t a = 0; a < 3; ++a) {
     const double place = std::round(middle[a] + moved[a]);
@@ -341,18 +341,18 @@ std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const
   return eye;
 }
 
-scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+scene::PolyCamera view_of_turn(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                const scene::PolyCamera& camera, int number, int count) {
   if (number == 0) return camera;
   scene::PolyPoint eye = camera.eye;
   if (camera.perspective) {
-    const auto moved = turned_eye(frame, scene, camera, number, count);
+    const auto moved = eye_of_turn(frame, scene, camera, number, count);
     if (!moved) {
       throw base::usage_error(fmt::format("view {} of the turn: the eye leaves the coordinates of the scene; --eye nearer", number + 1));
     }
     eye = *moved;
   }
-  const Vector direction = turned_by(frame, geometry::real_vector(camera.forward), number, count);
+  const Vector direction = rotate(frame, geometry::real_vector(camera.forward), number, count);
   // The camera stays level.
   scene::PolyPoint upright{};
   upright[frame.vertical] = 1;
@@ -360,7 +360,7 @@ scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::Poly
   const bool is_upright = camera.right[frame.vertical] == 0 && !geometry::is_zero(across);
   if (is_upright && camera.up[frame.vertical] * (frame.downwards ? -1 : 1) > 0)
     return aimed_camera(frame, eye, scene::direction_of(direction), camera.perspective);
-  return turned_camera(frame, eye, direction, turned_by(frame, geometry::real_vector(camera.up), number, count), camera.perspective);
+  return turned_camera(frame, eye, direction, rotate(frame, geometry::real_vector(camera.up), number, count), camera.perspective);
 }
 
 base::Json camera_json(const scene::PolyScene& scene, const AimedCamera& aimed) {

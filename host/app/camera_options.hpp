@@ -62,11 +62,11 @@ struct AimedCamera {
 
 // View `number` of `count` around the vertical axis through the middle of the scene; view 0 is `camera` itself. Error usage:
 // the eye is outside the scene's coordinates.
-[[nodiscard]] scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+[[nodiscard]] scene::PolyCamera view_of_turn(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                              const scene::PolyCamera& camera, int number, int count);
 
 // The eye of that view; empty if it is outside the scene's coordinates.
-[[nodiscard]] std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+[[nodiscard]] std::optional<scene::PolyPoint> eye_of_turn(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                                          const scene::PolyCamera& camera, int number, int count);
 
 // "eye" and "target direction" in the unit of the file, the camera's vectors, the error.

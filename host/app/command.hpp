@@ -39,19 +39,19 @@ inline constexpr std::string_view exit_code_help =
 using base::value_of;
 
 // Prints one line on standard error: "sightline: TEXT".
-void complain(std::string_view text);
+void print_message(std::string_view text);
 void warn(std::string_view text);
 // Prints "sightline: FILE: WHAT" if standard error is a terminal; scripts and pipes see nothing. Prints nothing for standard
 // output ("-") and for no file ("").
-void say_written(const std::string& file, std::string_view what);
+void report_written(const std::string& file, std::string_view what);
 // "1 line", "2 lines": `unit` is the singular, `units` the plural, by default the singular with an s.
-[[nodiscard]] std::string counted(std::uint64_t count, std::string_view unit, std::string_view units = {});
+[[nodiscard]] std::string count_text(std::uint64_t count, std::string_view unit, std::string_view units = {});
 
 // Reads a whole file, or standard input for "-". Error io.
 [[nodiscard]] base::Bytes read_input(const std::string& path);
 [[nodiscard]] std::string read_input_text(const std::string& path);
 // The name of an input in messages: "standard input" for "-".
-[[nodiscard]] std::string shown_name(const std::string& path);
+[[nodiscard]] std::string display_name(const std::string& path);
 
 // write_stdout ignores failures; check_stdout throws Error io if any output was lost.
 void write_stdout(std::string_view text);
@@ -77,7 +77,7 @@ class Output {
 
 // A check for options whose numbers have no other bounds: empty if `text` is a whole number from 0 to 2^64 - 1, else the
 // complaint. The option parser would accept -1 and numbers that are too large, as 2^64 - 1.
-[[nodiscard]] std::string why_no_whole_number(const std::string& text);
+[[nodiscard]] std::string whole_number_error(const std::string& text);
 
 // Throws Error usage for nan and inf, which the option parser accepts as numbers.
 void require_finite(const char* option, double value);

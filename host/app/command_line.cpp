@@ -28,7 +28,7 @@ namespace sightline::app {
 namespace {
 
 // The chain of commands from the program to the subcommand that was parsed last.
-std::vector<const CLI::App*> way_to_subcommand(const CLI::App& app) {
+std::vector<const CLI::App*> command_path(const CLI::App& app) {
   std::vector<const CLI::App*> way{&app};
   for (auto below = app.get_subcommands(); !below.empty(); below = below.front()->get_subcommands()) {
     way.push_back(below.front());
@@ -52,7 +52,7 @@ void finish_help(CLI::App& app, const std::string& name) {
 }
 
 void print_help(const CLI::App& app) {
-  const std::vector<const CLI::App*> path = way_to_subcommand(app);
+  const std::vector<const CLI::App*> path = command_path(app);
   std::string parents;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) parents += (i == 0 ? "" : " ") + path[i]->get_name();
   write_stdout(path.back()->help(parents));
@@ -92,7 +92,7 @@ std::string unknown_command(const CLI::App& command, const std::string& argument
 // The complaint about an argument that no command accepts, if there is one. It is reported before the errors of the library,
 // because a misspelt option would otherwise be reported as a missing one.
 std::optional<std::string> explain_unknown(const CLI::App& app) {
-  const auto way = way_to_subcommand(app);
+  const auto way = command_path(app);
   for (const CLI::App* command : way) {
     const auto rest = command->remaining();
     const bool incomplete = command == way.back() && !choices(*command).empty();
@@ -105,7 +105,7 @@ std::optional<std::string> explain_unknown(const CLI::App& app) {
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   if (const auto unknown = explain_unknown(app)) return *unknown;
-  const auto way = way_to_subcommand(app);
+  const auto way = command_path(app);
   const CLI::App& command = *way.back();
   // `explain house jones`: the subcommand is after the words that should follow it.
   if (way.size() > 2 && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
@@ -125,7 +125,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 // An empty value would have the effect of an omitted option: `--at "$UNSET"` must not silently draw another picture.
-void refuse_empty_arguments(int argc, char** argv) {
+void reject_empty_arguments(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (argv[i][0] != '\0') continue;
     throw base::usage_error("found an empty argument after \"" + std::string(argv[i - 1]) +
@@ -155,7 +155,7 @@ void add_help_command(CLI::App& app) {
 }
 
 ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
-  refuse_empty_arguments(argc, argv);
+  reject_empty_arguments(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -164,10 +164,10 @@ ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exi
   } catch (const CLI::CallForVersion& version) {
     write_stdout(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
-    complain(explain(app, error));
+    print_message(explain(app, error));
     std::string name;
-    for (const CLI::App* command : way_to_subcommand(app)) name += command->get_name() + " ";
-    complain("see `" + name + "--help`");
+    for (const CLI::App* command : command_path(app)) name += command->get_name() + " ";
+    print_message("see `" + name + "--help`");
     return ExitCode::usage;
   }
   check_stdout();
@@ -305,7 +305,7 @@ Command Command::add_command(const std::string& name, const HelpPage& help) cons
   return command;
 }
 
-void Command::also_called(const std::string& name) const {
+void Command::add_alias(const std::string& name) const {
   app_->alias(name);
 }
 
@@ -340,7 +340,7 @@ Option Command::flag(const std::string& names, std::string_view help) const {
   return Option(app_->add_flag(names)->description(std::string(help)));
 }
 
-Option Command::added(const std::string& name) const {
+Option Command::find_option(const std::string& name) const {
   return Option(app_->get_option(name));
 }
 
@@ -380,13 +380,13 @@ int run_command_line(int argc, char** argv, const HelpPage& help,
     finish_help(app, app.get_name());
     exit_code = parse_and_run(app, argc, argv, exit_code);
   } catch (const base::Error& error) {
-    complain(error.message());
+    print_message(error.message());
     exit_code = exit_code_of(error.kind);
   } catch (const std::bad_alloc&) {
-    complain("not enough memory");
+    print_message("not enough memory");
     exit_code = ExitCode::io;
   } catch (const std::exception& error) {
-    complain(std::string("internal error: ") + error.what());
+    print_message(std::string("internal error: ") + error.what());
     exit_code = ExitCode::io;
   }
   return static_cast<int>(exit_code);

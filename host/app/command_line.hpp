@@ -79,7 +79,7 @@ class Command {
   Command add_command(const std::string& name, const std::string& summary) const;
   Command add_command(const std::string& name, const HelpPage& help) const;
   // A second name, accepted but not listed in the help.
-  void also_called(const std::string& name) const;
+  void add_alias(const std::string& name) const;
 
   // `names`: "-o,--output", or "SCENE" for a positional argument. Value: string, int, unsigned, int64, uint64
   // or double, an optional number, or a vector of strings or ints.
@@ -92,7 +92,7 @@ class Command {
   // A flag without effect, for a command line that states the default.
   Option flag(const std::string& names, std::string_view help) const;
   // An option that was added before, by its name.
-  [[nodiscard]] Option added(const std::string& name) const;
+  [[nodiscard]] Option find_option(const std::string& name) const;
 
   // Makes the help list the options that most subcommands share. Called after all of them have been added.
   void list_shared_options() const;

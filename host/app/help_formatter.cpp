@@ -18,7 +18,7 @@ namespace sightline::app {
 namespace {
 
 // Wraps `text`, which begins at column `column`; further lines are indented by `indent`. The last line has no newline.
-std::string wrapped(std::string_view text, std::size_t column, std::size_t indent) {
+std::string wrap(std::string_view text, std::size_t column, std::size_t indent) {
   std::string result;
   bool first_word = true;
   while (true) {
@@ -50,7 +50,7 @@ std::string two_columns(std::string first, std::string_view second, std::size_t 
   } else {
     first += '\n' + std::string(width, ' ');
   }
-  return first + wrapped(second, width, width) + '\n';
+  return first + wrap(second, width, width) + '\n';
 }
 
 std::string indented_line(std::string_view line) {
@@ -58,7 +58,7 @@ std::string indented_line(std::string_view line) {
   if (line.size() <= help_width()) return std::string(line) + '\n';
   const std::size_t gap = line.find("  ", indent);
   const std::size_t text = gap == std::string_view::npos ? indent : line.find_first_not_of(' ', gap);
-  return std::string(line.substr(0, text)) + wrapped(line.substr(text), text, text) + '\n';
+  return std::string(line.substr(0, text)) + wrap(line.substr(text), text, text) + '\n';
 }
 
 // A command of an example, indented by two spaces. Long lines are broken between words with a backslash, so that the command
@@ -125,7 +125,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   std::string make_description(const CLI::App* app) const override {
-    return wrapped(app->get_description(), 0, 0) + '\n';
+    return wrap(app->get_description(), 0, 0) + '\n';
   }
 
   std::string make_footer(const CLI::App* app) const override { return help_text(app->get_footer()); }
@@ -236,7 +236,7 @@ std::string help_text(std::string_view text) {
     if (examples && line.starts_with("  ") && !line.starts_with("   ")) {
       result += example_line(std::string(line));
     } else {
-      result += line.starts_with(' ') ? indented_line(line) : wrapped(line, 0, 0) + '\n';
+      result += line.starts_with(' ') ? indented_line(line) : wrap(line, 0, 0) + '\n';
     }
   }
   return result;

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* cells_expected =
     "expected a scene of cells, the input of Jones's program; `sightline draw jones` takes all scenes";
 
-void leave_out_wires(scene::LoadedScene& loaded) {
+void remove_wires(scene::LoadedScene& loaded) {
   const std::size_t count = loaded.scene.wires.size();
   const std::string found = fmt::format("{} {} without faces", count, count == 1 ? "line" : "lines");
   if (loaded.scene.bodies.empty()) {
@@ -31,7 +31,7 @@ void leave_out_wires(scene::LoadedScene& loaded) {
 }  // namespace
 
 scene::SceneFile find_scene(const std::string& argument) {
-  if (argument == "-") return {.name = shown_name(argument), .text = read_input_text(argument)};
+  if (argument == "-") return {.name = display_name(argument), .text = read_input_text(argument)};
   return value_of(hidden_lines::find(argument));
 }
 
@@ -80,7 +80,7 @@ scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& 
   warn_of_changes(loaded.report);
   warn_of_units(loaded, mesh);
   loaded.name = argument;
-  if (wires == Wires::left_out && !loaded.scene.wires.empty()) leave_out_wires(loaded);
+  if (wires == Wires::remove && !loaded.scene.wires.empty()) remove_wires(loaded);
   return loaded;
 }
 
@@ -100,7 +100,7 @@ void add_go_on_option(const Command& command, bool& go_on) {
   command.flag("--go-on", go_on, "Draw even if this method takes more than a minute").group("Mesh");
 }
 
-void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time,
+void reject_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time,
                       bool go_on) {
   if (go_on || mesh.scene.surfaces.empty()) return;
   constexpr double longest = 60;

@@ -45,19 +45,19 @@ void add_mesh_options(const Command& command, MeshArguments& arguments);
                                             const scene::PolyImportOptions& options = {});
 
 // Whether lines without faces (PolyScene::wires) are kept, or removed with a warning.
-enum class Wires { left_out, kept };
+enum class Wires { remove, keep };
 
 // Finds, parses and checks a scene; its name is the argument. Repairs are reported on standard error. Errors as find_scene, or
 // bad_input: the first defect, or a scene that consists of wires only and wires are removed.
 [[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {},
-                                            Wires wires = Wires::left_out);
+                                            Wires wires = Wires::remove);
 // The same for scenes of cells; any other scene is an error of usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
 
 // --go-on, for commands that draw by one method.
 void add_go_on_option(const Command& command, bool& go_on);
 // Error usage: the method would take more than a minute for this mesh, and --go-on is not given.
-void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on);
+void reject_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on);
 
 // --eae (the default) and --no-eae, for commands that run Jones's program: whether the PDP-7 has the Type 177 extended
 // arithmetic element.

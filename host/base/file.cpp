@@ -64,7 +64,7 @@ bool is_nameless(int file) {
 }
 
 // Links a file without a name beside `target` and returns that name; empty, with errno set, if it cannot be linked.
-std::string given_name(int file, const std::string& target) {
+std::string link_partial(int file, const std::string& target) {
   for (int attempt = 0; attempt < most_partial_files; ++attempt) {
     std::string partial = partial_name(target, attempt);
     if (::linkat(AT_FDCWD, name_of_open(file).c_str(), AT_FDCWD, partial.c_str(), AT_SYMLINK_FOLLOW) == 0)
@@ -148,7 +148,7 @@ Result<Done> AtomicFile::commit() {
   errno = 0;
   if (std::fflush(file_.get()) != 0 && failure_ == 0) failure_ = errno != 0 ? errno : EIO;
   if (failure_ == 0 && partial_.empty() && is_nameless(::fileno(file_.get()))) {
-    partial_ = given_name(::fileno(file_.get()), target_);
+    partial_ = link_partial(::fileno(file_.get()), target_);
     if (partial_.empty()) failure_ = errno;
   }
   errno = 0;

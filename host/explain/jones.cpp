@@ -26,7 +26,7 @@ constexpr std::size_t most_numbered_cells = 40;
 constexpr std::size_t most_named_portals = 8;
 
 // Computes the intersection of three planes; false if it is not one point.
-bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
+bool intersect_planes(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
   const auto minor = [](const auto& u, const auto& v, std::size_t i, std::size_t j) { return u[i] * v[j] - u[j] * v[i]; };
   const Space bc{minor(b, c, 1, 2), minor(b, c, 2, 0), minor(b, c, 0, 1)};
   const Space ca{minor(c, a, 1, 2), minor(c, a, 2, 0), minor(c, a, 0, 1)};
@@ -38,7 +38,7 @@ bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const 
 }
 
 // "Portal 3", "Portals 3 and 5", "Portals 3, 5 and 7".
-std::string names_of(const std::vector<std::uint32_t>& portals) {
+std::string portal_names(const std::vector<std::uint32_t>& portals) {
   const std::size_t named = std::min(portals.size(), most_named_portals);
   std::string text = portals.size() == 1 ? "Portal " : "Portals ";
   for (std::size_t i = 0; i < named; ++i)
@@ -52,9 +52,9 @@ bool leads_outside(const scene::ComplexOpening& opening) {
   return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
 }
 
-class JonesTeller final : public algorithms::jones::Trace {
+class JonesRecorder final : public algorithms::jones::Trace {
  public:
-  JonesTeller(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
+  JonesRecorder(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
       : complex_(complex), stage_(stage), ground_(ground), steps_(steps), sight_(camera), eye_(space(camera.eye)), perspective_(camera.perspective) {
     count();
   }
@@ -169,15 +169,15 @@ class JonesTeller final : public algorithms::jones::Trace {
     count();
     PortalMarks marks{{}, label_in_image_, {}, numbers({cell_})};
     std::string caption;
-    const auto tell = [&](std::vector<std::uint32_t>& portals, std::string_view one, std::string_view many) {
+    const auto add_portals = [&](std::vector<std::uint32_t>& portals, std::string_view one, std::string_view many) {
       if (portals.empty()) return;
       std::sort(portals.begin(), portals.end());
       for (std::size_t i = 0; i < std::min(portals.size(), most_named_portals); ++i) add_portal(marks, portals[i]);
-      caption += fmt::format("{}{} {}.", caption.empty() ? "" : " ", names_of(portals), portals.size() == 1 ? one : many);
+      caption += fmt::format("{}{} {}.", caption.empty() ? "" : " ", portal_names(portals), portals.size() == 1 ? one : many);
       portals.clear();
     };
-    tell(turned_away_, "leads back towards the eye: turned away", "lead back towards the eye: turned away");
-    tell(edge_on_, "is seen edge-on, so nothing is seen through it", "are seen edge-on, so nothing is seen through them");
+    add_portals(turned_away_, "leads back towards the eye: turned away", "lead back towards the eye: turned away");
+    add_portals(edge_on_, "is seen edge-on, so nothing is seen through it", "are seen edge-on, so nothing is seen through them");
     steps_.add(std::move(caption), "Fig. 4 and 5, avenues of sight", {{image, "portal", std::move(marks.in_image)},
                                                      {image, "numbers", std::move(marks.image_numbers)},
                                                      {plan, "portal", std::move(marks.in_plan)},
@@ -259,7 +259,7 @@ class JonesTeller final : public algorithms::jones::Trace {
     std::vector<Space> corners;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       Space corner{};
-      if (meet(plane_of(opening.plane), plane_of(sides[i].plane), plane_of(sides[(i + 1) % sides.size()].plane), corner)) corners.push_back(corner);
+      if (intersect_planes(plane_of(opening.plane), plane_of(sides[i].plane), plane_of(sides[(i + 1) % sides.size()].plane), corner)) corners.push_back(corner);
     }
     return corners;
   }
@@ -338,7 +338,7 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   const PlanStage ground(scene, camera);
   lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above; the arrow is the direction of view")};
   Steps steps(lesson);
-  JonesTeller teller(*given, stage, ground, camera, steps);
+  JonesRecorder recorder(*given, stage, ground, camera, steps);
   const auto& openings = given->openings;
   const auto portals = openings.size() - static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), leads_outside));
   steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
@@ -346,12 +346,12 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
                         given->cells.size(), portals),
             "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()},
                                                {plan, "wire", ground.wire_frame()},
-                                               {plan, "all cells", teller.all_cells()}});
-  auto view = algorithms::jones::visible_edges(*given, camera, teller);
+                                               {plan, "all cells", recorder.all_cells()}});
+  auto view = algorithms::jones::visible_edges(*given, camera, recorder);
   if (!view) return std::move(view.error());
   std::vector<Mark> seen;
   for (const auto& piece : view->picture.pieces) stage.add_piece(seen, Look::seen, piece);
-  teller.finish(std::move(seen));
+  recorder.finish(std::move(seen));
   return lesson;
 }
 

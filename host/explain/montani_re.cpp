@@ -37,9 +37,9 @@ constexpr std::array<std::string_view, 7> tests{
     "test 5: the other lies on one side of the plane of the one",
     "test 6: they have an area in common, where one is nearer"};
 
-class MontaniReTeller final : public mr::Trace {
+class MontaniReRecorder final : public mr::Trace {
  public:
-  MontaniReTeller(const scene::PolyCamera& camera, Steps& steps) : steps_(steps) {
+  MontaniReRecorder(const scene::PolyCamera& camera, Steps& steps) : steps_(steps) {
     const auto length = [](const scene::PolyPoint& v) { return geometry::length(geometry::real_vector(v)); };
     const double away = camera.perspective ? length(camera.forward) : 1;
     scale_ = {away / length(camera.right), away / length(camera.up)};
@@ -228,12 +228,12 @@ base::Result<Lesson> explain_montani_re(const scene::PolyScene& scene, const sce
   const ImageStage stage(scene, camera);
   lesson.sheets = {stage.sheet("The image"), {"Faces and relations; the FRONT list on the left, the BACK list on the right", {0, -0.03}, {1, 1.08}, true}};
   Steps steps(lesson);
-  MontaniReTeller teller(camera, steps);
+  MontaniReRecorder recorder(camera, steps);
   steps.add("The wire frame. Faces that look away hide nothing and are left out; each of the others becomes a region of stripes between its corners.", "section 2",
             {{image, "wire", stage.wire_frame()}});
-  auto view = mr::visible_edges(scene, camera, &teller);
+  auto view = mr::visible_edges(scene, camera, &recorder);
   if (!view) return std::move(view.error());
-  if (teller.in_pyramids()) {
+  if (recorder.in_pyramids()) {
     return base::Error{"", "montani-re", "some faces reach from before the eye to behind it, so the picture is made in pieces",
                        "an eye outside the scene, or a view in parallel projection"};
   }

@@ -39,7 +39,7 @@ constexpr std::size_t most_summaries = 16;          // summaries of all other ed
 constexpr std::size_t most_events_with_views = 80;  // events with one step for the event and one for the view after it
 constexpr std::size_t most_events_shown = 200;
 
-std::string counted(std::uint64_t count, std::string_view thing) {
+std::string count_text(std::uint64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
@@ -69,12 +69,12 @@ Look look_of(Group group) {
 }
 
 // The vertices and faces that a caption names: "vertex 3", "edge 4-5" (two vertices), "face 7", "faces 7, 8".
-struct Named {
+struct MentionedParts {
   std::set<std::uint32_t> vertices;
   std::set<std::uint32_t> faces;  // from 0
 };
-Named named_in(std::string_view caption) {
-  Named named;
+MentionedParts find_mentioned(std::string_view caption) {
+  MentionedParts named;
   std::size_t at = 0;
   const auto number = [&]() -> std::optional<std::uint32_t> {
     std::uint32_t value = 0;
@@ -106,9 +106,9 @@ Named named_in(std::string_view caption) {
   return named;
 }
 
-class PlantingaTeller final : public pl::Trace {
+class PlantingaRecorder final : public pl::Trace {
  public:
-  PlantingaTeller(const pl::RotationModel& model, TurnStage& stage, double angle, Steps& steps)
+  PlantingaRecorder(const pl::RotationModel& model, TurnStage& stage, double angle, Steps& steps)
       : model_(model), stage_(stage), steps_(steps), angle_(angle), causes_(model.edges().size()) {
     summary_size_ = std::max<std::size_t>(1, (model.edges().size() + most_summaries - 1) / most_summaries);
     count();
@@ -156,10 +156,10 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::hidden, edge, angle_);
     for (const pl::Piece& piece : left) stage_.add_piece(marks, Look::now, edge, piece, angle_);
-    tell(angle_, fmt::format(
+    add_step(angle_, fmt::format(
                    "{} is compared with the {} that may hide some of it from some direction. From here face{} {} cover{} some of "
                    "it; what is covered on both sides of its line in the image is hidden. {}",
-                   name_of(edge, true), counted(occluder_count_, "face"), covering_.size() == 1 ? "" : "s", names,
+                   name_of(edge, true), count_text(occluder_count_, "face"), covering_.size() == 1 ? "" : "s", names,
                    covering_.size() == 1 ? "s" : "", what_is_left(left)),
                "section 4", {{image, "face", std::move(faces)}, {image, "edge", std::move(marks)}, {image, "seen", initial_}});
   }
@@ -167,10 +167,10 @@ class PlantingaTeller final : public pl::Trace {
   void initial_picture(const picture::LinePicture& drawn) {
     pieces_ = drawn.pieces.size();
     count();
-    tell(angle_,
+    add_step(angle_,
         fmt::format("The initial picture, made by hidden-line removal from scratch: {}.{} Of "
                     "each piece the graph stores what it ends in: a vertex, or a T-junction and the edge that hides the rest.",
-                    counted(pieces_, "visible piece"),
+                    count_text(pieces_, "visible piece"),
                     turned_away_ == 0 ? ""
                                       : fmt::format(" {} left out: all faces at {} look away.",
                                                     turned_away_ == 1 ? "One edge is" : fmt::format("{} edges are", turned_away_),
@@ -225,9 +225,9 @@ class PlantingaTeller final : public pl::Trace {
     }
     count();
     const std::string which = summary_.size() == 1 ? name_of(summary_.front(), true) : fmt::format("{} edges", summary_.size());
-    tell(angle_, fmt::format("{} {} studied{}: {} compared, {} kept.", which, summary_.size() == 1 ? "is" : "are",
-                           detailed_ == 0 ? "" : " in the same way", counted(summary_directions_, "direction"),
-                           counted(summary_changes_, "change")),
+    add_step(angle_, fmt::format("{} {} studied{}: {} compared, {} kept.", which, summary_.size() == 1 ? "is" : "are",
+                           detailed_ == 0 ? "" : " in the same way", count_text(summary_directions_, "direction"),
+                           count_text(summary_changes_, "change")),
                "section 3",
                {{image, "wire", stage_.wire(angle_)},
                 {image, "face", {}},
@@ -253,12 +253,12 @@ class PlantingaTeller final : public pl::Trace {
       ++of[static_cast<std::size_t>(group)];
       dots.push_back(dot(look_of(group), stage_.on_circle(event.direction.angle)));
     }
-    tell(angle_,
+    add_step(angle_,
         fmt::format(
             "The event list of a full turn, sorted by angle: at {} a face or a plane of two edges is edge-on (the paper "
             "leaves these out), at {} a vertex and an edge meet in the image (EV), at {} three edges meet (EEE). From now on no "
             "edge is compared with a face.",
-            counted(of[0], "event"), of[1], of[2]),
+            count_text(of[0], "event"), of[1], of[2]),
         "section 4",
         {{image, "wire", stage_.wire(angle_)},
          {image, "face", {}},
@@ -279,8 +279,8 @@ class PlantingaTeller final : public pl::Trace {
       if (with_views) tell_view(list, at, graph);
     }
     if (list.events.size() > most_events_shown)
-      tell(angle_,
-          fmt::format("The turn goes on in the same way over {}.", counted(list.events.size() - most_events_shown, "more event")),
+      add_step(angle_,
+          fmt::format("The turn goes on in the same way over {}.", count_text(list.events.size() - most_events_shown, "more event")),
           "section 4", {{image, "cause", {}}, {circle, "cause", {}}});
   }
 
@@ -288,7 +288,7 @@ class PlantingaTeller final : public pl::Trace {
     pieces_ = drawn.pieces.size();
     passed_ = events_;
     count();
-    tell(angle_,
+    add_step(angle_,
         events_ == 0
             ? "Nothing changes in a whole turn: the picture from every direction has the same structure."
             : "The turn is complete, and the picture is the initial one again. Each step touched only the edges that change, "
@@ -304,8 +304,8 @@ class PlantingaTeller final : public pl::Trace {
 
  private:
   // Adds a step whose image is seen from `angle`, with the numbers of the vertices and faces that the caption names.
-  void tell(double angle, std::string caption, std::string section, std::vector<Layer> changes) {
-    const Named named = named_in(caption);
+  void add_step(double angle, std::string caption, std::string section, std::vector<Layer> changes) {
+    const MentionedParts named = find_mentioned(caption);
     Layer in_image{image, "numbers", {}};
     Layer in_plan{circle, "numbers", {}};
     for (const std::uint32_t face : named.faces) stage_.add_face_number(in_image.marks, in_plan.marks, face, angle);
@@ -328,7 +328,7 @@ class PlantingaTeller final : public pl::Trace {
       return false;
     if (detailed_ == 0) return true;
     return std::any_of(history.changes.begin(), history.changes.end(), [&](const pl::EdgeChange& change) {
-      return kinds_told_.count(first_cause(edge, change.direction).kind) == 0;
+      return explained_kinds_.count(first_cause(edge, change.direction).kind) == 0;
     });
   }
 
@@ -354,11 +354,11 @@ class PlantingaTeller final : public pl::Trace {
     for (const Comparison& each : comparisons_)
       candidates.push_back(line(Look::now, {stage_.on_circle(each.direction.angle, 0.92), stage_.on_circle(each.direction.angle, 1.04)}));
     count();
-    tell(angle_,
+    add_step(angle_,
         fmt::format(
             "{}: {} may hide some of it in a turn, as some of it is behind their planes. Its potential events are at {}.{} The "
             "structure of the edge is made from scratch between each two of them.",
-            name_of(edge, true), counted(occluders_.size(), "face"), counted(comparisons_.size(), "direction"),
+            name_of(edge, true), count_text(occluders_.size(), "face"), count_text(comparisons_.size(), "direction"),
             dropped_here_ == 0 ? ""
                                : fmt::format(" Others, {} of them, are dropped at once: another face surely hides the point, or "
                                              "the nearer edge bounds nothing there.",
@@ -389,9 +389,9 @@ class PlantingaTeller final : public pl::Trace {
     count();
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::now, edge, angle_);
-    tell(angle_, fmt::format("{}The list keeps {} of {} for {}.",
+    add_step(angle_, fmt::format("{}The list keeps {} of {} for {}.",
                            shown < comparisons_.size() ? "The other directions are compared in the same way. " : "",
-                           history.changes.size(), counted(comparisons_.size(), "direction"), name_of(edge, false)),
+                           history.changes.size(), count_text(comparisons_.size(), "direction"), name_of(edge, false)),
                "section 3",
                {{image, "wire", stage_.wire(angle_)},
                 {image, "face", {}},
@@ -408,7 +408,7 @@ class PlantingaTeller final : public pl::Trace {
     const double angle = each.direction.angle;
     const pl::PotentialEvent cause = first_cause(edge, each.direction);
     const bool changed = !(each.before == each.after);
-    if (changed) kinds_told_.insert(cause.kind);
+    if (changed) explained_kinds_.insert(cause.kind);
     ++compared_;
     changes_ += changed ? 1 : 0;
     count();
@@ -419,7 +419,7 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> in_image;
     std::vector<Mark> in_plan;
     stage_.add_cause(in_image, in_plan, cause, angle);
-    tell(angle, fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
+    add_step(angle, fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
                            name_of(edge, true), structure_in_words(each.before), structure_in_words(each.after),
                            changed ? "They differ: it is an event." : "They are equal: it is no event of this edge."),
                "section 3",
@@ -460,8 +460,8 @@ class PlantingaTeller final : public pl::Trace {
       what += fmt::format("{}{}", i == 0 ? "" : ", and ", what_of(causes[i]));
     }
     if (causes.size() > 2) what += fmt::format(", and {} more in the same direction", causes.size() - 2);
-    tell(angle, fmt::format("Event {} of {} at {:.2f} degrees: {}. {} change{}: {} removed from the graph and {} added.", passed_,
-                           events_, degrees(angle), what, counted(edges.size(), "edge"), edges.size() == 1 ? "s" : "",
+    add_step(angle, fmt::format("Event {} of {} at {:.2f} degrees: {}. {} change{}: {} removed from the graph and {} added.", passed_,
+                           events_, degrees(angle), what, count_text(edges.size(), "edge"), edges.size() == 1 ? "s" : "",
                            removed == 1 ? "1 piece is" : fmt::format("{} pieces are", removed), added),
                "section 4",
                {{image, "wire", stage_.wire(angle)},
@@ -478,11 +478,11 @@ class PlantingaTeller final : public pl::Trace {
     const double ahead = next > here ? next - here : next - here + 2 * std::numbers::pi;
     double angle = here + ahead / 2;
     if (angle > std::numbers::pi) angle -= 2 * std::numbers::pi;
-    tell(angle,
+    add_step(angle,
         fmt::format(
             "The structure stays the same up to {:.2f} degrees. A frame between, here at {:.2f}, draws the {} of the graph; only "
             "the vertices and the T-junctions are placed again.",
-            degrees(next), degrees(angle), counted(graph.piece_count(), "piece")),
+            degrees(next), degrees(angle), count_text(graph.piece_count(), "piece")),
         "section 4",
         {{image, "wire", stage_.wire(angle)},
          {image, "cause", {}},
@@ -571,7 +571,7 @@ class PlantingaTeller final : public pl::Trace {
   // The ends of the pieces: "from vertex 3 to edge 4-5".
   [[nodiscard]] std::string structure_in_words(const pl::EdgeStructure& structure) const {
     if (structure.empty()) return "nothing is visible";
-    if (structure.size() > 2) return counted(structure.size(), "piece");
+    if (structure.size() > 2) return count_text(structure.size(), "piece");
     std::string words;
     for (const pl::Piece& piece : structure)
       words += fmt::format("{}from {} to {}", words.empty() ? "" : " and ", end_of(piece.low), end_of(piece.high));
@@ -593,7 +593,7 @@ class PlantingaTeller final : public pl::Trace {
     const std::string ends =
         names.empty() ? ""
                       : fmt::format(", cut off in {} with {}", junctions.size() == 1 ? "a T-junction" : "T-junctions", names);
-    return fmt::format("{} of it {} left{}.", counted(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
+    return fmt::format("{} of it {} left{}.", count_text(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
   }
 
   // The view of the graph; counts its pieces.
@@ -622,7 +622,7 @@ class PlantingaTeller final : public pl::Trace {
   std::size_t dropped_here_ = 0;
   // For all edges.
   std::vector<Mark> found_;
-  std::set<EventKind> kinds_told_;
+  std::set<EventKind> explained_kinds_;
   std::size_t detailed_ = 0;
   std::vector<pl::EdgeIndex> summary_;
   std::size_t summary_size_ = 1;
@@ -648,7 +648,7 @@ base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scen
   if (sight.x == 0 && sight.z == 0) sight.z = 1;
   const double angle = std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
   Steps steps(lesson);
-  PlantingaTeller teller(model, stage, angle, steps);
+  PlantingaRecorder recorder(model, stage, angle, steps);
   std::vector<Point> ring;
   for (int i = 0; i <= 180; ++i) ring.push_back(stage.on_circle(i * std::numbers::pi / 90));
   steps.add(fmt::format(
@@ -660,17 +660,17 @@ base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scen
              {circle, "ring", {line(Look::faint, std::move(ring))}},
              {circle, "plan", stage.plan()},
              {circle, "sight", stage.radius(angle)}});
-  const picture::LinePicture picture = pl::visible_edges(model, sight, teller);
-  teller.initial_picture(picture);
+  const picture::LinePicture picture = pl::visible_edges(model, sight, recorder);
+  recorder.initial_picture(picture);
   pl::BuildOptions options;
-  options.trace = &teller;
+  options.trace = &recorder;
   auto list = pl::build_event_list(model, options);
   if (!list) return std::move(list.error());
-  teller.end_summary();
+  recorder.end_summary();
   pl::EdgeStructureGraph graph(*list);
   static_cast<void>(graph.turn_to(angle));
-  teller.turn(*list, graph);
-  teller.finish(picture);
+  recorder.turn(*list, graph);
+  recorder.finish(picture);
   return lesson;
 }
 

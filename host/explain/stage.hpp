@@ -59,7 +59,7 @@ class ImageStage {
 
  private:
   [[nodiscard]] std::vector<Space> corners_of(const scene::PolyFace& face) const;
-  [[nodiscard]] Point projected(const Space& of_eye) const;
+  [[nodiscard]] Point project(const Space& of_eye) const;
   [[nodiscard]] bool cut(Space& from, Space& to) const;
 
   const scene::PolyScene& scene_;

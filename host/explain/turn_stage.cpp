@@ -34,7 +34,7 @@ TurnStage::TurnStage(const pl::RotationModel& model, const scene::PolyCamera& ca
   const Space up = space(camera.up);
   const Space forward = space(camera.forward);
   const double turn = geometry::dot(right, geometry::cross(up, forward));
-  hand_ = turn > 0 ? -1 : 1;
+  handedness_ = turn > 0 ? -1 : 1;
 
   std::array<std::int64_t, 3> least{};
   std::array<std::int64_t, 3> most{};
@@ -57,7 +57,7 @@ Sheet TurnStage::image_sheet() const {
 }
 
 Point TurnStage::in_image(double u, double v, double angle) const {
-  return {hand_ * (u - (middle_[0] * std::cos(angle) - middle_[2] * std::sin(angle))), v};
+  return {handedness_ * (u - (middle_[0] * std::cos(angle) - middle_[2] * std::sin(angle))), v};
 }
 
 Point TurnStage::in_image(const Space& p, double angle) const {
@@ -65,12 +65,12 @@ Point TurnStage::in_image(const Space& p, double angle) const {
 }
 
 Point TurnStage::on_circle(double angle, double radius) const {
-  return {radius * std::sin(angle), -hand_ * radius * std::cos(angle)};
+  return {radius * std::sin(angle), -handedness_ * radius * std::cos(angle)};
 }
 
 Point TurnStage::in_plan(const Space& p) const {
   const double scale = plan_radius / reach_;
-  return {(p[0] - middle_[0]) * scale, hand_ * (middle_[2] - p[2]) * scale};
+  return {(p[0] - middle_[0]) * scale, handedness_ * (middle_[2] - p[2]) * scale};
 }
 
 std::vector<Mark> TurnStage::wire(double angle) const {

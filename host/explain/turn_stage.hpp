@@ -67,7 +67,7 @@ class TurnStage {
   double low_ = 0;    // range of y
   double high_ = 0;
   // -1: the camera's right, up and forward form a system of the opposite handedness to x, y and z, so the image is mirrored.
-  double hand_ = 1;
+  double handedness_ = 1;
 };
 
 }  // namespace sightline::explain

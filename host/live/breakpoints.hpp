@@ -39,7 +39,7 @@ class Breakpoints {
   // Moves an execution breakpoint; false: no breakpoint has this number.
   bool move(int number, std::uint32_t to);
   // Resets all counts.
-  void forget_passes();
+  void reset_counts();
   // Whether a breakpoint is a condition, so that the run must check it after each instruction.
   [[nodiscard]] bool has_conditions() const;
 
@@ -54,9 +54,9 @@ class Breakpoints {
     std::optional<machines::Probe::Event> event;
   };
   // Counts all breakpoints that the events reach and returns the first one that stops the run.
-  [[nodiscard]] std::optional<Hit> meet(const std::vector<machines::Probe::Event>& events, const Condition& holds);
+  [[nodiscard]] std::optional<Hit> find_hit(const std::vector<machines::Probe::Event>& events, const Condition& holds);
   // The first condition that has become true since the last call.
-  [[nodiscard]] std::optional<Hit> condition_met(const Condition& holds);
+  [[nodiscard]] std::optional<Hit> find_true_condition(const Condition& holds);
 
  private:
   static bool counts(Breakpoint& breakpoint, const Condition& holds);

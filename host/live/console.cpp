@@ -46,7 +46,7 @@ std::optional<KeyCodes> codes_named(std::string_view name) {
 }
 
 // Converts a text to keys: the end of a line is the RETURN key.
-std::string as_keys(std::string_view text, bool& after_return) {
+std::string keys_of(std::string_view text, bool& after_return) {
   std::string keys;
   for (const char c : text) {
     const bool second_half = c == '\n' && after_return;
@@ -56,7 +56,7 @@ std::string as_keys(std::string_view text, bool& after_return) {
   return keys;
 }
 
-std::string quoted(std::string_view text) {
+std::string quote(std::string_view text) {
   std::string shown = "\"";
   for (const char c : text) {
     if (c == '\r') {
@@ -93,7 +93,7 @@ class Session {
     const std::string text = shown_text(machine_.take_printed());
     if (text.empty()) return true;
     waited_ = 0;
-    if (scripted_) look_for(text);
+    if (scripted_) search_output(text);
     return person_.print(text);
   }
 
@@ -107,7 +107,7 @@ class Session {
     const auto text = person_.keys(milliseconds);
     ended_ = !text;
     if (!person_.at_terminal()) {
-      for (const char key : as_keys(text.value_or(""), after_return_)) keys_.push_back(key);
+      for (const char key : keys_of(text.value_or(""), after_return_)) keys_.push_back(key);
       return std::nullopt;
     }
     if (!text) return Stop{end_of_input, {}};
@@ -124,7 +124,7 @@ class Session {
     waited_ = 0;
     if (!keys_.empty()) return;
     send_next();
-    if (scripted_) look_for({});
+    if (scripted_) search_output({});
   }
 
   // Counts a slice in which the program asks for a key and there is none; ends the run after too many.
@@ -160,16 +160,16 @@ class Session {
     const std::string_view last =
         std::string_view(printed_).substr(printed_.size() - std::min(printed_.size(), most_shown));
     return fmt::format("--expect {}: {}, and the text was not printed; printed since the last match: {}{}",
-                       quoted(steps_.front().text), why, printed_.size() > most_shown ? "..." : "", quoted(last));
+                       quote(steps_.front().text), why, printed_.size() > most_shown ? "..." : "", quote(last));
   }
 
  private:
   [[nodiscard]] static std::string not_typed(std::string_view text, std::string_view why) {
-    return fmt::format("--send {}: {} before it was typed", quoted(text), why);
+    return fmt::format("--send {}: {} before it was typed", quote(text), why);
   }
 
   // Text that is printed while keys are still being typed counts for the text that is expected after them.
-  void look_for(std::string_view text) {
+  void search_output(std::string_view text) {
     printed_ += text;
     while (keys_.empty() && !steps_.empty()) {
       const std::size_t found = printed_.find(steps_.front().text);
@@ -243,7 +243,7 @@ class StandardOperator final : public Operator {
   bool terminal_;
 };
 
-Stop ended(Machine& machine, Stop stop) {
+Stop finish(Machine& machine, Stop stop) {
   machine.finish();
   return stop;
 }
@@ -328,21 +328,21 @@ Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& o
     if (stop && stop->at_until && end < limits.until) stop.reset();
     if (!session.pass_on_printed() && !stop) stop = Stop{machines::interrupted, {}};
     if (stop) break;
-    if (session.script_done()) return ended(machine, {end_of_input, {}});
+    if (session.script_done()) return finish(machine, {end_of_input, {}});
     // Waits in short intervals, because a signal that arrives just before a wait does not end it.
     constexpr int turn = 200;
     const bool waits = session.must_wait_for_input();
     do {
       stop = session.listen(waits ? turn : pace.ahead());
-      if (base::EndSignals::received() != 0) return ended(machine, {stopped_by_signal, {}});
+      if (base::EndSignals::received() != 0) return finish(machine, {stopped_by_signal, {}});
     } while (!stop && session.must_wait_for_input());
     if (waits) pace.begin();
     session.type();
     if (!stop) stop = session.wait_for_keys();
   }
-  if (stop->name == stopped_by_ctrl_e) return ended(machine, *stop);
+  if (stop->name == stopped_by_ctrl_e) return finish(machine, *stop);
   if (stop->complaint.empty()) stop->complaint = session.missing("the run ended");
-  return ended(machine, *stop);
+  return finish(machine, *stop);
 }
 
 }  // namespace sightline::live

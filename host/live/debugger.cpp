@@ -192,11 +192,11 @@ void Debugger::watch_conditions(const std::string& goal) {
 void Debugger::end_at_times(const std::string& goal, Limits& limits) {
   const auto end_at_times_of = [&](const std::string& condition) {
     const Expression* const expression = condition_of(condition);
-    const auto turns = expression == nullptr ? std::nullopt : expression->turns();
-    if (!turns) return;
+    const auto points = expression == nullptr ? std::nullopt : expression->change_points();
+    if (!points) return;
     for (const std::string& name : expression->names())
       if (base::lower_case(name) != "time") return;
-    for (const std::int64_t at : *turns)
+    for (const std::int64_t at : *points)
       if (at > machine_.ticks()) limits.until = std::min(limits.until, at);
   };
   if (!goal.empty()) end_at_times_of(goal);
@@ -364,10 +364,10 @@ Halted Debugger::run(const Goal& goal) {
                                         host_.patience)};
     }
     if (stop.name == machines::stopped_by_probe && host_.interrupted()) stop = {machines::interrupted, {}};
-    if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
+    if (const auto hit = breakpoints_.find_hit(probe.events(), holds_)) reason = reason_of(*hit);
     probe.resume();
     if (conditions) {
-      if (const auto hit = breakpoints_.condition_met(holds_); hit && !reason) reason = reason_of(*hit);
+      if (const auto hit = breakpoints_.find_true_condition(holds_); hit && !reason) reason = reason_of(*hit);
       if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
     }
   }

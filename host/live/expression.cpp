@@ -193,8 +193,8 @@ base::Result<Expression> Expression::read(std::string_view text, const Names& na
   return ExpressionReader(text, names).all();
 }
 
-Expression::Calculated Expression::calculated() const {
-  using End = Calculated::End;
+Expression::Outcome Expression::calculate() const {
+  using End = Outcome::End;
   std::array<std::int64_t, most_operands> operands;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
   std::int64_t* end = operands.data();
   for (const Step& step : steps_) {
@@ -220,28 +220,28 @@ Expression::Calculated Expression::calculated() const {
 }
 
 base::Result<std::int64_t> Expression::value() const {
-  const Calculated calculated = this->calculated();
+  const Outcome calculated = this->calculate();
   switch (calculated.end) {
-    case Calculated::End::value: break;
-    case Calculated::End::no_word:
+    case Outcome::End::value: break;
+    case Outcome::End::no_word:
       return base::Error{.found = fmt::format("found address {}", calculated.number), .expected = "an address in memory"};
-    case Calculated::End::division_by_0: return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
+    case Outcome::End::division_by_0: return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
   }
   return calculated.number;
 }
 
 bool Expression::holds() const {
-  const Calculated calculated = this->calculated();
-  return calculated.end != Calculated::End::value || calculated.number != 0;
+  const Outcome calculated = this->calculate();
+  return calculated.end != Outcome::End::value || calculated.number != 0;
 }
 
-std::optional<std::vector<std::int64_t>> Expression::turns() const {
+std::optional<std::vector<std::int64_t>> Expression::change_points() const {
   using Kind = Step::Kind;
-  std::vector<std::int64_t> turns;
+  std::vector<std::int64_t> points;
   std::vector<Step> stack;  // numbers and names; `no` stands for a truth value
   // A name alone is true if it is not 0.
   const auto take_truth = [&] {
-    if (stack.back().kind == Kind::name) turns.insert(turns.end(), {0, 1});
+    if (stack.back().kind == Kind::name) points.insert(points.end(), {0, 1});
     stack.pop_back();
   };
   for (const Step& step : steps_) {
@@ -259,8 +259,8 @@ std::optional<std::vector<std::int64_t>> Expression::turns() const {
       const bool by_number = left.kind == Kind::name && right.kind == Kind::number;
       if (!by_number && !(left.kind == Kind::number && right.kind == Kind::name)) return std::nullopt;
       const std::int64_t number = by_number ? right.number : left.number;
-      turns.push_back(number);
-      if (number != std::numeric_limits<std::int64_t>::max()) turns.push_back(number + 1);
+      points.push_back(number);
+      if (number != std::numeric_limits<std::int64_t>::max()) points.push_back(number + 1);
       stack.resize(stack.size() - 2);
     } else {
       return std::nullopt;
@@ -268,7 +268,7 @@ std::optional<std::vector<std::int64_t>> Expression::turns() const {
     stack.push_back({Kind::no});
   }
   take_truth();
-  return turns;
+  return points;
 }
 
 std::optional<std::int64_t> number(std::string_view text, int radix) {

@@ -44,7 +44,7 @@ class Expression {
   [[nodiscard]] const std::vector<std::string>& names() const { return read_names_; }
   // For an expression that consists of comparisons of names with constants, joined by && || and !: the values of a name at which its
   // truth can change. nullopt for all others.
-  [[nodiscard]] std::optional<std::vector<std::int64_t>> turns() const;
+  [[nodiscard]] std::optional<std::vector<std::int64_t>> change_points() const;
 
  private:
   friend class ExpressionReader;
@@ -63,12 +63,12 @@ class Expression {
     Sign sign = Sign::either;
     std::int64_t number = 0;
   };
-  struct Calculated {
+  struct Outcome {
     enum class End : std::uint8_t { value, no_word, division_by_0 };
     End end = End::value;
     std::int64_t number = 0;  // the value, or the address that is outside memory
   };
-  [[nodiscard]] Calculated calculated() const;
+  [[nodiscard]] Outcome calculate() const;
 
   const Names* names_ = nullptr;
   std::vector<Step> steps_;

@@ -39,7 +39,7 @@ bool are_one_file(const std::string& a, const std::string& b) {
 
 // Error usage: two outputs are the same file or both standard output, or an output is a source. Files that are not regular
 // (/dev/null) may be named several times.
-void refuse_clashing_files(const Arguments& arguments) {
+void reject_clashing_files(const Arguments& arguments) {
   for (std::size_t i = 0; i < output_options.size(); ++i) {
     const auto& [option, key] = output_options[i];
     const std::string& name = arguments.text(key);
@@ -48,7 +48,7 @@ void refuse_clashing_files(const Arguments& arguments) {
       const std::string& before = arguments.text(output_options[other].second);
       if (!before.empty() && are_one_file(name, before))
         throw base::usage_error(fmt::format("{}: found {}, expected another file than that of {}",
-                                                   option, shown_name(name), output_options[other].first));
+                                                   option, display_name(name), output_options[other].first));
     }
     for (const std::string& source : arguments.list("SOURCE")) {
       if (name != "-" && are_one_file(name, source))
@@ -102,20 +102,20 @@ void write_files(const MachineDescription& machine, const Arguments& arguments,
 }
 
 ExitCode assemble(const MachineDescription& machine, const Arguments& arguments) {
-  refuse_clashing_files(arguments);
+  reject_clashing_files(arguments);
   std::vector<assembler::SourceFile> sources;
   for (const std::string& path : arguments.list("SOURCE"))
-    sources.push_back({shown_name(path), read_input_text(path)});
+    sources.push_back({display_name(path), read_input_text(path)});
   const machines::Assembled assembled =
       value_of(machine.assembler.assemble(sources, arguments, read_include));
   for (const auto& diagnostic : assembled.diagnostics)
     fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
   if (assembler::any_errors(assembled.diagnostics)) {
-    say_whose_source(machine, sources, "asm", arguments.list("SOURCE"));
+    suggest_other_machine(machine, sources, "asm", arguments.list("SOURCE"));
     throw base::bad_input("the source has errors; nothing was written");
   }
   write_files(machine, arguments, assembled);
-  complain(summary(machine, arguments, assembled));
+  print_message(summary(machine, arguments, assembled));
   return ExitCode::ok;
 }
 

@@ -96,7 +96,7 @@ std::vector<AtlasView> views_of(const compare::ErrorAtlas& atlas, const AtlasArg
   };
   base::run_in_order(work);
   if (views.size() == work.last) return views;
-  complain(fmt::format("stopped after {} of {} eyes; no picture is written", views.size(), work.last));
+  print_message(fmt::format("stopped after {} of {} eyes; no picture is written", views.size(), work.last));
   return {};
 }
 
@@ -262,7 +262,7 @@ ExitCode run_atlas(const AtlasArguments& arguments) {
   }
   if (!summary.not_its_twin) return ExitCode::ok;
   const AtlasView& view = views[*summary.not_its_twin];
-  complain(fmt::format("{}: the program on the machine and the same program in C++ differ, a defect of this program: {}; see {}",
+  print_message(fmt::format("{}: the program on the machine and the same program in C++ differ, a defect of this program: {}; see {}",
                        arguments.scene, view.difference, jones_command(arguments, view)));
   return ExitCode::differs;
 }
@@ -288,7 +288,7 @@ void add_atlas_command(const Command& program) {
           .value("N");
   static_cast<void>(views.excludes(lattice).excludes(height));
   command.option("--seed", arguments->seed, "Seed of the random camera positions")
-      .check(why_no_whole_number)
+      .check(whole_number_error)
       .default_value()
       .value("N")
       .needs(views);

@@ -71,21 +71,21 @@ std::vector<std::string> every_builtin() {
   return names;
 }
 
-void refuse(bool given, const char* option, const std::string& name, std::string_view expected) {
+void reject(bool given, const char* option, const std::string& name, std::string_view expected) {
   if (given)
     throw base::usage_error(fmt::format("{}: found with {}, expected {}", option, name, expected));
 }
 
 // Rejects camera options: all of them for functions, all but the eye for scenes of cells.
-void refuse_camera(const CameraArguments& camera, bool eye, const std::string& name, std::string_view expected) {
+void reject_camera(const CameraArguments& camera, bool eye, const std::string& name, std::string_view expected) {
   const bool point = camera.view.find(',') != std::string::npos;
-  refuse(eye && !camera.eye.empty(), "--eye", name, expected);
-  refuse(!camera.view.empty() && (eye || !point), "--view", name, expected);
-  refuse(!camera.look_at.empty(), "--look-at", name, expected);
-  refuse(!camera.orthographic.empty(), "--orthographic", name, expected);
-  refuse(!camera.forward.empty() || !camera.right.empty() || !camera.up.empty(), "--up or --forward", name, expected);
-  refuse(!camera.vertical.empty(), "--vertical", name, expected);
-  refuse(camera.steps, "--steps", name, expected);
+  reject(eye && !camera.eye.empty(), "--eye", name, expected);
+  reject(!camera.view.empty() && (eye || !point), "--view", name, expected);
+  reject(!camera.look_at.empty(), "--look-at", name, expected);
+  reject(!camera.orthographic.empty(), "--orthographic", name, expected);
+  reject(!camera.forward.empty() || !camera.right.empty() || !camera.up.empty(), "--up or --forward", name, expected);
+  reject(!camera.vertical.empty(), "--vertical", name, expected);
+  reject(camera.steps, "--steps", name, expected);
 }
 
 // Makes unique names for the overlays of one call, so that those of d1/part.off and d2/part.off are different files.
@@ -123,15 +123,15 @@ compare::CompareOptions options_of(const CompareArguments& arguments) {
   return options;
 }
 
-bool chosen(const CompareArguments& arguments, const std::string& method) {
+bool is_chosen(const CompareArguments& arguments, const std::string& method) {
   return arguments.methods.empty() || std::find(arguments.methods.begin(), arguments.methods.end(), method) != arguments.methods.end();
 }
 
 // The methods that were omitted: the first reason of each, and the number of views.
-class LeftOut {
+class OmittedMethods {
  public:
   // Begins with the requested methods that do not draw this kind of scene at all.
-  LeftOut(const CompareArguments& arguments, compare::SceneKind kind) {
+  OmittedMethods(const CompareArguments& arguments, compare::SceneKind kind) {
     for (const std::string& method : arguments.methods)
       if (const auto reason = compare::why_never(method, kind)) reasons_.push_back({method, *reason, 0});
   }
@@ -172,11 +172,11 @@ class LeftOut {
 };
 
 // The result for a scene or function that none of the requested methods draws.
-ComparedScene nothing_compared(const std::string& name, const LeftOut& left_out, Json json) {
+ComparedScene empty_comparison(const std::string& name, const OmittedMethods& omitted, Json json) {
   ComparedScene compared;
-  compared.nothing = left_out.first();
+  compared.nothing = omitted.first();
   compared.heading = name + ": nothing to compare\n";
-  compared.notes = left_out.text(1);
+  compared.notes = omitted.text(1);
   compared.json = std::move(json);
   return compared;
 }
@@ -193,7 +193,7 @@ std::string views_heading(const std::string& name, const CompareArguments& argum
 }
 
 // Rejects files that are inputs of hard cases, but neither scenes nor grids.
-void refuse_commands(const std::string& name) {
+void reject_case_inputs(const std::string& name) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(name, unknown)) return;
   const std::string_view kind = compare::kind_of_commands(read_input_text(name));
@@ -207,7 +207,7 @@ void refuse_commands(const std::string& name) {
 
 std::vector<compare::MethodView> chosen_rows(const CompareArguments& arguments, const compare::HeightComparison& comparison) {
   auto views = method_views(comparison);
-  std::erase_if(views, [&](const compare::MethodView& row) { return !chosen(arguments, row.method.substr(0, row.method.find(' '))); });
+  std::erase_if(views, [&](const compare::MethodView& row) { return !is_chosen(arguments, row.method.substr(0, row.method.find(' '))); });
   return views;
 }
 
@@ -215,14 +215,14 @@ std::vector<compare::MethodView> chosen_rows(const CompareArguments& arguments, 
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source, OverlayNames& overlays,
                                const compare::CompareProgress& progress, compare::Answer& answer) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
-  refuse_camera(arguments.camera, true, name, "--rotate and --elevate for a function");
-  refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
-  refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
-  refuse(arguments.fraction.has_value(), "--fraction", name, "a scene of cells");
+  reject_camera(arguments.camera, true, name, "--rotate and --elevate for a function");
+  reject(arguments.scale.has_value(), "--scale", name, "a scene of cells");
+  reject(arguments.no_eae, "--no-eae", name, "a scene of cells");
+  reject(arguments.fraction.has_value(), "--fraction", name, "a scene of cells");
   algorithms::skala::View view = arguments.function_view;
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
-  if (source.expression.empty()) refuse_commands(name);
+  if (source.expression.empty()) reject_case_inputs(name);
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.subject));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
     throw base::bad_input(fmt::format("{}: {}; `sightline skala --check` draws it and compares it with its twin", name, *reason));
@@ -232,19 +232,19 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     answer.add(function.name, number, chosen_rows(arguments, comparison));
     return comparison;
   };
-  const LeftOut left_out(arguments, compare::SceneKind::function);
+  const OmittedMethods omitted(arguments, compare::SceneKind::function);
   if (arguments.random.turn || arguments.random.level)
     throw base::usage_error(fmt::format("{}: found {}, expected a scene", arguments.random.turn ? "--turn" : "--level", name));
   if (arguments.views == 0) {
     if (arguments.only_view) view = compare::random_height_view(function.grid, view, arguments.random.seed, *arguments.only_view);
     const auto comparison = compare_view(view, arguments.only_view.value_or(0), progress);
-    if (answer.rows().empty()) return nothing_compared(function.name, left_out, compare_json(function.name, comparison));
+    if (answer.rows().empty()) return empty_comparison(function.name, omitted, compare_json(function.name, comparison));
     ComparedScene compared{comparison.agrees(), "", compare_heading(function.name, comparison),
-                           compare_notes(comparison, chosen_rows(arguments, comparison)) + left_out.text(1),
+                           compare_notes(comparison, chosen_rows(arguments, comparison)) + omitted.text(1),
                            compare_json(function.name, comparison),
                            write_overlays(arguments.directory, overlays.unused(function.stem), comparison, arguments.all), {}};
     if (!arguments.plot.empty()) compared.plotted = compare::variants_of(comparison);
-    std::erase_if(compared.plotted, [&](const compare::PlotPoint& point) { return !chosen(arguments, point.series); });
+    std::erase_if(compared.plotted, [&](const compare::PlotPoint& point) { return !is_chosen(arguments, point.series); });
     return compared;
   }
   ComparedScene compared;
@@ -254,8 +254,8 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     const auto of = compare::random_height_view(function.grid, view, arguments.random.seed, number);
     compared.agrees = compare_view(of, number, step).agrees() && compared.agrees;
   });
-  if (answer.rows().empty()) return nothing_compared(function.name, left_out, std::move(compared.json));
-  compared.notes = left_out.text(arguments.views);
+  if (answer.rows().empty()) return empty_comparison(function.name, omitted, std::move(compared.json));
+  compared.notes = omitted.text(arguments.views);
   return compared;
 }
 
@@ -270,7 +270,7 @@ SkalaSource source_of(const CompareArguments& arguments, const std::string& name
 
 ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name, OverlayNames& overlays,
                             const compare::CompareProgress& progress, compare::Answer& answer) {
-  refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
+  reject(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
   MeshArguments mesh = arguments.mesh;
   mesh.eye = eye_of(arguments.camera);
@@ -279,11 +279,11 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   const std::optional<scene::CellScene> cells = source.cells;
   if (directions != compare::Directions::usual) source.cells.reset();  // its polyhedra are compared instead
   if (source.cells) {
-    refuse_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
+    reject_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
   } else {
-    refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
-    refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
-    refuse(arguments.fraction.has_value(), "--fraction", name, "a scene of cells, which the PDP-7 can draw");
+    reject(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
+    reject(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
+    reject(arguments.fraction.has_value(), "--fraction", name, "a scene of cells, which the PDP-7 can draw");
   }
   const compare::CompareOptions options = options_of(arguments);
   progress("prepared");
@@ -296,7 +296,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     answer.add(shown, number, method_views(comparison));
     return comparison;
   };
-  LeftOut left_out(arguments, source.cells ? compare::SceneKind::cells : compare::SceneKind::polyhedra);
+  OmittedMethods omitted(arguments, source.cells ? compare::SceneKind::cells : compare::SceneKind::polyhedra);
   const auto random_camera = [&](std::uint64_t number) {
     return compare::random_camera(source.scene, cells ? &*cells : nullptr, directions, arguments.random.seed, number);
   };
@@ -311,10 +311,10 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
       camera = camera_of(arguments.camera, source.scene, name);
     }
     const auto comparison = compare_view(camera, arguments.only_view.value_or(0), progress);
-    left_out.add(comparison.not_applicable);
-    if (answer.rows().empty()) return nothing_compared(shown, left_out, compare_json(comparison));
+    omitted.add(comparison.not_applicable);
+    if (answer.rows().empty()) return empty_comparison(shown, omitted, compare_json(comparison));
     ComparedScene compared{comparison.agrees(), "", compare_heading(comparison),
-                           compare_notes(comparison) + left_out.text(1), compare_json(comparison),
+                           compare_notes(comparison) + omitted.text(1), compare_json(comparison),
                            write_overlays(arguments.directory, overlays.unused(shown), comparison, arguments.all), {}};
     if (arguments.plot.empty()) return compared;
     compared.plotted = source.cells ? compare::variants_of(*source.cells, options, comparison, progress)
@@ -326,12 +326,12 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   compared.json = {{"scene", shown}, {"views", arguments.views}, {"seed", arguments.random.seed}};
   compare_views(arguments.views, progress, [&](std::uint64_t number, const compare::CompareProgress& step) {
     const auto comparison = compare_view(random_camera(number), number, step);
-    left_out.add(comparison.not_applicable);
+    omitted.add(comparison.not_applicable);
     compared.agrees = comparison.agrees() && compared.agrees;
   });
-  compared.notes = left_out.text(arguments.views);
-  compared.json["not_compared"] = left_out.json();
-  if (answer.rows().empty()) return nothing_compared(shown, left_out, std::move(compared.json));
+  compared.notes = omitted.text(arguments.views);
+  compared.json["not_compared"] = omitted.json();
+  if (answer.rows().empty()) return empty_comparison(shown, omitted, std::move(compared.json));
   return compared;
 }
 
@@ -377,7 +377,7 @@ ExitCode run_compare(CompareArguments arguments) {
     throw base::usage_error(fmt::format("{}: found without random views, expected --views or --only-view",
                                                arguments.random.turn ? "--turn" : "--level"));
   if (arguments.views != 0 || arguments.only_view)
-    refuse_camera(arguments.camera, true, arguments.views != 0 ? "--views" : "--only-view", "random views, which have cameras of their own");
+    reject_camera(arguments.camera, true, arguments.views != 0 ? "--views" : "--only-view", "random views, which have cameras of their own");
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
   std::optional<Output> plot = plot_output(arguments);
   std::vector<compare::PlotPoint> plotted;
@@ -437,9 +437,9 @@ ExitCode run_compare(CompareArguments arguments) {
   }
   if (arguments.json) print_json(document);
   if (!arguments.json && arguments.views == 0 && pictures == 0)
-    say_written(arguments.directory, "no pictures: nothing differs in any of them (--all writes them)");
+    report_written(arguments.directory, "no pictures: nothing differs in any of them (--all writes them)");
   if (agrees) return ExitCode::ok;
-  complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
+  print_message("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
   return ExitCode::differs;
 }
 
@@ -469,7 +469,7 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
   command.option("--views", arguments.views, "Compare this many random views instead of one: median and greatest values")
       .range(std::uint64_t{1}, std::uint64_t{100'000})
       .value("N");
-  command.option("--only-view", arguments.only_view, "One of the random views, by its number in a sweep, from 0").check(why_no_whole_number).value("K");
+  command.option("--only-view", arguments.only_view, "One of the random views, by its number in a sweep, from 0").check(whole_number_error).value("K");
   add_random_view_options(command, arguments.random);
   command.flag("--no-host-times", arguments.no_host_times, "Omit times of this computer: the same bytes in every run");
   command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");

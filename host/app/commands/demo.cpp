@@ -99,11 +99,11 @@ ExitCode run_demo(const DemoArguments& arguments) {
   ExitCode code = ExitCode::ok;
   for (const JonesRow& row : results.jones) {
     if (row.view.status == programs::jones::Status::complete) continue;
-    complain(fmt::format("{}: the view stopped: {}", row.scene, programs::jones::name(row.view.status)));
+    print_message(fmt::format("{}: the view stopped: {}", row.scene, programs::jones::name(row.view.status)));
     code = ExitCode::guest_failed;
   }
   if (!results.answer.agrees()) {
-    complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
+    print_message("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
     code = ExitCode::differs;
   }
   return code;

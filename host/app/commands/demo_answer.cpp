@@ -27,7 +27,7 @@ constexpr const char* turned_boxes = "boxes-8";
 constexpr const char* turned_view = "1,0,2";
 
 template <class Value>
-Value done(base::Result<Value> result, std::string_view name) {
+Value value_or_throw(base::Result<Value> result, std::string_view name) {
   return value_of(std::move(result), std::string(name), base::ErrorKind::program_failed);
 }
 
@@ -38,7 +38,7 @@ void add_plotted(std::vector<compare::PlotPoint> points, DemoAnswer& answer) {
 void compare_cells(const compare::CompareOptions& options, DemoAnswer& answer) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = load_cells(std::string(name));
-    answer.scenes.push_back(done(compare::compare_cell_scene(scene, options), name));
+    answer.scenes.push_back(value_or_throw(compare::compare_cell_scene(scene, options), name));
     if (name == cells_in_plot) add_plotted(compare::variants_of(scene, options, answer.scenes.back()), answer);
   }
 }
@@ -48,7 +48,7 @@ void compare_polyhedra(const compare::CompareOptions& options, DemoAnswer& answe
     const scene::PolyScene scene = load_scene(name).scene;
     CameraArguments camera;
     if (name == turned_boxes) camera.orthographic = turned_view;
-    answer.scenes.push_back(done(compare::compare_poly_scene(scene, camera_of(camera, scene, name), options), name));
+    answer.scenes.push_back(value_or_throw(compare::compare_poly_scene(scene, camera_of(camera, scene, name), options), name));
     answer.scenes.back().scene = name;
     if (name == boxes) continue;
     // The plot shows the other methods on the scene of cells.

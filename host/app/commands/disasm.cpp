@@ -52,8 +52,8 @@ ExitCode disassemble(const MachineDescription& machine, const Disassembler& disa
   Output output(arguments.text("--output"));
   output.write(source);
   output.commit();
-  say_written(arguments.text("--output"),
-              counted(static_cast<std::uint64_t>(std::count(source.begin(), source.end(), '\n')), "line"));
+  report_written(arguments.text("--output"),
+              count_text(static_cast<std::uint64_t>(std::count(source.begin(), source.end(), '\n')), "line"));
   return ExitCode::ok;
 }
 

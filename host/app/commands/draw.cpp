@@ -148,7 +148,7 @@ ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArgumen
   if (format != hidden_lines::Format::svg && format != hidden_lines::Format::png)
     throw base::usage_error(fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
-  if (format == hidden_lines::Format::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
+  if (format == hidden_lines::Format::svg) reject_option(picture.output, "--stripe", "a name that ends in .png");
   registry::FaceOptions options;
   options.stripe = arguments.stripe;
   const auto prepared = value_of(algorithm.prepare(picture.source.scene, options), picture.source.name);
@@ -159,7 +159,7 @@ ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArgumen
   if (picture.json) {
     print_filled_summary(algorithm, picture, counts);
   } else {
-    say_written(picture.output.file, fmt::format("{} filled, {}", counted(scene::face_count(picture.source.scene), "face"), size_text(picture.output, format)));
+    report_written(picture.output.file, fmt::format("{} filled, {}", count_text(scene::face_count(picture.source.scene), "face"), size_text(picture.output, format)));
   }
   return ExitCode::ok;
 }
@@ -217,7 +217,7 @@ std::optional<double> scale_of(const DrawOutput& output, const scene::LoadedScen
 }
 
 // Error usage: a plotter's margin is wider than the margin for which --field was given, which would reduce the scale.
-void refuse_wider_margin(const DrawLinesArguments& arguments, const scene::PolyCamera& camera) {
+void reject_wider_margin(const DrawLinesArguments& arguments, const scene::PolyCamera& camera) {
   const picture::Paper& paper = arguments.output.paper;
   const double margin = arguments.output.margin;
   if (!arguments.field || camera.perspective || paper.margin <= margin || !arguments.output.scale.empty()) return;
@@ -334,7 +334,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const bool on_paper = format != hidden_lines::Format::png || arguments.output.is_sheet();
   if (!on_paper)
     for (const char* option : {"--strokes", "--min-length"})
-      refuse_option(arguments.output, option, "--size, or a name that does not end in .png");
+      reject_option(arguments.output, option, "--size, or a name that does not end in .png");
   if (arguments.strokes == "-" && arguments.turntable > 1)
     throw base::usage_error("--strokes: found - with --turntable, expected a file");
   if (!arguments.output.scale.empty() && format == hidden_lines::Format::png && !arguments.output.is_sheet())
@@ -345,13 +345,13 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   hidden_lines::ViewOptions options = view_options(algorithm, arguments);
   arguments.mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source =
-      load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::kept : Wires::left_out);
+      load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::keep : Wires::remove);
   const std::size_t faces = scene::face_count(source.scene);
-  refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
+  reject_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
   const std::optional<double> extent = image_field(arguments.field, source.scene, aimed.camera);
   options.field = field_of(arguments, format, extent, scale_of(arguments.output, source, aimed.camera));
-  refuse_wider_margin(arguments, aimed.camera);
+  reject_wider_margin(arguments, aimed.camera);
   if (arguments.filled.fill) {
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
                        {source, aimed.camera, extent, arguments.output, arguments.json}, format);
@@ -359,7 +359,7 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   std::vector<scene::PolyCamera> cameras;
   for (int i = 0; i < arguments.turntable; ++i) {
-    cameras.push_back(turned_about(frame, source.scene, aimed.camera, i, arguments.turntable));
+    cameras.push_back(view_of_turn(frame, source.scene, aimed.camera, i, arguments.turntable));
     if (auto error = scene::eye_error(source.scene, cameras.back())) {
       error->file = source.name;
       throw base::bad_input(error->message());
@@ -412,15 +412,15 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     print_json(arguments.turntable == 1 ? documents[0] : documents);
     return ExitCode::ok;
   }
-  std::string summary = counted(strokes_drawn, "line");
+  std::string summary = count_text(strokes_drawn, "line");
   if (on_paper) summary += fmt::format(", {:.3g} m in all", length_drawn / 1000);
   if (arguments.turntable > 1) summary += fmt::format(", {} drawings", arguments.turntable);
   const auto written = [&arguments](const std::string& name) {
     if (arguments.turntable == 1 || name.empty()) return name;
     return fmt::format("{} ... {}", numbered(name, 1, arguments.turntable), numbered(name, arguments.turntable, arguments.turntable));
   };
-  say_written(written(arguments.output.file), fmt::format("{}, {}", summary, size_text(arguments.output, format)));
-  say_written(written(arguments.strokes), counted(strokes_drawn, "line"));
+  report_written(written(arguments.output.file), fmt::format("{}, {}", summary, size_text(arguments.output, format)));
+  report_written(written(arguments.strokes), count_text(strokes_drawn, "line"));
   return ExitCode::ok;
 }
 
@@ -469,8 +469,8 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   if (algorithm.mesh_time.seconds > 0) add_go_on_option(command, arguments->go_on);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
-    if (algorithm.draws_crossings) command.added("--fill").excludes(command.added("--hatch"));
-    command.added("--fill").excludes(command.added("--all-edges")).excludes(hidden);
+    if (algorithm.draws_crossings) command.find_option("--fill").excludes(command.find_option("--hatch"));
+    command.find_option("--fill").excludes(command.find_option("--all-edges")).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);
   const Option scale =
@@ -479,7 +479,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
                   "The scale on paper, such as 1:50 or 2:1, in parallel projection; it refers to the unit of the scene's file (--unit), or to "
                   "millimetres if it has none")
           .value("N:M")
-          .excludes(command.added("--field"))
+          .excludes(command.find_option("--field"))
           .group("Paper");
   if (algorithm.prepare_threads != nullptr)
     command.option("--jobs", arguments->jobs, "Threads for a view; the drawing is the same for any number")
@@ -493,7 +493,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
                   "its kind, its layer, its edges and faces")
           .value("FILE");
   if (registry::find_face_algorithm(algorithm.name) != nullptr)
-    command.added("--fill").excludes(scale).excludes(min_length).excludes(strokes);
+    command.find_option("--fill").excludes(scale).excludes(min_length).excludes(strokes);
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }

@@ -58,7 +58,7 @@ void add_draw_output_options(const Command& command, DrawOutput& output);
 [[nodiscard]] hidden_lines::Format read_draw_output(DrawOutput& output);
 
 // Error usage if `option` was given, because it has no effect without `needed`.
-void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
+void reject_option(const DrawOutput& output, const std::string& option, std::string_view needed);
 
 // "210 x 297 mm" for paper, "1024 x 1024 pixels" for an image. Called after read_draw_output.
 [[nodiscard]] std::string size_text(const DrawOutput& output, hidden_lines::Format format);

@@ -69,7 +69,7 @@ scene::PolyCamera start_of_flight(const CameraArguments& arguments, const scene:
   if (!arguments.eye.empty()) return start;
   const auto is_clear = [&](const scene::PolyCamera& from) {
     for (int i = 0; i < frames; ++i) {
-      const auto at = turned_eye(frame, scene, from, i, frames);
+      const auto at = eye_of_turn(frame, scene, from, i, frames);
       if (!at) return false;
       scene::PolyCamera moved = from;
       moved.eye = *at;
@@ -113,7 +113,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
   const auto shades = picture::face_shades(source.scene);
   picture::ApngWriter writer({1, 25}, 0, {{"Title", source.name}, {"Software", "sightline"}});
   for (int i = 0; i < arguments.frames; ++i) {
-    const scene::PolyCamera camera = turned_about(frame, source.scene, start, i, arguments.frames);
+    const scene::PolyCamera camera = view_of_turn(frame, source.scene, start, i, arguments.frames);
     if (const auto error = scene::eye_error(source.scene, camera)) {
       throw base::bad_input(fmt::format("{}: frame {} of the flight: {}; --eye says where the flight begins",
                                                      source.name, i, error->message()));
@@ -164,7 +164,7 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const std::size_t faces = scene::face_count(source.scene);
-  refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
+  reject_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   const std::optional<double> field = image_field(arguments.field, source.scene, camera);
   if (flight && !camera.perspective)
@@ -193,7 +193,7 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   if (arguments.json) {
     print_faces_summary(algorithm, arguments, source, prepared, counts);
   } else {
-    say_written(arguments.output, fmt::format("{}, {} x {} pixels", flight ? counted(static_cast<std::uint64_t>(arguments.frames), "frame") : counted(faces, "face"), width, height));
+    report_written(arguments.output, fmt::format("{}, {} x {} pixels", flight ? count_text(static_cast<std::uint64_t>(arguments.frames), "frame") : count_text(faces, "face"), width, height));
   }
   return ExitCode::ok;
 }

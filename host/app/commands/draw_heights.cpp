@@ -59,8 +59,8 @@ Family slices_named(const std::string& name) {
   return name == "x" ? Family::along_x : Family::along_z;
 }
 
-void refuse_without_axes(const DrawOutput& output, const std::string& option, bool axes) {
-  if (!axes) refuse_option(output, option, "--axes");
+void reject_without_axes(const DrawOutput& output, const std::string& option, bool axes) {
+  if (!axes) reject_option(output, option, "--axes");
 }
 
 // --- proportions of the box
@@ -175,17 +175,17 @@ void read_view(DrawHeightsArguments& arguments, hidden_lines::Format format) {
   const DrawOutput& output = arguments.output;
   const bool levels = view.subject == Subject::contours || arguments.figure.floor;
   if (!levels)
-    for (const char* option : {"--levels", "--contour-step", "--labels"}) refuse_option(output, option, "--picture contours or --floor");
+    for (const char* option : {"--levels", "--contour-step", "--labels"}) reject_option(output, option, "--picture contours or --floor");
   if (view.subject == Subject::lines) {
-    refuse_option(output, "--net", "--picture contours or --picture surface");
-    if (!arguments.figure.floor) refuse_option(output, "--colours", "--picture contours or --picture surface");
+    reject_option(output, "--net", "--picture contours or --picture surface");
+    if (!arguments.figure.floor) reject_option(output, "--colours", "--picture contours or --picture surface");
   }
   if (arguments.contour_step) require_finite("--contour-step", *arguments.contour_step);
   if (arguments.contour_step && output.command->is_given("--levels")) throw base::usage_error("--levels: found with --contour-step");
   require_finite("--text", arguments.figure.text);
   if (!arguments.axis_names.empty() && arguments.axis_names.size() != 3)
     throw base::usage_error(fmt::format("--axis-names: found {}, expected three: of x, y and the height", arguments.axis_names.size()));
-  if (!arguments.axis_names.empty()) refuse_without_axes(output, "--axis-names", arguments.figure.axes);
+  if (!arguments.axis_names.empty()) reject_without_axes(output, "--axis-names", arguments.figure.axes);
   arguments.figure.legend = view.colouring == algorithms::skala::Colouring::heights && !with_pens && !arguments.no_legend;
 }
 
@@ -259,8 +259,8 @@ SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene:
 // "65 lines", "4096 facets, 12 lines"
 std::string drawing_text(const picture::VectorDrawing& drawing) {
   std::string text;
-  if (!drawing.facets.empty()) text = counted(drawing.facets.size(), "facet");
-  if (text.empty() || !drawing.lines.empty()) text += (text.empty() ? "" : ", ") + counted(drawing.lines.size(), "line");
+  if (!drawing.facets.empty()) text = count_text(drawing.facets.size(), "facet");
+  if (text.empty() || !drawing.lines.empty()) text += (text.empty() ? "" : ", ") + count_text(drawing.lines.size(), "line");
   return text;
 }
 
@@ -285,7 +285,7 @@ ExitCode run_draw_heights(const registry::HeightAlgorithm& algorithm, DrawHeight
   if (arguments.json) {
     print_drawing(algorithm, arguments, function, figure, plot);
   } else {
-    say_written(arguments.output.file, fmt::format("{}, {}", drawing_text(figure.drawing), size_text(arguments.output, format)));
+    report_written(arguments.output.file, fmt::format("{}, {}", drawing_text(figure.drawing), size_text(arguments.output, format)));
   }
   return ExitCode::ok;
 }

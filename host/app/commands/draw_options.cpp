@@ -39,26 +39,26 @@ std::optional<hidden_lines::Format> format_of(const DrawOutput& output) {
   return dot == std::string::npos ? std::nullopt : hidden_lines::format_named(std::string_view(output.file).substr(dot + 1));
 }
 
-void refuse_options_of_others(const DrawOutput& output, hidden_lines::Format format) {
+void reject_options_of_others(const DrawOutput& output, hidden_lines::Format format) {
   constexpr std::string_view on_paper = "--size, or a name that does not end in .png";
   constexpr std::string_view with_pens = "a name that does not end in .png";
   constexpr std::string_view of_plotters = "a name that ends in .plt or .hpgl";
   if (format != hidden_lines::Format::png) {
-    for (const char* option : {"--pixels", "--dpi"}) refuse_option(output, option, "a name that ends in .png");
+    for (const char* option : {"--pixels", "--dpi"}) reject_option(output, option, "a name that ends in .png");
   } else if (output.is_sheet()) {
     if (output.command->is_given("--pixels"))
       throw base::usage_error("--pixels: found with --size, which --dpi makes pixels");
   } else {
-    for (const char* option : {"--margin", "--landscape", "--dpi"}) refuse_option(output, option, on_paper);
+    for (const char* option : {"--margin", "--landscape", "--dpi"}) reject_option(output, option, on_paper);
   }
   if (format == hidden_lines::Format::png)
-    for (const char* option : {"--as-found", "--min-gap", "--plot-report"}) refuse_option(output, option, with_pens);
+    for (const char* option : {"--as-found", "--min-gap", "--plot-report"}) reject_option(output, option, with_pens);
   if (format != hidden_lines::Format::hpgl)
-    for (const char* option : {"--pens", "--speed", "--relative"}) refuse_option(output, option, of_plotters);
-  if (format != hidden_lines::Format::hpgl && format != hidden_lines::Format::steps) refuse_option(output, "--device", of_plotters);
+    for (const char* option : {"--pens", "--speed", "--relative"}) reject_option(output, option, of_plotters);
+  if (format != hidden_lines::Format::hpgl && format != hidden_lines::Format::steps) reject_option(output, "--device", of_plotters);
   if (format == hidden_lines::Format::hpgl || format == hidden_lines::Format::steps || format == hidden_lines::Format::dxf ||
       (format == hidden_lines::Format::png && !output.is_sheet()))
-    refuse_option(output, "--pen", "a name that ends in .svg or .pdf");
+    reject_option(output, "--pen", "a name that ends in .svg or .pdf");
 }
 
 struct PaperSize {
@@ -276,7 +276,7 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
   command.option("--dpi", output.dpi, "Pixels per inch, for .png with --size").default_value().range(10.0, 2400.0).value("N");
 }
 
-void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
+void reject_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
   if (output.command->is_given(option))
     throw base::usage_error(fmt::format("{}: found without {}", option, needed));
 }
@@ -292,7 +292,7 @@ hidden_lines::Format read_draw_output(DrawOutput& output) {
                           output.file)
             : fmt::format("--device: found {} with a step file, which is for calcomp", output.device));
   }
-  refuse_options_of_others(output, *format);
+  reject_options_of_others(output, *format);
   read_paper(output);
   picture::Paper& paper = output.paper;
   // nan passes the range checks of the options.
@@ -402,7 +402,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, c
   if (!written.plot) return std::nullopt;
   base::Json plot = plot_json(*written.plot);
   if (output.report) {
-    complain(fmt::format(
+    print_message(fmt::format(
         "{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),
         plot["pen_up_m"].dump(), plot["lifts"].dump(), plot["seconds"].dump(),
         std::string(output.plotter() != nullptr ? output.device : picture::plotters().front().name)));

@@ -38,7 +38,7 @@ void check_name(const std::string& file) {
 void write_lesson(const explain::Lesson& lesson, const std::string& file, Output& output) {
   output.write(std::string_view(is_page(file) ? explain::page_of(lesson) : explain::json_of(lesson) + "\n"));
   output.commit();
-  say_written(file, (lesson.cut ? "cut after " : "") + counted(lesson.steps.size(), "step") + (is_page(file) ? "; open it in a browser" : ""));
+  report_written(file, (lesson.cut ? "cut after " : "") + count_text(lesson.steps.size(), "step") + (is_page(file) ? "; open it in a browser" : ""));
 }
 
 // If the file is a grid of heights, the error names the lesson that accepts it, skala.

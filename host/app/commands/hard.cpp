@@ -46,7 +46,7 @@ struct GroupedCase {
   HardCase hard;
 };
 
-struct Chosen {
+struct Selection {
   std::vector<GroupedCase> cases;
   std::vector<compare::Family> families;
 };
@@ -58,8 +58,8 @@ bool is_called(const HardCase& hard, const std::string& name) {
   return hard.id == name || (!hard.input.empty() && (hard.input == name || stem_of(hard.input) == name));
 }
 
-Chosen choose(const compare::Manifest& manifest, const std::vector<std::string>& names) {
-  Chosen chosen;
+Selection choose(const compare::Manifest& manifest, const std::vector<std::string>& names) {
+  Selection chosen;
   std::vector<std::string> known;
   for (const auto& group : manifest.groups)
     for (const HardCase& hard : group.cases) {
@@ -238,7 +238,7 @@ Json family_json(const compare::Family& family, const std::vector<FamilyResult>&
 
 // --- the command
 
-ExitCode list_cases(const Chosen& chosen, bool json) {
+ExitCode list_cases(const Selection& chosen, bool json) {
   if (json) {
     Json document{{"schema", "sightline/hard/1"}, {"cases", Json::array()}};
     for (const GroupedCase& one : chosen.cases) document["cases"].push_back(case_json(one));
@@ -256,7 +256,7 @@ ExitCode list_cases(const Chosen& chosen, bool json) {
 
 ExitCode run_hard(const HardArguments& arguments) {
   const compare::Manifest manifest = value_of(compare::read_manifest(compare::hard_case_text("manifest.json"), "manifest.json"), "manifest.json");
-  const Chosen chosen = choose(manifest, arguments.cases);
+  const Selection chosen = choose(manifest, arguments.cases);
   if (arguments.list) return list_cases(chosen, arguments.json);
   if (!arguments.directory.empty()) make_directory(arguments.directory);
   const bool whole = !arguments.cases.empty();
@@ -297,7 +297,7 @@ ExitCode run_hard(const HardArguments& arguments) {
     write_stdout(fmt::format("\n{} cases and {} searches for a first failure, {}\n", chosen.cases.size(), chosen.families.size(),
                              otherwise.empty() ? "all as recorded" : fmt::format("{} NOT AS RECORDED", otherwise.size())));
   if (otherwise.empty()) return ExitCode::ok;
-  complain(fmt::format("not as their entries say: {}", base::joined(otherwise, ", ")));
+  print_message(fmt::format("not as their entries say: {}", base::joined(otherwise, ", ")));
   return ExitCode::differs;
 }
 

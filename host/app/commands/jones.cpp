@@ -120,7 +120,7 @@ ExitCode run_jones(const JonesArguments& arguments) {
   }
   const jones::Status status = outcome.view().status;
   if (status == jones::Status::complete) return ExitCode::ok;
-  complain(fmt::format("{}: the view stopped: {}; the pictures show what there was", arguments.scene,
+  print_message(fmt::format("{}: the view stopped: {}; the pictures show what there was", arguments.scene,
                        jones::name(status)));
   return ExitCode::guest_failed;
 }

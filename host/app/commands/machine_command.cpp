@@ -51,13 +51,13 @@ void add_machine_command(const Command& parent, std::string_view name, const Hel
     }
     if (!option.argument.empty()) static_cast<void>(added.value(std::string(option.argument)));
     if (!option.excludes.empty())
-      static_cast<void>(added.excludes(command.added(std::string(option.excludes))));
+      static_cast<void>(added.excludes(command.find_option(std::string(option.excludes))));
   }
   command.run([arguments, work = std::move(work)] { return work(*arguments); });
 }
 
 machines::Input read_named(const std::string& path) {
-  return {shown_name(path), read_input(path)};
+  return {display_name(path), read_input(path)};
 }
 
 // Errors are ignored because the assembler tries several names and reports if none can be read. In a source, `-` is an ordinary

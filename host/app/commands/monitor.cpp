@@ -28,7 +28,7 @@ ExitCode monitor(const MachineDescription& description, const Arguments& argumen
   MonitoredMachine made = make_monitored(description, arguments);
   for (const std::string& warning : made.prepared.warnings) warn(warning);
   Machine& machine = *made.prepared.machine;
-  const ExitCode code = hold_monitor_session({description, machine, made.prepared.limits, std::move(made.symbols), arguments});
+  const ExitCode code = run_monitor_session({description, machine, made.prepared.limits, std::move(made.symbols), arguments});
   write_media_back(machine);
   return code;
 }

@@ -174,7 +174,7 @@ class Person final : public live::Operator {
   const Heard& heard_;
 };
 
-machines::Stop run_plainly(Machine& machine, const machines::Limits& limits, Printer& printer, const Heard& heard) {
+machines::Stop run_without_console(Machine& machine, const machines::Limits& limits, Printer& printer, const Heard& heard) {
   std::optional<machines::Stop> stop;
   while (!stop) {
     stop = machine.run(limits, true);
@@ -238,7 +238,7 @@ live::MonitorHost files_of_commands() {
   return host;
 }
 
-ExitCode hold_monitor_session(MonitorSetup setup) {
+ExitCode run_monitor_session(MonitorSetup setup) {
   Machine& machine = setup.machine;
   const Arguments& arguments = setup.arguments;
   const bool terminal = base::stdin_is_terminal();
@@ -252,7 +252,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
   std::optional<base::RawTerminal> raw_terminal;
   live::MonitorHost host = files_of_commands();
   host.running.run = [&](Machine& running, const machines::Limits& limits, const Heard& heard) {
-    if (!console_options || !terminal) return run_plainly(running, limits, printer, heard);
+    if (!console_options || !terminal) return run_without_console(running, limits, printer, heard);
     if (!raw_terminal) raw_terminal.emplace();
     Person person(printer, heard);
     return live::run_console(running, limits, *console_options, person);

@@ -42,6 +42,6 @@ struct MonitorSetup {
 };
 
 // Runs until `quit`, the end of the input, or, if the input is a pipe, the first error.
-[[nodiscard]] ExitCode hold_monitor_session(MonitorSetup setup);
+[[nodiscard]] ExitCode run_monitor_session(MonitorSetup setup);
 
 }  // namespace sightline::app

@@ -25,7 +25,7 @@ struct Programs {
 
 // If the assembler of another machine accepts sources that have errors, prints a hint on standard error. `command`: the command that
 // was given ("run"); `names`: the files as given.
-void say_whose_source(const machines::MachineDescription& machine, std::span<const assembler::SourceFile> sources,
+void suggest_other_machine(const machines::MachineDescription& machine, std::span<const assembler::SourceFile> sources,
                       std::string_view command, std::span<const std::string> names);
 
 // Replaces the sources in --load by assembled programs; adjacent sources are one program. Diagnostics go to standard error.

@@ -8,7 +8,7 @@ namespace sightline::app {
 
 void add_random_view_options(const Command& command, RandomViewOptions& options) {
   command.option("--seed", options.seed, "Seed of the random views: another seed gives other views")
-      .check(why_no_whole_number)
+      .check(whole_number_error)
       .default_value()
       .value("N");
   const Option turn = command.flag("--turn", options.turn,

@@ -165,7 +165,7 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   const machines::Stop& stop = ended.stop;
   if (person && stop.name == live::stopped_by_ctrl_e) {
     const ExitCode code =
-        hold_monitor_session({description, machine, prepared.limits, std::move(programs.symbols), arguments});
+        run_monitor_session({description, machine, prepared.limits, std::move(programs.symbols), arguments});
     ended.signal = std::max(0, static_cast<int>(code) - 128);
   }
   for (const std::string& warning : machine.warnings()) warn(warning);
@@ -189,17 +189,17 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   }
   if (disk_failure) throw *disk_failure;
   if (stop.name == machines::interrupted && ended.signal == 0) {
-    complain("stopped: standard output takes no more; all outputs hold what was done so far");
+    print_message("stopped: standard output takes no more; all outputs hold what was done so far");
     return ExitCode::io;
   }
   if (ended.signal == SIGINT && !console) {
-    complain("stopped by Ctrl-C; all outputs hold what was done so far");
+    print_message("stopped by Ctrl-C; all outputs hold what was done so far");
   } else if (ended.signal != 0 && ended.signal != SIGPIPE) {
-    complain(fmt::format("stopped by signal {}; all outputs hold what was done so far", ended.signal));
+    print_message(fmt::format("stopped by signal {}; all outputs hold what was done so far", ended.signal));
   }
   if (ended.signal != 0) return static_cast<ExitCode>(128 + ended.signal);
   if (stop.complaint.empty()) return ExitCode::ok;
-  complain(stop.complaint);
+  print_message(stop.complaint);
   return ExitCode::guest_failed;
 }
 

@@ -85,7 +85,7 @@ void add_view_options(const Command& command, SkalaArguments& arguments) {
   if (view.subject != Subject::contours) {
     add_slices_options(command, arguments.slices);
     // Accepted so that one command line works for all pictures, but hidden because it has no effect.
-    if (view.subject == Subject::surface) command.added("--both").hidden();
+    if (view.subject == Subject::surface) command.find_option("--both").hidden();
     return;
   }
   command.flag("--both", arguments.slices.both, "");

@@ -179,7 +179,7 @@ void spin(const SpinOptions& options) {
   for (const registry::TurnCount& of : turn.counts) counts += fmt::format("{} {}, ", of.value, of.name);
   write_stdout(fmt::format("{}: {}{} frames\n", source.name, counts, count));
   check_stdout();
-  say_written(options.out, fmt::format("{}, {} x {} pixels", counted(static_cast<std::uint64_t>(count), "frame"), options.size, options.size));
+  report_written(options.out, fmt::format("{}, {} x {} pixels", count_text(static_cast<std::uint64_t>(count), "frame"), options.size, options.size));
 }
 
 }  // namespace

@@ -288,7 +288,7 @@ ExitCode run_sweep(const SweepArguments& arguments, const compare::Sweep& sweep)
     base::run_in_order(work);
   }
   if (done < shard.last - shard.first) {
-    complain(fmt::format("stopped after {} of {} views{}", done, shard.last - shard.first,
+    print_message(fmt::format("stopped after {} of {} views{}", done, shard.last - shard.first,
                          arguments.output == "-" ? "" : "; the same command resumes there"));
     return ExitCode::interrupted;
   }
@@ -299,9 +299,9 @@ ExitCode run_sweep(const SweepArguments& arguments, const compare::Sweep& sweep)
     std::fputs(text.c_str(), stderr);
   else
     write_stdout(text);
-  say_written(arguments.output, counted(done, "view") + (kept > 0 ? fmt::format(", {} of them already there", kept) : ""));
+  report_written(arguments.output, count_text(done, "view") + (kept > 0 ? fmt::format(", {} of them already there", kept) : ""));
   if (table.differing() == 0) return ExitCode::ok;
-  complain(fmt::format("{}: {} of {} views differ", arguments.scene, table.differing(), done));
+  print_message(fmt::format("{}: {} of {} views differ", arguments.scene, table.differing(), done));
   return ExitCode::differs;
 }
 

@@ -37,7 +37,7 @@ struct TurnArguments {
 };
 
 // Half as wide and high; each pixel is the brightest of four.
-picture::Image halved(const picture::Image& image) {
+picture::Image half_size(const picture::Image& image) {
   picture::Image half(image.width / 2, image.height / 2, 1);
   for (int row = 0; row < half.height; ++row)
     for (int column = 0; column < half.width; ++column)
@@ -54,7 +54,7 @@ void write_animation(const std::string& path, const std::string& title, const tu
   for (const turn::ShownPass& pass : run.shown) {
     if (pass.picture + 2 >= run.pictures.size()) break;  // the last pictures of the turn repeat the first ones
     const auto tenths = static_cast<std::uint16_t>(std::min<std::int64_t>(run.pictures[pass.picture + 2].time.count() / 100'000, 60000));
-    const auto added = apng.add(halved(picture::crisp_raster(pass.strokes)), {tenths, 10000});
+    const auto added = apng.add(half_size(picture::crisp_raster(pass.strokes)), {tenths, 10000});
     if (!added) throw base::usage_error(added.error().message());
   }
   const auto bytes = apng.finish();
@@ -166,7 +166,7 @@ ExitCode run_turn(const TurnArguments& arguments) {
   const auto full = std::find_if(outcome.hidden.pictures.begin(), outcome.hidden.pictures.end(),
                                  [](const turn::Picture& p) { return p.status != turn::Status::right; });
   if (full == outcome.hidden.pictures.end()) return ExitCode::ok;
-  complain(fmt::format("{}: a display file was full at angle {:06o}; that picture shows what there was", arguments.model,
+  print_message(fmt::format("{}: a display file was full at angle {:06o}; that picture shows what there was", arguments.model,
                        full->angle));
   return ExitCode::guest_failed;
 }

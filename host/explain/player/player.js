@@ -10,20 +10,20 @@ const LOOKS = {
   other: ['compared with', 2, []], seen: ['visible', 2, []], hidden: ['hidden', 1.5, [4, 4]], waiting: ['waiting', 1.5, []],
   mask: ['mask', 2, []],
 };
-const KEPT = 64;
+const STATE_INTERVAL = 64;
 
 // The drawing order: the subject of the step is on top.
 const ORDER = ['faint', 'mask', 'plain', 'hidden', 'waiting', 'seen', 'other', 'now'];
 
-const asked = name => new RegExp(`[#&?]${name}=([^&]*)`).exec(location.hash)?.[1] ?? new URLSearchParams(location.search).get(name);
+const parameter = name => new RegExp(`[#&?]${name}=([^&]*)`).exec(location.hash)?.[1] ?? new URLSearchParams(location.search).get(name);
 
 // Whether the page is embedded in another one. The style sheet then hides all but the player.
-const embedded = asked('embed') === '1';
+const embedded = parameter('embed') === '1';
 document.documentElement.classList.toggle('embed', embedded);
 
 // The step (from 0) that a parameter of the address requests. A parameter that is out of range or no number adds a sentence to `notes`.
-function stepAsked(name, otherwise, length, notes) {
-  const text = asked(name);
+function stepParameter(name, otherwise, length, notes) {
+  const text = parameter(name);
   if (text === null) return otherwise;
   if (!/^\d+$/.test(text)) {
     notes.push(`${name}=${text.slice(0, 20)} is ignored: expected the number of a step, from 1 to ${length}.`);
@@ -43,13 +43,13 @@ export function releaseKeys(element) {
 // `moved` is called 0.2 s after the last change of the step; `addressed`: the address gives the first step.
 export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = {}) {
   const notes = [];
-  let first = stepAsked('from', 0, lesson.steps.length, notes);
-  let last = stepAsked('to', lesson.steps.length - 1, lesson.steps.length, notes);
+  let first = stepParameter('from', 0, lesson.steps.length, notes);
+  let last = stepParameter('to', lesson.steps.length - 1, lesson.steps.length, notes);
   if (first > last) {
     [first, last] = [last, first];
     notes.push(`from comes after to: steps ${first + 1} to ${last + 1} are shown.`);
   }
-  const begin = Math.max(first, Math.min(last, addressed ? stepAsked('step', first, lesson.steps.length, notes) : first));
+  const begin = Math.max(first, Math.min(last, addressed ? stepParameter('step', first, lesson.steps.length, notes) : first));
   const states = new Map();
   const order = lesson.sheets.map(() => []);
   for (const step of lesson.steps)
@@ -57,8 +57,8 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
       if (!order[layer.sheet].includes(layer.name)) order[layer.sheet].push(layer.name);
 
   function stateOf(n) {
-    let from = n - n % KEPT;
-    while (from > 0 && !states.has(from)) from -= KEPT;
+    let from = n - n % STATE_INTERVAL;
+    while (from > 0 && !states.has(from)) from -= STATE_INTERVAL;
     let state = states.get(from);
     if (!state) {
       state = lesson.sheets.map(() => ({}));
@@ -69,7 +69,7 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
     state = state.map(sheet => ({...sheet}));
     for (let i = from + 1; i <= n; ++i) {
       apply(state, lesson.steps[i]);
-      if (i % KEPT === 0) states.set(i, state.map(sheet => ({...sheet})));
+      if (i % STATE_INTERVAL === 0) states.set(i, state.map(sheet => ({...sheet})));
     }
     return state;
   }
@@ -106,8 +106,8 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
     const words = step.section ? `${step.caption} (${step.section})` : step.caption;
     return words.length > text.length ? words : text;
   }, '');
-  const room = make('p', {className: 'longest', textContent: longest});  // reserves the height of the longest caption
-  room.setAttribute('aria-hidden', 'true');
+  const placeholder = make('p', {className: 'longest', textContent: longest});  // reserves the height of the longest caption
+  placeholder.setAttribute('aria-hidden', 'true');
   const used = new Set(lesson.steps.flatMap(step => step.layers.flatMap(layer => layer.marks.filter(mark => mark[0] !== 'text' && mark[0] !== 'label').map(mark => mark[1]))));
   const player = make('section', {className: 'player'},
     make('h1', {textContent: lesson.title}),
@@ -116,7 +116,7 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
       button('|<', 'First step (Home)', () => show(first)), button('<', 'Back (left arrow)', () => show(at - 1)), play,
       button('>', 'Forward (right arrow)', () => show(at + 1)), button('>|', 'Last step (End)', () => show(last)),
       slider, place, pace),
-    make('div', {className: 'words'}, caption, room),
+    make('div', {className: 'words'}, caption, placeholder),
     make('div', {className: 'sheets'}, ...lesson.sheets.map((sheet, i) => make('figure', {}, make('div', {className: 'canvas'}, canvases[i]), make('figcaption', {textContent: sheet.title})))),
     counts,
     make('ul', {className: 'legend'}, ...Object.keys(LOOKS).filter(look => used.has(look)).map(look => {

@@ -72,11 +72,11 @@ Json ClientBreakpoints::add_at(const Wanted& wanted, const Json& request, std::v
   Json answer = add(breakpoint, request, numbers);
   if (!flag_in(answer, "verified")) return answer;
   wanted_[numbers.back()] = wanted;
-  tell_place(answer, found);
+  add_place(answer, found);
   return answer;
 }
 
-void ClientBreakpoints::tell_place(Json& breakpoint, const Found& found) const {
+void ClientBreakpoints::add_place(Json& breakpoint, const Found& found) const {
   if (found.line == 0) return;
   breakpoint["line"] = numbering_.line(found.line);
   breakpoint["instructionReference"] = reference(found.at);
@@ -107,7 +107,7 @@ std::vector<Json> ClientBreakpoints::find_places_again() {
       const Found found = place_for(wanted);
       if (!debugger_->breakpoints().move(number, found.at)) return true;
       breakpoint["verified"] = true;
-      tell_place(breakpoint, found);
+      add_place(breakpoint, found);
     } catch (const base::Error& refused) {
       static_cast<void>(debugger_->breakpoints().remove(number));
       breakpoint["message"] = refused.message();

@@ -19,7 +19,7 @@ class ClientBreakpoints {
   // `numbering` must outlive this object.
   explicit ClientBreakpoints(const Numbering& numbering) : numbering_(numbering) {}
   // Sets the debugger to which all further requests refer. Called before any request. The debugger must exist until the next call.
-  void follow(Debugger& debugger) { debugger_ = &debugger; }
+  void set_debugger(Debugger& debugger) { debugger_ = &debugger; }
 
   [[nodiscard]] base::Json set_in_source(const base::Json& arguments);
   [[nodiscard]] base::Json set_at_functions(const base::Json& arguments);
@@ -51,7 +51,7 @@ class ClientBreakpoints {
   template <class Make>
   [[nodiscard]] base::Json set_all(const base::Json& list, std::vector<int>& numbers, Make make);
   [[nodiscard]] Found place_for(const Wanted& wanted) const;
-  void tell_place(base::Json& breakpoint, const Found& found) const;
+  void add_place(base::Json& breakpoint, const Found& found) const;
 
   const Numbering& numbering_;
   Debugger* debugger_ = nullptr;

@@ -179,7 +179,7 @@ class Adapter {
     if (launched_->keys) debugger_->set_key_codes(*launched_->keys);
     monitor_.emplace(*debugger_, std::move(commands));
     view_.emplace(*debugger_, numbering_);
-    breakpoints_.follow(*debugger_);
+    breakpoints_.set_debugger(*debugger_);
     for (const std::string& warning : launched_->warnings) output("console", warning + "\n");
     debugger_->send(text_in(arguments, "input"));
     stop_on_entry_ = flag_in(arguments, "stopOnEntry");
@@ -205,7 +205,7 @@ class Adapter {
     Launched launched = base::value_of(host_.launch(wanted));
     Breakpoints kept = debugger_->breakpoints();
     begin(std::move(launched), wanted);
-    kept.forget_passes();
+    kept.reset_counts();
     debugger_->breakpoints() = std::move(kept);
     for (Json& each : breakpoints_.find_places_again()) event("breakpoint", std::move(each));
     afterwards_.push_back([this] { set_off(); });

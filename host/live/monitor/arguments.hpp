@@ -19,7 +19,7 @@ namespace sightline::live::monitor {
 // Removes the next word from `text` and returns it; blanks in quotes belong to the word.
 std::string_view take_part(std::string_view& text);
 // Error usage if a quote is not closed.
-void refuse_open_quotes(std::string_view text);
+void reject_open_quotes(std::string_view text);
 
 // Parses arguments with the symbols, registers and radix of a machine.
 class Reader {
@@ -43,7 +43,7 @@ class Reader {
   [[nodiscard]] Breakpoint watchpoint(std::string_view arguments) const;
 
  private:
-  [[nodiscard]] Breakpoint parsed(std::string_view arguments, Breakpoint breakpoint) const;
+  [[nodiscard]] Breakpoint parse_options(std::string_view arguments, Breakpoint breakpoint) const;
 
   Debugger& debugger_;
 };

@@ -72,8 +72,8 @@ class Monitor {
   [[nodiscard]] const machines::Stop& last_stop() const;
 
  private:
-  class Inside;
-  std::unique_ptr<Inside> inside_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace sightline::live

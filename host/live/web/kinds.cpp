@@ -241,7 +241,7 @@ Json kinds_answer(Workbench& workbench, std::string_view what, const Json& reque
   if (what != "kind") return {};
   const std::string name = text_of(request, "file");
   const Bytes* const bytes = workbench.file(name);
-  if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page", name));
+  if (bytes == nullptr) return error_answer(fmt::format("{}: no such file on the page", name));
   const std::string text(bytes->begin(), bytes->end());
   return kind_of({name, *bytes, base::without_byte_order_mark(text)});
 }

@@ -78,7 +78,7 @@ class Workbench {
   Bytes made_;
 };
 
-[[nodiscard]] Json refusal(std::string_view complaint);
+[[nodiscard]] Json error_answer(std::string_view complaint);
 // The reason why a machine has stopped, as a text for a person.
 [[nodiscard]] std::string reason_text(const Halted& halted);
 

@@ -6,10 +6,10 @@ export const MOST_FACES = 200;  // in the theatre; Jones's lesson of a larger me
 const MOST_OFFERED = 2000;  // faces; larger meshes exceed the 3000 edges of the turning program and the 64 faces of the stripes program
 
 // The error with the file's name, which occurs once.
-export function said({name}, error) { return error.startsWith(name) ? error : `${name}: ${error}`; }
+export function errorText({name}, error) { return error.startsWith(name) ? error : `${name}: ${error}`; }
 
 export class Files {
-  // `reserved`: names that the page itself uses. `page`: `shown` is the name of the current tab, `room` the tab; `say` shows a sentence with
+  // `reserved`: names that the page itself uses. `page`: `shown` is the name of the current tab, `tab` the tab; `say` shows a sentence with
   // offers there; `visit(name)` shows another tab.
   constructor(module, reserved, page) {
     this.module = module;
@@ -41,7 +41,7 @@ export class Files {
     for (const each of list) {
       const file = await this.read(each);
       if (!file.error && file.kind === 'material' && list.length > 1) continue;
-      if (!file.error && !(file.faces > MOST_OFFERED) && this.page.room.take?.(file)) {
+      if (!file.error && !(file.faces > MOST_OFFERED) && this.page.tab.take?.(file)) {
         if (file.changes) changes.push(`${file.name}: ${file.changes}.`);
         continue;
       }
@@ -112,13 +112,13 @@ export class Files {
       snapshot: () => [pdp7 ? ['Continue it in the PDP-7 tab', 'jones'] : ['Continue it in the 8080 tab', 'skala'], ['Continue it in the workbench', 'bench']],
       lesson: () => [['Show it in the theatre', 'theatre']],
     }[kind];
-    return (ways?.() ?? []).filter(each => each && (each[2] || each[1] !== this.page.shown)).map(([label, room, way]) => [label, () => this.give(file, room, way)]);
+    return (ways?.() ?? []).filter(each => each && (each[2] || each[1] !== this.page.shown)).map(([label, tab, way]) => [label, () => this.give(file, tab, way)]);
   }
   give(file, name, way) {
     file.error = undefined;
-    const room = this.page.visit(name);
+    const tab = this.page.visit(name);
     this.page.say('');
-    if (!room.take(file, way)) this.page.say(file.error ?? `${file.name} is ${file.title}.`, true, this.offers(file));
+    if (!tab.take(file, way)) this.page.say(file.error ?? `${file.name} is ${file.title}.`, true, this.offers(file));
     else if (file.changes) this.page.say(`${file.name}: ${file.changes}.`);
   }
 }

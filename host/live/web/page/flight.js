@@ -1,6 +1,6 @@
 // A flight on the 8080 with Willis's priority display (firmware/i8080/flight): its scenes, its picture and its figures.
 
-import {among, flag, named, number as numeric, optionsOf} from './links.js';
+import {oneOf, flag, named, number as numeric, optionsOf} from './links.js';
 import {check, choice, field} from './ui.js';
 
 const SCENES = [['prisms-9', 'nine turned houses'], ['prisms-25', '25 turned houses'], ['town-4', 'four houses of a town'], ['town-9', 'nine houses'], ['town-20', 'twenty houses'], ['town-60', 'sixty houses, the nearest pieces']];
@@ -78,7 +78,7 @@ export class Flight {
   open(scene, query) {
     const o = this.options;
     const known = scene ? {scene: named('scene', scene, [...this.scene.select.options].map(each => each.value), query)} : {};
-    Object.assign(o, optionsOf(query, {bits: among([8, 12, 16]), plan: flag, pieces: numeric(1, 255)}), known);
+    Object.assign(o, optionsOf(query, {bits: oneOf([8, 12, 16]), plan: flag, pieces: numeric(1, 255)}), known);
     this.scene.select.value = o.scene;
     this.bits.select.value = o.bits;
     this.plan.box.checked = o.plan;

@@ -6,12 +6,12 @@ export function parseLink(text) {
   let decoded;
   try { decoded = decodeURIComponent(place); } catch { throw new Error(`The link is damaged: found "${place}", expected two hexadecimal digits after each %.`); }
   const slash = decoded.indexOf('/');
-  return {room: slash < 0 ? decoded : decoded.slice(0, slash), part: slash < 0 ? null : decoded.slice(slash + 1), query: new URLSearchParams(rest.join('?'))};
+  return {tab: slash < 0 ? decoded : decoded.slice(0, slash), part: slash < 0 ? null : decoded.slice(slash + 1), query: new URLSearchParams(rest.join('?'))};
 }
 
 // Whether two links are equivalent; browsers escape some characters differently.
 export function sameLink(a, b) {
-  const plain = text => { const {room, part, query} = parseLink(text); return JSON.stringify([room, part, query.toString()]); };
+  const plain = text => { const {tab, part, query} = parseLink(text); return JSON.stringify([tab, part, query.toString()]); };
   return plain(a) === plain(b);
 }
 
@@ -28,8 +28,8 @@ export const number = (low, high) => ({
   read: text => text.trim() !== '' && Number(text) >= low && Number(text) <= high ? Number(text) : undefined, expected: `a number from ${low} to ${high}`,
 });
 export const octal = digits => ({read: text => new RegExp(`^[0-7]{1,${digits}}$`).test(text) ? parseInt(text, 8) : undefined, expected: `an octal number of at most ${digits} digits`});
-export const among = names => ({read: text => names.find(each => String(each) === text), expected: listed(names.map(String))});
-export const anything = {read: text => text, expected: 'a text'};
+export const oneOf = names => ({read: text => names.find(each => String(each) === text), expected: listed(names.map(String))});
+export const anyText = {read: text => text, expected: 'a text'};
 
 // The values of the options of a link. `known`: the type of each option by name.
 export function optionsOf(query, known) {

@@ -51,7 +51,7 @@ export async function openModule(wasm) {
   exports._initialize();
 
   const put = bytes => {
-    const at = exports.room(bytes.length);
+    const at = exports.buffer(bytes.length);
     new Uint8Array(exports.memory.buffer, at, bytes.length).set(bytes);
     return bytes.length;
   };

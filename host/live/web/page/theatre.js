@@ -3,7 +3,7 @@
 import {choice, element, field, fileTaker, introduction, notice} from './ui.js';
 import {makePlayer, releaseKeys} from './player.js';
 import {camera} from './camera.js';
-import {anything, named, number, optionsOf} from './links.js';
+import {anyText, named, number, optionsOf} from './links.js';
 import {MOST_FACES} from './files.js';
 
 const SCENES = ['house', 'roberts', 'street4', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
@@ -125,7 +125,7 @@ export class Theatre {
     const {heights} = this.lessons.find(each => each.algorithm === (algorithm || o.algorithm));
     if (what && heights) changes.function = named('function', what, FUNCTIONS, query);
     else if (what) changes.scene = named('scene', what, [...this.scene.select.options].map(each => each.value), query);
-    const {rotation, elevation} = optionsOf(query, {rotation: number(-180, 180), elevation: number(-90, 90), step: anything, embed: anything, from: anything, to: anything});
+    const {rotation, elevation} = optionsOf(query, {rotation: number(-180, 180), elevation: number(-90, 90), step: anyText, embed: anyText, from: anyText, to: anyText});
     if (rotation !== undefined || elevation !== undefined) Object.assign(changes, {view: 'turned', rotation: rotation ?? o.rotation, elevation: elevation ?? o.elevation});
     Object.assign(o, changes);
     this.turn.input.value = o.rotation;

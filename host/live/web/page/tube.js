@@ -132,7 +132,7 @@ class GlowTube extends Tube {
     this.canvas = canvas;
     this.gl = gl;
     this.kind = 'phosphor';
-    this.room = new Float32Array(3 * 65536);
+    this.points = new Float32Array(3 * 65536);
     this.lost = false;
     canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.lost = true; });
     canvas.addEventListener('webglcontextrestored', () => { this.lost = false; this.held = false; this.build(); });
@@ -218,7 +218,7 @@ class GlowTube extends Tube {
     gl.bindVertexArray(this.vertices);
     this.buffer = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, this.room.byteLength, gl.DYNAMIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, this.points.byteLength, gl.DYNAMIC_DRAW);
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 12, 0);
     gl.enableVertexAttribArray(1);
@@ -272,11 +272,11 @@ class GlowTube extends Tube {
     for (let from = 0; from < count;) {
       const part = Math.min(count - from, 65536);
       for (let i = 0; i < part; ++i) {
-        this.room[3 * i] = flashes.x(from + i);
-        this.room[3 * i + 1] = flashes.y(from + i);
-        this.room[3 * i + 2] = flashes.level(from + i);
+        this.points[3 * i] = flashes.x(from + i);
+        this.points[3 * i + 1] = flashes.y(from + i);
+        this.points[3 * i + 2] = flashes.level(from + i);
       }
-      gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.room, 0, 3 * part);
+      gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.points, 0, 3 * part);
       gl.drawArrays(gl.POINTS, 0, part);
       from += part;
     }

@@ -8,7 +8,7 @@
 
 namespace sightline::live::web {
 
-struct Rooms {
+struct PageState {
   Workbench workbench;
   Flying flying;
 

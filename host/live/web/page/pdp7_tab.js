@@ -4,8 +4,8 @@ import {Clock, addWarnings, button, check, choice, download, downloadPicture, el
 import {Turning} from './turning.js';
 import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
 import {makeTube} from './tube.js';
-import {among, flag, named, number, octal, optionsOf} from './links.js';
-import {said} from './files.js';
+import {oneOf, flag, named, number, octal, optionsOf} from './links.js';
+import {errorText} from './files.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
@@ -32,7 +32,7 @@ const TRY = {
 
 export const PROGRAMS = ['house', 'roberts', 'street4', 'corridor8', 'corridor32'];
 
-export class Pdp7Room {
+export class Pdp7Tab {
   // `examples`: programs of the PDP-7 and, as `solids`, models that turn.
   constructor(module, examples, solids, remember) {
     this.module = module;
@@ -91,7 +91,7 @@ export class Pdp7Room {
     this.lamp = element('span', {className: 'lamp', role: 'img', 'aria-label': 'computing a view'});
     this.facts = factList();
 
-    return element('div', {className: 'room'}, this.intro = introduction(),
+    return element('div', {className: 'tab'}, this.intro = introduction(),
       element('div', {className: 'stage'}, screen,
         element('p', {className: 'under'}, element('span', {}, this.lamp, ' a view is being computed '), this.running)),
       element('div', {className: 'desk'},
@@ -381,13 +381,13 @@ export class Pdp7Room {
       this.add(name, name);
     } else if (way === 'walk') {
       const made = this.module.ask({do: 'jones', scene: name});
-      if (made.error) { file.error = said(file, made.error); return false; }
+      if (made.error) { file.error = errorText(file, made.error); return false; }
       this.module.ask({do: 'drop', id: made.id});
       this.walks.add(name);
       this.add(name, `Jones: ${name}`);
     } else {
       const error = this.turning.add(name);
-      if (error) { file.error = said(file, error); return false; }
+      if (error) { file.error = errorText(file, error); return false; }
       this.add(this.turning.programOf(name), `Turn: ${name}`);
     }
     return true;
@@ -668,7 +668,7 @@ export class Pdp7Room {
   open(part, query) {
     const o = this.options;
     const program = part ? named('program', part, [...this.programs.select.options].map(each => each.value), query) : o.program;
-    const given = optionsOf(query, {switches: octal(6), eae: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: among(Object.keys(AFTERGLOWS))});
+    const given = optionsOf(query, {switches: octal(6), eae: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: oneOf(Object.keys(AFTERGLOWS))});
     Object.assign(o, {switches: 0, eae: true, stereo: false, immediate: false, exact: false, scale: 512, glow: 'p7', ...given, program});
     this.scale.input.value = o.scale;
     this.programs.select.value = o.program;

@@ -5,15 +5,15 @@ import {Clock, button, check, choice, download, downloadPicture, element, factLi
 import {sampled} from './expression.js';
 import {camera} from './camera.js';
 import {Flight} from './flight.js';
-import {among, anything, named, number as numeric, optionsOf} from './links.js';
+import {oneOf, anyText, named, number as numeric, optionsOf} from './links.js';
 import {COLOURS, GREYS, RasterImage} from './raster.js';
-import {said} from './files.js';
+import {errorText} from './files.js';
 
 const CLOCK = 3e6;  // T-states per second
 const PENS = {calcomp: 'CalComp 565', minigraf: 'Minigraf 0507'};
 const SCENES = [['boxes-5', 'five boxes'], ['boxes-8', 'eight boxes'], ['house', 'house'], ['roberts', 'notched block'], ['town-2', 'two houses of a town'], ['star.off', 'star'], ['crossed.off', 'two bars that interlock']];
 
-export class I8080Room {
+export class I8080Tab {
   constructor(module, functions, remember) {
     this.module = module;
     this.functions = functions;
@@ -51,7 +51,7 @@ export class I8080Room {
     this.running = button('Pause', () => this.go(!this.on), 'Run or pause');
     const screen = this.screen = element('div', {className: 'screen board'}, this.canvas);
     this.drag();
-    const room = element('div', {className: 'room'}, this.intro = introduction(),
+    const tab = element('div', {className: 'tab'}, this.intro = introduction(),
       element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, this.hint = element('span', {className: 'wide', textContent: 'Drag the picture to turn it.'}), this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
       element('div', {className: 'desk'}, this.message,
         group('Program', this.program, this.scene, this.pick, this.words, this.flight.scene),
@@ -70,8 +70,8 @@ export class I8080Room {
             this.saver = button('Save state', () => this.saveState(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker('Open a file')))));
     // After a choice from a list, the arrow keys turn the picture again.
-    room.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement && document.activeElement !== event.target) this.canvas.focus({preventScroll: true}); });
-    return room;
+    tab.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement && document.activeElement !== event.target) this.canvas.focus({preventScroll: true}); });
+    return tab;
   }
 
   drag() {
@@ -184,7 +184,7 @@ export class I8080Room {
     // Tried before anything changes: if a flight cannot be made, the previous one stays.
     const tried = this.module.ask({skala: () => this.request(program, name), stripes: () => ({...this.request(program), scene: name}),
       flight: () => this.flight.request(name)}[program]());
-    if (tried.error) { file.error = said(file, tried.error); return false; }
+    if (tried.error) { file.error = errorText(file, tried.error); return false; }
     if (tried.id) this.module.ask({do: 'drop', id: tried.id});
     const [box, options, option] = program === 'skala' ? [this.pick, o, 'function'] : program === 'stripes' ? [this.scene, o, 'scene'] : [this.flight.scene, this.flight.options, 'scene'];
     this.own.add(name);
@@ -290,11 +290,11 @@ export class I8080Room {
       this.flight.open(scene, query);
       o.program = program;
     } else {
-      const look = {device: among(program === 'stripes' ? ['ef9365', 'calcomp'] : has(this.device)), rotation: numeric(-1e6, 1e6), elevation: numeric(-90, 90)};
+      const look = {device: oneOf(program === 'stripes' ? ['ef9365', 'calcomp'] : has(this.device)), rotation: numeric(-1e6, 1e6), elevation: numeric(-90, 90)};
       const stripes = program === 'stripes';
       const changes = stripes ? (scene ? {scene: named('scene', scene, has(this.scene), query)} : {})
         : part ? {function: named('function', part, has(this.pick).filter(Boolean), query)} : query.has('f') ? {function: ''} : {};
-      const {f, ...given} = optionsOf(query, stripes ? look : {picture: among(has(this.kind)), ...look, ...(part ? {} : {f: anything})});
+      const {f, ...given} = optionsOf(query, stripes ? look : {picture: oneOf(has(this.kind)), ...look, ...(part ? {} : {f: anyText})});
       if (f !== undefined) {
         try { sampled(f, 6, 2, 2); } catch (error) { throw new Error(`The link has f=${f}: ${error.message}.`); }
         changes.text = f;

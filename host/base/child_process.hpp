@@ -9,7 +9,7 @@
 
 namespace sightline::base {
 
-struct ApartLimits {
+struct ChildLimits {
   unsigned seconds = 60;                     // processor time
   std::size_t memory = std::size_t{4} << 30;  // bytes of address space; not limited under AddressSanitizer, which maps terabytes
 };
@@ -17,6 +17,6 @@ struct ApartLimits {
 // Runs `work` in a forked copy of this process and returns its result; what it changes or prints is lost. It may throw.
 // Errors have neither file nor place: the work threw, crashed or exceeded a limit, or no process could be started.
 // The calling process has one thread (precondition).
-[[nodiscard]] Result<std::string> run_apart(const std::function<Result<std::string>()>& work, const ApartLimits& limits = {});
+[[nodiscard]] Result<std::string> run_in_child(const std::function<Result<std::string>()>& work, const ChildLimits& limits = {});
 
 }  // namespace sightline::base

@@ -7,6 +7,6 @@
 namespace sightline::live::web {
 
 // Answers the requests lists, firmware, scene, draw, explain, jones, sight, skala and cost; null for any other.
-[[nodiscard]] Json studio_answer(Workbench& workbench, std::string_view what, const Json& request);
+[[nodiscard]] Json pictures_answer(Workbench& workbench, std::string_view what, const Json& request);
 
 }  // namespace sightline::live::web
