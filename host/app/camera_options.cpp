@@ -353,7 +353,7 @@ scene::PolyCamera view_of_turn(const scene::SceneFrame& frame, const scene::Poly
     eye = *moved;
   }
   const Vector direction = rotate(frame, geometry::real_vector(camera.forward), number, count);
-  // The camera stays level.
+  // A level camera stays level.
   scene::PolyPoint upright{};
   upright[frame.vertical] = 1;
   const auto across = geometry::cross(geometry::vector_of(upright), geometry::vector_of(camera.right));

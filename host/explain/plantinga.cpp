@@ -34,7 +34,7 @@ constexpr std::size_t most_hidden_shown = 4;        // edges of the initial pict
 constexpr std::size_t most_parts_shown = 8;         // and partly hidden
 constexpr std::size_t most_edges_in_detail = 4;     // edges studied direction by direction
 constexpr std::size_t most_directions_shown = 10;   // directions per such edge,
-constexpr std::size_t most_equal_shown = 4;         // of which nothing changes at so many
+constexpr std::size_t most_equal_shown = 4;         // of them at which nothing changes
 constexpr std::size_t most_summaries = 16;          // summaries of all other edges
 constexpr std::size_t most_events_with_views = 80;  // events with one step for the event and one for the view after it
 constexpr std::size_t most_events_shown = 200;
@@ -204,7 +204,7 @@ class PlantingaRecorder final : public pl::Trace {
   void study_ends(pl::EdgeIndex edge, const pl::EdgeHistory& history) override {
     if (worth_detail(edge, history)) {
       end_summary();
-      tell_in_detail(edge, history);
+      add_details(edge, history);
       return;
     }
     add_study(history);
@@ -274,9 +274,9 @@ class PlantingaRecorder final : public pl::Trace {
     const bool with_views = list.events.size() <= most_events_with_views;
     for (std::size_t n = 0; n < list.events.size() && n < most_events_shown; ++n) {
       const std::size_t at = graph.passed() % list.events.size();
-      tell_event(list, list.events[at], graph);
+      add_event(list, list.events[at], graph);
       if (!graph.step_forward()) return;
-      if (with_views) tell_view(list, at, graph);
+      if (with_views) add_view(list, at, graph);
     }
     if (list.events.size() > most_events_shown)
       add_step(angle_,
@@ -339,7 +339,7 @@ class PlantingaRecorder final : public pl::Trace {
     for (const pl::EdgeChange& change : history.changes) found_.push_back(dot(Look::waiting, stage_.on_circle(change.direction.angle)));
   }
 
-  void tell_in_detail(pl::EdgeIndex edge, const pl::EdgeHistory& history) {
+  void add_details(pl::EdgeIndex edge, const pl::EdgeHistory& history) {
     ++detailed_;
     std::vector<Mark> edge_marks;
     std::vector<Mark> faces;
@@ -380,7 +380,7 @@ class PlantingaRecorder final : public pl::Trace {
     for (const Comparison& each : comparisons_) {
       if (shown == most_directions_shown) break;
       if (each.before == each.after && ++equal > most_equal_shown) continue;
-      tell_comparison(edge, each);
+      add_comparison(edge, each);
       ++shown;
     }
     compared_ = compared_before;
@@ -404,7 +404,7 @@ class PlantingaRecorder final : public pl::Trace {
                 {circle, "sight", stage_.radius(angle_)}});
   }
 
-  void tell_comparison(pl::EdgeIndex edge, const Comparison& each) {
+  void add_comparison(pl::EdgeIndex edge, const Comparison& each) {
     const double angle = each.direction.angle;
     const pl::PotentialEvent cause = first_cause(edge, each.direction);
     const bool changed = !(each.before == each.after);
@@ -431,7 +431,7 @@ class PlantingaRecorder final : public pl::Trace {
                 {circle, "sight", stage_.radius(angle)}});
   }
 
-  void tell_event(const pl::EventList& list, const pl::Event& event, const pl::EdgeStructureGraph& graph) {
+  void add_event(const pl::EventList& list, const pl::Event& event, const pl::EdgeStructureGraph& graph) {
     const double angle = event.direction.angle;
     ++passed_;
     stage_.place(angle);
@@ -472,7 +472,7 @@ class PlantingaRecorder final : public pl::Trace {
                 {circle, "sight", stage_.radius(angle)}});
   }
 
-  void tell_view(const pl::EventList& list, std::size_t at, const pl::EdgeStructureGraph& graph) {
+  void add_view(const pl::EventList& list, std::size_t at, const pl::EdgeStructureGraph& graph) {
     const double here = list.events[at].direction.angle;
     const double next = list.events[(at + 1) % list.events.size()].direction.angle;
     const double ahead = next > here ? next - here : next - here + 2 * std::numbers::pi;

@@ -42,7 +42,7 @@ class ImageStage {
   void add_piece(std::vector<Mark>& marks, Look look, const picture::LinePiece& piece) const;
   // The outline of a face without its holes.
   void add_face(std::vector<Mark>& marks, Look look, const scene::PolyFace& face) const;
-  // The part of the sheet within the planes a x + b y + c z >= d. Each plane is seen edge-on: it contains the eye or the direction of view.
+  // The part of the sheet within the planes a x + b y + c z >= d, each of which contains the eye or the direction of view.
   [[nodiscard]] std::vector<Point> region(std::span<const std::array<double, 4>> planes) const;
   // The numbers of the edge's two vertices.
   void add_names(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const;
@@ -99,9 +99,9 @@ class PlanStage {
 // The part of a convex outline where a x + b y >= c.
 [[nodiscard]] std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, double b, double c);
 
-// The position of an outline's label: on the row at the fraction `height` of the outline's height, the middle of the longest part of
-// the row inside the outline. It is therefore inside a concave outline, too. For an outline without area, the mean of its points. The
-// outline is not empty (precondition).
+// The position of an outline's label: at the fraction `height` of its height, the middle of the longest part of that row
+// inside the outline, which may be concave. For an outline without area, the mean of its points. The outline is not empty
+// (precondition).
 [[nodiscard]] Point label_point(const std::vector<Point>& outline, double height = 0.5);
 
 // Appends steps to a lesson, with the current counts, up to most_steps.

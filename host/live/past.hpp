@@ -25,7 +25,7 @@ class Past {
   // The machine has a probe and must outlive this object; `name` is that of its description.
   Past(std::string_view name, machines::Machine& machine);
 
-  // The distance of snapshots. To repeat so many instructions takes some milliseconds; fewer if a display is attached, which takes tens.
+  // The distance between snapshots. To repeat so many instructions takes some milliseconds, with a display some tens.
   [[nodiscard]] std::uint64_t instructions_apart() const;
 
   // Called at the beginning of a run, and at least every instructions_apart() instructions during it.

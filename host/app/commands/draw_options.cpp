@@ -126,7 +126,8 @@ std::array<double, 2> room_of(const DrawOutput& output, const picture::Paper& pa
   return room;
 }
 
-// Sets the margin: that which the plotter needs, or --margin if it is narrower; or what a scale leaves.
+// Sets the margin: --margin, which must be wide enough for the plotter, or the wider of the default and what the plotter needs. With a
+// scale, the drawing may fill all of room_of() instead.
 void read_margin(DrawOutput& output) {
   picture::Paper& paper = output.paper;
   const picture::Plotter* const plotter = output.plotter();

@@ -90,7 +90,7 @@ Selection choose(const compare::Manifest& manifest, const std::vector<std::strin
 
 // --- pictures and inputs
 
-// Makes unique file names: the name of the input, which begins with the case's number.
+// Makes unique file names: the name of the input, with the case's number in front unless it begins with that.
 class FileNames {
  public:
   std::string unused(const HardCase& hard) {

@@ -98,11 +98,11 @@ export function stopName(result, reason) {
   return reason === 'stopped by halt' ? 'halted' : reason;
 }
 
-// Adds new warnings about the program to `told`: it uses a missing device, or executes empty memory. If the machine has `halted`, the word at PC will not
+// Adds new warnings about the program to `shown`: it uses a missing device, or executes empty memory. If the machine has `halted`, the word at PC will not
 // be executed.
-export function addWarnings(module, id, told, halted) {
-  const fresh = module.ask({do: 'warnings', id, halted}).warnings.slice(0, MOST_WARNINGS - told.length);
-  told.push(...fresh);
+export function addWarnings(module, id, shown, halted) {
+  const fresh = module.ask({do: 'warnings', id, halted}).warnings.slice(0, MOST_WARNINGS - shown.length);
+  shown.push(...fresh);
   return fresh.length > 0;
 }
 

@@ -284,7 +284,7 @@ export class Workbench {
     this.go(false);
     const answer = this.module.ask({id: this.id, ...request});
     if (answer.error) this.message.say(answer.error, true);
-    else this.tell(answer.reason ?? '');
+    else this.showReason(answer.reason ?? '');
     this.drawTube(true);
     this.hear();
     this.refresh();
@@ -325,7 +325,7 @@ export class Workbench {
     if (this.on) {
       if (result) {
         this.go(false, stopName(result, reason));
-        this.tell(reason);
+        this.showReason(reason);
       }
       this.sinceStatus = (this.sinceStatus ?? 1) + seconds;
       if (this.on && this.sinceStatus > 0.2) {
@@ -338,7 +338,7 @@ export class Workbench {
     this.hear();
   }
   // Shows why the machine has stopped, and warnings about its program.
-  tell(reason) {
+  showReason(reason) {
     this.waits = reason === 'waits for a key';
     addWarnings(this.module, this.id, this.warned, reason === 'stopped by halt');
     this.message.say([this.waits ? 'The program waits for a key: type under Console.' : reason, ...this.warned].filter(Boolean).join('\n'));
