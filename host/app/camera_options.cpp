@@ -1,4 +1,3 @@
-// See camera_options.hpp.
 #include "host/app/camera_options.hpp"
 
 #include <fmt/core.h>
@@ -20,12 +19,12 @@ namespace {
 
 using Vector = geometry::RealVector;
 
-// --view: how a scene is looked at, in multiples of its right, its up and of away from who stands before it.
+// The values of --view and their directions of view. Axes: right, up, and away from a viewer in front of the scene.
 struct Preset {
   std::string_view name;
   Vector direction;
 };
-constexpr double root_of_seven = 2.6457513110645906;  // two axes at equal length, the third at half of it
+constexpr double root_of_seven = 2.6457513110645906;  // two axes appear at equal length, the third at half of it
 constexpr std::array presets{
     Preset{"front", {0, 0, 1}},         Preset{"back", {0, 0, -1}},  Preset{"left", {1, 0, 0}},
     Preset{"right", {-1, 0, 0}},        Preset{"top", {0, -1, 0}},   Preset{"bottom", {0, 1, 0}},
@@ -40,7 +39,7 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-// Three numbers; whole ones below `limit` with --steps.
+// Parses three numbers; if `whole`, whole numbers below `limit` in magnitude.
 Vector vector_argument(std::string_view option, const std::string& text, bool whole, std::int32_t limit) {
   if (whole) {
     if (const auto point = base::whole_numbers<std::int32_t, 3>(text, ',', 1 - limit, limit - 1))
@@ -75,12 +74,12 @@ scene::PolyPoint exact_vector(std::string_view option, const std::string& text) 
   return scene::direction_of(vector);
 }
 
-// --view takes the eye, too.
+// --view also accepts the camera position of --eye.
 bool is_eye(const std::string& view) {
   return view.find(',') != std::string::npos;
 }
 
-// All of them with the eye in its own place.
+// The arguments with a camera position given by --view moved to `eye`.
 CameraArguments with_eye(const CameraArguments& given) {
   CameraArguments arguments = given;
   if (!is_eye(arguments.view)) return arguments;
@@ -131,7 +130,7 @@ scene::PolyCamera exact_vectors(const CameraArguments& arguments, scene::PolyCam
   return camera;
 }
 
-// A point as it was given, and where it is on the grid.
+// A point as given, and the grid point to which it is rounded.
 struct GridPoint {
   Vector given{};  // in steps
   scene::PolyPoint at{};
@@ -198,7 +197,7 @@ class Aiming {
                        each.direction[2] * sides.away[a];
       }
       const scene::PolyCamera camera = camera_outside(frame_, scene_, direction, arguments_.perspective);
-      // The direction is the same with --up and without.
+      // --up does not change the direction of view.
       const AimedCamera aimed =
           arguments_.up.empty() ? AimedCamera{camera} : towards(camera.eye, geometry::real_vector(camera.forward), camera.perspective);
       return {aimed.camera, angle_to(aimed.camera, direction)};
@@ -226,8 +225,8 @@ class Aiming {
   scene::SceneFrame frame_;
 };
 
-// About the upright, by part `number` of `count`.
-Vector turned_by(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
+// Rotates about the vertical axis by `number` of `count` parts of a turn.
+Vector rotate(const scene::SceneFrame& frame, const Vector& p, int number, int count) {
   const std::size_t u = (frame.vertical + 1) % 3;
   const std::size_t v = (frame.vertical + 2) % 3;
   const double angle = 2 * std::numbers::pi * number / count;
@@ -248,15 +247,15 @@ void add_camera_options(const Command& command, CameraArguments& arguments) {
   add("--orthographic", arguments.orthographic, "No perspective: look in this direction");
   command
       .option("--view", arguments.view,
-              fmt::format("A view as drawings have it, without perspective: {}; or the eye, as --eye", base::joined(preset_names(), ", ")))
+              fmt::format("A standard view in parallel projection: {}; or the camera position, as --eye", base::joined(preset_names(), ", ")))
       .value("NAME")
       .group("View");
-  command.flag("--perspective", arguments.perspective, "Such a view in perspective").group("View");
-  add("--up", arguments.up, "What points up in the picture, as nearly as it can; or see --forward");
+  command.flag("--perspective", arguments.perspective, "Show the view of --view in perspective").group("View");
+  add("--up", arguments.up, "The direction that points up in the picture, as nearly as possible; or see --forward");
   add("--forward", arguments.forward,
-      "With --right and --up: the camera's vectors themselves, whole numbers, at right angles");
+      "With --right and --up: the vectors of the camera, whole numbers, at right angles");
   add("--right", arguments.right, "See --forward");
-  command.flag("--steps", arguments.steps, "Points are counted in steps of the scene's grid, see `sightline scene info`")
+  command.flag("--steps", arguments.steps, "Points are given in steps of the scene's grid, see `sightline scene info`")
       .group("View");
   command.option("--vertical", arguments.vertical, "Which axis points up, such as z or -y")
       .one_of({"x", "y", "z", "-x", "-y", "-z"})
@@ -267,8 +266,8 @@ void add_camera_options(const Command& command, CameraArguments& arguments) {
 void add_field_option(const Command& command, std::optional<double>& field, const std::string& default_value) {
   command
       .option("--field,--fov", field,
-              "Show this much across the shorter side, straight ahead: degrees, or without perspective a length in the unit "
-              "of the scene's file")
+              "The field of view across the shorter side: degrees, or in parallel projection a length in the unit of the "
+              "scene's file")
       .default_value(default_value)
       .value("ANGLE")
       .group("View");
@@ -278,7 +277,7 @@ std::optional<double> image_field(const std::optional<double>& field, const scen
                                   const scene::PolyCamera& camera) {
   if (!field) return std::nullopt;
   require_finite("--field", *field);
-  constexpr double widest = 1e9;  // steps, more than any image of a scene
+  constexpr double widest = 1e9;  // steps; larger than the image of any scene
   const double extent = camera.perspective ? *field : *field / scene.step;
   if (!(extent > 0) || extent > (camera.perspective ? 170 : widest)) {
     throw base::usage_error(fmt::format("--field: found {}, expected {}", *field,
@@ -329,10 +328,10 @@ scene::PolyCamera camera_of(const CameraArguments& arguments, const scene::PolyS
   return aimed_camera_of(arguments, scene, source).camera;
 }
 
-std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+std::optional<scene::PolyPoint> eye_of_turn(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                            const scene::PolyCamera& camera, int number, int count) {
   const scene::PolyPoint middle = bounds_of(scene).middle();
-  const Vector moved = turned_by(frame, geometry::difference(geometry::real_vector(camera.eye), geometry::real_vector(middle)), number, count);
+  const Vector moved = rotate(frame, geometry::difference(geometry::real_vector(camera.eye), geometry::real_vector(middle)), number, count);
   scene::PolyPoint eye{};
   for (std::size_t a = 0; a < 3; ++a) {
     const double place = std::round(middle[a] + moved[a]);
@@ -342,26 +341,26 @@ std::optional<scene::PolyPoint> turned_eye(const scene::SceneFrame& frame, const
   return eye;
 }
 
-scene::PolyCamera turned_about(const scene::SceneFrame& frame, const scene::PolyScene& scene,
+scene::PolyCamera view_of_turn(const scene::SceneFrame& frame, const scene::PolyScene& scene,
                                const scene::PolyCamera& camera, int number, int count) {
   if (number == 0) return camera;
   scene::PolyPoint eye = camera.eye;
   if (camera.perspective) {
-    const auto moved = turned_eye(frame, scene, camera, number, count);
+    const auto moved = eye_of_turn(frame, scene, camera, number, count);
     if (!moved) {
       throw base::usage_error(fmt::format("view {} of the turn: the eye leaves the coordinates of the scene; --eye nearer", number + 1));
     }
     eye = *moved;
   }
-  const Vector direction = turned_by(frame, geometry::real_vector(camera.forward), number, count);
-  // An upright picture stays upright.
+  const Vector direction = rotate(frame, geometry::real_vector(camera.forward), number, count);
+  // A level camera stays level.
   scene::PolyPoint upright{};
   upright[frame.vertical] = 1;
   const auto across = geometry::cross(geometry::vector_of(upright), geometry::vector_of(camera.right));
   const bool is_upright = camera.right[frame.vertical] == 0 && !geometry::is_zero(across);
   if (is_upright && camera.up[frame.vertical] * (frame.downwards ? -1 : 1) > 0)
     return aimed_camera(frame, eye, scene::direction_of(direction), camera.perspective);
-  return turned_camera(frame, eye, direction, turned_by(frame, geometry::real_vector(camera.up), number, count), camera.perspective);
+  return turned_camera(frame, eye, direction, rotate(frame, geometry::real_vector(camera.up), number, count), camera.perspective);
 }
 
 base::Json camera_json(const scene::PolyScene& scene, const AimedCamera& aimed) {

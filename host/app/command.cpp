@@ -1,4 +1,3 @@
-// See command.hpp.
 #include "host/app/command.hpp"
 
 #include <fmt/core.h>
@@ -44,23 +43,23 @@ ExitCode exit_code_of(base::ErrorKind kind) {
   return ExitCode::bad_input;
 }
 
-// A terminal that is gone is no failure of the command: its files are still to be put in their places.
-void complain(std::string_view text) {
+// A failure to write is ignored: after the terminal is closed, the command must still commit its files.
+void print_message(std::string_view text) {
   static_cast<void>(std::fputs(fmt::format("sightline: {}\n", text).c_str(), stderr));
 }
 void warn(std::string_view text) {
-  complain("warning: " + std::string(text));
+  print_message("warning: " + std::string(text));
 }
-void say_written(const std::string& file, std::string_view what) {
-  if (!file.empty() && file != "-" && base::stderr_is_terminal()) complain(fmt::format("{}: {}", file, what));
+void report_written(const std::string& file, std::string_view what) {
+  if (!file.empty() && file != "-" && base::stderr_is_terminal()) print_message(fmt::format("{}: {}", file, what));
 }
 
-std::string counted(std::uint64_t count, std::string_view unit, std::string_view units) {
+std::string count_text(std::uint64_t count, std::string_view unit, std::string_view units) {
   if (count == 1) return fmt::format("1 {}", unit);
   return units.empty() ? fmt::format("{} {}s", count, unit) : fmt::format("{} {}", count, units);
 }
 
-std::string shown_name(const std::string& path) {
+std::string display_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
 
@@ -121,7 +120,7 @@ void Output::commit() {
   if (!done) throw done.error();
 }
 
-std::string why_no_whole_number(const std::string& text) {
+std::string whole_number_error(const std::string& text) {
   if (base::unsigned_number(text)) return {};
   return fmt::format("found \"{}\", expected a whole number from 0 to {}", text,
                      std::numeric_limits<std::uint64_t>::max());

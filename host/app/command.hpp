@@ -1,8 +1,8 @@
-// What all subcommands of `sightline` share: exit codes, how they fail, how they read and write.
+// The exit codes, messages, inputs and outputs of all subcommands of `sightline`.
 //
-// Data goes to standard output, talk to standard error. A subcommand returns its exit code, or throws a
-// base::Error, which main prints. Outputs appear whole or not at all: they are opened before the work,
-// so that a path that cannot be written is known at once, and put in their places after it.
+// Data goes to standard output, messages to standard error. A subcommand returns its exit code or throws a base::Error, which
+// main prints. Outputs are opened before the work, so that a path that cannot be written is reported at once, and committed
+// after it: files are written completely or not at all.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ enum class ExitCode : int {
   interrupted = 130,
 };
 
-// Shown at the end of every --help.
+// Printed at the end of every --help.
 inline constexpr std::string_view exit_code_help =
     "Exit codes: 0 done, 1 results differ, 2 wrong usage, 3 the emulated program failed, 4 bad input file, "
     "5 a file cannot be read or written, 130 stopped by Ctrl-C.";
@@ -38,28 +38,28 @@ inline constexpr std::string_view exit_code_help =
 
 using base::value_of;
 
-// One line on standard error, "sightline: text".
-void complain(std::string_view text);
+// Prints one line on standard error: "sightline: TEXT".
+void print_message(std::string_view text);
 void warn(std::string_view text);
-// "sightline: FILE: WHAT" for a person who would else see nothing: only if standard error is a terminal, so that scripts
-// and pipes see no difference, and not if the file is standard output ("-") or none ("").
-void say_written(const std::string& file, std::string_view what);
-// "1 line", "2 lines": `unit` is what one is called, `units` what others are; an s is added unless it is given.
-[[nodiscard]] std::string counted(std::uint64_t count, std::string_view unit, std::string_view units = {});
+// Prints "sightline: FILE: WHAT" if standard error is a terminal; scripts and pipes see nothing. Prints nothing for standard
+// output ("-") and for no file ("").
+void report_written(const std::string& file, std::string_view what);
+// "1 line", "2 lines": `unit` is the singular, `units` the plural, by default the singular with an s.
+[[nodiscard]] std::string count_text(std::uint64_t count, std::string_view unit, std::string_view units = {});
 
-// The whole file, or standard input for "-" (named by shown_name). Error io.
+// Reads a whole file, or standard input for "-". Error io.
 [[nodiscard]] base::Bytes read_input(const std::string& path);
 [[nodiscard]] std::string read_input_text(const std::string& path);
-// "-" as "standard input".
-[[nodiscard]] std::string shown_name(const std::string& path);
+// The name of an input in messages: "standard input" for "-".
+[[nodiscard]] std::string display_name(const std::string& path);
 
-// Standard output. write_stdout fails quietly; check_stdout throws Error io if anything was lost.
+// write_stdout ignores failures; check_stdout throws Error io if any output was lost.
 void write_stdout(std::string_view text);
 void check_stdout();
-// A document of --json.
+// Prints the document of --json on standard output.
 void print_json(const base::Json& document);
 
-// A file to be, or standard output for "-".
+// A file to be written, or standard output for "-".
 class Output {
  public:
   // Error io if the path cannot be written.
@@ -68,18 +68,18 @@ class Output {
   [[nodiscard]] bool is_stdout() const { return !file_; }
   void write(std::string_view text);
   void write(std::span<const std::uint8_t> bytes);
-  // Once. Error io.
+  // Called once. Error io.
   void commit();
 
  private:
   std::unique_ptr<base::AtomicFile> file_;
 };
 
-// The option parser reads -1 as the largest number, and so every number that is too large: a check for options whose
-// numbers have no other bounds. Empty if `text` is a whole number from 0 to 2^64 - 1, else the complaint.
-[[nodiscard]] std::string why_no_whole_number(const std::string& text);
+// A check for options whose numbers have no other bounds: empty if `text` is a whole number from 0 to 2^64 - 1, else the
+// complaint. The option parser would accept -1 and numbers that are too large, as 2^64 - 1.
+[[nodiscard]] std::string whole_number_error(const std::string& text);
 
-// The option parser takes nan and inf for numbers: an error of usage for them.
+// Throws Error usage for nan and inf, which the option parser accepts as numbers.
 void require_finite(const char* option, double value);
 
 }  // namespace sightline::app

@@ -1,4 +1,3 @@
-// See command_line.hpp.
 #include "host/app/command_line.hpp"
 
 #include <fmt/core.h>
@@ -23,13 +22,13 @@
 
 namespace sightline::app {
 
-// host/app/help, embedded.
+// The embedded files of host/app/help.
 [[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> help_files();
 
 namespace {
 
-// From the whole command to the subcommand the user got to.
-std::vector<const CLI::App*> way_to_subcommand(const CLI::App& app) {
+// The chain of commands from the program to the subcommand that was parsed last.
+std::vector<const CLI::App*> command_path(const CLI::App& app) {
   std::vector<const CLI::App*> way{&app};
   for (auto below = app.get_subcommands(); !below.empty(); below = below.front()->get_subcommands()) {
     way.push_back(below.front());
@@ -41,7 +40,7 @@ std::vector<const CLI::App*> choices(const CLI::App& command) {
   return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// `name`: the command as it is typed.
+// `name`: the command as a user types it.
 void finish_help(CLI::App& app, const std::string& name) {
   std::string footer = app.get_footer();
   if (!footer.empty()) footer += "\n";
@@ -53,7 +52,7 @@ void finish_help(CLI::App& app, const std::string& name) {
 }
 
 void print_help(const CLI::App& app) {
-  const std::vector<const CLI::App*> path = way_to_subcommand(app);
+  const std::vector<const CLI::App*> path = command_path(app);
   std::string parents;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) parents += (i == 0 ? "" : " ") + path[i]->get_name();
   write_stdout(path.back()->help(parents));
@@ -65,7 +64,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
   return names;
 }
 
-// "-3" and "-1,2,3" are values that the parser took for options.
+// "-3" and "-1,2,3" are values, although the parser takes them for options.
 bool is_option(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9');
 }
@@ -74,7 +73,7 @@ std::string unknown_option(const CLI::App& command, const std::string& argument)
   const std::string written = argument.substr(0, argument.find('='));
   for (const CLI::App* below : choices(command))
     if (below->get_option_no_throw(written) != nullptr)
-      return fmt::format("{}: found before the subcommand, expected behind it, as in `{} {} {}`", written, command.get_name(),
+      return fmt::format("{}: found before the subcommand, expected after it, as in `{} {} {}`", written, command.get_name(),
                          below->get_name(), written);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
@@ -90,10 +89,10 @@ std::string unknown_command(const CLI::App& command, const std::string& argument
   return error.message();
 }
 
-// What is wrong with a command line, if that is an argument which no command takes: it comes before what the library
-// misses, such as an option that the user has misspelt.
+// The complaint about an argument that no command accepts, if there is one. It is reported before the errors of the library,
+// because a misspelt option would otherwise be reported as a missing one.
 std::optional<std::string> explain_unknown(const CLI::App& app) {
-  const auto way = way_to_subcommand(app);
+  const auto way = command_path(app);
   for (const CLI::App* command : way) {
     const auto rest = command->remaining();
     const bool incomplete = command == way.back() && !choices(*command).empty();
@@ -106,14 +105,14 @@ std::optional<std::string> explain_unknown(const CLI::App& app) {
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   if (const auto unknown = explain_unknown(app)) return *unknown;
-  const auto way = way_to_subcommand(app);
+  const auto way = command_path(app);
   const CLI::App& command = *way.back();
-  // `explain house jones`: the subcommand is found behind the words that should follow it.
+  // `explain house jones`: the subcommand is after the words that should follow it.
   if (way.size() > 2 && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     const CLI::App& parent = *way[way.size() - 2];
     const auto before = parent.remaining();
     if (!before.empty() && !is_option(before.front()))
-      return fmt::format("found \"{}\" before {}, expected it behind, as in `{} {} {}`", before.front(), command.get_name(), parent.get_name(),
+      return fmt::format("found \"{}\" before {}, expected after it, as in `{} {} {}`", before.front(), command.get_name(), parent.get_name(),
                          command.get_name(), before.front());
   }
   // The library only says that a subcommand is required.
@@ -125,16 +124,16 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
-// An empty value would pass for an option not given: "--at $UNSET" must not draw another picture in silence.
-void refuse_empty_arguments(int argc, char** argv) {
+// An empty value would have the effect of an omitted option: `--at "$UNSET"` must not silently draw another picture.
+void reject_empty_arguments(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (argv[i][0] != '\0') continue;
     throw base::usage_error("found an empty argument after \"" + std::string(argv[i - 1]) +
-                                       "\", expected something in it");
+                                       "\", expected a value");
   }
 }
 
-// `help COMMAND...`: what `COMMAND... --help` prints.
+// `help COMMAND...` prints the same text as `COMMAND... --help`.
 void add_help_command(CLI::App& app) {
   const HelpPage page = help_page("help");
   CLI::App* const help = app.add_subcommand("help", page.summary);
@@ -156,7 +155,7 @@ void add_help_command(CLI::App& app) {
 }
 
 ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exit_code) {
-  refuse_empty_arguments(argc, argv);
+  reject_empty_arguments(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -165,10 +164,10 @@ ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const ExitCode& exi
   } catch (const CLI::CallForVersion& version) {
     write_stdout(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
-    complain(explain(app, error));
+    print_message(explain(app, error));
     std::string name;
-    for (const CLI::App* command : way_to_subcommand(app)) name += command->get_name() + " ";
-    complain("see `" + name + "--help`");
+    for (const CLI::App* command : command_path(app)) name += command->get_name() + " ";
+    print_message("see `" + name + "--help`");
     return ExitCode::usage;
   }
   check_stdout();
@@ -182,7 +181,7 @@ constexpr bool is_whole<std::optional<Value>> = std::is_integral_v<Value>;
 template <class Value>
 constexpr bool is_whole<std::vector<Value>> = std::is_integral_v<Value>;
 
-// 1e6 for 1000000.
+// Writes a count such as 1e6 as digits, 1000000.
 std::string count_in_digits(std::string text) {
   const auto count = base::count_number(text);
   return count ? std::to_string(*count) : text;
@@ -249,7 +248,7 @@ Option Option::one_of_any_case(const std::vector<std::string>& values) const {
 
 template <class Number>
 Option Option::range(Number low, Number high) const {
-  CLI::Range range(low, high);  // for its description
+  CLI::Range range(low, high);  // gives the option its description
   range.operation([low, high](std::string& text) {
     Number number{};
     if (CLI::detail::lexical_cast(text, number) && number >= low && number <= high) return std::string();
@@ -306,7 +305,7 @@ Command Command::add_command(const std::string& name, const HelpPage& help) cons
   return command;
 }
 
-void Command::also_called(const std::string& name) const {
+void Command::add_alias(const std::string& name) const {
   app_->alias(name);
 }
 
@@ -341,7 +340,7 @@ Option Command::flag(const std::string& names, std::string_view help) const {
   return Option(app_->add_flag(names)->description(std::string(help)));
 }
 
-Option Command::added(const std::string& name) const {
+Option Command::find_option(const std::string& name) const {
   return Option(app_->get_option(name));
 }
 
@@ -363,7 +362,7 @@ bool Command::is_given(const std::string& option) const {
 
 int run_command_line(int argc, char** argv, const HelpPage& help,
                      const std::function<void(const Command&)>& add_commands, std::string_view greeting) {
-  // A file that grows beyond what the shell allows is an error of writing like others, not the end.
+  // A file that exceeds the shell's limit of size is reported as a write error; the signal would end the process.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   ExitCode exit_code = ExitCode::ok;
   try {
@@ -381,13 +380,13 @@ int run_command_line(int argc, char** argv, const HelpPage& help,
     finish_help(app, app.get_name());
     exit_code = parse_and_run(app, argc, argv, exit_code);
   } catch (const base::Error& error) {
-    complain(error.message());
+    print_message(error.message());
     exit_code = exit_code_of(error.kind);
   } catch (const std::bad_alloc&) {
-    complain("not enough memory");
+    print_message("not enough memory");
     exit_code = ExitCode::io;
   } catch (const std::exception& error) {
-    complain(std::string("internal error: ") + error.what());
+    print_message(std::string("internal error: ") + error.what());
     exit_code = ExitCode::io;
   }
   return static_cast<int>(exit_code);

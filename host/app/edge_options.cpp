@@ -1,4 +1,3 @@
-// See edge_options.hpp.
 #include "host/app/edge_options.hpp"
 
 namespace sightline::app {
@@ -9,8 +8,8 @@ void add_edge_options(const Command& command, EdgeArguments& arguments) {
           .option("--edges", arguments.kinds,
                   "Which edges are drawn: all, feature (silhouettes, boundaries, creases, borders of "
                   "materials, lines in which bodies pass through each other, and lines without faces), or "
-                  "some of these kinds with commas between them; borders of colours of single faces only "
-                  "where border is named")
+                  "some of these kinds, separated by commas; borders between colours of single faces only "
+                  "if border is named")
           .default_value("feature")
           .value("KINDS")
           .group("Edges");

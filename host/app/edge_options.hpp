@@ -1,4 +1,4 @@
-// The options that say which edges of a scene are drawn, the same in every command that draws lines.
+// The options that select the edges to be drawn, the same in every command that draws lines.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct EdgeArguments {
 // --edges, --crease, --all-edges.
 void add_edge_options(const Command& command, EdgeArguments& arguments);
 
-// Error usage: no such kind, or no angle.
+// Error usage: an unknown kind, or no angle.
 void check_edges(const EdgeArguments& arguments);
 
 }  // namespace sightline::app

@@ -1,4 +1,3 @@
-// See help_formatter.hpp.
 #include "host/app/help_formatter.hpp"
 
 #include <sys/ioctl.h>
@@ -18,8 +17,8 @@ namespace sightline::app {
 
 namespace {
 
-// The words of `text` from column `column` on, further lines indented by `indent`; without a newline behind.
-std::string wrapped(std::string_view text, std::size_t column, std::size_t indent) {
+// Wraps `text`, which begins at column `column`; further lines are indented by `indent`. The last line has no newline.
+std::string wrap(std::string_view text, std::size_t column, std::size_t indent) {
   std::string result;
   bool first_word = true;
   while (true) {
@@ -42,7 +41,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
   }
 }
 
-// A row of two columns, the second one empty or wrapped.
+// A row of two columns; the second is empty or wrapped.
 std::string two_columns(std::string first, std::string_view second, std::size_t width) {
   first.insert(0, 2, ' ');
   if (second.empty()) return first + '\n';
@@ -51,7 +50,7 @@ std::string two_columns(std::string first, std::string_view second, std::size_t 
   } else {
     first += '\n' + std::string(width, ' ');
   }
-  return first + wrapped(second, width, width) + '\n';
+  return first + wrap(second, width, width) + '\n';
 }
 
 std::string indented_line(std::string_view line) {
@@ -59,18 +58,19 @@ std::string indented_line(std::string_view line) {
   if (line.size() <= help_width()) return std::string(line) + '\n';
   const std::size_t gap = line.find("  ", indent);
   const std::size_t text = gap == std::string_view::npos ? indent : line.find_first_not_of(' ', gap);
-  return std::string(line.substr(0, text)) + wrapped(line.substr(text), text, text) + '\n';
+  return std::string(line.substr(0, text)) + wrap(line.substr(text), text, text) + '\n';
 }
 
-// A command to be typed, at two spaces. Broken between words, with the shell's mark, so that it can still be copied.
-// Quoted words are kept whole unless they are longer than a line: only scripts are, and a shell reads the mark in them.
+// A command of an example, indented by two spaces. Long lines are broken between words with a backslash, so that the command
+// can be copied. Quoted words are broken only if they are longer than a line; those are shell scripts, in which the backslash
+// has the same meaning.
 std::string example_line(std::string line) {
   struct Break {
     std::size_t at = std::string::npos;
     bool quoted = false;
   };
   std::string result;
-  bool quoted = false;  // what the line begins with
+  bool quoted = false;  // whether the line begins inside quotes
   while (line.size() > help_width()) {
     Break outside;
     Break any;
@@ -95,7 +95,7 @@ struct ValueHelp {
   std::string range;  // "1 to 1000", or empty
 };
 
-// The parser says "N:INT in [1 - 1000]" and "NAME:{a,b}".
+// The parser describes values as "N:INT in [1 - 1000]" and "NAME:{a,b}".
 ValueHelp value_help(const CLI::Option& option) {
   std::string name = option.get_type_name();
   std::string range;
@@ -117,7 +117,7 @@ class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter() { column_width(28); }
 
-  // The parser parts groups by more than one empty line.
+  // The parser separates groups by more than one empty line.
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
     for (std::size_t at = 0; (at = help.find("\n\n\n", at)) != std::string::npos;) help.erase(at, 1);
@@ -125,7 +125,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   std::string make_description(const CLI::App* app) const override {
-    return wrapped(app->get_description(), 0, 0) + '\n';
+    return wrap(app->get_description(), 0, 0) + '\n';
   }
 
   std::string make_footer(const CLI::App* app) const override { return help_text(app->get_footer()); }
@@ -139,7 +139,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
  protected:
-  // `more`: a further condition, or empty.
+  // `more`: an additional condition, or empty.
   std::string entry(const CLI::Option& option, bool positional, const std::string& more) const {
     std::string left = make_option_name(&option, positional);
     if (const std::string value = value_help(option).name; !value.empty() && !positional)
@@ -159,7 +159,7 @@ class HelpFormatter : public CLI::Formatter {
     if (takes_many(option) && !option.get_allow_extra_args()) list.emplace_back("may be repeated");
     if (option.get_required() && !positional) list.emplace_back("required");
     for (const CLI::Option* other : option.get_needs()) list.push_back("needs " + other->get_name());
-    std::vector<std::string> excluded;  // the parser has them in no order
+    std::vector<std::string> excluded;  // the parser keeps them in a set without a fixed order
     for (const CLI::Option* other : option.get_excludes())
       if (!other->get_description().empty()) excluded.push_back("not with " + other->get_name());
     std::sort(excluded.begin(), excluded.end());
@@ -178,7 +178,7 @@ class SharedOptionsFormatter : public HelpFormatter {
       std::string entries;
     };
     std::vector<Group> groups;
-    std::vector<std::string> listed;  // entries, without who does not have them
+    std::vector<std::string> listed;  // entries, without the list of commands that lack the option
     for (const CLI::App* command : commands) {
       for (const CLI::Option* option : command->get_options()) {
         if (!option->nonpositional() || option->get_description().empty() || option == command->get_help_ptr()) continue;
@@ -206,7 +206,7 @@ class SharedOptionsFormatter : public HelpFormatter {
   }
 
  private:
-  // tools/manual/completion.awk stops here: what follows is typed behind the name of a subcommand.
+  // tools/manual/completion.awk stops at this heading, because these options are typed after a subcommand.
   static constexpr std::string_view shared_heading = "Options of most subcommands";
 };
 
@@ -236,7 +236,7 @@ std::string help_text(std::string_view text) {
     if (examples && line.starts_with("  ") && !line.starts_with("   ")) {
       result += example_line(std::string(line));
     } else {
-      result += line.starts_with(' ') ? indented_line(line) : wrapped(line, 0, 0) + '\n';
+      result += line.starts_with(' ') ? indented_line(line) : wrap(line, 0, 0) + '\n';
     }
   }
   return result;

@@ -1,10 +1,9 @@
-// The one look of every --help: lines of at most help_width() columns, values and ranges in plain words, what
-// an option is when it is not given in one place. Leaves out the types of the option parser (TEXT, INT,
-// UINT), and options without a description.
+// Formats the --help of all commands: lines of at most help_width() columns; the range, the default and other conditions of an
+// option in parentheses. Omits the parser's types (TEXT, INT, UINT) and options without a description.
 //
-// The text below the options is reflowed here as well. A line is a paragraph. An indented line that is too long
-// continues below its text ("  term   text"), or below its beginning if it has no term. Under a heading that ends with
-// "Examples:" a line at two spaces is a command: it is broken with a backslash, so that it can be copied.
+// The text below the options is reflowed, too. A line is a paragraph. An indented line that is too long continues below its
+// text ("  term   text"), or below its beginning if it has no term. Under a heading that ends with "Examples:" a line
+// indented by two spaces is a command; it is broken with a backslash, so that it can be copied.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +17,7 @@ class FormatterBase;
 
 namespace sightline::app {
 
-// COLUMNS if it is set, else the width of the terminal up to 100, else 80; at least 40.
+// COLUMNS if it is set, else the width of the terminal (at most 100), else 80; at least 40.
 [[nodiscard]] std::size_t help_width();
 
 // A text of host/app/help, reflowed to help_width().
@@ -26,7 +25,7 @@ namespace sightline::app {
 
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-// Of a command with subcommands: also lists the options that more than half of them have alike, and which do not have them.
+// For a command with subcommands: also lists the options that more than half of them share, with the subcommands that lack them.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter_with_shared_options();
 
 }  // namespace sightline::app

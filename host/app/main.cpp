@@ -1,4 +1,4 @@
-// The command `sightline`: its subcommands, in the order in which its help lists them.
+// The program `sightline` and its subcommands, in the order of its help.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -38,8 +38,8 @@ constexpr std::array<Entry, 21> commands{{
     {"scene", add_scene_command},
 }};
 
-// The options of all commands take longer to set up than most commands to run: of a command that is named, only its own.
-// Any other first word, `help` among them, is looked up among all.
+// To set up the options of all commands takes longer than most commands take to run. If the first word names a command, only that
+// command is added; for any other first word, `help` included, all are.
 void add_commands(const Command& program, std::string_view first_word) {
   const auto* const named = std::find_if(commands.begin(), commands.end(), [&](const Entry& entry) { return entry.name == first_word; });
   if (named != commands.end()) return named->add(program);

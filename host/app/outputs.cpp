@@ -1,4 +1,3 @@
-// See outputs.hpp.
 #include "host/app/outputs.hpp"
 
 #include <fmt/core.h>

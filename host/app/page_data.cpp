@@ -1,7 +1,7 @@
 #include "host/app/page_data.hpp"
 
 #if defined(SIGHTLINE_PAGE)
-// A megabyte as an array of numbers would take the compiler longer than the rest of this folder.
+// Included by the assembler, because a compiler needs longer for an array of a million numbers than for the rest of this folder.
 asm(R"(
   .section .rodata
   .global sightline_page_begin

@@ -1,4 +1,4 @@
-// The page of live machines (host/live/web), packed by gzip; empty where it could not be made when the program was built.
+// The page of live machines (host/live/web), compressed by gzip; empty if the page was not built.
 #pragma once
 
 #include <cstdint>

@@ -15,9 +15,9 @@ namespace sightline::app {
 namespace {
 
 constexpr const char* cells_expected =
-    "expected a scene of cells, which Jones's program can be given; `sightline draw jones` takes all scenes";
+    "expected a scene of cells, the input of Jones's program; `sightline draw jones` takes all scenes";
 
-void leave_out_wires(scene::LoadedScene& loaded) {
+void remove_wires(scene::LoadedScene& loaded) {
   const std::size_t count = loaded.scene.wires.size();
   const std::string found = fmt::format("{} {} without faces", count, count == 1 ? "line" : "lines");
   if (loaded.scene.bodies.empty()) {
@@ -31,7 +31,7 @@ void leave_out_wires(scene::LoadedScene& loaded) {
 }  // namespace
 
 scene::SceneFile find_scene(const std::string& argument) {
-  if (argument == "-") return {.name = shown_name(argument), .text = read_input_text(argument)};
+  if (argument == "-") return {.name = display_name(argument), .text = read_input_text(argument)};
   return value_of(hidden_lines::find(argument));
 }
 
@@ -47,31 +47,31 @@ scene::PolyImportOptions MeshArguments::import_options() const {
 
 void add_mesh_options(const Command& command, MeshArguments& arguments) {
   const Option strict =
-      command.flag("--strict", arguments.strict, "Mend nothing: a mesh with anything wrong is an error").group("Mesh");
-  command.option("--weld", arguments.weld, "Make one of vertices at most so far apart, in the unit of the file")
+      command.flag("--strict", arguments.strict, "Repair nothing: any defect of a mesh is an error").group("Mesh");
+  command.option("--weld", arguments.weld, "Merge vertices at most this far apart, in the unit of the file")
       .range(0.0, 1e30)
-      .default_value("only those on one point")
+      .default_value("only vertices at the same point")
       .value("DISTANCE")
       .excludes(strict)
       .group("Mesh");
   command
       .option("--planar-tolerance", arguments.planar_tolerance,
-              "Faces within this distance of a larger one's plane are one surface with it")
+              "Faces within this distance of the plane of a larger face are merged with it")
       .range(0.0, 1e30)
       .default_value("4 units of the precision of the file, at most a thousandth of its size")
       .value("DISTANCE")
       .excludes(strict)
       .group("Mesh");
-  command.option("--unit", arguments.unit, "The unit of the coordinates, of a file that does not say it")
+  command.option("--unit", arguments.unit, "The unit of the coordinates, if the file does not specify it")
       .one_of({"um", "mm", "cm", "m", "inch", "ft"})
-      .default_value("mm of 3MF as it says, m of glTF, none of others")
+      .default_value("as specified in 3MF, m for glTF, none for others")
       .group("Mesh");
 }
 
 void warn_of_units(const scene::LoadedScene& loaded, const MeshArguments& mesh) {
   if (mesh.unit.empty() || loaded.report.unit == mesh.unit) return;
   warn(loaded.report.unit.empty() ? fmt::format("--unit: {} is no mesh, and its coordinates have no unit", loaded.name)
-                                  : fmt::format("--unit: {} says that its coordinates are in {}, which they are taken to be",
+                                  : fmt::format("--unit is ignored: {} specifies {} as the unit of its coordinates",
                                                 loaded.name, loaded.report.unit));
 }
 
@@ -80,7 +80,7 @@ scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& 
   warn_of_changes(loaded.report);
   warn_of_units(loaded, mesh);
   loaded.name = argument;
-  if (wires == Wires::left_out && !loaded.scene.wires.empty()) leave_out_wires(loaded);
+  if (wires == Wires::remove && !loaded.scene.wires.empty()) remove_wires(loaded);
   return loaded;
 }
 
@@ -97,17 +97,17 @@ scene::CellScene load_cells(const std::string& argument) {
 }
 
 void add_go_on_option(const Command& command, bool& go_on) {
-  command.flag("--go-on", go_on, "Draw also what takes this method more than a minute").group("Mesh");
+  command.flag("--go-on", go_on, "Draw even if this method takes more than a minute").group("Mesh");
 }
 
-void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time,
+void reject_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time,
                       bool go_on) {
   if (go_on || mesh.scene.surfaces.empty()) return;
   constexpr double longest = 60;
   const double seconds = time.seconds_for(mesh.scene);
   if (seconds < longest) return;
   throw base::usage_error(fmt::format("{}: {} is {} here, and takes about {:.0f} minutes for {} faces{}; "
-                            "`sightline draw exact` takes seconds; --go-on draws it all the same",
+                            "`sightline draw exact` takes seconds; --go-on draws it anyway",
                             mesh.name, method, time.by_planes ? "slow" : "quadratic", std::ceil(seconds / 60), scene::face_count(mesh.scene),
                             time.by_planes ? ", which cross each other's planes" : ""));
 }

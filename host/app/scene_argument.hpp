@@ -1,5 +1,5 @@
-// The SCENE argument, the same in every command that has one: built in, generated, a file of any kind, or
-// standard input.
+// The SCENE argument, the same in every command that has one: a built-in or generated scene, a file of any kind, or standard
+// input.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ inline constexpr std::string_view scene_help =
     "A built-in scene (see `sightline scene list`), a JSON, OFF, OBJ, STL, PLY, glTF or 3MF file (- for standard input), "
     "or FAMILY-SIZE or FAMILY-SIZE-SEED of a generated one, such as boxes-100 (see `sightline scene generate "
     "--help`)";
-// Of commands that run Jones's program.
+// For commands that run Jones's program.
 inline constexpr std::string_view cells_help =
     "A built-in scene (see `sightline scene list`) or a JSON file of a scene of cells";
 
-// What a mesh has wrong is mended, unless --strict is given, and said in one line.
+// Options for reading meshes. Defects of a mesh are repaired and reported in one line; with --strict they are errors.
 struct MeshArguments {
   bool strict = false;
   double weld = 0;
@@ -36,37 +36,37 @@ struct MeshArguments {
 };
 void add_mesh_options(const Command& command, MeshArguments& arguments);
 
-// Its text, or the generated scene. Error io: no such scene or file, or it cannot be read; usage: a
-// generated scene of an impossible size.
+// Finds a scene by its argument and returns the text of its file, or the generated scene. Error io: no such scene or file, or
+// it cannot be read; usage: a generated scene of an impossible size.
 [[nodiscard]] scene::SceneFile find_scene(const std::string& argument);
 
-// Read and checked. Error bad_input: the first thing that is wrong.
+// Parses and checks a scene. Error bad_input: the first defect.
 [[nodiscard]] scene::LoadedScene load_found(scene::SceneFile file,
                                             const scene::PolyImportOptions& options = {});
 
-// Whether lines without faces (PolyScene::wires) are kept, or left out with a warning.
-enum class Wires { left_out, kept };
+// Whether lines without faces (PolyScene::wires) are kept, or removed with a warning.
+enum class Wires { remove, keep };
 
-// Found, read and checked; named as the argument is. What was changed while reading is said on standard
-// error. Error as find_scene, or bad_input: the first thing that is wrong, or nothing but wires to leave out.
+// Finds, parses and checks a scene; its name is the argument. Repairs are reported on standard error. Errors as find_scene, or
+// bad_input: the first defect, or a scene that consists of wires only and wires are removed.
 [[nodiscard]] scene::LoadedScene load_scene(const std::string& argument, const MeshArguments& mesh = {},
-                                            Wires wires = Wires::left_out);
-// The same; anything but a scene of cells is an error of usage or bad_input.
+                                            Wires wires = Wires::remove);
+// The same for scenes of cells; any other scene is an error of usage or bad_input.
 [[nodiscard]] scene::CellScene load_cells(const std::string& argument);
 
-// --go-on: of a command that draws by one method.
+// --go-on, for commands that draw by one method.
 void add_go_on_option(const Command& command, bool& go_on);
-// Error usage: the method would take more than a minute for so many faces of a mesh, and --go-on is not given.
-void refuse_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on);
+// Error usage: the method would take more than a minute for this mesh, and --go-on is not given.
+void reject_long_work(const scene::LoadedScene& mesh, std::string_view method, const registry::MeshTime& time, bool go_on);
 
-// --eae and --no-eae, of commands that run Jones's program: whether the PDP-7 has the Type 177 extended
-// arithmetic element. The first is the default.
+// --eae (the default) and --no-eae, for commands that run Jones's program: whether the PDP-7 has the Type 177 extended
+// arithmetic element.
 void add_eae_options(const Command& command, bool& no_eae);
 
-// A warning if --unit was given for a scene that has its own, or that is no mesh.
+// Warns if --unit was given for a scene that has its own unit or is no mesh.
 void warn_of_units(const scene::LoadedScene& loaded, const MeshArguments& mesh);
 
-// What was done to the scene while it was read, as warnings.
+// Warns of everything that was changed in the scene while it was read.
 void warn_of_changes(const scene::PolyImportReport& report);
 
 // "X,Y,Z", decimal integers below 2^15 in magnitude. Error usage.

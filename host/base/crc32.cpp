@@ -7,7 +7,7 @@ namespace sightline::base {
 
 namespace {
 
-// tables[k][b]: the remainder of byte b followed by k zero bytes, so that eight bytes are one step.
+// tables[k][b]: the remainder of byte b followed by k zero bytes; eight bytes are one step.
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
 constexpr Tables make_tables() {

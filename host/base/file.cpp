@@ -19,11 +19,11 @@ Error system_error(const std::string& path, const char* doing, int code) {
   return {.file = path, .found = std::string(doing) + ": " + std::generic_category().message(code), .kind = ErrorKind::io};
 }
 
-// Where a symbolic link leads, so that the link itself is kept.
+// The target of a symbolic link: the target is replaced, the link itself is kept.
 std::string follow_links(const std::string& path) {
   std::error_code failed;
   if (!std::filesystem::is_symlink(path, failed)) return path;
-  // Of a pipe behind /dev/stdout there is no such path.
+  // If /dev/stdout is a pipe, the canonical path does not exist.
   const auto target = std::filesystem::weakly_canonical(path, failed);
   return failed || !std::filesystem::exists(target, failed) ? path : target.string();
 }
@@ -34,13 +34,13 @@ std::string partial_name(const std::string& target, int attempt) {
   return target + ".partial" + (attempt == 0 ? std::string() : std::to_string(attempt));
 }
 
-// What a file without a name can be linked by.
+// The path by which an open file without a name can be linked.
 std::string name_of_open(int file) {
   return "/proc/self/fd/" + std::to_string(file);
 }
 
-// A file without a name beside `target`: a program that is killed leaves nothing of it behind. None where
-// there are no such files, or no way to name them later; then a file with a name has to do, target.partial.
+// A file without a name in the folder of `target`: if the process is killed, nothing remains of it. Null if the file system
+// has no such files or they cannot be linked later; the caller then writes target.partial.
 std::FILE* open_nameless(const std::string& target) {
   const std::string folder = std::filesystem::path(target).parent_path().string();
   const int file = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
@@ -50,7 +50,7 @@ std::FILE* open_nameless(const std::string& target) {
   return stream;
 }
 
-// Those of the file that is to be replaced, and its owner where that is allowed.
+// Gives `file` the permissions of the file that it will replace and, where the system allows it, its owner.
 void keep_permissions(int file, const std::string& target) {
   struct stat old {};
   if (::stat(target.c_str(), &old) != 0) return;
@@ -63,8 +63,8 @@ bool is_nameless(int file) {
   return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 0;
 }
 
-// The name it has now; none if it could not be given one, and errno.
-std::string given_name(int file, const std::string& target) {
+// Links a file without a name beside `target` and returns that name; empty, with errno set, if it cannot be linked.
+std::string link_partial(int file, const std::string& target) {
   for (int attempt = 0; attempt < most_partial_files; ++attempt) {
     std::string partial = partial_name(target, attempt);
     if (::linkat(AT_FDCWD, name_of_open(file).c_str(), AT_FDCWD, partial.c_str(), AT_SYMLINK_FOLLOW) == 0)
@@ -148,7 +148,7 @@ Result<Done> AtomicFile::commit() {
   errno = 0;
   if (std::fflush(file_.get()) != 0 && failure_ == 0) failure_ = errno != 0 ? errno : EIO;
   if (failure_ == 0 && partial_.empty() && is_nameless(::fileno(file_.get()))) {
-    partial_ = given_name(::fileno(file_.get()), target_);
+    partial_ = link_partial(::fileno(file_.get()), target_);
     if (partial_.empty()) failure_ = errno;
   }
   errno = 0;

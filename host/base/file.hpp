@@ -1,8 +1,8 @@
 // Reads whole files, and writes files atomically: completely or not at all.
 //
-// An AtomicFile writes beside its target and renames to the target only in commit(); abandoned or destroyed
-// before that it removes what it wrote, and an older file of that name stays as it was. A file that is replaced
-// keeps its permissions; one that may not be written is not replaced. A target that exists and is no regular file (a pipe, /dev/null) cannot be replaced and is written directly.
+// An AtomicFile writes beside its target and renames to the target only in commit(). If it is destroyed before, what it
+// wrote is removed and an existing target stays unchanged. A file that is replaced keeps its permissions; a read-only file
+// is not replaced. A target that exists and is no regular file (a pipe, /dev/null) is written directly.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class AtomicFile {
   // The first failure is kept and reported by commit().
   void write(std::string_view text);
   void write(std::span<const std::uint8_t> bytes);
-  // Closes, and puts the file in its place. Once.
+  // Closes the file and renames it to the target. Called once.
   [[nodiscard]] Result<Done> commit();
 
  private:
@@ -52,12 +52,12 @@ class AtomicFile {
                                                  std::span<const std::uint8_t> bytes);
 [[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::string_view text);
 
-// What a path leads to.
+// What exists at a path.
 struct FileStatus {
   enum class Kind : std::uint8_t { none, file, other };  // other: a directory, a device
   Kind kind = Kind::none;
-  std::uint64_t size = 0;  // of a file, bytes
-  std::string error = {};  // why it cannot be looked at; empty: it can
+  std::uint64_t size = 0;  // bytes, of a file
+  std::string error = {};  // why the status cannot be read; empty: it was read
 };
 [[nodiscard]] FileStatus file_status(const std::string& path);
 

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Everything but a document's structure is written by the library, so that escapes and digits are its own.
+// The library writes all scalars; escapes and digits are therefore those of nlohmann::json.
 std::string library_text(const ordered_json& scalar) {
   return scalar.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
@@ -53,8 +53,7 @@ Json::Owned<T>& Json::Owned<T>::operator=(const Owned& other) {
   value_ = std::make_unique<T>(*other.value_);
   return *this;
 }
-// A document may be nested as deep as a file is long: what is inside it is destroyed one after the other, not
-// by recursion.
+// A document may be nested as deep as a file is long: nested values are destroyed in a loop, not by recursion.
 template <class T>
 void Json::Owned<T>::empty() {
   if constexpr (!std::is_same_v<T, std::string>) {
@@ -74,7 +73,7 @@ template class Json::Owned<std::string>;
 template class Json::Owned<Json::Array>;
 template class Json::Owned<Json::Object>;
 
-// An array or object that is not empty; one that was moved from holds nothing.
+// Whether it is an array or object with elements. A value that was moved from has none.
 bool Json::is_deep() const {
   const auto* const array = std::get_if<Owned<Array>>(&value_);
   const auto* const object = std::get_if<Owned<Object>>(&value_);
@@ -218,7 +217,7 @@ std::string describe(const Json& value) {
   return value.dump();
 }
 
-// What the library's parser calls: builds a Json from the outside in.
+// The library's parser calls it for each value; it builds a Json from the outermost value inwards.
 class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit JsonBuilder(std::string_view source) : source_(source) {}
@@ -281,7 +280,7 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   std::string source_;
   Json document_;
-  std::vector<Json*> open_;  // from the document to the innermost array or object; the others are complete
+  std::vector<Json*> open_;  // arrays and objects not yet closed, outermost first
   std::string key_;
   std::optional<Error> error_;
 };

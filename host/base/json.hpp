@@ -33,7 +33,7 @@ class Json {
   Json() = default;
   Json(std::nullptr_t) {}
   template <class Bool>
-  requires std::is_same_v<Bool, bool>  // not what converts to bool, such as a pointer
+  requires std::is_same_v<Bool, bool>  // no type that only converts to bool, such as a pointer
   Json(Bool value) : value_(value) {}
   Json(double value) : value_(value) {}
   template <class Integer>
@@ -42,7 +42,7 @@ class Json {
   Json(std::string text) : value_(Owned<std::string>(std::move(text))) {}
   Json(std::string_view text) : Json(std::string(text)) {}
   Json(const char* text) : Json(std::string(text)) {}
-  // null for no value
+  // null if there is no value
   template <class Value>
   Json(const std::optional<Value>& value) : Json(value ? Json(*value) : Json()) {}
   // An array of the elements of any range.
@@ -74,10 +74,10 @@ class Json {
   [[nodiscard]] bool is_string() const { return holds<Owned<std::string>>(); }
   [[nodiscard]] bool is_number() const;
 
-  // The value as such a type; none if it is something else, or does not fit.
+  // The value as this type; none if it has another type or is out of range.
   [[nodiscard]] std::optional<bool> boolean() const;
-  [[nodiscard]] std::optional<std::int64_t> integer() const;  // of a number without point and exponent
-  [[nodiscard]] std::optional<double> number() const;         // of any number
+  [[nodiscard]] std::optional<std::int64_t> integer() const;  // a number without point and exponent
+  [[nodiscard]] std::optional<double> number() const;         // any number
   [[nodiscard]] const std::string* text() const;              // null: not a string
 
   // Elements of an array or members of an object; 0 for anything else.
@@ -91,8 +91,8 @@ class Json {
   [[nodiscard]] const Array& elements() const;
   [[nodiscard]] const Object& members() const;
 
-  // With `indent` spaces a level and one element or member a line; on one line without. Bytes that are not
-  // UTF-8 become U+FFFD, numbers that are not finite null.
+  // With `indent`: that many spaces per level and one element or member per line. Without: one line. Bytes that are not
+  // UTF-8 become U+FFFD; numbers that are not finite become null.
   [[nodiscard]] std::string dump(std::optional<unsigned> indent = std::nullopt) const;
 
  private:
@@ -144,10 +144,10 @@ struct JsonMember {
   Json value;
 };
 
-// A value in few words: "an object", "an array of 3", "a string", "-1.5".
+// A short description of a value: "an object", "an array of 3", "a string", "-1.5".
 [[nodiscard]] std::string describe(const Json& value);
 
-// The value that `text` describes. `source` names it in errors, whose place is a line and a column.
+// Parses a JSON text. `source` is its name in errors; their place is a line and a column.
 [[nodiscard]] Result<Json> parse_json(std::string_view text, std::string_view source);
 
 // "openings[3]"

@@ -1,7 +1,7 @@
-// Reads the values of a JSON document and says where one is not as expected.
+// Reads the values of a JSON document and reports the place of the first one that is not as expected.
 //
-// A reader remembers the first error and its place ("openings[3].rect"). After it every read returns a
-// default and the rest of the document is passed over, so that a caller checks failed() once, at its end.
+// A reader remembers the first error and its place ("openings[3].rect"). After it every read returns a default value
+// and checks nothing; the caller checks failed() once, at the end.
 #pragma once
 
 #include <cstddef>
@@ -26,12 +26,12 @@ class JsonReader {
   // "expected WHAT, found VALUE"
   void expected(const std::string& what, const Json& found, const std::string& place);
 
-  // The value of a member; null if `object` has none, which is an error, or is no object.
+  // The value of a member. If `object` has no such member or is no object: an error, and null.
   [[nodiscard]] const Json* field(const Json& object, const char* name, const std::string& place);
-  // The same, where a member may be missing.
+  // The same, but a missing member is no error.
   [[nodiscard]] const Json* optional_field(const Json& object, const char* name, const std::string& place);
 
-  // Whether it is an array, of `size` elements if given.
+  // Whether it is an array (of `size` elements, if given); an error if not.
   bool array(const Json& value, const std::string& place, std::optional<std::size_t> size = std::nullopt);
   std::int64_t integer(const Json& value, const std::string& place, std::int64_t low, std::int64_t high);
   bool boolean(const Json& value, const std::string& place);

@@ -8,7 +8,7 @@
 namespace sightline::base {
 
 std::size_t edit_distance(std::string_view from, std::string_view to) {
-  // Three rows of the table of distances between beginnings: a swap of neighbours looks two rows back.
+  // Three rows of the table of distances between prefixes: a transposition needs the row before the last one.
   std::vector<std::size_t> before;
   std::vector<std::size_t> last(to.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -33,7 +33,7 @@ std::string nearest_name(std::string_view written, std::span<const std::string> 
   for (const std::string& name : names) {
     const bool begins = written.size() >= shortest_beginning && name.starts_with(written);
     const std::size_t distance = begins ? 1 : edit_distance(written, name);
-    // A text of which nothing is left resembles everything.
+    // A text in which every character changes resembles every name.
     if (distance >= least || distance >= written.size()) continue;
     least = distance;
     nearest = &name;

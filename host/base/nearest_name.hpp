@@ -1,4 +1,4 @@
-// The name that a user may have meant: for errors about unknown commands, options, scenes and functions.
+// Finds the name that a user may have meant, for errors about unknown commands, options, scenes and functions.
 #pragma once
 
 #include <span>
@@ -7,15 +7,15 @@
 
 namespace sightline::base {
 
-// Insertions, deletions, substitutions and swaps of neighbours that turn one text into the other, no place changed
-// twice ("optimal string alignment"). Bytes, not characters.
+// The optimal string alignment distance: the number of insertions, deletions, substitutions and transpositions of adjacent
+// bytes that turn one text into the other, if no substring is edited twice.
 [[nodiscard]] std::size_t edit_distance(std::string_view from, std::string_view to);
 
-// The name nearest to `written`, the first of several; empty if none is near. Near: a name that begins with at least two
-// characters of `written`, or one that differs in at most one place, and one more for every four characters.
+// The name nearest to `written`, the first of several; empty if none is near. A name is near if it begins with `written`
+// (at least two characters), or if its edit distance is at most one, plus one for every four characters.
 [[nodiscard]] std::string nearest_name(std::string_view written, std::span<const std::string> names);
 
-// "did you mean \"jones\"?", or empty: the remedy of an Error.
+// The remedy of an Error: "did you mean \"jones\"?", or empty.
 [[nodiscard]] std::string did_you_mean(std::string_view written, std::span<const std::string> names);
 
 }  // namespace sightline::base

@@ -13,7 +13,7 @@ namespace sightline::base {
 
 namespace {
 
-// All digits of a whole number.
+// All decimal digits of a whole number >= 0.
 std::string exact_digits(double value) {
   int doublings = 0;
   for (; value >= 0x1p63; value /= 2) ++doublings;
@@ -39,8 +39,8 @@ std::optional<Number> whole_text(std::string_view text, int radix) {
   return value;
 }
 
-// What std::from_chars does with a double, which libc++ 14 does not have: the whole text is a number in the C locale, without
-// a plus sign, blanks or hexadecimal digits; out of range as strtod has it.
+// std::from_chars for a double, which libc++ 14 lacks: the whole text is a number in the C locale, without a plus sign,
+// blanks or hexadecimal digits. Numbers out of range are returned as strtod returns them.
 std::optional<double> whole_double(std::string_view text, bool exponent) {
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 20000
   constexpr std::string_view characters = "0123456789.-";
@@ -62,7 +62,7 @@ std::optional<double> whole_double(std::string_view text, bool exponent) {
   const auto format = exponent ? std::chars_format::general : std::chars_format::fixed;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, format);
   if (end != text.data() + text.size()) return std::nullopt;
-  // from_chars reports "out of range" for numbers too near 0 as for those too great.
+  // from_chars reports "out of range" for numbers too near 0 and for numbers too large.
   if (error == std::errc::result_out_of_range && exponent) return std::strtod(std::string(text).c_str(), nullptr);
   if (error != std::errc{}) return std::nullopt;
   return value;
@@ -110,7 +110,7 @@ std::optional<double> fixed_number(std::string_view text, double least, double m
 
 std::string time_text(double seconds) {
   const auto with = [](double value, std::string_view unit) {
-    // Of 1000 or more `g` has an exponent.
+    // From 1000 on, `g` would write an exponent.
     std::string text;
     if (value >= 999.5)
       append(text, "{:.0f} {}", value, unit);
@@ -124,7 +124,7 @@ std::string time_text(double seconds) {
 
 std::string shortest_number(double value) {
   std::string general;
-  append(general, "{}", std::abs(value));  // the digits are the shortest; the form is fmt's
+  append(general, "{}", std::abs(value));  // fmt writes the shortest digits, but in its own choice of notation
   const bool negative = std::signbit(value);
   const auto with_sign = [negative](std::string text) { return negative ? "-" + std::move(text) : text; };
   if (!std::isfinite(value) || value == 0) return with_sign(std::move(general));
@@ -136,7 +136,7 @@ std::string shortest_number(double value) {
   if (point < digits.size()) digits.erase(point, 1);
   const std::size_t zeros = digits.find_first_not_of('0');
   digits.erase(0, zeros);
-  exponent -= static_cast<int>(zeros);  // of the first digit
+  exponent -= static_cast<int>(zeros);  // now the exponent of the first digit
   digits.erase(digits.find_last_not_of('0') + 1);
 
   std::string scientific = digits;

@@ -1,6 +1,6 @@
-// Numbers in texts: the whole text is the number, or there is none. Blanks, a leading '+' (except in
-// decimal_number) and prefixes of a radix are not part of a number. The caller words the error: what a number
-// stands for is known there.
+// Parses and writes numbers. The whole text must be the number; blanks, a leading '+' (except in decimal_number) and radix
+// prefixes are not accepted. The functions return nullopt and the caller words the error, because only the caller knows
+// what the number means.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ template <std::integral Number>
   return static_cast<Number>(*value);
 }
 
-// A count as people write it: decimal digits, or with a point and an exponent if it is a whole number all the same:
-// 1000000, 1e6, 2.5e3. Not 1.5, not 1e-3, not more than 2^64 - 1.
+// A count: decimal digits, or a number with point and exponent whose value is whole: 1000000, 1e6, 2.5e3. Not 1.5, not
+// 1e-3, not more than 2^64 - 1.
 [[nodiscard]] std::optional<std::uint64_t> count_number(std::string_view text);
 
 // Decimal whole numbers between separators: "3,-4,5", "640x480", "2/7".
@@ -55,22 +55,21 @@ template <std::integral Number, std::size_t count>
   return numbers;
 }
 
-// A finite decimal number as people and programs write it: 1, -2.5, +1e-3. Numbers too near 0 for a double
-// are 0. Infinity and NaN are no numbers.
+// A finite decimal number: 1, -2.5, +1e-3. Numbers too near 0 for a double become 0. Infinity and NaN are not accepted.
 [[nodiscard]] std::optional<double> decimal_number(std::string_view text);
 
 // The same without a leading '+' and without an exponent, from `least` to `most`.
 [[nodiscard]] std::optional<double> fixed_number(std::string_view text, double least, double most);
 
-// The shortest text that reads as the same number, as std::to_chars writes it: fixed or with an exponent, whichever is
-// shorter, and fixed if both are equally short. Our own, because the tables of std::to_chars would be a fourteenth of the
-// page's module.
+// The shortest text that reads as the same number, equal to the output of std::to_chars: fixed or with an exponent,
+// whichever is shorter, fixed if both are equally short. std::to_chars is not used because its tables would make the
+// WebAssembly module a fourteenth larger.
 [[nodiscard]] std::string shortest_number(double value);
 
-// A time in seconds with three digits, in the unit that suits it: "1.5 s", "12.3 ms", "7 us".
+// A time in seconds, written with three digits in s, ms or us: "1.5 s", "12.3 ms", "7 us".
 [[nodiscard]] std::string time_text(double seconds);
 
-// Digits in octal with leading zeros.
+// Octal with leading zeros: the lowest `digits` digits.
 [[nodiscard]] std::string octal(std::uint32_t value, unsigned digits);
 
 }  // namespace sightline::base

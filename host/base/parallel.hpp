@@ -19,13 +19,14 @@ struct OrderedWork {
   std::uint64_t first = 0;
   std::uint64_t last = 0;                           // excluded
   unsigned jobs = 1;                                // threads
-  std::function<Value(std::uint64_t)> make;        // on any of them
-  std::function<void(std::uint64_t, Value)> take;  // on the caller's, first to last
-  std::function<bool()> go_on;                      // asked some times a second on the caller's
+  std::function<Value(std::uint64_t)> make;        // called on any of these threads
+  std::function<void(std::uint64_t, Value)> take;  // called on the caller's thread, from first to last
+  std::function<bool()> go_on;                      // called on the caller's thread several times a second; false: stop
 };
 
-// Returns once all is taken, or soon after go_on says no: then what has been begun is finished and dropped.
-// What make or take throws is thrown here. The threads are never far ahead of what is taken.
+// Returns once every value has been taken, or soon after go_on returns false: tasks that have begun are then finished and
+// their values dropped. An exception of make or take is rethrown here. The threads make at most 16 values per job ahead of
+// the one to be taken.
 template <class Value>
 void run_in_order(const OrderedWork<Value>& work) {
   std::mutex mutex;

@@ -13,7 +13,7 @@ namespace sightline::base {
 
 namespace {
 
-// The one thing a signal handler may write to.
+// A signal handler may write to nothing else.
 volatile std::sig_atomic_t interrupt_pressed = 0;
 
 extern "C" void remember_interrupt(int) {
@@ -31,7 +31,7 @@ InterruptKey::InterruptKey() {
   interrupt_pressed = 0;
   struct sigaction action {};
   action.sa_handler = &remember_interrupt;
-  // The handler goes after the first time: a run that does not come to an end can still be ended.
+  // The handler is removed after the first signal: a second Ctrl-C ends a run that does not stop.
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   static_cast<void>(sigaction(SIGINT, &action, nullptr));
 }

@@ -1,4 +1,4 @@
-// User interface of a long run: a line of progress on a terminal, and Ctrl-C.
+// A progress line on the terminal and Ctrl-C, for long runs.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace sightline::base {
 
-// While it lives the first Ctrl-C is remembered instead of ending the process; a second one ends it.
+// While it exists the first Ctrl-C is remembered instead of ending the process; a second one ends it.
 class InterruptKey {
  public:
   InterruptKey();
@@ -22,8 +22,8 @@ class InterruptKey {
   [[nodiscard]] static bool pressed();
 };
 
-// Rewrites one line on standard error a few times a second, beginning after one second; no effect unless
-// standard error is a terminal that can. Host time decides when it is shown, never what the run does.
+// Rewrites one line on standard error five times a second, from the first second on; no effect unless standard error is a
+// terminal that can rewrite a line. Host time decides when the line is shown, never what the run does.
 class ProgressLine {
  public:
   ProgressLine();
@@ -32,8 +32,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(std::string_view text);  // one line, printable
-  void clear();                      // before a line of another kind; it comes back in its time
-  // Of a run on an emulated machine; says how to stop it.
+  void clear();                      // before other output; show() writes the line again
+  // For a run on an emulated machine.
   void show_run(std::uint64_t emulated_nanoseconds, std::uint64_t instructions);
 
  private:
@@ -44,7 +44,7 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-// Shows a text and the seconds since it began, while work goes on that does not show anything itself.
+// Shows a text and the elapsed seconds during work that shows no progress itself.
 class ProgressClock {
  public:
   explicit ProgressClock(std::string text);

@@ -1,6 +1,5 @@
-// One way to fail, for everything in host/ and tools/: a Result is a value, or the Error that says why there is
-// none. An Error names the file, the place in it, what was found there, what would be accepted and what to do,
-// so that a person can correct the input without reading code.
+// The one error type of host/ and tools/: a Result is a value, or the Error that says why there is none. An Error names
+// the file, the place in it, what was found there, what would be accepted and what to do.
 //
 // The interface is a part of tl::expected's and C++23 std::expected's. Neither is used: tl/expected.hpp includes
 // <functional>, which makes each source 21,500 lines longer than <variant> does (g++ 12).
@@ -14,27 +13,27 @@
 
 namespace sightline::base {
 
-// How a message names the place.
+// The format of a message.
 enum class MessageStyle : std::uint8_t {
   plain,     // "FILE: PLACE: FOUND, expected EXPECTED; REMEDY"
   position,  // "FILE:PLACE: found FOUND, expected EXPECTED; REMEDY": PLACE is a line and column
   compiler,  // "FILE:PLACE: error: found FOUND, expected EXPECTED; REMEDY": what editors recognise
 };
 
-// What has failed. The exit code of a command follows from it (host/app/command.hpp).
+// The kind of failure. It determines the exit code of a command (host/app/command.hpp).
 enum class ErrorKind : std::uint8_t {
   bad_input,       // a file, a scene or a request is wrong
   usage,           // an option or argument is wrong
-  program_failed,  // the program on an emulated machine did not do its work
-  differs,         // results that must be equal are not
+  program_failed,  // the program on an emulated machine did not finish correctly
+  differs,         // results that must be equal differ
   io,              // something cannot be read, written or started
 };
 
-// Any text may be empty; a message leaves out what is empty. Commands and experiments throw it; all others return it in a Result.
+// Any text may be empty; a message omits empty texts. Commands and experiments throw an Error; all others return it in a Result.
 struct Error {
   std::string file = {};      // file, scene or option, as the user named it
   std::string place = {};     // "line 3", "byte 41", "openings[3].rect", "3:12" (line:column, from 1)
-  std::string found = {};     // what is there, or the whole complaint
+  std::string found = {};     // what was found, or the whole complaint
   std::string expected = {};  // what would be accepted
   std::string remedy = {};    // what to do about it
   std::string excerpt = {};   // lines of the input that point at the place, shown below the message
@@ -46,7 +45,7 @@ struct Error {
   friend bool operator==(const Error&, const Error&) = default;
 };
 
-// An Error of one complaint: "the eye is inside a solid".
+// An Error that consists of one complaint: "the eye is inside a solid".
 [[nodiscard]] inline Error error_of(ErrorKind kind, std::string_view complaint) {
   return {.found = std::string(complaint), .kind = kind};
 }
@@ -56,18 +55,17 @@ struct Error {
 [[nodiscard]] inline Error difference(std::string_view complaint) { return error_of(ErrorKind::differs, complaint); }
 [[nodiscard]] inline Error io_error(std::string_view complaint) { return error_of(ErrorKind::io, complaint); }
 
-// A fault of this program itself, found where it cannot be handed on as an error. Throws std::logic_error; ends the program
-// where there are no exceptions.
+// Reports a defect of this program where no error can be returned. Throws std::logic_error; aborts if the program is compiled
+// without exceptions.
 [[noreturn]] void give_up(const std::string& fault);
 
-// The value of work that has none: a file was written, a check passed.
+// The value of a Result that only says that work succeeded: a file was written, a check passed.
 struct Done {
   friend bool operator==(Done, Done) = default;
 };
 
-// `if (result)` asks for the value. Reading the value of an error, or the error of a value, throws
-// std::bad_variant_access: it is a defect of the caller.
-// The error is an Error, or a list of them where a check goes on after the first one.
+// `if (result)`: it is a value. Reading the value of an error, or the error of a value, is a defect of the caller and throws
+// std::bad_variant_access. E is Error, or a list of errors for checks that continue after the first one.
 template <class T, class E = Error>
 class [[nodiscard]] Result {
  public:

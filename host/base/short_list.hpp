@@ -1,7 +1,7 @@
-// A list that has no memory of its own until it is longer than `near`. For lists that nearly always hold a few items and
-// of which there are many.
+// A list that stores up to `near` items inline and allocates memory only for more. For objects that contain many short
+// lists.
 //
-// Left out: removal of single items. Items are trivially copyable and have a default value.
+// Single items cannot be removed. Items are trivially copyable and have a default value.
 #pragma once
 
 #include <array>

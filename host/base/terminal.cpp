@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::array end_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-// What signal handlers need; tcsetattr, signal and raise may be called in one.
+// The state that signal handlers use. They may call tcsetattr, signal and raise.
 volatile std::sig_atomic_t signal_received = 0;
 volatile std::sig_atomic_t terminal_is_raw = 0;
-timespec received_at;  // written before signal_received is
+timespec received_at;  // written before signal_received
 termios terminal_before;
 termios terminal_raw;
 
@@ -31,7 +31,7 @@ void restore_terminal() {
   static_cast<void>(tcsetattr(STDIN_FILENO, TCSANOW, &terminal_before));
 }
 
-extern "C" void end_with(int number) {
+extern "C" void end_by_signal(int number) {
   restore_terminal();
   static_cast<void>(std::signal(number, SIG_DFL));
   static_cast<void>(std::raise(number));
@@ -48,13 +48,13 @@ extern "C" void remember_signal(int number) {
   constexpr std::int64_t same_press = 250'000'000;
   const std::int64_t since = std::int64_t{now.tv_sec - received_at.tv_sec} * 1'000'000'000 + (now.tv_nsec - received_at.tv_nsec);
   if (since >= same_press) {
-    constexpr std::string_view last_words = "\nsightline: ended by a second signal; files that were not complete are as they were before\n";
-    // A terminal that takes no more must not hold it up.
+    constexpr std::string_view message = "\nsightline: ended by a second signal; files that were not complete are as they were before\n";
+    // A terminal that accepts no output must not block the process.
     const int flags = fcntl(STDERR_FILENO, F_GETFL);
     static_cast<void>(fcntl(STDERR_FILENO, F_SETFL, flags | O_NONBLOCK));
-    if (write(STDERR_FILENO, last_words.data(), last_words.size()) < 0) signal_received = number;
+    if (write(STDERR_FILENO, message.data(), message.size()) < 0) signal_received = number;
     static_cast<void>(fcntl(STDERR_FILENO, F_SETFL, flags));
-    end_with(number);
+    end_by_signal(number);
   }
 }
 
@@ -62,7 +62,7 @@ extern "C" void remember_pipe(int number) {
   if (signal_received == 0) signal_received = number;
 }
 
-extern "C" void stop_for_a_while(int) {
+extern "C" void suspend_process(int) {
   const int error = errno;
   restore_terminal();
   static_cast<void>(raise(SIGSTOP));
@@ -76,7 +76,7 @@ void handle(int number, void (*handler)(int)) {
   static_cast<void>(sigaction(number, &action, nullptr));
 }
 
-// Programs that crash: the terminal is put in order first.
+// Before a crash ends the process, the terminal's settings are restored.
 constexpr std::array crash_signals{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
 
 }  // namespace
@@ -101,8 +101,8 @@ RawTerminal::RawTerminal() {
   cfmakeraw(&terminal_raw);
   if (tcsetattr(STDIN_FILENO, TCSADRAIN, &terminal_raw) != 0) return;
   terminal_is_raw = 1;
-  handle(SIGTSTP, &stop_for_a_while);
-  for (const int number : crash_signals) handle(number, &end_with);
+  handle(SIGTSTP, &suspend_process);
+  for (const int number : crash_signals) handle(number, &end_by_signal);
 }
 
 RawTerminal::~RawTerminal() {

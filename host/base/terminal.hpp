@@ -1,4 +1,4 @@
-// The terminal a person sits at: keys one by one, and its settings restored on every way out.
+// Reads keys from the terminal and restores its settings however the process ends.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@ namespace sightline::base {
 // Whether standard input, or standard error, is a terminal.
 [[nodiscard]] bool stdin_is_terminal();
 [[nodiscard]] bool stderr_is_terminal();
-// Characters in a line of the terminal that standard output is; no limit if it is a file, a pipe, or a terminal that does not say.
+// Columns of the terminal on standard output; the largest number for a file, a pipe or a terminal that does not report them.
 [[nodiscard]] std::size_t stdout_columns();
 
-// While it lives each key of the terminal on standard input arrives at once, unechoed and untranslated, Ctrl-C included,
-// and lines that are printed need their own carriage return. The settings are restored by its end, by a signal that
-// ends the process, and around a stop (Ctrl-Z from outside). One at a time.
+// While it exists the terminal on standard input is in raw mode: each key arrives at once, without echo or translation,
+// Ctrl-C included, and printed lines need a carriage return. The settings are restored by its destructor, by a signal that
+// ends the process, and while the process is stopped (SIGTSTP). At most one exists at a time.
 class RawTerminal {
  public:
   RawTerminal();
@@ -26,10 +26,9 @@ class RawTerminal {
   RawTerminal& operator=(const RawTerminal&) = delete;
 };
 
-// While it lives the first SIGINT, SIGTERM, SIGHUP or SIGQUIT is remembered instead of ending the process, so that work
-// can be put away; a second one ends it, and says so; a quarter of a second after the first it
-// counts as the same (`timeout` sends two). SIGPIPE, because
-// nobody reads the output any more, is remembered however often it comes. One at a time.
+// While it exists the first SIGINT, SIGTERM, SIGHUP or SIGQUIT is remembered instead of ending the process, so that work
+// can be saved. A second one prints a message and ends the process; within a quarter of a second it is ignored, because
+// `timeout` sends two. SIGPIPE (nobody reads the output any more) is always remembered. At most one exists at a time.
 class EndSignals {
  public:
   EndSignals();
@@ -37,15 +36,15 @@ class EndSignals {
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  [[nodiscard]] static int received();  // its number; 0: none
-  static void forget();                 // the next one is the first again
+  [[nodiscard]] static int received();  // the signal's number; 0: none
+  static void forget();                 // the next signal counts as the first
 };
 
-// What can be read from standard input within so many milliseconds (-1: as long as it takes), at most 4,096 bytes. Empty
-// text: nothing yet, or a signal came. nullopt: the end of the input, or a terminal that is gone.
+// Up to 4,096 bytes read from standard input within `milliseconds` (-1: no limit). Empty text: no input yet, or a signal.
+// nullopt: the input has ended, or the terminal was closed.
 [[nodiscard]] std::optional<std::string> read_stdin_within(int milliseconds);
 
-// Writes all of it now, past the buffer of stdio. False: nobody reads it any more.
+// Writes the whole text now, without the buffer of stdio. False: nobody reads it any more.
 [[nodiscard]] bool write_now(int descriptor, std::string_view text);
 
 }  // namespace sightline::base

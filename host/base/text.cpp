@@ -19,7 +19,7 @@ std::string_view without_byte_order_mark(std::string_view text) {
 }
 
 bool begins_as_utf_16(std::string_view text) {
-  constexpr std::string_view utf_32 = {"\0\0\xfe\xff", 4};  // the mark of little-endian UTF-32 begins as that of UTF-16
+  constexpr std::string_view utf_32 = {"\0\0\xfe\xff", 4};  // that of little-endian UTF-32 begins with that of UTF-16
   return text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff" || text.substr(0, 4) == utf_32;
 }
 

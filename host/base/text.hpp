@@ -1,5 +1,5 @@
-// Texts put together piece by piece. fmt's own format_to and join do the same, but each source that calls
-// them compiles all of fmt's formatting again (g++ 12: five seconds); here it is compiled once.
+// Builds and splits texts. append() and joined() replace fmt::format_to and fmt::join, because each source that calls
+// those compiles all of fmt's formatting again (g++ 12: five seconds); here it is compiled once.
 #pragma once
 
 #include <fmt/core.h>
@@ -11,7 +11,7 @@ namespace sightline::base {
 
 void append_formatted(std::string& text, fmt::string_view format, fmt::format_args arguments);
 
-// Writes at the end of `text` what fmt::format would return.
+// Appends what fmt::format would return.
 template <class... Arguments>
 void append(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   append_formatted(text, format, fmt::make_format_args(arguments...));
@@ -29,19 +29,19 @@ template <class Range>
   return text;
 }
 
-// Without the byte-order mark of UTF-8 (EF BB BF), which some editors write before a text.
+// The text without a UTF-8 byte-order mark (EF BB BF), which some editors write first.
 [[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
-// Whether it begins with the byte-order mark of UTF-16 or UTF-32: a text that no reader takes.
+// Whether it begins with the byte-order mark of UTF-16 or UTF-32, which no reader accepts.
 [[nodiscard]] bool begins_as_utf_16(std::string_view text);
-// Without blanks, tabs and line ends at both ends.
+// The text without blanks, tabs and line ends at both ends.
 [[nodiscard]] std::string_view without_blanks(std::string_view text);
-// What comes before the next line end, or all; `text` goes on behind it.
+// Removes the first line and its line end from `text` and returns the line.
 std::string_view take_line(std::string_view& text);
-// The first word, up to a blank; `text` goes on behind the blanks that follow it.
+// Removes the first word and the blanks after it from `text` and returns the word.
 std::string_view take_word(std::string_view& text);
-// Of ASCII.
+// ASCII only.
 [[nodiscard]] std::string lower_case(std::string_view text);
-// As one word of a shell's command line: in single quotes if it has to be.
+// The text as one word of a shell command, in single quotes if necessary.
 [[nodiscard]] std::string shell_word(std::string_view text);
 
 }  // namespace sightline::base

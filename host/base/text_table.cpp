@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view gap = "  ";
 
-std::string padded(std::string_view cell, std::size_t wanted, bool left) {
+std::string pad(std::string_view cell, std::size_t wanted, bool left) {
   const std::string padding(wanted > cell.size() ? wanted - cell.size() : 0, ' ');
   return left ? std::string(cell) + padding : padding + std::string(cell);
 }
@@ -43,7 +43,7 @@ std::string TextTable::text() const {
   for (const Line& each : lines_) {
     std::string line = each.text;
     for (std::size_t column = 0; column < each.cells.size(); ++column)
-      line += padded(each.cells[column], static_cast<std::size_t>(std::abs(widths_[column])), widths_[column] < 0);
+      line += pad(each.cells[column], static_cast<std::size_t>(std::abs(widths_[column])), widths_[column] < 0);
     end_line(text, line);
   }
   return text;
@@ -80,7 +80,7 @@ std::string TextTable::text_within(std::size_t width, const std::vector<std::siz
     for (std::size_t column = 0; column < each.cells.size(); ++column) {
       if (widths[column] == 0) continue;
       if (!line.empty()) line += gap;
-      line += padded(without_indent(each.cells[column]), widths[column], widths_[column] <= 0);
+      line += pad(without_indent(each.cells[column]), widths[column], widths_[column] <= 0);
     }
     end_line(text, line);
   }

@@ -1,4 +1,4 @@
-// Locks and threads where there are any: a browser's module has one thread, and everything here then does its work on it.
+// Locks and threads that also compile without them: the WebAssembly module has one thread, which then does all the work.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ using Lock = std::lock_guard<std::mutex>;
   return threads != 0 ? threads : 1;
 }
 
-// The work on so many threads at once, one of them the caller's; returns when all have done it.
+// Runs `work` on `count` threads at once, one of them the caller's; returns when all have finished.
 inline void run_on_threads(unsigned count, const std::function<void()>& work) {
   std::vector<std::thread> others;
   for (unsigned i = 1; i < count; ++i) others.emplace_back(work);
@@ -51,8 +51,8 @@ inline void run_on_threads(unsigned count, const std::function<void()>& work) {
 
 namespace sightline::base {
 
-// work(part, begin, end) for each of `parts` consecutive parts of [0, count), as equal as they can be, also for those
-// that are empty; each on a thread of its own. Returns when all are done.
+// Calls work(part, begin, end) on a separate thread for each of `parts` consecutive, nearly equal parts of [0, count), empty
+// ones included. Returns when all have finished.
 template <class Work>
 void for_parts(unsigned parts, std::size_t count, const Work& work) {
   const auto begin_of = [&](std::size_t part) { return count / parts * part + count % parts * part / parts; };

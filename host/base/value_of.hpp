@@ -1,5 +1,5 @@
-// For code that ends with the first error, as commands and experiments do: the value of a Result, or its error thrown.
-// Apart from result.hpp, because the module for browsers is compiled without exceptions.
+// The value of a Result; an error is thrown. For commands and experiments, which end with the first error. Not part of
+// result.hpp, because the WebAssembly module is compiled without exceptions.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ Value value_of(Result<Value> result) {
   if (!result) throw std::move(result.error());
   return std::move(*result);
 }
-// `name` is what the user calls the thing that has the error.
+// `name`: the file, scene or option that has the error, as the user named it.
 template <class Value>
 Value value_of(Result<Value> result, const std::string& name) {
   if (!result) result.error().file = name;

@@ -14,9 +14,9 @@ namespace {
 using picture::LineEdge;
 using picture::LinePiece;
 
-class ExactTeller final : public algorithms::exact::Trace {
+class ExactRecorder final : public algorithms::exact::Trace {
  public:
-  ExactTeller(const scene::PolyScene& scene, const ImageStage& stage, Steps& steps) : stage_(stage), steps_(steps) {
+  ExactRecorder(const scene::PolyScene& scene, const ImageStage& stage, Steps& steps) : stage_(stage), steps_(steps) {
     for (const scene::PolyBody& body : scene.bodies)
       for (const scene::PolyFace& face : body.faces) faces_.push_back(&face);
     count();
@@ -100,11 +100,11 @@ base::Result<Lesson> explain_exact(const scene::PolyScene& scene, const scene::P
   const ImageStage stage(scene, camera);
   lesson.sheets.push_back(stage.sheet("The image"));
   Steps steps(lesson);
-  ExactTeller teller(scene, stage, steps);
+  ExactRecorder recorder(scene, stage, steps);
   steps.add("The wire frame: all edges of the scene. An edge whose faces all look away from the eye is hidden by its own solid "
             "and is left out.",
             {}, {{0, "wire", stage.wire_frame()}});
-  const picture::LinePicture picture = algorithms::exact::visible_edges(scene, camera, teller);
+  const picture::LinePicture picture = algorithms::exact::visible_edges(scene, camera, recorder);
   std::vector<Mark> seen;
   for (const LinePiece& piece : picture.pieces) stage.add_piece(seen, Look::seen, piece);
   steps.add("Every edge has been compared with the faces before it. What is drawn is exactly what is visible.", {}, {{0, "edge", {}}, {0, "face", {}}, {0, "numbers", {}}, {0, "seen", std::move(seen)}});

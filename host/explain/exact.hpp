@@ -1,4 +1,4 @@
-// The lesson of `exact` (host/algorithms/exact): an edge, the faces that may hide it, what is left.
+// The lesson of `exact` (host/algorithms/exact): each edge is compared with the faces that may hide it.
 #pragma once
 
 #include "host/explain/explain.hpp"

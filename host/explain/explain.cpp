@@ -28,8 +28,8 @@ constexpr std::array<Explainer, 6> rows{{
     {"plantinga", "Plantinga, Seales and Dyer 1990: the events of a full turn", explain_plantinga, nullptr},
 }};
 
-// The real lines for this eye as wires, and nothing else: in Jones's search walls hide because no portal leads through them. Empty
-// if the oracle cannot hold the scene.
+// The real lines for this eye as wires, without faces: in Jones's search walls hide because no portal leads through them. Empty
+// if the oracle does not accept the scene.
 std::optional<scene::PolyScene> real_lines(const scene::CellScene& cells, const scene::PolyCamera& camera) {
   namespace oracle = algorithms::oracle;
   const auto matter = oracle::Matter::of(cells);

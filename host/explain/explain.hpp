@@ -1,4 +1,4 @@
-// The lessons there are, one for each algorithm: a row here, and a file of its own in this folder.
+// The list of lessons, one for each algorithm. To add one, add a row to explain.cpp and a source to this folder.
 #pragma once
 
 #include <span>
@@ -16,21 +16,21 @@ namespace sightline::explain {
 struct Explainer {
   std::string_view algorithm;  // its name in the registry
   std::string_view summary;    // one line, with the paper
-  // Of a scene of polyhedra: a checked one, seen by a camera whose eye is in free space (preconditions). `complex` is the
-  // scene's own cells, null if it has none. An error says why there is no lesson.
+  // Makes the lesson of a polyhedral scene. Preconditions: the scene is checked, the eye is in free space. `complex`: the cells
+  // that came with the scene, or null. An error says why there is no lesson.
   base::Result<Lesson> (*scene)(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                 const scene::CellComplex* complex) = nullptr;
-  // Of a surface over a grid; angles in degrees.
+  // Makes the lesson of a surface over a grid; angles in degrees.
   base::Result<Lesson> (*heights)(const scene::HeightGrid& grid, double rotation, double elevation) = nullptr;
 };
 
-// One of the two functions is there.
+// Each row has exactly one of the two functions.
 [[nodiscard]] std::span<const Explainer> explainers();
-// The lesson of a scene as it was read, with the cells it came with. Jones's of a scene of cells, with the eye in one of them, is of the
-// real lines of its matter, which the program on the PDP-7 draws: those of the outer box are among them, joints of solids are not. Same
-// preconditions as Explainer::scene, which `explainer` has.
+// The lesson of a scene as it was read, with its cells. For a cell scene with the eye in a cell, Jones's lesson shows the lines
+// that the PDP-7 program draws: the real lines of the matter, with those of the outer box, without the joints of solids.
+// `explainer` has the function `scene`, with the same preconditions.
 [[nodiscard]] base::Result<Lesson> explain_scene(const Explainer& explainer, const scene::LoadedScene& source, const scene::PolyCamera& camera);
-// Null if there is none of that name.
+// Null if the name is unknown.
 [[nodiscard]] const Explainer* find_explainer(std::string_view algorithm);
 
 }  // namespace sightline::explain

@@ -20,13 +20,13 @@ using algorithms::jones::PortalTest;
 using Planes = std::vector<std::array<double, 4>>;
 
 constexpr std::size_t plan = 1;
-// Of a scene with more cells than this only those that a caption names have a number in plan.
+// In a scene with more cells, the plan numbers only the cells that a caption names.
 constexpr std::size_t most_numbered_cells = 40;
-// Of more portals that are turned away a caption names these only.
+// A caption names at most this many of the portals that face away.
 constexpr std::size_t most_named_portals = 8;
 
-// Where three planes meet; false if they do not meet in one point.
-bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
+// Computes the intersection of three planes; false if it is not one point.
+bool intersect_planes(const std::array<double, 4>& a, const std::array<double, 4>& b, const std::array<double, 4>& c, Space& point) {
   const auto minor = [](const auto& u, const auto& v, std::size_t i, std::size_t j) { return u[i] * v[j] - u[j] * v[i]; };
   const Space bc{minor(b, c, 1, 2), minor(b, c, 2, 0), minor(b, c, 0, 1)};
   const Space ca{minor(c, a, 1, 2), minor(c, a, 2, 0), minor(c, a, 0, 1)};
@@ -37,8 +37,8 @@ bool meet(const std::array<double, 4>& a, const std::array<double, 4>& b, const 
   return true;
 }
 
-// "Portal 3 is", "Portals 3 and 5 are", "Portals 3, 5 and 7 are", without the verb.
-std::string names_of(const std::vector<std::uint32_t>& portals) {
+// "Portal 3", "Portals 3 and 5", "Portals 3, 5 and 7".
+std::string portal_names(const std::vector<std::uint32_t>& portals) {
   const std::size_t named = std::min(portals.size(), most_named_portals);
   std::string text = portals.size() == 1 ? "Portal " : "Portals ";
   for (std::size_t i = 0; i < named; ++i)
@@ -47,14 +47,14 @@ std::string names_of(const std::vector<std::uint32_t>& portals) {
   return text;
 }
 
-// What is no portal between cells, but a way out of the scene.
+// Whether the opening joins a cell and the outside, not two cells.
 bool leads_outside(const scene::ComplexOpening& opening) {
   return opening.cells[0] == scene::outside || opening.cells[1] == scene::outside;
 }
 
-class JonesTeller final : public algorithms::jones::Trace {
+class JonesRecorder final : public algorithms::jones::Trace {
  public:
-  JonesTeller(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
+  JonesRecorder(const scene::CellComplex& complex, const ImageStage& stage, const PlanStage& ground, const scene::PolyCamera& camera, Steps& steps)
       : complex_(complex), stage_(stage), ground_(ground), steps_(steps), sight_(camera), eye_(space(camera.eye)), perspective_(camera.perspective) {
     count();
   }
@@ -83,7 +83,7 @@ class JonesTeller final : public algorithms::jones::Trace {
   void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) override {
     flush();
     const bool chosen = waiting_.size() > 1;
-    // A cell may wait more than once, each time with another mask.
+    // A cell may be in the queue more than once, each time with another mask.
     if (const auto last = std::find(waiting_.rbegin(), waiting_.rend(), cell); last != waiting_.rend()) waiting_.erase(std::next(last).base());
     const scene::CellNumber left = std::exchange(cell_, cell);
     in_cell_ = true;
@@ -161,7 +161,7 @@ class JonesTeller final : public algorithms::jones::Trace {
                 {plan, "numbers", std::move(plan_numbers)}});
   }
 
-  // The portals of a cell that are not taken are one step, after those that are.
+  // The portals of a cell that are not passed form one step, after those that are passed.
   void flush() {
     flush_lines();
     if (turned_away_.empty() && edge_on_.empty()) return;
@@ -169,25 +169,25 @@ class JonesTeller final : public algorithms::jones::Trace {
     count();
     PortalMarks marks{{}, label_in_image_, {}, numbers({cell_})};
     std::string caption;
-    const auto tell = [&](std::vector<std::uint32_t>& portals, std::string_view one, std::string_view many) {
+    const auto add_portals = [&](std::vector<std::uint32_t>& portals, std::string_view one, std::string_view many) {
       if (portals.empty()) return;
       std::sort(portals.begin(), portals.end());
       for (std::size_t i = 0; i < std::min(portals.size(), most_named_portals); ++i) add_portal(marks, portals[i]);
-      caption += fmt::format("{}{} {}.", caption.empty() ? "" : " ", names_of(portals), portals.size() == 1 ? one : many);
+      caption += fmt::format("{}{} {}.", caption.empty() ? "" : " ", portal_names(portals), portals.size() == 1 ? one : many);
       portals.clear();
     };
-    tell(turned_away_, "leads back towards the eye: turned away", "lead back towards the eye: turned away");
-    tell(edge_on_, "is seen edge-on, so nothing is seen through it", "are seen edge-on, so nothing is seen through them");
+    add_portals(turned_away_, "leads back towards the eye: turned away", "lead back towards the eye: turned away");
+    add_portals(edge_on_, "is seen edge-on, so nothing is seen through it", "are seen edge-on, so nothing is seen through them");
     steps_.add(std::move(caption), "Fig. 4 and 5, avenues of sight", {{image, "portal", std::move(marks.in_image)},
                                                      {image, "numbers", std::move(marks.image_numbers)},
                                                      {plan, "portal", std::move(marks.in_plan)},
                                                      {plan, "numbers", std::move(marks.plan_numbers)}});
   }
 
-  // The lines of a cell are one step; from outside, those in the outer walls.
+  // The lines of a cell form one step; if the eye is outside, so do the lines in the outer walls.
   void flush_lines() {
     if (lines_here_ == 0) return;
-    // Lines that the search passes over without a word, because all of them lie beside the mask, count as well.
+    // The count includes lines outside the mask, which the search skips without a call of the trace.
     const std::uint64_t all = in_cell_ ? complex_.lines_of(complex_.cells[cell_]).size() : lines_here_;
     const std::uint64_t outside = all - pieces_here_;
     lines_outside_ += outside;
@@ -197,7 +197,7 @@ class JonesTeller final : public algorithms::jones::Trace {
                                                 : fmt::format("{} {} drawn, in part or whole", pieces_here_, pieces_here_ == 1 ? "is" : "are");
     const std::string rest = outside == 0 || pieces_here_ == 0 ? "" : fmt::format(", {} {} outside", outside, outside == 1 ? "is" : "are");
     std::vector<Layer> changes{{image, "line", std::exchange(now_, {})}};
-    // Each step adds a layer of its own: all that is seen so far in each step would make a lesson as large as its square.
+    // Each step adds a layer. If each step repeated all lines seen so far, the size of a lesson would grow quadratically.
     if (!seen_.empty()) changes.push_back({image, seen_layer(seen_layers_++), std::exchange(seen_, {})});
     steps_.add(in_cell_ ? fmt::format("The lines of cell {} are clipped to the mask: {}{}.", cell_, drawn, rest)
                         : fmt::format("The lines in the outer walls that face the eye need no portal: {}{}.", drawn, rest),
@@ -205,7 +205,7 @@ class JonesTeller final : public algorithms::jones::Trace {
     pieces_here_ = lines_here_ = 0;
   }
 
-  // The end: no cell is this step's, and the picture is one layer.
+  // The last step: no cell is current, and the picture is one layer.
   void finish(std::vector<Mark> seen) {
     flush();
     in_cell_ = false;
@@ -216,7 +216,7 @@ class JonesTeller final : public algorithms::jones::Trace {
                "Fig. 5, avenues of sight", std::move(changes));
   }
 
-  // All cells in plan with their numbers, from the beginning; of a scene of many cells none.
+  // The plan of all cells with their numbers, shown from the first step on; empty for a scene of many cells.
   [[nodiscard]] std::vector<Mark> all_cells() const {
     std::vector<Mark> marks;
     if (complex_.cells.size() > most_numbered_cells) return marks;
@@ -259,7 +259,7 @@ class JonesTeller final : public algorithms::jones::Trace {
     std::vector<Space> corners;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       Space corner{};
-      if (meet(plane_of(opening.plane), plane_of(sides[i].plane), plane_of(sides[(i + 1) % sides.size()].plane), corner)) corners.push_back(corner);
+      if (intersect_planes(plane_of(opening.plane), plane_of(sides[i].plane), plane_of(sides[(i + 1) % sides.size()].plane), corner)) corners.push_back(corner);
     }
     return corners;
   }
@@ -269,7 +269,7 @@ class JonesTeller final : public algorithms::jones::Trace {
     for (const scene::HalfSpace& bound : complex_.bounds_of(complex_.cells[cell])) planes.push_back(plane_of(bound.plane, bound.turned));
     return ground_.region(planes);
   }
-  // A cell in plan: entered, waiting, and this step's. Each is a layer of its own, so that a step holds only the cells that it changes.
+  // A cell in plan, marked as entered, waiting or current. Each cell is a layer, so that a step contains only the cells that change.
   [[nodiscard]] Layer cell_in_plan(scene::CellNumber cell) const {
     Layer layer{plan, name_of(cell), {}};
     const auto add = [&](Look look) {
@@ -284,7 +284,7 @@ class JonesTeller final : public algorithms::jones::Trace {
   void add_label_in_plan(std::vector<Mark>& marks, Look look, scene::CellNumber cell, std::string words) const {
     if (const auto outline = outline_in_plan(cell); !outline.empty()) marks.push_back(label(look, label_point(outline), std::move(words)));
   }
-  // The cells that the caption names, in plan: they cover their numbers.
+  // The numbers of the cells that the caption names, in plan. They are drawn again because the marked cells cover them.
   [[nodiscard]] std::vector<Mark> numbers(const std::vector<scene::CellNumber>& cells) const {
     std::vector<Mark> marks;
     for (const scene::CellNumber cell : cells) add_label_in_plan(marks, in_cell_ && cell == cell_ ? Look::now : Look::waiting, cell, name_of(cell));
@@ -314,7 +314,7 @@ class JonesTeller final : public algorithms::jones::Trace {
   std::vector<Mark> label_in_image_;  // of cell_
   std::set<scene::CellNumber> visited_;
   std::vector<scene::CellNumber> waiting_;
-  std::vector<std::uint32_t> turned_away_;  // portals of cell_ that were not told yet
+  std::vector<std::uint32_t> turned_away_;  // portals of cell_ not yet in a step
   std::vector<std::uint32_t> edge_on_;
   std::vector<Mark> now_;
   std::vector<Mark> seen_;
@@ -338,7 +338,7 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
   const PlanStage ground(scene, camera);
   lesson.sheets = {stage.sheet("The image"), ground.sheet("The cells from above; the arrow is the direction of view")};
   Steps steps(lesson);
-  JonesTeller teller(*given, stage, ground, camera, steps);
+  JonesRecorder recorder(*given, stage, ground, camera, steps);
   const auto& openings = given->openings;
   const auto portals = openings.size() - static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), leads_outside));
   steps.add(fmt::format("Space is cut into {} convex cells without matter, joined by {} portals. What is seen from the eye is found by walking along "
@@ -346,12 +346,12 @@ base::Result<Lesson> explain_jones(const scene::PolyScene& scene, const scene::P
                         given->cells.size(), portals),
             "Fig. 4 and 5, avenues of sight", {{image, "wire", stage.wire_frame()},
                                                {plan, "wire", ground.wire_frame()},
-                                               {plan, "all cells", teller.all_cells()}});
-  auto view = algorithms::jones::visible_edges(*given, camera, teller);
+                                               {plan, "all cells", recorder.all_cells()}});
+  auto view = algorithms::jones::visible_edges(*given, camera, recorder);
   if (!view) return std::move(view.error());
   std::vector<Mark> seen;
   for (const auto& piece : view->picture.pieces) stage.add_piece(seen, Look::seen, piece);
-  teller.finish(std::move(seen));
+  recorder.finish(std::move(seen));
   return lesson;
 }
 

@@ -1,4 +1,4 @@
-// The lesson of Jones's search (host/algorithms/jones): from cell to cell through portals, with the mask that is left.
+// The lesson of Jones's search (host/algorithms/jones): from cell to cell through portals, each of which narrows the mask.
 #pragma once
 
 #include "host/explain/explain.hpp"

@@ -7,7 +7,7 @@ namespace {
 
 using base::Json;
 
-// A tenth of a thousandth of a unit is finer than any sheet shows, and short in the file.
+// Four decimals are finer than any sheet shows and keep the file short.
 double rounded(double value) {
   const double thousandths = std::round(value * 10000) / 10000;
   return thousandths == 0 ? 0 : thousandths;
@@ -32,7 +32,7 @@ Json number(double value) {
 
 Json pair_of(const Point& point) { return Json::array({number(point[0]), number(point[1])}); }
 
-// ["line", "seen", x, y, x, y], and of a text or a label the words last.
+// ["line", "seen", x, y, x, y]; a text or label ends with its words.
 Json mark_of(const Mark& mark) {
   Json json = Json::array({name_of(mark.kind), name_of(mark.look)});
   for (const Point& point : mark.points) {

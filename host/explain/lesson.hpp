@@ -1,11 +1,10 @@
-// A picture made by an algorithm, step by step, as data: what the page's theatre plays and `sightline explain` writes.
+// A lesson shows step by step how an algorithm makes a picture. `sightline explain` writes it; the page's theatre plays it.
 //
-// A lesson has sheets to draw on (the image, a plan of the ground, a circle of directions), and on each sheet
-// layers. A step says in a caption what the algorithm has just done, where its paper says so, and what its counts
-// are now; with it come the new contents of the layers that it changes. All other layers stay as they are, so a
-// picture of step n is what the steps up to n have left in each layer.
+// A lesson has sheets (the image, a plan of the ground, a circle of directions), and each sheet has layers. A step has a
+// caption that says what the algorithm has just done, the section of the paper, the counts, and the new contents of the
+// layers that change. All other layers keep their contents.
 //
-// What is drawn comes from the algorithms' own traces: a step shown is a step taken.
+// Steps are made from the traces of the algorithms, so a lesson shows only what the algorithm did.
 #pragma once
 
 #include <array>
@@ -20,16 +19,16 @@
 
 namespace sightline::explain {
 
-// How a mark looks; the player gives each a colour in its light and its dark dress.
+// The style of a mark; the player has a colour for each in its light and its dark theme.
 enum class Look : std::uint8_t {
-  faint,    // there to be compared with: the wire frame, the plan
-  plain,    // of the matter at hand, nothing special
-  now,      // what this step is about
-  other,    // what it is compared with
+  faint,    // background for comparison: the wire frame, the plan
+  plain,    // part of the scene without special meaning
+  now,      // the subject of this step
+  other,    // the part that the subject is compared with
   seen,     // found to be visible
   hidden,   // found to be hidden
-  waiting,  // still to come
-  mask,     // a part of the image: what is left of it to look through
+  waiting,  // to be processed later
+  mask,     // the part of the image that is still open
 };
 [[nodiscard]] std::string_view name_of(Look look);
 
@@ -39,7 +38,7 @@ struct Mark {
   enum class Kind : std::uint8_t { line, area, dot, text, label };
   Kind kind = Kind::line;
   Look look = Look::plain;
-  std::vector<Point> points;  // line: two or more, joined; area: a corner each; dot, text and label: one
+  std::vector<Point> points;  // line: two or more, connected; area: its corners; dot, text and label: one
   std::string text = {};
 };
 [[nodiscard]] inline Mark line(Look look, std::vector<Point> points) {
@@ -52,12 +51,12 @@ struct Mark {
 [[nodiscard]] inline Mark text(Look look, Point at, std::string words) {
   return {Mark::Kind::text, look, {at}, std::move(words)};
 }
-// The name of an area: words centred on a point of it. A text is next to its point instead.
+// The name of an area, centred on a point of it. (A text is placed beside its point.)
 [[nodiscard]] inline Mark label(Look look, Point at, std::string words) {
   return {Mark::Kind::label, look, {at}, std::move(words)};
 }
 
-// A sheet shows the box from `low` to `high`, both axes to the same scale unless `stretched`.
+// A sheet shows the box from `low` to `high`, both axes at the same scale unless `stretched`.
 struct Sheet {
   std::string title;  // "The image"
   Point low{};
@@ -67,8 +66,8 @@ struct Sheet {
 
 struct Layer {
   std::size_t sheet = 0;
-  std::string name;         // layers of a sheet are drawn in the order in which they first come
-  std::vector<Mark> marks;  // all it holds from this step on
+  std::string name;         // layers of a sheet are drawn in the order in which they first appear
+  std::vector<Mark> marks;  // the contents from this step on
 };
 
 struct Count {
@@ -78,7 +77,7 @@ struct Count {
 
 struct Step {
   std::string caption;         // one to three plain sentences
-  std::string section;         // of the paper: "section 4"; empty: none
+  std::string section;         // section of the paper: "section 4"; empty: none
   std::vector<Count> counts;   // the same names in every step
   std::vector<Layer> changes;
 };
@@ -89,13 +88,13 @@ struct Lesson {
   std::string scene;
   std::vector<Sheet> sheets;
   std::vector<Step> steps;  // at least one
-  bool cut = false;         // there were more steps than most_steps
+  bool cut = false;         // the lesson ended at most_steps
 };
 
-// A lesson longer than this ends with a step that says so.
+// A longer lesson ends with a step that says so.
 inline constexpr std::size_t most_steps = 4000;
 
-// Schema sightline/explain/1. Numbers have four digits behind the point at most.
+// Schema sightline/explain/1. Numbers have at most four decimals.
 [[nodiscard]] std::string json_of(const Lesson& lesson);
 
 }  // namespace sightline::explain

@@ -9,7 +9,7 @@ std::string_view player_file(std::string_view name) {
   return {};
 }
 
-// In a script element only these end the script or begin a comment: as escapes they are the same JSON.
+// Only "<" can end a script element or begin a comment in it; as an escape it is the same JSON.
 std::string for_script(const std::string& json) {
   std::string text;
   text.reserve(json.size());

@@ -1,4 +1,4 @@
-// A lesson as one page of HTML that plays it: no network, no other file.
+// Writes a lesson as one HTML page that plays it, without network access or other files.
 #pragma once
 
 #include <span>

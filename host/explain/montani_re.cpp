@@ -20,13 +20,14 @@ namespace {
 namespace mr = algorithms::montani_re;
 
 constexpr std::size_t chart = 1;
-// Pairs beyond these are summed up.
+// Further pairs are summarised in one step.
 constexpr std::size_t most_pairs = 150;
-// On a chart of more faces only those that the caption names have a number, and the image numbers those that a step names, unless they are more than `most_named`.
+// On a chart of more faces, only the faces that a caption names have numbers. The image numbers the faces that a step names,
+// up to `most_named`.
 constexpr std::size_t most_numbered_faces = 60;
 constexpr std::size_t most_named = 12;
 
-// What decided a pair: section 3 and Table 2 of the paper.
+// The six tests of a pair, by number: section 3 and Table 2 of the paper.
 constexpr std::array<std::string_view, 7> tests{
     "",
     "test 1: they have no abscissa in common",
@@ -36,9 +37,9 @@ constexpr std::array<std::string_view, 7> tests{
     "test 5: the other lies on one side of the plane of the one",
     "test 6: they have an area in common, where one is nearer"};
 
-class MontaniReTeller final : public mr::Trace {
+class MontaniReRecorder final : public mr::Trace {
  public:
-  MontaniReTeller(const scene::PolyCamera& camera, Steps& steps) : steps_(steps) {
+  MontaniReRecorder(const scene::PolyCamera& camera, Steps& steps) : steps_(steps) {
     const auto length = [](const scene::PolyPoint& v) { return geometry::length(geometry::real_vector(v)); };
     const double away = camera.perspective ? length(camera.forward) : 1;
     scale_ = {away / length(camera.right), away / length(camera.up)};
@@ -144,7 +145,7 @@ class MontaniReTeller final : public mr::Trace {
   }
 
  private:
-  // Where a face stands on the chart: in the middle, or in its list, the FRONT list to the left.
+  // The position of a face on the chart: in its list (FRONT at the left, BACK at the right), or else in the middle.
   [[nodiscard]] Point place(std::uint32_t face) const {
     const auto in = [&](const std::vector<std::uint32_t>& list, double x) -> Point {
       const auto at = std::find(list.begin(), list.end(), face) - list.begin();
@@ -155,7 +156,7 @@ class MontaniReTeller final : public mr::Trace {
     const double angle = 6.283185307179586 * face / static_cast<double>(set_->faces.size());
     return {0.5 + 0.28 * std::cos(angle), 0.5 + 0.42 * std::sin(angle)};
   }
-  // On the image, as the captions name them; each once.
+  // The labels of faces on the image, each once.
   [[nodiscard]] std::vector<Mark> names(const std::vector<std::pair<std::uint32_t, Look>>& faces) const {
     std::vector<Mark> marks;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -163,7 +164,7 @@ class MontaniReTeller final : public mr::Trace {
       if (i != 0 && face == faces[0].first) continue;
       std::vector<Mark> region;
       add_region(region, look, set_->faces[face].pcs);
-      // The largest of its stripes has most room.
+      // The largest stripe has the most room.
       const auto widest = std::max_element(region.begin(), region.end(), [](const Mark& a, const Mark& b) { return extent(a) < extent(b); });
       if (widest != region.end()) marks.push_back(label(look, label_point(widest->points), fmt::format("face {}", face + 1)));
     }
@@ -174,7 +175,7 @@ class MontaniReTeller final : public mr::Trace {
     const auto& p = mark.points;
     return (p[1][0] - p[0][0] + p[2][0] - p[3][0]) * (p[2][1] - p[1][1]);
   }
-  // Where the chart has no number at every face.
+  // Labels on the chart, if it does not number all faces.
   [[nodiscard]] std::vector<Mark> names_on_chart(const std::vector<std::uint32_t>& faces) const {
     std::vector<Mark> marks;
     if (set_->faces.size() > most_numbered_faces)
@@ -227,12 +228,12 @@ base::Result<Lesson> explain_montani_re(const scene::PolyScene& scene, const sce
   const ImageStage stage(scene, camera);
   lesson.sheets = {stage.sheet("The image"), {"Faces and relations; the FRONT list on the left, the BACK list on the right", {0, -0.03}, {1, 1.08}, true}};
   Steps steps(lesson);
-  MontaniReTeller teller(camera, steps);
+  MontaniReRecorder recorder(camera, steps);
   steps.add("The wire frame. Faces that look away hide nothing and are left out; each of the others becomes a region of stripes between its corners.", "section 2",
             {{image, "wire", stage.wire_frame()}});
-  auto view = mr::visible_edges(scene, camera, &teller);
+  auto view = mr::visible_edges(scene, camera, &recorder);
   if (!view) return std::move(view.error());
-  if (teller.in_pyramids()) {
+  if (recorder.in_pyramids()) {
     return base::Error{"", "montani-re", "some faces reach from before the eye to behind it, so the picture is made in pieces",
                        "an eye outside the scene, or a view in parallel projection"};
   }

@@ -1,4 +1,4 @@
-// The lesson of Montani and Re's algorithm (host/algorithms/montani_re): stripes, six tests, two lists, subtraction.
+// The lesson of Montani and Re's algorithm (host/algorithms/montani_re): stripes, six tests, two lists and subtraction.
 #pragma once
 
 #include "host/explain/explain.hpp"

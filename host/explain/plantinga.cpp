@@ -30,20 +30,20 @@ using pl::EventKind;
 
 constexpr std::size_t circle = 1;
 constexpr std::size_t most_lesson_edges = 300;
-constexpr std::size_t most_hidden_shown = 4;        // edges of the initial picture with a step of their own: hidden altogether,
-constexpr std::size_t most_parts_shown = 8;         // and in part
+constexpr std::size_t most_hidden_shown = 4;        // edges of the initial picture with a step each: wholly hidden,
+constexpr std::size_t most_parts_shown = 8;         // and partly hidden
 constexpr std::size_t most_edges_in_detail = 4;     // edges studied direction by direction
-constexpr std::size_t most_directions_shown = 10;   // of such an edge,
-constexpr std::size_t most_equal_shown = 4;         // and of them those where nothing changes
-constexpr std::size_t most_summaries = 16;          // of all other edges
-constexpr std::size_t most_events_with_views = 80;  // a step for each event and one for the view after it
+constexpr std::size_t most_directions_shown = 10;   // directions per such edge,
+constexpr std::size_t most_equal_shown = 4;         // of them at which nothing changes
+constexpr std::size_t most_summaries = 16;          // summaries of all other edges
+constexpr std::size_t most_events_with_views = 80;  // events with one step for the event and one for the view after it
 constexpr std::size_t most_events_shown = 200;
 
-std::string counted(std::uint64_t count, std::string_view thing) {
+std::string count_text(std::uint64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-// The three kinds that the circle distinguishes.
+// The three groups of events that the circle distinguishes.
 enum class Group : std::uint8_t { edge_on, vertex_and_edge, three_edges };
 Group group_of(EventKind kind) {
   switch (kind) {
@@ -68,13 +68,13 @@ Look look_of(Group group) {
   return Look::plain;
 }
 
-// The things that a caption names: "vertex 3", "edge 4-5" with its vertices, "face 7", "faces 7, 8".
-struct Named {
+// The vertices and faces that a caption names: "vertex 3", "edge 4-5" (two vertices), "face 7", "faces 7, 8".
+struct MentionedParts {
   std::set<std::uint32_t> vertices;
   std::set<std::uint32_t> faces;  // from 0
 };
-Named named_in(std::string_view caption) {
-  Named named;
+MentionedParts find_mentioned(std::string_view caption) {
+  MentionedParts named;
   std::size_t at = 0;
   const auto number = [&]() -> std::optional<std::uint32_t> {
     std::uint32_t value = 0;
@@ -88,7 +88,7 @@ Named named_in(std::string_view caption) {
     return true;
   };
   while (at < caption.size()) {
-    if (passes("dge ")) {  // an edge that begins a sentence, too
+    if (passes("dge ")) {  // matches "Edge" at the beginning of a sentence, too
       const auto from = number();
       if (!from || !passes("-")) continue;
       named.vertices.insert(*from);
@@ -106,9 +106,9 @@ Named named_in(std::string_view caption) {
   return named;
 }
 
-class PlantingaTeller final : public pl::Trace {
+class PlantingaRecorder final : public pl::Trace {
  public:
-  PlantingaTeller(const pl::RotationModel& model, TurnStage& stage, double angle, Steps& steps)
+  PlantingaRecorder(const pl::RotationModel& model, TurnStage& stage, double angle, Steps& steps)
       : model_(model), stage_(stage), steps_(steps), angle_(angle), causes_(model.edges().size()) {
     summary_size_ = std::max<std::size_t>(1, (model.edges().size() + most_summaries - 1) / most_summaries);
     count();
@@ -126,7 +126,7 @@ class PlantingaTeller final : public pl::Trace {
     steps_.count("events passed", passed_);
   }
 
-  // The initial picture.
+  // The initial picture: hidden-line removal from scratch.
 
   void scratch_begins(pl::EdgeIndex, std::span<const pl::Occluder> occluders) override {
     occluder_count_ = occluders.size();
@@ -156,10 +156,10 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::hidden, edge, angle_);
     for (const pl::Piece& piece : left) stage_.add_piece(marks, Look::now, edge, piece, angle_);
-    tell(angle_, fmt::format(
+    add_step(angle_, fmt::format(
                    "{} is compared with the {} that may hide some of it from some direction. From here face{} {} cover{} some of "
                    "it; what is covered on both sides of its line in the image is hidden. {}",
-                   name_of(edge, true), counted(occluder_count_, "face"), covering_.size() == 1 ? "" : "s", names,
+                   name_of(edge, true), count_text(occluder_count_, "face"), covering_.size() == 1 ? "" : "s", names,
                    covering_.size() == 1 ? "s" : "", what_is_left(left)),
                "section 4", {{image, "face", std::move(faces)}, {image, "edge", std::move(marks)}, {image, "seen", initial_}});
   }
@@ -167,10 +167,10 @@ class PlantingaTeller final : public pl::Trace {
   void initial_picture(const picture::LinePicture& drawn) {
     pieces_ = drawn.pieces.size();
     count();
-    tell(angle_,
+    add_step(angle_,
         fmt::format("The initial picture, made by hidden-line removal from scratch: {}.{} Of "
                     "each piece the graph stores what it ends in: a vertex, or a T-junction and the edge that hides the rest.",
-                    counted(pieces_, "visible piece"),
+                    count_text(pieces_, "visible piece"),
                     turned_away_ == 0 ? ""
                                       : fmt::format(" {} left out: all faces at {} look away.",
                                                     turned_away_ == 1 ? "One edge is" : fmt::format("{} edges are", turned_away_),
@@ -204,7 +204,7 @@ class PlantingaTeller final : public pl::Trace {
   void study_ends(pl::EdgeIndex edge, const pl::EdgeHistory& history) override {
     if (worth_detail(edge, history)) {
       end_summary();
-      tell_in_detail(edge, history);
+      add_details(edge, history);
       return;
     }
     add_study(history);
@@ -214,7 +214,7 @@ class PlantingaTeller final : public pl::Trace {
     if (summary_.size() == summary_size_) end_summary();
   }
 
-  // A step about the edges that had none.
+  // Adds one step for the edges that had none.
   void end_summary() {
     if (summary_.empty()) return;
     std::vector<Mark> edges;
@@ -225,9 +225,9 @@ class PlantingaTeller final : public pl::Trace {
     }
     count();
     const std::string which = summary_.size() == 1 ? name_of(summary_.front(), true) : fmt::format("{} edges", summary_.size());
-    tell(angle_, fmt::format("{} {} studied{}: {} compared, {} kept.", which, summary_.size() == 1 ? "is" : "are",
-                           detailed_ == 0 ? "" : " in the same way", counted(summary_directions_, "direction"),
-                           counted(summary_changes_, "change")),
+    add_step(angle_, fmt::format("{} {} studied{}: {} compared, {} kept.", which, summary_.size() == 1 ? "is" : "are",
+                           detailed_ == 0 ? "" : " in the same way", count_text(summary_directions_, "direction"),
+                           count_text(summary_changes_, "change")),
                "section 3",
                {{image, "wire", stage_.wire(angle_)},
                 {image, "face", {}},
@@ -242,7 +242,7 @@ class PlantingaTeller final : public pl::Trace {
     summary_directions_ = summary_changes_ = 0;
   }
 
-  // The on-line phase: once round, from where the graph stands.
+  // The on-line phase: a full turn from the graph's current direction.
   void turn(const pl::EventList& list, pl::EdgeStructureGraph& graph) {
     events_ = list.events.size();
     count();
@@ -253,12 +253,12 @@ class PlantingaTeller final : public pl::Trace {
       ++of[static_cast<std::size_t>(group)];
       dots.push_back(dot(look_of(group), stage_.on_circle(event.direction.angle)));
     }
-    tell(angle_,
+    add_step(angle_,
         fmt::format(
             "The event list of a full turn, sorted by angle: at {} a face or a plane of two edges is edge-on (the paper "
             "leaves these out), at {} a vertex and an edge meet in the image (EV), at {} three edges meet (EEE). From now on no "
             "edge is compared with a face.",
-            counted(of[0], "event"), of[1], of[2]),
+            count_text(of[0], "event"), of[1], of[2]),
         "section 4",
         {{image, "wire", stage_.wire(angle_)},
          {image, "face", {}},
@@ -274,13 +274,13 @@ class PlantingaTeller final : public pl::Trace {
     const bool with_views = list.events.size() <= most_events_with_views;
     for (std::size_t n = 0; n < list.events.size() && n < most_events_shown; ++n) {
       const std::size_t at = graph.passed() % list.events.size();
-      tell_event(list, list.events[at], graph);
+      add_event(list, list.events[at], graph);
       if (!graph.step_forward()) return;
-      if (with_views) tell_view(list, at, graph);
+      if (with_views) add_view(list, at, graph);
     }
     if (list.events.size() > most_events_shown)
-      tell(angle_,
-          fmt::format("The turn goes on in the same way over {}.", counted(list.events.size() - most_events_shown, "more event")),
+      add_step(angle_,
+          fmt::format("The turn goes on in the same way over {}.", count_text(list.events.size() - most_events_shown, "more event")),
           "section 4", {{image, "cause", {}}, {circle, "cause", {}}});
   }
 
@@ -288,7 +288,7 @@ class PlantingaTeller final : public pl::Trace {
     pieces_ = drawn.pieces.size();
     passed_ = events_;
     count();
-    tell(angle_,
+    add_step(angle_,
         events_ == 0
             ? "Nothing changes in a whole turn: the picture from every direction has the same structure."
             : "The turn is complete, and the picture is the initial one again. Each step touched only the edges that change, "
@@ -303,9 +303,9 @@ class PlantingaTeller final : public pl::Trace {
   }
 
  private:
-  // A step whose image is seen from a direction, with the numbers of all that its caption names.
-  void tell(double angle, std::string caption, std::string section, std::vector<Layer> changes) {
-    const Named named = named_in(caption);
+  // Adds a step whose image is seen from `angle`, with the numbers of the vertices and faces that the caption names.
+  void add_step(double angle, std::string caption, std::string section, std::vector<Layer> changes) {
+    const MentionedParts named = find_mentioned(caption);
     Layer in_image{image, "numbers", {}};
     Layer in_plan{circle, "numbers", {}};
     for (const std::uint32_t face : named.faces) stage_.add_face_number(in_image.marks, in_plan.marks, face, angle);
@@ -321,13 +321,14 @@ class PlantingaTeller final : public pl::Trace {
     pl::EdgeStructure after;
   };
 
-  // The first edges whose structure changes for a reason not told yet, or stays the same at some directions.
+  // Whether an edge is shown in detail: one of the first whose structure changes for a reason not yet explained, or stays the same
+  // at some directions.
   [[nodiscard]] bool worth_detail(pl::EdgeIndex edge, const pl::EdgeHistory& history) const {
     if (detailed_ == most_edges_in_detail || history.changes.empty() || history.changes.size() == comparisons_.size())
       return false;
     if (detailed_ == 0) return true;
     return std::any_of(history.changes.begin(), history.changes.end(), [&](const pl::EdgeChange& change) {
-      return kinds_told_.count(first_cause(edge, change.direction).kind) == 0;
+      return explained_kinds_.count(first_cause(edge, change.direction).kind) == 0;
     });
   }
 
@@ -338,7 +339,7 @@ class PlantingaTeller final : public pl::Trace {
     for (const pl::EdgeChange& change : history.changes) found_.push_back(dot(Look::waiting, stage_.on_circle(change.direction.angle)));
   }
 
-  void tell_in_detail(pl::EdgeIndex edge, const pl::EdgeHistory& history) {
+  void add_details(pl::EdgeIndex edge, const pl::EdgeHistory& history) {
     ++detailed_;
     std::vector<Mark> edge_marks;
     std::vector<Mark> faces;
@@ -353,11 +354,11 @@ class PlantingaTeller final : public pl::Trace {
     for (const Comparison& each : comparisons_)
       candidates.push_back(line(Look::now, {stage_.on_circle(each.direction.angle, 0.92), stage_.on_circle(each.direction.angle, 1.04)}));
     count();
-    tell(angle_,
+    add_step(angle_,
         fmt::format(
             "{}: {} may hide some of it in a turn, as some of it is behind their planes. Its potential events are at {}.{} The "
             "structure of the edge is made from scratch between each two of them.",
-            name_of(edge, true), counted(occluders_.size(), "face"), counted(comparisons_.size(), "direction"),
+            name_of(edge, true), count_text(occluders_.size(), "face"), count_text(comparisons_.size(), "direction"),
             dropped_here_ == 0 ? ""
                                : fmt::format(" Others, {} of them, are dropped at once: another face surely hides the point, or "
                                              "the nearer edge bounds nothing there.",
@@ -379,7 +380,7 @@ class PlantingaTeller final : public pl::Trace {
     for (const Comparison& each : comparisons_) {
       if (shown == most_directions_shown) break;
       if (each.before == each.after && ++equal > most_equal_shown) continue;
-      tell_comparison(edge, each);
+      add_comparison(edge, each);
       ++shown;
     }
     compared_ = compared_before;
@@ -388,9 +389,9 @@ class PlantingaTeller final : public pl::Trace {
     count();
     std::vector<Mark> marks;
     stage_.add_edge(marks, Look::now, edge, angle_);
-    tell(angle_, fmt::format("{}The list keeps {} of {} for {}.",
+    add_step(angle_, fmt::format("{}The list keeps {} of {} for {}.",
                            shown < comparisons_.size() ? "The other directions are compared in the same way. " : "",
-                           history.changes.size(), counted(comparisons_.size(), "direction"), name_of(edge, false)),
+                           history.changes.size(), count_text(comparisons_.size(), "direction"), name_of(edge, false)),
                "section 3",
                {{image, "wire", stage_.wire(angle_)},
                 {image, "face", {}},
@@ -403,11 +404,11 @@ class PlantingaTeller final : public pl::Trace {
                 {circle, "sight", stage_.radius(angle_)}});
   }
 
-  void tell_comparison(pl::EdgeIndex edge, const Comparison& each) {
+  void add_comparison(pl::EdgeIndex edge, const Comparison& each) {
     const double angle = each.direction.angle;
     const pl::PotentialEvent cause = first_cause(edge, each.direction);
     const bool changed = !(each.before == each.after);
-    if (changed) kinds_told_.insert(cause.kind);
+    if (changed) explained_kinds_.insert(cause.kind);
     ++compared_;
     changes_ += changed ? 1 : 0;
     count();
@@ -418,7 +419,7 @@ class PlantingaTeller final : public pl::Trace {
     std::vector<Mark> in_image;
     std::vector<Mark> in_plan;
     stage_.add_cause(in_image, in_plan, cause, angle);
-    tell(angle, fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
+    add_step(angle, fmt::format("{:.2f} degrees: {}. {} just before: {}; just after: {}. {}", degrees(angle), what_of(cause),
                            name_of(edge, true), structure_in_words(each.before), structure_in_words(each.after),
                            changed ? "They differ: it is an event." : "They are equal: it is no event of this edge."),
                "section 3",
@@ -430,7 +431,7 @@ class PlantingaTeller final : public pl::Trace {
                 {circle, "sight", stage_.radius(angle)}});
   }
 
-  void tell_event(const pl::EventList& list, const pl::Event& event, const pl::EdgeStructureGraph& graph) {
+  void add_event(const pl::EventList& list, const pl::Event& event, const pl::EdgeStructureGraph& graph) {
     const double angle = event.direction.angle;
     ++passed_;
     stage_.place(angle);
@@ -459,8 +460,8 @@ class PlantingaTeller final : public pl::Trace {
       what += fmt::format("{}{}", i == 0 ? "" : ", and ", what_of(causes[i]));
     }
     if (causes.size() > 2) what += fmt::format(", and {} more in the same direction", causes.size() - 2);
-    tell(angle, fmt::format("Event {} of {} at {:.2f} degrees: {}. {} change{}: {} removed from the graph and {} added.", passed_,
-                           events_, degrees(angle), what, counted(edges.size(), "edge"), edges.size() == 1 ? "s" : "",
+    add_step(angle, fmt::format("Event {} of {} at {:.2f} degrees: {}. {} change{}: {} removed from the graph and {} added.", passed_,
+                           events_, degrees(angle), what, count_text(edges.size(), "edge"), edges.size() == 1 ? "s" : "",
                            removed == 1 ? "1 piece is" : fmt::format("{} pieces are", removed), added),
                "section 4",
                {{image, "wire", stage_.wire(angle)},
@@ -471,17 +472,17 @@ class PlantingaTeller final : public pl::Trace {
                 {circle, "sight", stage_.radius(angle)}});
   }
 
-  void tell_view(const pl::EventList& list, std::size_t at, const pl::EdgeStructureGraph& graph) {
+  void add_view(const pl::EventList& list, std::size_t at, const pl::EdgeStructureGraph& graph) {
     const double here = list.events[at].direction.angle;
     const double next = list.events[(at + 1) % list.events.size()].direction.angle;
     const double ahead = next > here ? next - here : next - here + 2 * std::numbers::pi;
     double angle = here + ahead / 2;
     if (angle > std::numbers::pi) angle -= 2 * std::numbers::pi;
-    tell(angle,
+    add_step(angle,
         fmt::format(
             "The structure stays the same up to {:.2f} degrees. A frame between, here at {:.2f}, draws the {} of the graph; only "
             "the vertices and the T-junctions are placed again.",
-            degrees(next), degrees(angle), counted(graph.piece_count(), "piece")),
+            degrees(next), degrees(angle), count_text(graph.piece_count(), "piece")),
         "section 4",
         {{image, "wire", stage_.wire(angle)},
          {image, "cause", {}},
@@ -491,7 +492,7 @@ class PlantingaTeller final : public pl::Trace {
          {circle, "sight", stage_.radius(angle)}});
   }
 
-  // What the trace told of the edge at a direction; the faces first.
+  // The potential events of an edge at a direction, faces first.
   [[nodiscard]] std::vector<pl::PotentialEvent> causes_at(pl::EdgeIndex edge, const pl::Direction& direction) const {
     std::vector<pl::PotentialEvent> found;
     for (const pl::PotentialEvent& event : causes_[edge])
@@ -504,7 +505,7 @@ class PlantingaTeller final : public pl::Trace {
     const auto found = causes_at(edge, direction);
     return found.empty() ? pl::PotentialEvent{EventKind::own_plane, edge, edge, 0, direction} : found.front();
   }
-  // One for each edge that changes, those that say the same once.
+  // One cause for each edge that changes, without duplicates.
   [[nodiscard]] std::vector<pl::PotentialEvent> causes_of(const pl::EventList& list, const pl::Event& event) const {
     std::vector<pl::PotentialEvent> causes;
     std::set<std::string> said;
@@ -545,7 +546,7 @@ class PlantingaTeller final : public pl::Trace {
     return {};
   }
 
-  // Of the groups that have an event.
+  // The legend of the groups that have events.
   static std::vector<Mark> legend(const std::array<std::size_t, 3>& events) {
     constexpr std::array<std::string_view, 3> words{"plane edge-on", "EV: vertex, edge", "EEE: three edges"};
     std::vector<Mark> marks;
@@ -567,10 +568,10 @@ class PlantingaTeller final : public pl::Trace {
     }
     return fmt::format("face {}", end.index() + 1);
   }
-  // "from vertex 3 to edge 4-5": what the pieces end in.
+  // The ends of the pieces: "from vertex 3 to edge 4-5".
   [[nodiscard]] std::string structure_in_words(const pl::EdgeStructure& structure) const {
     if (structure.empty()) return "nothing is visible";
-    if (structure.size() > 2) return counted(structure.size(), "piece");
+    if (structure.size() > 2) return count_text(structure.size(), "piece");
     std::string words;
     for (const pl::Piece& piece : structure)
       words += fmt::format("{}from {} to {}", words.empty() ? "" : " and ", end_of(piece.low), end_of(piece.high));
@@ -592,10 +593,10 @@ class PlantingaTeller final : public pl::Trace {
     const std::string ends =
         names.empty() ? ""
                       : fmt::format(", cut off in {} with {}", junctions.size() == 1 ? "a T-junction" : "T-junctions", names);
-    return fmt::format("{} of it {} left{}.", counted(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
+    return fmt::format("{} of it {} left{}.", count_text(left.size(), "piece"), left.size() == 1 ? "is" : "are", ends);
   }
 
-  // Of the graph; counts its pieces.
+  // The view of the graph; counts its pieces.
   [[nodiscard]] std::vector<Mark> view_of(const pl::EdgeStructureGraph& graph, double angle) {
     pieces_ = graph.piece_count();
     count();
@@ -605,23 +606,23 @@ class PlantingaTeller final : public pl::Trace {
   const pl::RotationModel& model_;
   TurnStage& stage_;
   Steps& steps_;
-  const double angle_;  // of the camera
+  const double angle_;  // of the camera's direction
   std::vector<std::vector<pl::PotentialEvent>> causes_;
 
-  // Of the initial picture.
+  // For the initial picture.
   std::size_t occluder_count_ = 0;
   std::set<pl::FaceIndex> covering_;
   std::vector<Mark> initial_;
   std::size_t turned_away_ = 0;
   std::size_t hidden_shown_ = 0;
   std::size_t parts_shown_ = 0;
-  // Of the edge being studied.
+  // For the edge being studied.
   std::vector<pl::Occluder> occluders_;
   std::vector<Comparison> comparisons_;
   std::size_t dropped_here_ = 0;
-  // Of all.
+  // For all edges.
   std::vector<Mark> found_;
-  std::set<EventKind> kinds_told_;
+  std::set<EventKind> explained_kinds_;
   std::size_t detailed_ = 0;
   std::vector<pl::EdgeIndex> summary_;
   std::size_t summary_size_ = 1;
@@ -647,7 +648,7 @@ base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scen
   if (sight.x == 0 && sight.z == 0) sight.z = 1;
   const double angle = std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
   Steps steps(lesson);
-  PlantingaTeller teller(model, stage, angle, steps);
+  PlantingaRecorder recorder(model, stage, angle, steps);
   std::vector<Point> ring;
   for (int i = 0; i <= 180; ++i) ring.push_back(stage.on_circle(i * std::numbers::pi / 90));
   steps.add(fmt::format(
@@ -659,17 +660,17 @@ base::Result<Lesson> explain_plantinga(const scene::PolyScene& scene, const scen
              {circle, "ring", {line(Look::faint, std::move(ring))}},
              {circle, "plan", stage.plan()},
              {circle, "sight", stage.radius(angle)}});
-  const picture::LinePicture picture = pl::visible_edges(model, sight, teller);
-  teller.initial_picture(picture);
+  const picture::LinePicture picture = pl::visible_edges(model, sight, recorder);
+  recorder.initial_picture(picture);
   pl::BuildOptions options;
-  options.trace = &teller;
+  options.trace = &recorder;
   auto list = pl::build_event_list(model, options);
   if (!list) return std::move(list.error());
-  teller.end_summary();
+  recorder.end_summary();
   pl::EdgeStructureGraph graph(*list);
   static_cast<void>(graph.turn_to(angle));
-  teller.turn(*list, graph);
-  teller.finish(picture);
+  recorder.turn(*list, graph);
+  recorder.finish(picture);
   return lesson;
 }
 

@@ -1,4 +1,4 @@
-// The lesson of Plantinga, Seales and Dyer's method (host/algorithms/plantinga): the events of a full turn.
+// The lesson of the method of Plantinga, Seales and Dyer (host/algorithms/plantinga): the events of a full turn.
 #pragma once
 
 #include "host/explain/explain.hpp"

@@ -16,17 +16,17 @@ namespace {
 using algorithms::skala::Piece;
 using algorithms::skala::Vertex;
 
-constexpr int columns = 256;  // of the masks, as in the paper
+constexpr int columns = 256;  // of a mask, as in the paper
 constexpr float nothing = 1e29F;
 constexpr double extent = 255;
-// A step for each line of a slice is only for the first of them: the others are a step each.
+// The first slices have a step for each line; each further slice is one step.
 constexpr std::size_t rows_in_full = 2;
 
 Point place(Vertex vertex) { return {(static_cast<double>(vertex.x) + 0.5) * extent / columns, static_cast<double>(vertex.y)}; }
 
-class SkalaTeller final : public algorithms::skala::Trace {
+class SkalaRecorder final : public algorithms::skala::Trace {
  public:
-  explicit SkalaTeller(Steps& steps) : steps_(steps) { count(); }
+  explicit SkalaRecorder(Steps& steps) : steps_(steps) { count(); }
 
   void line(std::span<const Vertex> points, std::span<const Piece> pieces) override {
     ++lines_;
@@ -107,7 +107,7 @@ base::Result<Lesson> explain_skala(const scene::HeightGrid& grid, double rotatio
   Lesson lesson{"skala", "Skala 1985: the floating horizon, by two masks", {}, {}, {}};
   lesson.sheets = {{"The picture; in orange the two masks", {-4, -4}, {extent + 4, extent + 4}}};
   Steps steps(lesson);
-  SkalaTeller teller(steps);
+  SkalaRecorder recorder(steps);
   const auto plain = [&] {
     view.visibility = false;
     const auto drawing = algorithms::skala::draw(grid, view);
@@ -126,7 +126,7 @@ base::Result<Lesson> explain_skala(const scene::HeightGrid& grid, double rotatio
   steps.add("All slices of the surface, none of them hidden. They are drawn from the foreground to the background, so that each meets only what "
             "may hide it.",
             "section 2", {{0, "all", plain()}});
-  const auto drawing = algorithms::skala::draw(grid, view, teller);
+  const auto drawing = algorithms::skala::draw(grid, view, recorder);
   std::vector<Mark> seen;
   for (const auto& each : drawing.lines) {
     std::vector<Point> points;

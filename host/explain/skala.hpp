@@ -1,4 +1,4 @@
-// The lesson of Skala's method (host/algorithms/skala): slices from the foreground to the background, and the two masks.
+// The lesson of Skala's method (host/algorithms/skala): slices from the foreground to the background and two masks.
 #pragma once
 
 #include "host/explain/explain.hpp"

@@ -42,11 +42,11 @@ ImageStage::ImageStage(const scene::PolyScene& scene, const scene::PolyCamera& c
   }
 }
 
-Point ImageStage::projected(const Space& p) const {
+Point ImageStage::project(const Space& p) const {
   return camera_.perspective ? Point{p[0] / p[2], p[1] / p[2]} : Point{p[0], p[1]};
 }
 
-// What of a line is before the eye; false: nothing.
+// Clips a line to the part in front of the eye; false if nothing is left.
 bool ImageStage::cut(Space& from, Space& to) const {
   if (!camera_.perspective) return true;
   if (from[2] < nearest_ && to[2] < nearest_) return false;
@@ -61,7 +61,7 @@ std::vector<Point> ImageStage::line_in_image(const Space& from, const Space& to)
   Space a = view_.at(from);
   Space b = view_.at(to);
   if (!cut(a, b)) return {};
-  return {projected(a), projected(b)};
+  return {project(a), project(b)};
 }
 
 std::vector<Point> ImageStage::outline_in_image(std::span<const Space> corners) const {
@@ -71,8 +71,8 @@ std::vector<Point> ImageStage::outline_in_image(std::span<const Space> corners) 
     Space b = view_.at(corners[(i + 1) % corners.size()]);
     const bool leaves = camera_.perspective && b[2] < nearest_;
     if (!cut(a, b)) continue;
-    points.push_back(projected(a));
-    if (leaves) points.push_back(projected(b));
+    points.push_back(project(a));
+    if (leaves) points.push_back(project(b));
   }
   return points;
 }
@@ -111,7 +111,7 @@ void ImageStage::add_names(std::vector<Mark>& marks, Look look, const picture::L
   for (const scene::VertexIndex end : {edge.from, edge.to}) {
     const Space p = view_.at(space(scene_.vertices[end]));
     if (camera_.perspective && p[2] < nearest_) continue;
-    const Point at = projected(p);
+    const Point at = project(p);
     if (at[0] >= low_[0] && at[0] <= high_[0] && at[1] >= low_[1] && at[1] <= high_[1]) marks.push_back(text(look, at, std::to_string(end)));
   }
 }
@@ -213,12 +213,12 @@ PlanStage::PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& cam
 std::vector<Mark> PlanStage::arrow() const {
   Point along = at(space(camera_.forward));
   const double length = std::hypot(along[0], along[1]);
-  if (length == 0) return {};  // it looks along the axis of the plan
+  if (length == 0) return {};  // the camera looks along the axis of the plan
   for (double& part : along) part /= length;
   const double reach = std::max(high_[0] - low_[0], high_[1] - low_[1]) * 0.1;
   Point from = at(space(camera_.eye));
   if (!camera_.perspective) {
-    // Where the line through the middle of the sheet enters it.
+    // The distance from the sheet's centre back to where the line through it enters the sheet.
     double back = 1e300;
     for (std::size_t a = 0; a < 2; ++a)
       if (along[a] != 0) back = std::min(back, (high_[a] - low_[a]) / 2 / std::abs(along[a]));

@@ -1,7 +1,7 @@
-// Where a lesson draws a scene of polyhedra: the image as the camera shows it, and the ground seen from above.
+// Draws a polyhedral scene on the sheets of a lesson: the image that the camera sees, and the ground seen from above.
 //
-// Coordinates are those of the image as PolyCamera defines it. What lies behind the eye, or nearer than a thousandth of the
-// way to the farthest point, is cut off. Lessons draw pictures for people: doubles are good enough here, and only here.
+// Image coordinates are those of PolyCamera. Everything behind the eye, or nearer than a thousandth of the distance to the
+// farthest point, is clipped. Doubles suffice because lessons are only looked at.
 #pragma once
 
 #include <cstddef>
@@ -29,24 +29,24 @@ class ImageStage {
  public:
   ImageStage(const scene::PolyScene& scene, const scene::PolyCamera& camera);
 
-  // All of the image, in perspective at most 90 degrees of it: the field of Jones's program on the PDP-7.
+  // The whole image; in perspective at most 90 degrees of it, the field of view of Jones's program on the PDP-7.
   [[nodiscard]] Sheet sheet(std::string title) const;
-  // Any straight line or plane outline in space, each point joined to the next; empty if all of it is cut off.
+  // The image of a straight line or plane outline in space, as connected points; empty if all of it is clipped.
   [[nodiscard]] std::vector<Point> line_in_image(const Space& from, const Space& to) const;
   [[nodiscard]] std::vector<Point> outline_in_image(std::span<const Space> corners) const;
 
-  // Appends nothing where nothing is seen of it.
+  // Append nothing if nothing of it is in the image.
   void add_line(std::vector<Mark>& marks, Look look, const Space& from, const Space& to) const;
   void add_area(std::vector<Mark>& marks, Look look, std::span<const Space> corners) const;
   void add_edge(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const;
   void add_piece(std::vector<Mark>& marks, Look look, const picture::LinePiece& piece) const;
-  // The outline of a face; holes are left out.
+  // The outline of a face without its holes.
   void add_face(std::vector<Mark>& marks, Look look, const scene::PolyFace& face) const;
-  // What of the sheet lies within the planes a x + b y + c z >= d, each seen as a line: through the eye, or along the line of sight.
+  // The part of the sheet within the planes a x + b y + c z >= d, each of which contains the eye or the direction of view.
   [[nodiscard]] std::vector<Point> region(std::span<const std::array<double, 4>> planes) const;
-  // The number of the edge's two vertices beside them.
+  // The numbers of the edge's two vertices.
   void add_names(std::vector<Mark>& marks, Look look, const picture::LineEdge& edge) const;
-  // A label on what the sheet shows of an outline in the image; nothing where it shows nothing.
+  // A label on the visible part of an outline in the image; none if no part is on the sheet.
   void add_label(std::vector<Mark>& marks, Look look, const std::vector<Point>& outline, std::string words, double height = 0.5) const;
   void add_label(std::vector<Mark>& marks, Look look, std::span<const Space> corners, std::string words) const {
     add_label(marks, look, outline_in_image(corners), std::move(words));
@@ -59,18 +59,18 @@ class ImageStage {
 
  private:
   [[nodiscard]] std::vector<Space> corners_of(const scene::PolyFace& face) const;
-  [[nodiscard]] Point projected(const Space& of_eye) const;
+  [[nodiscard]] Point project(const Space& of_eye) const;
   [[nodiscard]] bool cut(Space& from, Space& to) const;
 
   const scene::PolyScene& scene_;
   const scene::PolyCamera camera_;
   picture::CameraView view_;
-  double nearest_ = 0;  // depth before which all is cut off
+  double nearest_ = 0;  // depth of the near clipping plane
   Point low_{};
   Point high_{};
 };
 
-// The ground from above, seen along an axis of the scene: up on the sheet is the axis that is nearest to the camera's forward.
+// The ground seen from above, along an axis of the scene. The axis nearest to the camera's forward direction points up.
 class PlanStage {
  public:
   PlanStage(const scene::PolyScene& scene, const scene::PolyCamera& camera);
@@ -78,10 +78,10 @@ class PlanStage {
   [[nodiscard]] Sheet sheet(std::string title) const;
   [[nodiscard]] Point at(const Space& p) const { return {across_sign_ * p[across_], along_sign_ * p[along_]}; }
   [[nodiscard]] std::size_t vertical() const { return vertical_; }
-  // An arrow along the camera's forward: from the eye, or in parallel projection into the sheet from its border.
+  // An arrow in the camera's forward direction: from the eye, or in parallel projection from the sheet's border.
   [[nodiscard]] std::vector<Mark> arrow() const;
   [[nodiscard]] std::vector<Mark> wire_frame(Look look = Look::faint) const;
-  // The part of the sheet where a x + b y + c z <= d for the planes that stand upright; the others are left out.
+  // The part of the sheet where a x + b y + c z <= d for all vertical planes; other planes are ignored.
   [[nodiscard]] std::vector<Point> region(std::span<const std::array<double, 4>> planes) const;
 
  private:
@@ -96,21 +96,22 @@ class PlanStage {
   Point high_{};
 };
 
-// What is left of a convex outline where a x + b y >= c.
+// The part of a convex outline where a x + b y >= c.
 [[nodiscard]] std::vector<Point> cut_outline(const std::vector<Point>& outline, double a, double b, double c);
 
-// Where a label of an outline stands: at a part of its height, 0.5 halfway up, in the middle of the longest part of that row that is within the outline. So it is
-// within an outline that is not convex, too. Of an outline without an area the mean of its points. Not empty (precondition).
+// The position of an outline's label: at the fraction `height` of its height, the middle of the longest part of that row
+// inside the outline, which may be concave. For an outline without area, the mean of its points. The outline is not empty
+// (precondition).
 [[nodiscard]] Point label_point(const std::vector<Point>& outline, double height = 0.5);
 
-// The steps of a lesson while it is made: fills in the counts and ends at most_steps.
+// Appends steps to a lesson, with the current counts, up to most_steps.
 class Steps {
  public:
   explicit Steps(Lesson& lesson) : lesson_(lesson) {}
 
-  // From now on every step has this value under this name, which keeps its place.
+  // Sets a count for all further steps. Counts keep the order in which they were first set.
   void count(std::string_view name, std::uint64_t value);
-  // False once there is no room for more; the last step then says so.
+  // False once the lesson is full; its last step says so.
   bool add(std::string caption, std::string section, std::vector<Layer> changes);
   [[nodiscard]] bool full() const { return full_; }
 

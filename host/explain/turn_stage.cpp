@@ -1,4 +1,3 @@
-// See turn_stage.hpp.
 #include "host/explain/turn_stage.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace {
 
 using pl::EventKind;
 
-constexpr double plan_radius = 0.8;  // of the scene on the circle's sheet
+constexpr double plan_radius = 0.8;  // of the scene's plan; the circle of directions has radius 1
 
 Space space_of(const pl::Vector3& p) { return geometry::real_vector(p); }
 
@@ -35,7 +34,7 @@ TurnStage::TurnStage(const pl::RotationModel& model, const scene::PolyCamera& ca
   const Space up = space(camera.up);
   const Space forward = space(camera.forward);
   const double turn = geometry::dot(right, geometry::cross(up, forward));
-  hand_ = turn > 0 ? -1 : 1;
+  handedness_ = turn > 0 ? -1 : 1;
 
   std::array<std::int64_t, 3> least{};
   std::array<std::int64_t, 3> most{};
@@ -58,7 +57,7 @@ Sheet TurnStage::image_sheet() const {
 }
 
 Point TurnStage::in_image(double u, double v, double angle) const {
-  return {hand_ * (u - (middle_[0] * std::cos(angle) - middle_[2] * std::sin(angle))), v};
+  return {handedness_ * (u - (middle_[0] * std::cos(angle) - middle_[2] * std::sin(angle))), v};
 }
 
 Point TurnStage::in_image(const Space& p, double angle) const {
@@ -66,12 +65,12 @@ Point TurnStage::in_image(const Space& p, double angle) const {
 }
 
 Point TurnStage::on_circle(double angle, double radius) const {
-  return {radius * std::sin(angle), -hand_ * radius * std::cos(angle)};
+  return {radius * std::sin(angle), -handedness_ * radius * std::cos(angle)};
 }
 
 Point TurnStage::in_plan(const Space& p) const {
   const double scale = plan_radius / reach_;
-  return {(p[0] - middle_[0]) * scale, hand_ * (middle_[2] - p[2]) * scale};
+  return {(p[0] - middle_[0]) * scale, handedness_ * (middle_[2] - p[2]) * scale};
 }
 
 std::vector<Mark> TurnStage::wire(double angle) const {
@@ -144,7 +143,7 @@ void TurnStage::add_cause(std::vector<Mark>& image_marks, std::vector<Mark>& pla
   add_line_of_sight(plan_marks, through, angle);
 }
 
-// Across the circle through a point of the plan.
+// A line across the circle through a point of the plan.
 void TurnStage::add_line_of_sight(std::vector<Mark>& marks, const Space& through, double angle) const {
   const Point p = in_plan(through);
   const Point v = on_circle(angle);
@@ -193,7 +192,7 @@ void TurnStage::add_face(std::vector<Mark>& marks, Look look, pl::FaceIndex face
   marks.push_back(area(look, std::move(outline)));
 }
 
-// At an event edges may be parallel in the image and their junction anywhere.
+// At an event the edges may be parallel in the image; the parameter may then be any number or none.
 double TurnStage::parameter(pl::EdgeIndex edge, pl::End end) const {
   const double s = maker_.parameter_of(edge, end);
   return s > 0 ? std::min(s, 1.0) : 0;

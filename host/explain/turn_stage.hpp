@@ -1,7 +1,7 @@
-// Where a lesson draws a scene that turns about its vertical axis: the image, and the circle of directions with the scene in plan.
+// Draws a scene that turns about its vertical axis: the image, and the circle of directions with the plan of the scene.
 //
-// The axis is moved to the scene's middle, which changes nothing in parallel projection but keeps it in sight. Angles are those of
-// the algorithm (host/algorithms/plantinga), in radians.
+// The axis is moved to the middle of the scene: in parallel projection this only shifts the image, and it keeps the scene in view.
+// Angles are those of host/algorithms/plantinga, in radians.
 #pragma once
 
 #include <string>
@@ -24,35 +24,35 @@ class TurnStage {
   // The model outlives the stage.
   TurnStage(const pl::RotationModel& model, const scene::PolyCamera& camera);
 
-  // All directions have room on it.
+  // Large enough for the image from every direction.
   [[nodiscard]] Sheet image_sheet() const;
   [[nodiscard]] Point on_circle(double angle, double radius = 1) const;
 
-  // The image, seen from a direction.
+  // The image from a direction.
   [[nodiscard]] std::vector<Mark> wire(double angle) const;
   void add_edge(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, double angle) const;
   void add_face(std::vector<Mark>& marks, Look look, pl::FaceIndex face, double angle) const;
-  // After place() at the same angle.
+  // Requires place() with the same angle before.
   void add_piece(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge, const pl::Piece& piece, double angle) const;
   void place(double angle) { maker_.place(angle); }
-  // What the graph or a picture shows.
+  // The visible pieces of the graph or of a picture.
   [[nodiscard]] std::vector<Mark> view(const pl::EdgeStructureGraph& graph, double angle);
   [[nodiscard]] std::vector<Mark> seen(const picture::LinePicture& drawn, double angle) const;
 
   // The circle.
   [[nodiscard]] std::vector<Mark> plan() const;
   void add_edge_to_plan(std::vector<Mark>& marks, Look look, pl::EdgeIndex edge) const;
-  // Beside a vertex its number, on a face "face 7", counted from 1; in both sheets.
+  // On both sheets: the number beside a vertex; "face 7" on a face, counted from 1.
   void add_vertex_number(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, scene::VertexIndex vertex, double angle) const;
   void add_face_number(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, pl::FaceIndex face, double angle) const;
-  // Where the viewer is.
+  // The line from the centre to the viewer.
   [[nodiscard]] std::vector<Mark> radius(double angle) const;
 
-  // The vertices, edges and faces of an event, and on the plan the line of sight on which they meet.
+  // The vertices, edges and faces of an event, and in the plan the line of sight on which they meet.
   void add_cause(std::vector<Mark>& image_marks, std::vector<Mark>& plan_marks, const pl::PotentialEvent& cause, double angle);
 
  private:
-  // Equations 1 and 2. u and v are those of the algorithm, about its own axis.
+  // Equations 1 and 2 of the paper. u and v are image coordinates relative to the algorithm's axis.
   [[nodiscard]] Point in_image(double u, double v, double angle) const;
   [[nodiscard]] Point in_image(const Space& p, double angle) const;
   [[nodiscard]] Point at(const pl::Vector3& p, double angle) const;
@@ -63,11 +63,11 @@ class TurnStage {
   const pl::RotationModel& model_;
   pl::FrameMaker maker_;
   Space middle_{};
-  double reach_ = 1;  // from the axis
-  double low_ = 0;    // of y
+  double reach_ = 1;  // largest distance from the axis
+  double low_ = 0;    // range of y
   double high_ = 0;
-  // -1: the camera's right is to the left of somebody who looks forward with up above, as x, y and z turn the other way round.
-  double hand_ = 1;
+  // -1: the camera's right, up and forward form a system of the opposite handedness to x, y and z, so the image is mirrored.
+  double handedness_ = 1;
 };
 
 }  // namespace sightline::explain

@@ -20,10 +20,10 @@ namespace {
 namespace wl = algorithms::willis;
 
 constexpr std::size_t ground = 1;
-// Clusters beyond these in one round are summed up, and so are surfaces in flight.
+// Further clusters in a round, and further surfaces in flight, are summarised in one step.
 constexpr std::size_t most_shown = 25;
 constexpr std::size_t most_painted = 120;
-// A lesson is for scenes that can be followed.
+// Larger scenes are rejected, because nobody could follow the lesson.
 constexpr std::size_t most_pieces = 3000;
 
 Space place_of(const wl::Point& p) {
@@ -38,10 +38,10 @@ std::vector<Space> corners_of(const wl::Surface& surface) {
 
 double distance(const Space& a, const Space& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-class WillisTeller final : public wl::Trace {
+class WillisRecorder final : public wl::Trace {
  public:
-  // `unit`: of the scene's coordinates, in that of its file.
-  WillisTeller(const ImageStage& stage, const PlanStage& plan, double unit, Steps& steps) : stage_(stage), plan_(plan), unit_(unit), steps_(steps) { count(); }
+  // `unit`: one unit of the scene's coordinates, in units of its file.
+  WillisRecorder(const ImageStage& stage, const PlanStage& plan, double unit, Steps& steps) : stage_(stage), plan_(plan), unit_(unit), steps_(steps) { count(); }
 
   void surfaces(std::span<const wl::Surface> pieces, const wl::OrderCells& cells) override {
     pieces_ = pieces.size();
@@ -73,7 +73,7 @@ class WillisTeller final : public wl::Trace {
       std::vector<Mark> in_ground = boundary(pieces[a], Look::mask);
       add_plan(in_ground, Look::now, pieces[a]);
       add_plan(in_ground, Look::other, pieces[b]);
-      Numbers numbers;
+      NumberMarks numbers;
       add_number(numbers, Look::now, pieces[a], a);
       add_number(numbers, Look::other, pieces[b], b);
       steps_.add(fmt::format("Surfaces {} and {} are a cluster: one can hide the other, and one has a point within the boundary of the other, where distance may give the wrong "
@@ -97,7 +97,7 @@ class WillisTeller final : public wl::Trace {
     std::vector<Mark> in_ground = boundary(halves[0], Look::mask);
     add_plan(in_ground, Look::now, halves[0]);
     add_plan(in_ground, Look::waiting, halves[1]);
-    Numbers numbers;
+    NumberMarks numbers;
     add_number(numbers, Look::now, halves[0], piece);
     add_number(numbers, Look::waiting, halves[1], second);
     steps_.add(fmt::format("Surface {} is the larger of its cluster. It is cut in two; its other half is surface {}. The boundaries of the halves are smaller than that of the whole.",
@@ -122,7 +122,7 @@ class WillisTeller final : public wl::Trace {
     const std::size_t at_once = std::max<std::size_t>(1, (order.size() + most_painted - 1) / most_painted);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const wl::Surface& surface = model.pieces[order[i]];
-      // What is painted over is gone from the picture; the outline of the surface is drawn upon it.
+      // The area hides what was painted before; its outline is drawn on it.
       stage_.add_area(painted, Look::seen, corners_of(surface));
       ++shown_;
       if ((i + 1) % at_once != 0 && i + 1 != order.size()) continue;
@@ -131,7 +131,7 @@ class WillisTeller final : public wl::Trace {
       stage_.add_area(now, Look::now, corners_of(surface));
       std::vector<Mark> in_ground;
       add_plan(in_ground, Look::now, surface);
-      Numbers numbers;
+      NumberMarks numbers;
       const bool in_cells = model.cells.cells > 1;
       add_number(numbers, Look::now, surface, order[i], in_cells ? fmt::format(", cell {}", surface.cell) : std::string());
       const std::string where = in_cells ? fmt::format(", in cell {}", surface.cell) : std::string();
@@ -147,12 +147,12 @@ class WillisTeller final : public wl::Trace {
   }
 
  private:
-  struct Numbers {
+  struct NumberMarks {
     std::vector<Mark> image;
     std::vector<Mark> ground;
   };
-  // As the captions name it.
-  void add_number(Numbers& numbers, Look look, const wl::Surface& surface, std::uint32_t number, std::string_view more = {}) const {
+  // Labels a surface as the captions name it.
+  void add_number(NumberMarks& numbers, Look look, const wl::Surface& surface, std::uint32_t number, std::string_view more = {}) const {
     const std::string words = fmt::format("surface {}{}", number + 1, more);
     stage_.add_label(numbers.image, look, corners_of(surface), words);
     std::vector<Point> outline;
@@ -218,13 +218,13 @@ base::Result<Lesson> explain_willis(const scene::PolyScene& scene, const scene::
   const PlanStage plan(scene, camera);
   lesson.sheets = {stage.sheet("The image"), plan.sheet("The ground from above")};
   Steps steps(lesson);
-  WillisTeller teller(stage, plan, scene.step, steps);
+  WillisRecorder recorder(stage, plan, scene.step, steps);
   wl::ModelOptions options;
   options.limits.pieces = most_pieces;
   options.limits.depth = 6;
-  auto model = wl::make_model(scene, options, &teller);
+  auto model = wl::make_model(scene, options, &recorder);
   if (!model) return std::move(model.error());
-  teller.in_flight(*model, camera);
+  recorder.in_flight(*model, camera);
   return lesson;
 }
 

@@ -1,4 +1,4 @@
-// The lesson of Willis's method (host/algorithms/willis): boundaries, clusters, cuts, and priorities by distance.
+// The lesson of Willis's method (host/algorithms/willis): boundaries, clusters, cuts and priorities by distance.
 #pragma once
 
 #include "host/explain/explain.hpp"

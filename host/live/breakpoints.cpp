@@ -1,4 +1,3 @@
-// See breakpoints.hpp.
 #include "host/live/breakpoints.hpp"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ bool Breakpoints::move(int number, std::uint32_t to) {
   return true;
 }
 
-void Breakpoints::forget_passes() {
+void Breakpoints::reset_counts() {
   for (Breakpoint& each : all_) {
     each.passed = 0;
     each.was_true = false;
@@ -60,8 +59,8 @@ bool Breakpoints::counts(Breakpoint& breakpoint, const Condition& holds) {
 
 namespace {
 
-// Of events that are no conditions.
-bool is_met(const Breakpoint& breakpoint, const Probe::Event& event) {
+// Whether an event matches a breakpoint of any kind except conditions.
+bool matches(const Breakpoint& breakpoint, const Probe::Event& event) {
   const auto [kind, access] = [&event]() -> std::pair<Breakpoint::Kind, std::uint8_t> {
     switch (event.kind) {
       case Probe::Kind::execution: return {Breakpoint::Kind::execution, Probe::executed};
@@ -85,20 +84,20 @@ bool is_met(const Breakpoint& breakpoint, const Probe::Event& event) {
 
 bool Breakpoints::wants(const Probe::Event& event) const {
   return event.kind == Probe::Kind::condition ||
-         std::any_of(all_.begin(), all_.end(), [&event](const Breakpoint& each) { return is_met(each, event); });
+         std::any_of(all_.begin(), all_.end(), [&event](const Breakpoint& each) { return matches(each, event); });
 }
 
-std::optional<Breakpoints::Hit> Breakpoints::meet(const std::vector<Probe::Event>& events, const Condition& holds) {
+std::optional<Breakpoints::Hit> Breakpoints::find_hit(const std::vector<Probe::Event>& events, const Condition& holds) {
   std::optional<Hit> hit;
   for (const Probe::Event& event : events) {
     if (event.kind == Probe::Kind::condition) continue;
     for (Breakpoint& each : all_)
-      if (is_met(each, event) && counts(each, holds) && !hit) hit = {each, event};
+      if (matches(each, event) && counts(each, holds) && !hit) hit = {each, event};
   }
   return hit;
 }
 
-std::optional<Breakpoints::Hit> Breakpoints::condition_met(const Condition& holds) {
+std::optional<Breakpoints::Hit> Breakpoints::find_true_condition(const Condition& holds) {
   std::optional<Hit> hit;
   for (Breakpoint& each : all_) {
     if (each.kind != Breakpoint::Kind::condition) continue;

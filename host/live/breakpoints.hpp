@@ -1,4 +1,4 @@
-// Breakpoints: where and when a run is to stop.
+// Breakpoints: where and when a run stops.
 #pragma once
 
 #include <cstdint>
@@ -18,45 +18,45 @@ struct Breakpoint {
   std::uint32_t first = 0;  // addresses, or a port
   std::uint32_t last = 0;
   std::uint8_t access = machines::Probe::executed;
-  std::optional<std::uint32_t> value;  // read or written
+  std::optional<std::uint32_t> value;  // the value read or written; empty: any
   std::string condition;               // an expression; empty: always
-  std::uint64_t count = 1;             // stops each time when so many have passed
+  std::uint64_t count = 1;             // stops at every `count`-th match
   std::uint64_t passed = 0;
-  bool was_true = false;  // of a condition: stops when it becomes true
+  bool was_true = false;  // for a condition: stops when it becomes true
   std::string text;       // as typed
 };
 
 class Breakpoints {
  public:
-  // Whether an expression is true; one that has no value is.
+  // Whether an expression is true. An expression without a value counts as true.
   using Condition = std::function<bool(const std::string&)>;
 
-  // The number it was given.
+  // Returns the number of the new breakpoint.
   int add(Breakpoint breakpoint);
   bool remove(int number);
   void clear() { all_.clear(); }
   [[nodiscard]] const std::vector<Breakpoint>& all() const { return all_; }
-  // Where an execution breakpoint stands now; false: there is none of that number.
+  // Moves an execution breakpoint; false: no breakpoint has this number.
   bool move(int number, std::uint32_t to);
-  // None has been passed yet.
-  void forget_passes();
-  // Some become true by themselves: conditions must be looked at after each instruction.
+  // Resets all counts.
+  void reset_counts();
+  // Whether a breakpoint is a condition, so that the run must check it after each instruction.
   [[nodiscard]] bool has_conditions() const;
 
-  // What a run is to be watched for.
+  // Marks in the probe what a run is to be watched for.
   void mark(machines::Probe& probe) const;
-  // Whether one of them is met by the event, but for its condition.
+  // Whether the event matches one of them, conditions and counts aside.
   [[nodiscard]] bool wants(const machines::Probe::Event& event) const;
 
-  // A reason to stop: the breakpoint, and the event it was met by; of a condition there is none.
+  // A reason to stop: the breakpoint and the event that reached it; a condition has no event.
   struct Hit {
     Breakpoint breakpoint;
     std::optional<machines::Probe::Event> event;
   };
-  // Counts all that are met and gives the first.
-  [[nodiscard]] std::optional<Hit> meet(const std::vector<machines::Probe::Event>& events, const Condition& holds);
-  // The first condition that has become true since the last look.
-  [[nodiscard]] std::optional<Hit> condition_met(const Condition& holds);
+  // Counts all breakpoints that the events reach and returns the first one that stops the run.
+  [[nodiscard]] std::optional<Hit> find_hit(const std::vector<machines::Probe::Event>& events, const Condition& holds);
+  // The first condition that has become true since the last call.
+  [[nodiscard]] std::optional<Hit> find_true_condition(const Condition& holds);
 
  private:
   static bool counts(Breakpoint& breakpoint, const Condition& holds);

@@ -1,4 +1,3 @@
-// See console.hpp.
 #include "host/live/console.hpp"
 
 #include <fmt/core.h>
@@ -25,14 +24,14 @@ using machines::Machine;
 using base::Result;
 using machines::Stop;
 
-// The program and its console exchange characters at the ends of slices of emulated time: a fifth of the time of a
-// teletype's character, so that no program notices, and long enough to cost nothing.
+// The program and its console exchange characters at the ends of slices of emulated time. A slice is a fifth of the time of a
+// teletype's character: too short for a program to notice, and long enough to take no measurable time.
 constexpr std::int64_t slices_a_second = 50;
-// How long a program that waits for a key without getting one is left alone, in emulated time: after the end of the input, and when
-// the script expects it to print.
+// The emulated time after which a run ends if the program waits for a key: after the end of the input, and while a script expects
+// output.
 constexpr std::int64_t slices_after_the_end = slices_a_second;
 constexpr std::int64_t slices_of_patience = 60 * slices_a_second;
-// A host that was busy is not made up for beyond this.
+// The longest delay of a busy host that the machine catches up with.
 constexpr std::chrono::milliseconds most_behind{500};
 
 constexpr char ctrl_e = 5;
@@ -46,8 +45,8 @@ std::optional<KeyCodes> codes_named(std::string_view name) {
   return std::nullopt;
 }
 
-// The end of a line of a file is the RETURN key.
-std::string as_keys(std::string_view text, bool& after_return) {
+// Converts a text to keys: the end of a line is the RETURN key.
+std::string keys_of(std::string_view text, bool& after_return) {
   std::string keys;
   for (const char c : text) {
     const bool second_half = c == '\n' && after_return;
@@ -57,7 +56,7 @@ std::string as_keys(std::string_view text, bool& after_return) {
   return keys;
 }
 
-std::string quoted(std::string_view text) {
+std::string quote(std::string_view text) {
   std::string shown = "\"";
   for (const char c : text) {
     if (c == '\r') {
@@ -79,7 +78,7 @@ std::string quoted(std::string_view text) {
 
 // --- One session ---
 
-// What is typed next, and whether the script is done.
+// Types keys, passes on what is printed, and executes the script.
 class Session {
  public:
   Session(Machine& machine, const ConsoleOptions& options, Operator& person)
@@ -89,26 +88,26 @@ class Session {
     send_next();
   }
 
-  // What the program has printed goes out; nothing: nobody reads it.
+  // Passes on what the program has printed; false: nobody reads it.
   [[nodiscard]] bool pass_on_printed() {
     const std::string text = shown_text(machine_.take_printed());
     if (text.empty()) return true;
     waited_ = 0;
-    if (scripted_) look_for(text);
+    if (scripted_) search_output(text);
     return person_.print(text);
   }
 
-  // Keys from the person, for so many milliseconds.
+  // Waits up to `milliseconds` for keys from the person.
   [[nodiscard]] std::optional<Stop> listen(int milliseconds) {
     if (scripted_ || ended_) {
-      // Nobody to listen to, but the pace is to be kept.
+      // Nobody types, but the machine must not run ahead of its speed.
       if (milliseconds > 0) std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
       return std::nullopt;
     }
     const auto text = person_.keys(milliseconds);
     ended_ = !text;
     if (!person_.at_terminal()) {
-      for (const char key : as_keys(text.value_or(""), after_return_)) keys_.push_back(key);
+      for (const char key : keys_of(text.value_or(""), after_return_)) keys_.push_back(key);
       return std::nullopt;
     }
     if (!text) return Stop{end_of_input, {}};
@@ -117,7 +116,7 @@ class Session {
     return end == std::string::npos ? std::nullopt : std::optional(Stop{stopped_by_ctrl_e, {}});
   }
 
-  // Types the next key that waits, if the program asks for one.
+  // Types the next key if the program asks for one.
   void type() {
     if (keys_.empty() || !machine_.wants_key()) return;
     machine_.type(code_of_key(options_.codes, keys_.front()));
@@ -125,10 +124,10 @@ class Session {
     waited_ = 0;
     if (!keys_.empty()) return;
     send_next();
-    if (scripted_) look_for({});
+    if (scripted_) search_output({});
   }
 
-  // The program wants a key, and there is none to type: one slice more.
+  // Counts a slice in which the program asks for a key and there is none; ends the run after too many.
   [[nodiscard]] std::optional<Stop> wait_for_keys() {
     if (!keys_.empty() || !machine_.wants_key()) return std::nullopt;
     ++waited_;
@@ -144,14 +143,14 @@ class Session {
     return std::nullopt;
   }
 
-  // A pipe that has nothing yet for a program that asks: it is waited for, and emulated time with it.
+  // Whether emulated time stops until the input has a key, because the program asks for one and a pipe has none yet.
   [[nodiscard]] bool must_wait_for_input() const {
     return !scripted_ && !ended_ && keys_.empty() && machine_.wants_key() &&
            (machine_.waits_for_key() || (!person_.at_terminal() && !options_.speed));
   }
 
   [[nodiscard]] bool script_done() const { return done_; }
-  // Empty, or what of the script did not happen before the run ended.
+  // The step of the script that was not reached before the run ended, as a complaint; empty: none.
   [[nodiscard]] std::string missing(std::string_view why) const {
     const std::string left(keys_.begin(), keys_.end());
     if (scripted_ && !left.empty()) return not_typed(left, why);
@@ -161,16 +160,16 @@ class Session {
     const std::string_view last =
         std::string_view(printed_).substr(printed_.size() - std::min(printed_.size(), most_shown));
     return fmt::format("--expect {}: {}, and the text was not printed; printed since the last match: {}{}",
-                       quoted(steps_.front().text), why, printed_.size() > most_shown ? "..." : "", quoted(last));
+                       quote(steps_.front().text), why, printed_.size() > most_shown ? "..." : "", quote(last));
   }
 
  private:
   [[nodiscard]] static std::string not_typed(std::string_view text, std::string_view why) {
-    return fmt::format("--send {}: {} before it was typed", quoted(text), why);
+    return fmt::format("--send {}: {} before it was typed", quote(text), why);
   }
 
-  // What is printed while keys are still to be typed counts for the text that is expected after them.
-  void look_for(std::string_view text) {
+  // Text that is printed while keys are still being typed counts for the text that is expected after them.
+  void search_output(std::string_view text) {
     printed_ += text;
     while (keys_.empty() && !steps_.empty()) {
       const std::size_t found = printed_.find(steps_.front().text);
@@ -194,7 +193,7 @@ class Session {
   const ConsoleOptions& options_;
   Operator& person_;
   std::deque<Step> steps_;
-  std::string printed_;    // of a script: since the last text that was found
+  std::string printed_;    // for a script: everything since the last text that was found
   std::deque<char> keys_;  // to be typed when the program asks
   std::int64_t waited_ = 0;
   bool scripted_ = false;
@@ -203,12 +202,12 @@ class Session {
   bool done_ = false;
 };
 
-// Emulated time beside the host's.
+// Compares emulated time with host time.
 class Pace {
  public:
   Pace(const Machine& machine, std::optional<double> speed) : machine_(machine), speed_(speed) { begin(); }
 
-  // How many milliseconds the machine is ahead.
+  // The number of milliseconds by which the machine is ahead.
   [[nodiscard]] int ahead() {
     if (!speed_) return 0;
     const double emulated =
@@ -244,7 +243,7 @@ class StandardOperator final : public Operator {
   bool terminal_;
 };
 
-Stop ended(Machine& machine, Stop stop) {
+Stop finish(Machine& machine, Stop stop) {
   machine.finish();
   return stop;
 }
@@ -329,21 +328,21 @@ Stop run_console(Machine& machine, const Limits& limits, const ConsoleOptions& o
     if (stop && stop->at_until && end < limits.until) stop.reset();
     if (!session.pass_on_printed() && !stop) stop = Stop{machines::interrupted, {}};
     if (stop) break;
-    if (session.script_done()) return ended(machine, {end_of_input, {}});
-    // Waited for in short turns: a signal that comes just before would not end a long one.
+    if (session.script_done()) return finish(machine, {end_of_input, {}});
+    // Waits in short intervals, because a signal that arrives just before a wait does not end it.
     constexpr int turn = 200;
     const bool waits = session.must_wait_for_input();
     do {
       stop = session.listen(waits ? turn : pace.ahead());
-      if (base::EndSignals::received() != 0) return ended(machine, {stopped_by_signal, {}});
+      if (base::EndSignals::received() != 0) return finish(machine, {stopped_by_signal, {}});
     } while (!stop && session.must_wait_for_input());
     if (waits) pace.begin();
     session.type();
     if (!stop) stop = session.wait_for_keys();
   }
-  if (stop->name == stopped_by_ctrl_e) return ended(machine, *stop);
+  if (stop->name == stopped_by_ctrl_e) return finish(machine, *stop);
   if (stop->complaint.empty()) stop->complaint = session.missing("the run ended");
-  return ended(machine, *stop);
+  return finish(machine, *stop);
 }
 
 }  // namespace sightline::live

@@ -1,8 +1,8 @@
-// The console of an emulated machine, live: the PDP-7's teletype or the terminal of CP/M, typed at and read by a person,
-// a pipe or a script, at the speed of the machine or as fast as the host can.
+// Connects the console of an emulated machine (the PDP-7's teletype or the terminal of CP/M) with a person, a pipe or a script,
+// at the speed of the machine or as fast as the host can.
 //
-// What a pipe or a script types depends on emulated time alone: the next key is pressed when the program asks for it and
-// the printer is quiet. Such a session is the same each time.
+// The keys of a pipe or a script depend on emulated time only: the next key is typed when the program asks for one and the
+// printer is idle. Such a session is the same each time.
 #pragma once
 
 #include <cstdint>
@@ -19,55 +19,55 @@ namespace sightline::live {
 
 // --- A script ---
 
-// What happens at the console, in order: the program is waited for until it has printed a text, or a text is typed as it
-// asks for keys. The run ends when the last step is a text that has been printed.
+// A step of a session: wait until the program has printed a text (expect), or type a text as the program asks for keys (send).
+// If the last step is an `expect`, the run ends when its text has been printed.
 struct Step {
   enum class Kind : std::uint8_t { expect, send };
   Kind kind;
   std::string text;
 };
 
-// What \r \n \t \e \\ \NNN (octal) and \xHH in an option's text stand for.
+// Replaces the escape sequences \r \n \t \e \\ \NNN (octal) and \xHH in the text of an option.
 [[nodiscard]] base::Result<std::string> plain_text(std::string_view option, std::string_view text);
 
 // --- A session ---
 
 struct ConsoleOptions {
   KeyCodes codes = KeyCodes::ascii;
-  std::optional<double> speed;  // times the machine's own; empty: as fast as the host can
-  std::vector<Step> script;     // not empty: standard input is not read
+  std::optional<double> speed;  // relative to the machine's own; empty: as fast as the host can
+  std::vector<Step> script;     // if not empty, standard input is not read
 };
 
-// The values of --console, --speed, --expect and --send. Without --speed a person at a terminal has the machine's own
-// speed, a pipe or a script the fastest.
+// Reads --console, --speed, --expect and --send. Without --speed, a session with a person at a terminal runs at the machine's
+// own speed, one with a pipe or a script as fast as possible.
 [[nodiscard]] base::Result<ConsoleOptions> console_options(const machines::Arguments& arguments,
                                                                   bool terminal);
 
-// The other end of the console. Functions may be called between slices of a run only.
+// The other end of the console. Its functions are called only between slices of a run.
 class Operator {
  public:
   virtual ~Operator() = default;
-  // Keys that have been pressed, waiting so many milliseconds for one. Empty: none yet.
-  // nullopt: there will be no more.
+  // Returns the keys that have been pressed, after waiting up to `milliseconds` for one. Empty: none yet. nullopt: the input has
+  // ended.
   virtual std::optional<std::string> keys(int milliseconds) = 0;
-  // The program has printed this. False: nobody reads it.
+  // Prints the program's output. False: nobody reads it.
   virtual bool print(std::string_view text) = 0;
-  // Somebody may press a key at any time: keys are sent as they come, not when the program asks.
+  // Whether a person types: keys are then sent at once, not when the program asks for them.
   [[nodiscard]] virtual bool at_terminal() const { return false; }
 };
 
 inline constexpr std::string_view stopped_by_ctrl_e = "operator";
 inline constexpr std::string_view stopped_by_signal = "signal";
 inline constexpr std::string_view end_of_input = "end_of_input";
-// With it, where keys come from `send` alone.
+// The complaint of such a stop if only the command `send` types keys.
 inline constexpr std::string_view no_key = "the program waits for a key, and there is none: `send` types keys";
 
-// Runs the machine to a stop: its own, Ctrl-E, a signal (base::EndSignals must be alive), the end of the input when the
-// program waits for more, or the end of the script.
+// Runs the machine until it stops, or until Ctrl-E, a signal (base::EndSignals must exist), the end of the input when the
+// program asks for more, or the end of the script.
 [[nodiscard]] machines::Stop run_console(machines::Machine& machine, const machines::Limits& limits,
                                             const ConsoleOptions& options, Operator& person);
 
-// The process's own standard input, and the descriptor of standard output or error.
+// The operator at the process's standard input; prints to the descriptor of standard output or error.
 [[nodiscard]] std::unique_ptr<Operator> standard_operator(int output_descriptor, bool terminal);
 
 }  // namespace sightline::live

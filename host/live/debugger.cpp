@@ -1,4 +1,3 @@
-// See debugger.hpp.
 #include "host/live/debugger.hpp"
 
 #include <fmt/core.h>
@@ -82,9 +81,9 @@ std::vector<std::uint32_t> Debugger::instructions_before(std::uint32_t at, std::
   constexpr std::uint32_t longest = 3, slack = 16;
   const auto wanted = static_cast<std::uint32_t>(std::min<std::size_t>(count, at));
   const std::uint32_t earliest = at - std::min(at, longest * wanted + slack);
-  std::vector<unsigned> words;  // of the instruction that would begin there
+  std::vector<unsigned> words;  // length of the instruction that would begin at each address
   for (std::uint32_t place = earliest; place < at; ++place) words.push_back(std::max(1U, machine_.instruction_at(place).words));
-  // From the farthest beginning that comes out at `at`: instructions that begin wrong soon fall into step.
+  // Begins at the farthest address from which disassembly reaches `at`: wrong starts soon meet the true instructions.
   std::vector<std::uint32_t> starts;
   for (std::uint32_t begin = earliest; begin < at && starts.size() < wanted; ++begin) {
     std::vector<std::uint32_t> found;
@@ -156,7 +155,7 @@ std::optional<std::int64_t> Debugger::value_of(std::string_view name) const {
   return std::nullopt;
 }
 
-// Of symbols there is none: their values stay.
+// Empty for symbols, because their values do not change.
 std::function<std::int64_t()> Debugger::reader_of(std::string_view name) const {
   if (const auto n = register_named(name)) return [this, n = *n] { return std::int64_t{machine_.get(n)}; };
   if (const auto pair = pair_named(name); pair && !is_state(name)) return [this, of = *pair] { return std::int64_t{pair_value(of)}; };
@@ -193,11 +192,11 @@ void Debugger::watch_conditions(const std::string& goal) {
 void Debugger::end_at_times(const std::string& goal, Limits& limits) {
   const auto end_at_times_of = [&](const std::string& condition) {
     const Expression* const expression = condition_of(condition);
-    const auto turns = expression == nullptr ? std::nullopt : expression->turns();
-    if (!turns) return;
+    const auto points = expression == nullptr ? std::nullopt : expression->change_points();
+    if (!points) return;
     for (const std::string& name : expression->names())
       if (base::lower_case(name) != "time") return;
-    for (const std::int64_t at : *turns)
+    for (const std::int64_t at : *points)
       if (at > machine_.ticks()) limits.until = std::min(limits.until, at);
   };
   if (!goal.empty()) end_at_times_of(goal);
@@ -340,7 +339,7 @@ Halted Debugger::run(const Goal& goal) {
   probe.resume();
   std::optional<Reason> reason;
   const bool for_ever = goal.instructions == Goal{}.instructions && goal.until == Goal{}.until && goal.condition.empty();
-  std::int64_t answered_at = machine_.ticks();  // when the program was last not asking for a key that nobody will type
+  std::int64_t answered_at = machine_.ticks();  // the last time at which the program was not waiting in vain for a key
   Stop stop{machines::stopped_by_probe, {}};
   while (!reason && stop.name == machines::stopped_by_probe) {
     type_next();
@@ -365,10 +364,10 @@ Halted Debugger::run(const Goal& goal) {
                                         host_.patience)};
     }
     if (stop.name == machines::stopped_by_probe && host_.interrupted()) stop = {machines::interrupted, {}};
-    if (const auto hit = breakpoints_.meet(probe.events(), holds_)) reason = reason_of(*hit);
+    if (const auto hit = breakpoints_.find_hit(probe.events(), holds_)) reason = reason_of(*hit);
     probe.resume();
     if (conditions) {
-      if (const auto hit = breakpoints_.condition_met(holds_); hit && !reason) reason = reason_of(*hit);
+      if (const auto hit = breakpoints_.find_true_condition(holds_); hit && !reason) reason = reason_of(*hit);
       if (!reason && !goal.condition.empty() && holds_(goal.condition)) reason = Reason{0, goal.condition};
     }
   }
@@ -382,7 +381,7 @@ Halted Debugger::run(const Goal& goal) {
   const bool goal_reached = (stop.name == "instruction_limit" && machine_.instructions() < limits_.instructions) ||
                             (stop.at_until && machine_.ticks() < limits_.until);
   if (goal_reached) return {Halted::Why::goal, 0, {}, stop};
-  // What the operator did to go on is not to be found in the past.
+  // The operator's action to continue cannot be repeated from a snapshot.
   past_.changed();
   last_stop_ = stop;
   std::string name(stop.name);
@@ -411,8 +410,8 @@ std::uint32_t Debugger::behind(std::uint32_t at, std::uint32_t words) const {
   return (at + words) % machine_.words();
 }
 
-// A subroutine of the PDP-7 may return behind arguments that follow its call. One of the 8080 has come back when its stack
-// has: it may have called itself.
+// A subroutine of the PDP-7 may return to an address after arguments that follow its call. One of the 8080 has returned when the
+// stack pointer has its old value again: it may have called itself.
 Halted Debugger::run_to_return(const Frame& frame) {
   constexpr std::uint32_t most_arguments = 8;
   Breakpoint there;
@@ -493,7 +492,7 @@ std::vector<Frame> Debugger::stack() {
           if (!frames.empty()) frames.pop_back();
           break;
         }
-        // JMP I through the word where JMS has left the address: all that was called since is left with it.
+        // JMP I through the word in which JMS stored the return address also leaves all subroutines that were called since.
         const auto left = std::find_if(frames.rbegin(), frames.rend(), [&entry](const Frame& frame) {
           return frame.entry == entry.address + 1;
         });

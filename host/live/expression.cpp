@@ -1,4 +1,3 @@
-// See expression.hpp.
 #include "host/live/expression.hpp"
 
 #include <fmt/core.h>
@@ -17,8 +16,8 @@ namespace sightline::live {
 namespace {
 
 constexpr int highest_level = 9;  // of a binary operator
-constexpr int deepest = 200;      // parentheses and signs
-// Within each of them one operand of every level waits, and at the end one more.
+constexpr int deepest = 200;      // nested parentheses and signs
+// At each depth at most one operand of each level is on the stack, plus one at the end.
 constexpr std::size_t most_operands = std::size_t{deepest + 1} * (highest_level + 1) + 1;
 
 bool in_name(char c) {
@@ -30,7 +29,7 @@ struct BinaryOperator {
   int level;
   Sign sign;
 };
-// By length: the longer first.
+// Longer operators first.
 constexpr std::array<BinaryOperator, 19> binary_operators{{
     {"||", 0, Sign::either},     {"&&", 1, Sign::both},        {"==", 5, Sign::equal},   {"!=", 5, Sign::unequal},
     {"<<", 7, Sign::shift_left}, {">>", 7, Sign::shift_right}, {"<=", 6, Sign::at_most}, {">=", 6, Sign::at_least},
@@ -38,7 +37,7 @@ constexpr std::array<BinaryOperator, 19> binary_operators{{
     {"<", 6, Sign::less},        {">", 6, Sign::more},         {"+", 8, Sign::plus},     {"-", 8, Sign::minus},
     {"*", 9, Sign::times},       {"/", 9, Sign::divide},       {"%", 9, Sign::remainder}}};
 
-// Does it to `a`; false: a division by 0.
+// Applies the operator to `a`; false: a division by 0.
 bool apply(Sign sign, std::int64_t& a, std::int64_t b) {
   const auto x = static_cast<std::uint64_t>(a);
   const auto y = static_cast<std::uint64_t>(b);
@@ -76,7 +75,7 @@ bool is_comparison(Sign sign) {
 
 }  // namespace
 
-// By recursive descent, to steps for a stack.
+// A recursive-descent parser that produces steps for a stack machine.
 class ExpressionReader {
  public:
   ExpressionReader(std::string_view text, const Names& names) : text_(text), names_(names) {
@@ -97,7 +96,7 @@ class ExpressionReader {
   void skip_blanks() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
   }
-  // The first error is the one that counts.
+  // Only the first error is kept.
   void fail(std::string_view expected, std::string found = {}) {
     if (!error_.found.empty()) return;
     if (found.empty()) {
@@ -194,8 +193,8 @@ base::Result<Expression> Expression::read(std::string_view text, const Names& na
   return ExpressionReader(text, names).all();
 }
 
-Expression::Calculated Expression::calculated() const {
-  using End = Calculated::End;
+Expression::Outcome Expression::calculate() const {
+  using End = Outcome::End;
   std::array<std::int64_t, most_operands> operands;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
   std::int64_t* end = operands.data();
   for (const Step& step : steps_) {
@@ -221,28 +220,28 @@ Expression::Calculated Expression::calculated() const {
 }
 
 base::Result<std::int64_t> Expression::value() const {
-  const Calculated calculated = this->calculated();
+  const Outcome calculated = this->calculate();
   switch (calculated.end) {
-    case Calculated::End::value: break;
-    case Calculated::End::no_word:
+    case Outcome::End::value: break;
+    case Outcome::End::no_word:
       return base::Error{.found = fmt::format("found address {}", calculated.number), .expected = "an address in memory"};
-    case Calculated::End::division_by_0: return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
+    case Outcome::End::division_by_0: return base::Error{.found = "found a division by 0", .expected = "a divisor other than 0"};
   }
   return calculated.number;
 }
 
 bool Expression::holds() const {
-  const Calculated calculated = this->calculated();
-  return calculated.end != Calculated::End::value || calculated.number != 0;
+  const Outcome calculated = this->calculate();
+  return calculated.end != Outcome::End::value || calculated.number != 0;
 }
 
-std::optional<std::vector<std::int64_t>> Expression::turns() const {
+std::optional<std::vector<std::int64_t>> Expression::change_points() const {
   using Kind = Step::Kind;
-  std::vector<std::int64_t> turns;
-  std::vector<Step> stack;  // numbers, names, and in place of a truth `no`
-  // A name alone is true when it is not 0.
+  std::vector<std::int64_t> points;
+  std::vector<Step> stack;  // numbers and names; `no` stands for a truth value
+  // A name alone is true if it is not 0.
   const auto take_truth = [&] {
-    if (stack.back().kind == Kind::name) turns.insert(turns.end(), {0, 1});
+    if (stack.back().kind == Kind::name) points.insert(points.end(), {0, 1});
     stack.pop_back();
   };
   for (const Step& step : steps_) {
@@ -260,8 +259,8 @@ std::optional<std::vector<std::int64_t>> Expression::turns() const {
       const bool by_number = left.kind == Kind::name && right.kind == Kind::number;
       if (!by_number && !(left.kind == Kind::number && right.kind == Kind::name)) return std::nullopt;
       const std::int64_t number = by_number ? right.number : left.number;
-      turns.push_back(number);
-      if (number != std::numeric_limits<std::int64_t>::max()) turns.push_back(number + 1);
+      points.push_back(number);
+      if (number != std::numeric_limits<std::int64_t>::max()) points.push_back(number + 1);
       stack.resize(stack.size() - 2);
     } else {
       return std::nullopt;
@@ -269,7 +268,7 @@ std::optional<std::vector<std::int64_t>> Expression::turns() const {
     stack.push_back({Kind::no});
   }
   take_truth();
-  return turns;
+  return points;
 }
 
 std::optional<std::int64_t> number(std::string_view text, int radix) {

@@ -1,4 +1,4 @@
-// What the keys of a teletype send, and what of a program's codes is shown.
+// The codes that the keys of a teletype send, and the text that a program's codes print.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ enum class KeyCodes : std::uint8_t {
 
 [[nodiscard]] std::uint8_t code_of_key(KeyCodes codes, char key);
 
-// What of the codes a program prints goes to a terminal: their low seven bits, without NUL and DEL.
+// The text of the codes that a program prints: their low seven bits, without NUL and DEL.
 [[nodiscard]] std::string shown_text(std::string_view codes);
 
 }  // namespace sightline::live

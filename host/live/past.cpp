@@ -1,4 +1,3 @@
-// See past.hpp.
 #include "host/live/past.hpp"
 
 #include <algorithm>
@@ -16,13 +15,13 @@ Past::Past(std::string_view name, machines::Machine& machine)
 std::uint64_t Past::instructions_apart() const { return std::uint64_t{1} << (machine_.display_lines().empty() ? 20 : 18); }
 
 void Past::remember() {
-  constexpr std::size_t most_calls = 100'000;  // of the host's files
+  constexpr std::size_t most_calls = 100'000;  // calls that read or wrote files of the host
   const std::int64_t repeats_from = machine_.trim_journal(most_calls);
   std::erase_if(places_, [repeats_from](const Place& place) { return place.ticks < repeats_from; });
   const std::uint64_t obeyed = machine_.instructions();
   const bool far = places_.empty() || obeyed - std::min(obeyed, places_.back().instructions) >= instructions_apart();
   if (!changed_ && !far) return;
-  // Where a run begins counts, whatever was there before.
+  // The new snapshot replaces those at or after this instruction.
   while (!places_.empty() && places_.back().instructions >= obeyed) {
     changed_ = changed_ || places_.back().changed;
     places_.pop_back();
@@ -35,14 +34,14 @@ void Past::remember() {
 void Past::thin_out() {
   constexpr std::size_t most = 512;
   if (places_.size() <= most) return;
-  // Every other of the older half: what is longer ago takes longer to come back to.
+  // Removes every other snapshot of the older half: to go back far takes longer.
   std::vector<Place> kept;
   bool left_out = false;
   for (std::size_t n = 0; n < places_.size(); ++n) {
     left_out = !left_out && n < most / 2 && n != 0 && !places_[n].changed;
     if (!left_out) kept.push_back(std::move(places_[n]));
   }
-  // All were changed by hand: the oldest go.
+  // If all follow changes from outside, the oldest ones are removed.
   if (kept.size() > most) kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(most / 4));
   places_ = std::move(kept);
 }
@@ -70,13 +69,13 @@ Past::Boundary Past::end_of(std::size_t segment, Boundary here) const {
   return {places_[segment + 1].instructions, places_[segment + 1].ticks};
 }
 
-// A snapshot of this machine is taken by it; an error would be one of this program, and leaves the machine as it is.
+// A machine always accepts its own snapshot; an error would be a defect of this program, and leaves the machine unchanged.
 void Past::restore(const Place& place) {
   static_cast<void>(restore_snapshot(name_, machine_, place.snapshot, "snapshot"));
   next_key_ = place.keys;
 }
 
-// From a place that was restored, or from where the last run again ended. Keys are typed when they were.
+// Repeats a run from a restored place, or from the end of the last repetition, to `end`. Keys are typed at their times.
 void Past::run_again(Boundary end, const std::function<void()>& at_event) {
   Probe& probe = *machine_.probe();
   const std::vector<Probe::Key> keys = probe.keys;
@@ -96,12 +95,12 @@ void Past::run_again(Boundary end, const std::function<void()>& at_event) {
       break;
     }
   }
-  // CP/M waits for keys at this boundary: a run stops there when it has them, and not before.
+  // CP/M waits for keys at this boundary: the original run ended there only after it had received them.
   while (machine_.waits_for_key() && next_key_ < keys.size() && keys[next_key_].time <= machine_.ticks()) {
     machine_.type(keys[next_key_++].code);
     static_cast<void>(machine_.run({machine_.instructions()}, false));
   }
-  // What the host has written behind the last instruction ends no run that is over.
+  // The host may have written memory after the last instruction; no run stops for that event, so it is reported here.
   if (!probe.events().empty() && at_event) at_event();
   probe.resume();
   static_cast<void>(machine_.take_printed());
@@ -163,7 +162,7 @@ base::Result<std::vector<Past::Cycle>> Past::go_back_into_instruction() {
   const std::vector<Probe::Key> typed = machine_.probe()->keys;
   if (const auto done = go_back_to(end.instructions - 1); !done) return done.error();
   Probe& probe = *machine_.probe();
-  // Those typed at the boundary it begins at, which a run that comes to it has not typed yet.
+  // Types the keys of the boundary at which the instruction begins, which go_back_to() has not typed.
   for (std::size_t n = probe.keys.size(); n < typed.size() && typed[n].time <= machine_.ticks(); ++n) machine_.type(typed[n].code);
   std::vector<Cycle> cycles;
   const machines::Bytes present = save_snapshot(name_, machine_);
@@ -212,7 +211,7 @@ std::optional<Past::Writer> Past::last_writer(std::uint32_t address, std::size_t
         obeyed = machine_.instructions();
       });
       if (!writer) continue;
-      // The event was seen at the boundary after the instruction; an interrupt's write lies between two.
+      // The event was seen at the boundary after the instruction; the write of an interrupt is between two instructions.
       probe.clear_marks();
       restore(places_[segment]);
       run_again({writer->event.kind == Probe::Kind::interrupt_write ? obeyed : obeyed - 1});

@@ -1,8 +1,8 @@
-// The past of a machine: any instruction of it can be gone back to, and asked about.
+// The past of a machine: goes back to any earlier instruction, and answers questions about the past.
 //
-// Kept are snapshots, some million instructions apart, and the keys typed; all else is found by running again from the
-// snapshot before it, which gives the same instructions at the same times. So a run pays for its snapshots and for nothing
-// else, and the history of the instructions and who wrote a word are worked out when they are asked for.
+// It stores snapshots, about a million instructions apart, and the keys that were typed. To answer a question it repeats the run
+// from the preceding snapshot, which gives the same instructions at the same times. A run therefore only pays for its snapshots;
+// the history and the last writer of a word are computed on request.
 #pragma once
 
 #include <cstddef>
@@ -22,66 +22,64 @@ class Past {
  public:
   static constexpr std::size_t most_history = 65536;
 
-  // The machine has a probe and outlives the past; `name` is that of its description.
+  // The machine has a probe and must outlive this object; `name` is that of its description.
   Past(std::string_view name, machines::Machine& machine);
 
-  // How far snapshots lie apart: it runs again in some milliseconds, beside a display, which may be plugged in by the program, in some tens.
+  // The distance between snapshots. To repeat so many instructions takes some milliseconds, with a display some tens.
   [[nodiscard]] std::uint64_t instructions_apart() const;
 
-  // To be called where a run begins, and at least every instructions_apart() while it lasts.
+  // Called at the beginning of a run, and at least every instructions_apart() instructions during it.
   void remember();
-  // Something that is not the machine's own doing has changed it since the last run: words deposited, a tape put in.
+  // Called if the machine was changed from outside since the last run: a word deposited, a tape attached.
   void changed() { changed_ = true; }
-  // Another machine begins here.
+  // Removes the whole past.
   void forget();
 
-  // How many instructions lie between the earliest place that can be gone back to and here.
+  // The number of instructions that the past reaches back.
   [[nodiscard]] std::uint64_t reach() const;
-  // To the boundary at which so many instructions had been obeyed; at most reach() before here.
+  // Goes back to the boundary after `instructions` executed instructions, at most reach() before the current one.
   [[nodiscard]] base::Result<base::Done> go_back_to(std::uint64_t instructions);
 
-  // To the last boundary before here at which a run watched by these marks would have stopped; false: there is none, and the
-  // machine is where the past begins.
-  // nullopt: `interrupted`, which is asked now and then, said so, and the machine is where it was.
+  // Goes back to the last boundary at which a run with these marks would have stopped. False: there is none, and the machine is at
+  // the beginning of the past. nullopt: `interrupted`, which is polled, returned true, and the machine is unchanged.
   [[nodiscard]] base::Result<std::optional<bool>> go_back_to_event(const std::function<void(machines::Probe&)>& mark,
                                                                    const std::function<bool()>& interrupted);
 
   using Cycle = machines::Probe::Cycle;
-  // To the boundary before the last instruction; the cycles from there to here.
+  // Goes back to the boundary before the last instruction; returns the cycles of that instruction.
   [[nodiscard]] base::Result<std::vector<Cycle>> go_back_into_instruction();
 
   using Entry = machines::Probe::Entry;
-  // The last `n` instructions, the oldest first; fewer if the past does not reach so far. Here and for the next: what has been
-  // printed is taken before, or it is lost.
+  // The last `n` instructions, the oldest first; fewer if the past is shorter. This and last_writer() discard output that has been
+  // printed and not been taken.
   [[nodiscard]] std::vector<Entry> history(std::size_t n);
 
   struct Writer {
     machines::Probe::Event event;  // what was written, when, and by what kind of cycle
-    std::uint32_t pc = 0;             // of the instruction; for a data break or an interrupt, of the one that followed
+    std::uint32_t pc = 0;             // of the instruction; for a data break or an interrupt, of the next instruction
   };
-  // Who last wrote a word of memory. Asked now and then, `interrupted` ends the search: nullopt, as for a word that nothing has
-  // written.
+  // The last writer of a word of memory; nullopt: nothing has written it, or `interrupted`, which is polled, returned true.
   [[nodiscard]] std::optional<Writer> last_writer(std::uint32_t address, std::size_t pc_register,
                                                   const std::function<bool()>& interrupted);
 
  private:
-  // Two boundaries may follow the same number of instructions: the cycle of an interrupt lies between them.
+  // Two boundaries may follow the same number of instructions, with the cycle of an interrupt between them.
   struct Boundary {
     std::uint64_t instructions;
-    std::int64_t ticks = 0;  // not before this
+    std::int64_t ticks = 0;  // at this time or later
   };
   struct Place {
     std::uint64_t instructions;
     std::int64_t ticks;
-    std::size_t keys;  // that had been typed
-    bool changed;      // cannot be come to from the place before
+    std::size_t keys;  // number of keys typed before
+    bool changed;      // cannot be reached by a run from the previous place
     machines::Bytes snapshot;
   };
 
   void thin_out();
   void restore(const Place& place);
   void run_again(Boundary end, const std::function<void()>& at_event = {});
-  // Whatever `work` runs again, the machine is then where it was.
+  // Calls `work`, which repeats runs, and then restores the present state.
   template <class Work>
   void look_back(Work work);
   [[nodiscard]] std::size_t segment_of(std::uint64_t instructions) const;
@@ -91,7 +89,7 @@ class Past {
   std::string_view name_;
   machines::Machine& machine_;
   std::vector<Place> places_;  // in order of instructions
-  std::size_t next_key_ = 0;   // of a run that is repeated
+  std::size_t next_key_ = 0;   // of the repeated run
   bool changed_ = true;
 };
 

@@ -1,4 +1,3 @@
-// See snapshot.hpp.
 #include "host/live/snapshot.hpp"
 
 #include <fmt/core.h>
@@ -83,7 +82,7 @@ class Parser {
     const auto taken = take(width, what);
     return taken.empty() ? 0 : number_at(taken, 0, width);
   }
-  // Each takes two bytes at least.
+  // Each item takes at least two bytes.
   std::uint32_t count(std::string_view what) {
     const std::uint32_t count = number(what);
     const std::size_t most = (bytes_.size() - at_) / 2;
@@ -118,7 +117,7 @@ std::vector<std::string> without(const std::vector<std::string>& a, const std::v
   return left;
 }
 
-// Nothing for equal configurations.
+// nullopt for equal configurations.
 std::optional<base::Error> difference(const std::vector<std::string>& saved,
                                       const std::vector<std::string>& here) {
   const std::vector<std::string> missing = without(saved, here);
@@ -168,7 +167,7 @@ Bytes encode_snapshot(const Snapshot& snapshot) {
 }
 
 base::Result<Snapshot> decode_snapshot(std::span<const std::uint8_t> bytes, const std::string& file) {
-  const auto refused = [&file](std::string_view place, std::string found, std::string expected,
+  const auto rejection = [&file](std::string_view place, std::string found, std::string expected,
                                std::string_view remedy = make_again) {
     return base::Error{.file = file,
                        .place = std::string(place),
@@ -177,19 +176,19 @@ base::Result<Snapshot> decode_snapshot(std::span<const std::uint8_t> bytes, cons
                        .remedy = std::string(remedy)};
   };
   if (bytes.size() < signature.size() || !std::equal(signature.begin(), signature.end(), bytes.begin()))
-    return refused("byte 0", "found no signature of a snapshot", "a file that --save has written", {});
+    return rejection("byte 0", "found no signature of a snapshot", "a file that --save has written", {});
   if (bytes.size() < shortest + checksum_bytes)
-    return refused("byte 8", fmt::format("found {} bytes", bytes.size()), "a whole snapshot");
+    return rejection("byte 8", fmt::format("found {} bytes", bytes.size()), "a whole snapshot");
   if (const std::uint32_t version = number_at(bytes, 8); version != snapshot_version)
-    return refused("byte 8", fmt::format("found version {}", version),
+    return rejection("byte 8", fmt::format("found version {}", version),
                    fmt::format("version {}", snapshot_version),
                    "make the snapshot again with the --save of this version");
   if (const std::uint32_t length = number_at(bytes, length_at); length != bytes.size())
-    return refused("byte 12", fmt::format("found a file of {} bytes", bytes.size()),
+    return rejection("byte 12", fmt::format("found a file of {} bytes", bytes.size()),
                    fmt::format("{} bytes", length));
   const auto content = bytes.first(bytes.size() - checksum_bytes);
   if (const std::uint32_t checksum = number_at(bytes, content.size()); checksum != base::crc32(content))
-    return refused(fmt::format("byte {}", content.size()), fmt::format("found the checksum {:08X}", checksum),
+    return rejection(fmt::format("byte {}", content.size()), fmt::format("found the checksum {:08X}", checksum),
                    fmt::format("{:08X}: the file is damaged", base::crc32(content)));
   return Parser(content, file).snapshot();
 }

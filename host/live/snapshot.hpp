@@ -1,5 +1,4 @@
-// A snapshot: all of a machine at an instruction boundary in one file, from which a run continues bit for
-// bit.
+// A snapshot: the whole state of a machine at an instruction boundary, from which a run continues bit for bit.
 //
 //   8 bytes   89 53 4C 53 4E 41 50 0A, the signature
 //   4         version of the format
@@ -9,12 +8,11 @@
 //   4         number of sections, then each: a text, its name; 4 bytes, its length; its bytes
 //   4         CRC-32 of all bytes before
 //
-// Integers are little-endian; a text is 2 bytes, its length, then ASCII. What a section holds is in
-// host/machines/state.hpp; host/manual/formats.md lists all fields. Outputs are not in it (what was
-// printed, punched and drawn), only how much of them there was; inputs of the configuration (a tape in the
-// reader, what a link sends) are referred to by length and checksum.
+// Integers are little-endian; a text is its length in 2 bytes, then ASCII. host/machines/state.hpp describes the sections;
+// host/manual/formats.md lists all fields. A snapshot does not contain outputs (printed, punched or drawn), only their
+// lengths; inputs of the configuration (a tape in the reader, the data of a link) are identified by length and checksum.
 //
-// A change of any field is a new version; other versions are refused.
+// A change of any field is a new version; other versions are rejected.
 #pragma once
 
 #include <cstdint>
@@ -42,9 +40,9 @@ struct Snapshot {
 [[nodiscard]] base::Result<Snapshot> decode_snapshot(std::span<const std::uint8_t> bytes,
                                                      const std::string& file);
 
-// Between two calls of Machine::run; `name` is the machine's.
+// Called between two calls of Machine::run; `name`: the name of the machine.
 [[nodiscard]] Bytes save_snapshot(std::string_view name, machines::Machine& machine);
-// Into a machine of the same name and configuration. An error leaves the machine as it was.
+// Restores a machine of the same name and configuration. After an error the machine is unchanged.
 [[nodiscard]] base::Result<base::Done> restore_snapshot(std::string_view name, machines::Machine& machine,
                                                         std::span<const std::uint8_t> bytes,
                                                         const std::string& file);

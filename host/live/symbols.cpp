@@ -1,4 +1,3 @@
-// See symbols.hpp.
 #include "host/live/symbols.hpp"
 
 #include <fmt/core.h>
@@ -19,7 +18,7 @@ std::string Symbols::key(std::string_view name) const {
 }
 
 base::Result<base::Done> Symbols::add_table(std::string_view text) {
-  std::set<std::string> met;  // keys of this table: a later table wins, a second symbol of the same does not
+  std::set<std::string> met;  // keys of this table: a later table replaces a symbol, a later symbol of the same table does not
   for (std::size_t number = 1; !text.empty(); ++number) {
     std::string_view line = take_line(text);
     if (without_blanks(line).empty()) continue;

@@ -1,4 +1,3 @@
-// See answer_output.hpp.
 #include "host/app/commands/answer_output.hpp"
 
 #include <fmt/core.h>
@@ -18,7 +17,7 @@ using base::Json;
 using compare::AnswerRow;
 using compare::Spread;
 
-// Of one view the value, of many the median and the greatest.
+// The value of one view, or the median and the greatest value of several.
 template <class Text>
 std::string spread_text(const std::optional<Spread>& spread, std::size_t views, Text&& text) {
   if (!spread) return "";
@@ -66,8 +65,8 @@ std::string answer_text(const std::vector<AnswerRow>& rows) {
     chord = chord || row.chord.has_value();
   }
   const bool many = !rows.empty() && rows.front().views > 1;
-  // Columns begin with two blanks, so that a long cell does not touch the one before. Times of this computer and chord errors are not there in
-  // every table.
+  // Columns begin with two blanks to keep a distance from a long cell before them. Columns for times of this computer and for chord
+  // errors are only in tables that have them.
   base::TextTable table({-20, -10, -11, many ? 21 : 12, host ? (many ? 21 : 12) : 0, many ? 21 : 20, many ? 15 : 10, many ? 13 : 9,
                          chord ? 8 : 0, -24, 0});
   std::string said;

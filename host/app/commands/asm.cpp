@@ -1,5 +1,4 @@
-// `sightline asm`: symbolic source to a tape, a core image or a program file, a listing and a table of
-// symbols.
+// `sightline asm`: assembles source to a tape, a core image or a program file, with a listing and a symbol table.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -25,22 +24,22 @@ using machines::MachineDescription;
 using machines::Program;
 
 constexpr std::array<std::pair<const char*, const char*>, 3> output_options{
-    {{"-o", "--output"}, {"--listing", "--listing"}, {"--symbols", "--symbols"}}};  // as shown, as read
+    {{"-o", "--output"}, {"--listing", "--listing"}, {"--symbols", "--symbols"}}};  // name in messages, name in Arguments
 
-// Also of files not there yet, and by way of links.
+// Whether two paths lead to the same file; follows links, and works for files that do not exist yet.
 bool are_one_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
   if (a == "-" || b == "-") return a == b;
-  std::error_code failed;  // what cannot be looked at is told when it is opened
+  std::error_code failed;  // an error is reported when the file is opened
   if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;
   if (fs::equivalent(a, b, failed)) return true;
   const fs::path place = fs::weakly_canonical(fs::absolute(a, failed), failed);
   return !place.empty() && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
 }
 
-// Error usage if two outputs are one file or both standard output, or if one of them is a source. What is
-// no regular file (/dev/null) may serve often.
-void refuse_clashing_files(const Arguments& arguments) {
+// Error usage: two outputs are the same file or both standard output, or an output is a source. Files that are not regular
+// (/dev/null) may be named several times.
+void reject_clashing_files(const Arguments& arguments) {
   for (std::size_t i = 0; i < output_options.size(); ++i) {
     const auto& [option, key] = output_options[i];
     const std::string& name = arguments.text(key);
@@ -49,7 +48,7 @@ void refuse_clashing_files(const Arguments& arguments) {
       const std::string& before = arguments.text(output_options[other].second);
       if (!before.empty() && are_one_file(name, before))
         throw base::usage_error(fmt::format("{}: found {}, expected another file than that of {}",
-                                                   option, shown_name(name), output_options[other].first));
+                                                   option, display_name(name), output_options[other].first));
     }
     for (const std::string& source : arguments.list("SOURCE")) {
       if (name != "-" && are_one_file(name, source))
@@ -58,7 +57,7 @@ void refuse_clashing_files(const Arguments& arguments) {
   }
 }
 
-// Of --format, else by the name of the output.
+// The format of --format, or else that of the output's extension.
 const Format& output_format(const MachineDescription& machine, const Arguments& arguments) {
   const Format* const by_name = format_by_name(machine, arguments.text("--output"));
   const bool decides = arguments.text("--format").empty();
@@ -84,7 +83,7 @@ std::string summary(const MachineDescription& machine, const Arguments& argument
   return text;
 }
 
-// All outputs appear or none. Error io.
+// Writes all outputs or none. Error io.
 void write_files(const MachineDescription& machine, const Arguments& arguments,
                  const machines::Assembled& assembled) {
   const std::string& path = arguments.text("--output");
@@ -103,20 +102,20 @@ void write_files(const MachineDescription& machine, const Arguments& arguments,
 }
 
 ExitCode assemble(const MachineDescription& machine, const Arguments& arguments) {
-  refuse_clashing_files(arguments);
+  reject_clashing_files(arguments);
   std::vector<assembler::SourceFile> sources;
   for (const std::string& path : arguments.list("SOURCE"))
-    sources.push_back({shown_name(path), read_input_text(path)});
+    sources.push_back({display_name(path), read_input_text(path)});
   const machines::Assembled assembled =
       value_of(machine.assembler.assemble(sources, arguments, read_include));
   for (const auto& diagnostic : assembled.diagnostics)
     fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
   if (assembler::any_errors(assembled.diagnostics)) {
-    say_whose_source(machine, sources, "asm", arguments.list("SOURCE"));
+    suggest_other_machine(machine, sources, "asm", arguments.list("SOURCE"));
     throw base::bad_input("the source has errors; nothing was written");
   }
   write_files(machine, arguments, assembled);
-  complain(summary(machine, arguments, assembled));
+  print_message(summary(machine, arguments, assembled));
   return ExitCode::ok;
 }
 
@@ -128,15 +127,15 @@ std::vector<machines::Option> options_of(const MachineDescription& machine) {
       {list, "-D", "NAME=VALUE",
        fmt::format("Define a symbol, NAME=VALUE, VALUE {}; wins over the source's own",
                    machine.assembler.define_value)},
-      {text, "-o,--output", "FILE", "Where the program goes; - is standard output"},
+      {text, "-o,--output", "FILE", "The program; - is standard output"},
       {.name = "--format",
        .argument = "FORMAT",
-       .help = "Form of the program",
+       .help = "Format of the program",
        .choices = format_names(machine),
        .initial = by_ending ? "" : machine.assembler.format,
-       .shown_initial = by_ending ? "by the ending of -o" : ""},
+       .shown_initial = by_ending ? "by the extension of -o" : ""},
       {text, "--listing", "FILE", std::string(machine.assembler.listing_help)},
-      {text, "--symbols", "FILE", "Write the symbols, one `name value` a line"}};
+      {text, "--symbols", "FILE", "Write the symbols, one line `name value` for each"}};
   options.insert(options.end(), machine.assembler.options.begin(), machine.assembler.options.end());
   return options;
 }

@@ -1,5 +1,4 @@
-// `sightline atlas`: where in a scene Jones's program draws wrong pictures, why, and how long it takes from
-// where.
+// `sightline atlas`: maps at which camera positions Jones's program draws wrong pictures, why, and how long it takes.
 #include "host/compare/atlas.hpp"
 
 #include <fmt/core.h>
@@ -47,7 +46,7 @@ struct AtlasArguments {
   bool json = false;
 };
 
-// Which eyes, for the picture's subtitle too.
+// The camera positions, and their description for the subtitle of the picture.
 struct Eyes {
   std::optional<compare::AtlasLattice> lattice;
   std::vector<geometry::Point> points;
@@ -97,7 +96,7 @@ std::vector<AtlasView> views_of(const compare::ErrorAtlas& atlas, const AtlasArg
   };
   base::run_in_order(work);
   if (views.size() == work.last) return views;
-  complain(fmt::format("stopped after {} of {} eyes; no picture is written", views.size(), work.last));
+  print_message(fmt::format("stopped after {} of {} eyes; no picture is written", views.size(), work.last));
   return {};
 }
 
@@ -263,7 +262,7 @@ ExitCode run_atlas(const AtlasArguments& arguments) {
   }
   if (!summary.not_its_twin) return ExitCode::ok;
   const AtlasView& view = views[*summary.not_its_twin];
-  complain(fmt::format("{}: the program on the machine and the same program in C++ differ, a defect of this program: {}; see {}",
+  print_message(fmt::format("{}: the program on the machine and the same program in C++ differ, a defect of this program: {}; see {}",
                        arguments.scene, view.difference, jones_command(arguments, view)));
   return ExitCode::differs;
 }
@@ -276,20 +275,20 @@ void add_atlas_command(const Command& program) {
   command.option("SCENE", arguments->scene, cells_help).required();
   const Option lattice =
       command
-          .option("--lattice", arguments->lattice, "Eyes at the middles of NX by NZ rectangles of the plan")
+          .option("--lattice", arguments->lattice, "Camera positions in the middles of NX by NZ rectangles of the plan")
           .default_value("about 4000 in squares")
           .value("NX,NZ");
-  const Option height = command.option("--height", arguments->height, "The y of the eyes of the lattice")
+  const Option height = command.option("--height", arguments->height, "The y coordinate of the positions of --lattice")
                             .default_value("that of the scene's own view")
                             .range(-32767, 32767)
                             .value("Y");
   const Option views =
-      command.option("--views", arguments->views, "Instead of a lattice, random eyes: those of `sweep`")
+      command.option("--views", arguments->views, "Random camera positions, those of `sweep`, instead of a lattice")
           .range(std::uint64_t{1}, most_eyes)
           .value("N");
   static_cast<void>(views.excludes(lattice).excludes(height));
-  command.option("--seed", arguments->seed, "Seed of the random eyes")
-      .check(why_no_whole_number)
+  command.option("--seed", arguments->seed, "Seed of the random camera positions")
+      .check(whole_number_error)
       .default_value()
       .value("N")
       .needs(views);

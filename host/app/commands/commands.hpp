@@ -1,4 +1,4 @@
-// Every command of `sightline`. Each function adds one, with its subcommands, to the program.
+// All commands of `sightline`. Each function adds one command, with its subcommands, to the program.
 #pragma once
 
 #include <optional>
@@ -29,13 +29,11 @@ void add_stripes_command(const Command& program);
 void add_sweep_command(const Command& program);
 void add_turn_command(const Command& program);
 
-// `report` is a program of its own, sightline-report, so that only those who want it build and install it.
-// The command stands in the list and runs that program.
+// `report` runs the separate program sightline-report, which need not be built and installed.
 void add_report_command(const Command& program);
-// Where that program is: beside `sightline`, or where an installation has it.
+// The path of that program, beside `sightline` or in the folder of an installation; empty if there is none.
 [[nodiscard]] std::optional<std::string> report_program();
-// Becomes sightline-report, found beside `sightline` or where an installation has it. Returns only if there
-// is none: io, said.
+// Replaces this process by sightline-report. Returns only if it is not found: prints an error and returns io.
 [[nodiscard]] ExitCode run_report_program(char** argv);
 
 }  // namespace sightline::app

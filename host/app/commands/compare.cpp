@@ -1,4 +1,4 @@
-// `sightline compare`: the old programs and the native methods compared with oracles, on one view.
+// `sightline compare`: compares the programs on emulated machines and the native methods with oracles.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -46,18 +46,18 @@ struct CompareArguments {
   CameraArguments camera;
   std::optional<int> scale;
   bool no_eae = false;
-  SkalaSource function;  // without a name: names are among the scenes
+  SkalaSource function;  // without a name: functions by name are in `scenes`
   algorithms::skala::View function_view;
-  std::string picture;  // as --picture names it
+  std::string picture;  // the value of --picture
   SkalaSlices slices;
   std::optional<int> levels;
   std::optional<int> fraction;
   std::vector<std::string> methods;
-  std::uint64_t views = 0;  // 0: the one that the camera options say
-  std::optional<std::uint64_t> only_view;  // of the random views
+  std::uint64_t views = 0;  // 0: one view, that of the camera options
+  std::optional<std::uint64_t> only_view;  // number of a random view
   RandomViewOptions random;
   bool no_host_times = false;
-  bool all = false;  // pictures, those without a difference too
+  bool all = false;  // write all pictures, also those without a difference
   std::string plot;  // empty: none
   std::string directory = "out";
   bool json = false;
@@ -71,27 +71,27 @@ std::vector<std::string> every_builtin() {
   return names;
 }
 
-void refuse(bool given, const char* option, const std::string& name, std::string_view expected) {
+void reject(bool given, const char* option, const std::string& name, std::string_view expected) {
   if (given)
     throw base::usage_error(fmt::format("{}: found with {}, expected {}", option, name, expected));
 }
 
-// Of functions, which have no camera, and scenes of cells, which have only an eye.
-void refuse_camera(const CameraArguments& camera, bool eye, const std::string& name, std::string_view expected) {
+// Rejects camera options: all of them for functions, all but the eye for scenes of cells.
+void reject_camera(const CameraArguments& camera, bool eye, const std::string& name, std::string_view expected) {
   const bool point = camera.view.find(',') != std::string::npos;
-  refuse(eye && !camera.eye.empty(), "--eye", name, expected);
-  refuse(!camera.view.empty() && (eye || !point), "--view", name, expected);
-  refuse(!camera.look_at.empty(), "--look-at", name, expected);
-  refuse(!camera.orthographic.empty(), "--orthographic", name, expected);
-  refuse(!camera.forward.empty() || !camera.right.empty() || !camera.up.empty(), "--up or --forward", name, expected);
-  refuse(!camera.vertical.empty(), "--vertical", name, expected);
-  refuse(camera.steps, "--steps", name, expected);
+  reject(eye && !camera.eye.empty(), "--eye", name, expected);
+  reject(!camera.view.empty() && (eye || !point), "--view", name, expected);
+  reject(!camera.look_at.empty(), "--look-at", name, expected);
+  reject(!camera.orthographic.empty(), "--orthographic", name, expected);
+  reject(!camera.forward.empty() || !camera.right.empty() || !camera.up.empty(), "--up or --forward", name, expected);
+  reject(!camera.vertical.empty(), "--vertical", name, expected);
+  reject(camera.steps, "--steps", name, expected);
 }
 
-// Names for the overlays of one call: d1/part.off and d2/part.off do not overwrite each other's.
+// Makes unique names for the overlays of one call, so that those of d1/part.off and d2/part.off are different files.
 class OverlayNames {
  public:
-  // `name`, with a number behind it if an earlier scene has it.
+  // `name`, with a number appended if an earlier scene has this name.
   std::string unused(const std::string& name) {
     std::string free = name;
     for (int n = 2; !used_.insert(free).second; ++n) free = fmt::format("{}-{}", name, n);
@@ -102,15 +102,15 @@ class OverlayNames {
   std::set<std::string> used_;
 };
 
-// Everything of one scene or function.
+// All results for one scene or function.
 struct ComparedScene {
   bool agrees = true;
-  std::string nothing;  // why no method asked for applies; empty: some does
+  std::string nothing;  // why none of the requested methods applies; empty: one does
   std::string heading;
   std::string notes;
   Json json;
   std::vector<std::string> overlays;
-  std::vector<compare::PlotPoint> plotted;  // if there is to be a plot
+  std::vector<compare::PlotPoint> plotted;  // only if a plot is requested
 };
 
 compare::CompareOptions options_of(const CompareArguments& arguments) {
@@ -123,15 +123,15 @@ compare::CompareOptions options_of(const CompareArguments& arguments) {
   return options;
 }
 
-bool chosen(const CompareArguments& arguments, const std::string& method) {
+bool is_chosen(const CompareArguments& arguments, const std::string& method) {
   return arguments.methods.empty() || std::find(arguments.methods.begin(), arguments.methods.end(), method) != arguments.methods.end();
 }
 
-// Why methods drew nothing: the first reason of each, and in how many views.
-class LeftOut {
+// The methods that were omitted: the first reason of each, and the number of views.
+class OmittedMethods {
  public:
-  // The methods asked for that draw nothing of this kind at all.
-  LeftOut(const CompareArguments& arguments, compare::SceneKind kind) {
+  // Begins with the requested methods that do not draw this kind of scene at all.
+  OmittedMethods(const CompareArguments& arguments, compare::SceneKind kind) {
     for (const std::string& method : arguments.methods)
       if (const auto reason = compare::why_never(method, kind)) reasons_.push_back({method, *reason, 0});
   }
@@ -148,7 +148,7 @@ class LeftOut {
   [[nodiscard]] std::string first() const {
     return reasons_.empty() ? std::string() : fmt::format("{} does not apply: {}", reasons_.front().method, reasons_.front().reason);
   }
-  // Of `all` views.
+  // The lines of the output; `all`: the number of views.
   [[nodiscard]] std::string text(std::uint64_t all) const {
     std::string lines;
     for (const Reason& r : reasons_)
@@ -166,22 +166,22 @@ class LeftOut {
   struct Reason {
     std::string method;
     std::string reason;
-    std::uint64_t views = 0;  // 0: all, whatever they are
+    std::uint64_t views = 0;  // 0: all views
   };
   std::vector<Reason> reasons_;
 };
 
-// A scene or function that none of the methods asked for draws.
-ComparedScene nothing_compared(const std::string& name, const LeftOut& left_out, Json json) {
+// The result for a scene or function that none of the requested methods draws.
+ComparedScene empty_comparison(const std::string& name, const OmittedMethods& omitted, Json json) {
   ComparedScene compared;
-  compared.nothing = left_out.first();
+  compared.nothing = omitted.first();
   compared.heading = name + ": nothing to compare\n";
-  compared.notes = left_out.text(1);
+  compared.notes = omitted.text(1);
   compared.json = std::move(json);
   return compared;
 }
 
-// `many` views, numbered from 0: of each what `view` makes of it goes into the table.
+// Calls `view` for the views 0 to `many` - 1.
 template <class View>
 void compare_views(std::uint64_t many, const compare::CompareProgress& progress, View&& view) {
   for (std::uint64_t number = 0; number < many; ++number)
@@ -192,8 +192,8 @@ std::string views_heading(const std::string& name, const CompareArguments& argum
   return fmt::format("{}, {} random views of seed {}: the median, and the greatest in brackets\n", name, arguments.views, arguments.random.seed);
 }
 
-// Texts that are inputs of hard cases, but neither scenes nor grids.
-void refuse_commands(const std::string& name) {
+// Rejects files that are inputs of hard cases, but neither scenes nor grids.
+void reject_case_inputs(const std::string& name) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(name, unknown)) return;
   const std::string_view kind = compare::kind_of_commands(read_input_text(name));
@@ -207,22 +207,22 @@ void refuse_commands(const std::string& name) {
 
 std::vector<compare::MethodView> chosen_rows(const CompareArguments& arguments, const compare::HeightComparison& comparison) {
   auto views = method_views(comparison);
-  std::erase_if(views, [&](const compare::MethodView& row) { return !chosen(arguments, row.method.substr(0, row.method.find(' '))); });
+  std::erase_if(views, [&](const compare::MethodView& row) { return !is_chosen(arguments, row.method.substr(0, row.method.find(' '))); });
   return views;
 }
 
-// `source` is by name, from a file or an expression.
+// `source`: a function by name, a grid file or an expression.
 ComparedScene compare_function(const CompareArguments& arguments, const SkalaSource& source, OverlayNames& overlays,
                                const compare::CompareProgress& progress, compare::Answer& answer) {
   const std::string& name = source.expression.empty() ? source.name_or_file : source.expression;
-  refuse_camera(arguments.camera, true, name, "--rotate and --elevate for a function");
-  refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells");
-  refuse(arguments.no_eae, "--no-eae", name, "a scene of cells");
-  refuse(arguments.fraction.has_value(), "--fraction", name, "a scene of cells");
+  reject_camera(arguments.camera, true, name, "--rotate and --elevate for a function");
+  reject(arguments.scale.has_value(), "--scale", name, "a scene of cells");
+  reject(arguments.no_eae, "--no-eae", name, "a scene of cells");
+  reject(arguments.fraction.has_value(), "--fraction", name, "a scene of cells");
   algorithms::skala::View view = arguments.function_view;
   view.family = family_of(arguments.slices);
   if (arguments.levels) view.levels = *arguments.levels;
-  if (source.expression.empty()) refuse_commands(name);
+  if (source.expression.empty()) reject_case_inputs(name);
   const SkalaFunction function = load_skala_function(source, usual_grid_size(view.subject));
   if (const auto reason = compare::why_not_comparable(function.grid, view))
     throw base::bad_input(fmt::format("{}: {}; `sightline skala --check` draws it and compares it with its twin", name, *reason));
@@ -232,19 +232,19 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     answer.add(function.name, number, chosen_rows(arguments, comparison));
     return comparison;
   };
-  const LeftOut left_out(arguments, compare::SceneKind::function);
+  const OmittedMethods omitted(arguments, compare::SceneKind::function);
   if (arguments.random.turn || arguments.random.level)
     throw base::usage_error(fmt::format("{}: found {}, expected a scene", arguments.random.turn ? "--turn" : "--level", name));
   if (arguments.views == 0) {
     if (arguments.only_view) view = compare::random_height_view(function.grid, view, arguments.random.seed, *arguments.only_view);
     const auto comparison = compare_view(view, arguments.only_view.value_or(0), progress);
-    if (answer.rows().empty()) return nothing_compared(function.name, left_out, compare_json(function.name, comparison));
+    if (answer.rows().empty()) return empty_comparison(function.name, omitted, compare_json(function.name, comparison));
     ComparedScene compared{comparison.agrees(), "", compare_heading(function.name, comparison),
-                           compare_notes(comparison, chosen_rows(arguments, comparison)) + left_out.text(1),
+                           compare_notes(comparison, chosen_rows(arguments, comparison)) + omitted.text(1),
                            compare_json(function.name, comparison),
                            write_overlays(arguments.directory, overlays.unused(function.stem), comparison, arguments.all), {}};
     if (!arguments.plot.empty()) compared.plotted = compare::variants_of(comparison);
-    std::erase_if(compared.plotted, [&](const compare::PlotPoint& point) { return !chosen(arguments, point.series); });
+    std::erase_if(compared.plotted, [&](const compare::PlotPoint& point) { return !is_chosen(arguments, point.series); });
     return compared;
   }
   ComparedScene compared;
@@ -254,12 +254,12 @@ ComparedScene compare_function(const CompareArguments& arguments, const SkalaSou
     const auto of = compare::random_height_view(function.grid, view, arguments.random.seed, number);
     compared.agrees = compare_view(of, number, step).agrees() && compared.agrees;
   });
-  if (answer.rows().empty()) return nothing_compared(function.name, left_out, std::move(compared.json));
-  compared.notes = left_out.text(arguments.views);
+  if (answer.rows().empty()) return empty_comparison(function.name, omitted, std::move(compared.json));
+  compared.notes = omitted.text(arguments.views);
   return compared;
 }
 
-// Of the functions among the scenes: only what is sampled has a size to choose.
+// The source of a function named among the scenes. Only sampled functions have --points and --slices.
 SkalaSource source_of(const CompareArguments& arguments, const std::string& name) {
   SkalaSource source;
   source.name_or_file = name;
@@ -270,20 +270,20 @@ SkalaSource source_of(const CompareArguments& arguments, const std::string& name
 
 ComparedScene compare_scene(const CompareArguments& arguments, const std::string& name, OverlayNames& overlays,
                             const compare::CompareProgress& progress, compare::Answer& answer) {
-  refuse(arguments.function.points || arguments.function.slices, "--points or --slices", name,
+  reject(arguments.function.points || arguments.function.slices, "--points or --slices", name,
          "a function, which is sampled");
   MeshArguments mesh = arguments.mesh;
   mesh.eye = eye_of(arguments.camera);
   scene::LoadedScene source = load_scene(name, mesh);
   const compare::Directions directions = directions_of(arguments.random, source);
   const std::optional<scene::CellScene> cells = source.cells;
-  if (directions != compare::Directions::usual) source.cells.reset();  // its polyhedra are compared
+  if (directions != compare::Directions::usual) source.cells.reset();  // its polyhedra are compared instead
   if (source.cells) {
-    refuse_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
+    reject_camera(arguments.camera, false, name, "polyhedra; Jones's program looks along +z in perspective");
   } else {
-    refuse(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
-    refuse(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
-    refuse(arguments.fraction.has_value(), "--fraction", name, "a scene of cells, which the PDP-7 can draw");
+    reject(arguments.scale.has_value(), "--scale", name, "a scene of cells; others fill the picture");
+    reject(arguments.no_eae, "--no-eae", name, "a scene of cells, which the PDP-7 can draw");
+    reject(arguments.fraction.has_value(), "--fraction", name, "a scene of cells, which the PDP-7 can draw");
   }
   const compare::CompareOptions options = options_of(arguments);
   progress("prepared");
@@ -296,7 +296,7 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
     answer.add(shown, number, method_views(comparison));
     return comparison;
   };
-  LeftOut left_out(arguments, source.cells ? compare::SceneKind::cells : compare::SceneKind::polyhedra);
+  OmittedMethods omitted(arguments, source.cells ? compare::SceneKind::cells : compare::SceneKind::polyhedra);
   const auto random_camera = [&](std::uint64_t number) {
     return compare::random_camera(source.scene, cells ? &*cells : nullptr, directions, arguments.random.seed, number);
   };
@@ -311,10 +311,10 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
       camera = camera_of(arguments.camera, source.scene, name);
     }
     const auto comparison = compare_view(camera, arguments.only_view.value_or(0), progress);
-    left_out.add(comparison.not_applicable);
-    if (answer.rows().empty()) return nothing_compared(shown, left_out, compare_json(comparison));
+    omitted.add(comparison.not_applicable);
+    if (answer.rows().empty()) return empty_comparison(shown, omitted, compare_json(comparison));
     ComparedScene compared{comparison.agrees(), "", compare_heading(comparison),
-                           compare_notes(comparison) + left_out.text(1), compare_json(comparison),
+                           compare_notes(comparison) + omitted.text(1), compare_json(comparison),
                            write_overlays(arguments.directory, overlays.unused(shown), comparison, arguments.all), {}};
     if (arguments.plot.empty()) return compared;
     compared.plotted = source.cells ? compare::variants_of(*source.cells, options, comparison, progress)
@@ -326,16 +326,16 @@ ComparedScene compare_scene(const CompareArguments& arguments, const std::string
   compared.json = {{"scene", shown}, {"views", arguments.views}, {"seed", arguments.random.seed}};
   compare_views(arguments.views, progress, [&](std::uint64_t number, const compare::CompareProgress& step) {
     const auto comparison = compare_view(random_camera(number), number, step);
-    left_out.add(comparison.not_applicable);
+    omitted.add(comparison.not_applicable);
     compared.agrees = comparison.agrees() && compared.agrees;
   });
-  compared.notes = left_out.text(arguments.views);
-  compared.json["not_compared"] = left_out.json();
-  if (answer.rows().empty()) return nothing_compared(shown, left_out, std::move(compared.json));
+  compared.notes = omitted.text(arguments.views);
+  compared.json["not_compared"] = omitted.json();
+  if (answer.rows().empty()) return empty_comparison(shown, omitted, std::move(compared.json));
   return compared;
 }
 
-// One scene or function; the last is --function's if there is no name left.
+// Compares the n-th scene or function; the expression of --function comes after all names.
 ComparedScene compare_next(const CompareArguments& arguments, const std::vector<std::string>& names, std::size_t n,
                            OverlayNames& overlays, const compare::CompareProgress& progress, compare::Answer& answer) {
   if (n == names.size()) return compare_function(arguments, arguments.function, overlays, progress, answer);
@@ -354,7 +354,7 @@ void check_methods(const std::vector<std::string>& methods) {
   }
 }
 
-// Empty if no plot is asked for.
+// The output of --plot; empty if not requested.
 std::optional<Output> plot_output(const CompareArguments& arguments) {
   if (arguments.plot.empty()) return std::nullopt;
   if (arguments.plot == "-") throw base::usage_error("--plot: found -, expected a file: the table goes to standard output");
@@ -377,7 +377,7 @@ ExitCode run_compare(CompareArguments arguments) {
     throw base::usage_error(fmt::format("{}: found without random views, expected --views or --only-view",
                                                arguments.random.turn ? "--turn" : "--level"));
   if (arguments.views != 0 || arguments.only_view)
-    refuse_camera(arguments.camera, true, arguments.views != 0 ? "--views" : "--only-view", "random views, which have cameras of their own");
+    reject_camera(arguments.camera, true, arguments.views != 0 ? "--views" : "--only-view", "random views, which have cameras of their own");
   const auto names = arguments.scenes.empty() && !expression ? every_builtin() : arguments.scenes;
   std::optional<Output> plot = plot_output(arguments);
   std::vector<compare::PlotPoint> plotted;
@@ -386,8 +386,8 @@ ExitCode run_compare(CompareArguments arguments) {
   bool compared_any = false;
   std::size_t pictures = 0;
   bool first_table = true;
-  std::string text;     // of scenes without a table, until there is one: if there is none at all, that is an error
-  std::string nothing;  // why the first of these has none
+  std::string text;     // messages about scenes without a table; an error if no scene has one
+  std::string nothing;  // why the first of these scenes has none
   const std::size_t count = names.size() + (expression ? 1 : 0);
   OverlayNames overlays;
   for (std::size_t n = 0; n < count; ++n) {
@@ -437,9 +437,9 @@ ExitCode run_compare(CompareArguments arguments) {
   }
   if (arguments.json) print_json(document);
   if (!arguments.json && arguments.views == 0 && pictures == 0)
-    say_written(arguments.directory, "no pictures: nothing differs in any of them (--all writes them)");
+    report_written(arguments.directory, "no pictures: nothing differs in any of them (--all writes them)");
   if (agrees) return ExitCode::ok;
-  complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
+  print_message("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
   return ExitCode::differs;
 }
 
@@ -466,14 +466,14 @@ void add_compare_options(const Command& command, CompareArguments& arguments) {
       .default_value("all that apply")
       .separated_by(',')
       .value("NAME,...");
-  command.option("--views", arguments.views, "So many random views instead of one: median and greatest")
+  command.option("--views", arguments.views, "Compare this many random views instead of one: median and greatest values")
       .range(std::uint64_t{1}, std::uint64_t{100'000})
       .value("N");
-  command.option("--only-view", arguments.only_view, "One of the random views by its number, from 0, as sweeps number them").check(why_no_whole_number).value("K");
+  command.option("--only-view", arguments.only_view, "One of the random views, by its number in a sweep, from 0").check(whole_number_error).value("K");
   add_random_view_options(command, arguments.random);
-  command.flag("--no-host-times", arguments.no_host_times, "Leave out times of this computer: the same bytes in every run");
+  command.flag("--no-host-times", arguments.no_host_times, "Omit times of this computer: the same bytes in every run");
   command.option("--plot", arguments.plot, "Write time against error of every setting of the methods as SVG").value("FILE.svg");
-  command.flag("--all", arguments.all, "Write the pictures in which nothing differs, too");
+  command.flag("--all", arguments.all, "Also write the pictures without a difference");
   command.option("-o,--output", arguments.directory, "Folder for the pictures").default_value().value("DIR");
   command.flag("--json", arguments.json, "One JSON document instead of the tables");
 }

@@ -1,4 +1,3 @@
-// See compare_output.hpp.
 #include "host/app/commands/compare_output.hpp"
 
 #include <fmt/core.h>
@@ -42,7 +41,7 @@ std::string view_text(const SceneComparison& comparison) {
                      base::shortest_number(comparison.eye[2]));
 }
 
-// What a device lit, and what exact lines light by its own rule.
+// The points that a device lit, compared with those that exact lines light by its rule of rounding.
 std::string raster_text(std::string_view method, const picture::RasterDifference& raster) {
   const auto apart = [](const picture::PointsApart& points) {
     if (points.all == 0) return std::string("none");
@@ -86,7 +85,7 @@ void write_overlay(const std::string& base, const picture::Overlay& overlay, con
   paths.push_back(base + ".svg");
 }
 
-// By more than lengths in floating point do.
+// Whether the pictures differ by more than the rounding of floating-point lengths.
 bool differs(const LineMetrics& m) {
   return m.symmetric() > 1e-6;
 }
@@ -96,13 +95,13 @@ picture::OverlayCaption lines_caption(const std::string& title, const LineMetric
           fmt::format("missing {:.2f} px", m.missing), fmt::format("extra {:.2f} px", m.extra)};
 }
 
-// Points that are lit in both but differ count as extra: overlay_of.
+// Points that are lit in both but differ count as extra, as in overlay_of.
 picture::OverlayCaption points_caption(const std::string& title, const PixelMetrics& m) {
   return {title, fmt::format("agreed {} points", m.lit - m.missing - (m.different() - m.missing - m.extra)),
           fmt::format("missing {}", m.missing), fmt::format("extra {}", m.different() - m.missing)};
 }
 
-// Without the numbers of what is seen.
+// Replaces the numbers of visible items by 1.
 picture::PixelGrid lit_only(picture::PixelGrid grid) {
   for (std::uint32_t& value : grid.values) value = value != 0 ? 1 : 0;
   return grid;
@@ -272,7 +271,7 @@ Json compare_json(const std::string& name, const HeightComparison& comparison) {
     document["pictures"].push_back(std::move(row));
   }
   document["chord_error"] = comparison.chord ? Json(comparison.chord->greatest) : Json(nullptr);
-  // An object; of several methods a list of them.
+  // An object, or an array of objects if there are several methods.
   for (const ComparedVectors& vectors : comparison.vectors) {
     Json object{{"name", compare::height_method_name(vectors.name)}};
     object.update(metrics_json(vectors.metrics));
@@ -333,7 +332,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
                                         const HeightComparison& comparison, bool all) {
   std::vector<std::string> paths;
   for (const ComparedRaster& compared : comparison.rasters) {
-    // The programs' dots are shown below against what is not rounded as they are.
+    // The dots of the programs are shown below, compared with unrounded lines.
     if (!comparison.devices.empty() && (compared.name == "guest" || compared.name == "twin")) continue;
     const PixelMetrics& m = compared.metrics;
     if (!all && m.different() == 0) continue;
@@ -346,7 +345,7 @@ std::vector<std::string> write_overlays(const std::string& directory, const std:
                   title, paths);
   }
   for (const compare::ComparedDevice& device : comparison.devices) {
-    // Boards show the same dots, plotters too: one picture of each.
+    // All boards show the same dots, and so do all plotters: one picture of each kind.
     const compare::ComparedDevice& first = *std::find_if(
         comparison.devices.begin(), comparison.devices.end(),
         [&](const compare::ComparedDevice& other) { return other.dots == device.dots && other.truth == device.truth; });

@@ -26,15 +26,15 @@ using machines::Arguments;
 using machines::MachineDescription;
 using machines::OptionKind;
 
-[[noreturn]] void refuse(const std::string& complaint) {
+[[noreturn]] void reject(const std::string& complaint) {
   throw base::usage_error("launch: " + complaint);
 }
 
-// A text or a number, as it would stand on the command line.
+// A text or a number, as a word of the command line.
 std::string word_of(const Json& value, std::string_view name) {
   if (const std::string* const text = value.text()) return *text;
   if (value.is_number()) return value.dump();
-  refuse("found " + describe(value) + " for " + std::string(name) + ", expected a text or a number");
+  reject("found " + describe(value) + " for " + std::string(name) + ", expected a text or a number");
 }
 
 const MachineDescription& machine_named(const Json& arguments) {
@@ -44,19 +44,19 @@ const MachineDescription& machine_named(const Json& arguments) {
     if (name != nullptr && name->text() != nullptr && *name->text() == machine->name) return *machine;
     names += (names.empty() ? "" : " or ") + std::string(machine->name);
   }
-  refuse("found " + (name == nullptr ? std::string("no machine") : name->dump()) + ", expected machine: " + names);
+  reject("found " + (name == nullptr ? std::string("no machine") : name->dump()) + ", expected machine: " + names);
 }
 
 Arguments arguments_of(const Json& request, std::span<const machines::Option> options) {
   Arguments arguments(options);
   const auto set = [&](std::string_view name, const Json& value) {
     const auto option = std::find_if(options.begin(), options.end(), [&name](const auto& each) { return each.key() == name; });
-    if (name == "--do" || name == "--speed") refuse("found option " + std::string(name.substr(2)) + ", which is for a terminal");
-    if (option == options.end()) refuse("found option " + std::string(name.substr(2)) + ", expected one of `sightline monitor`");
+    if (name == "--do" || name == "--speed") reject("found option " + std::string(name.substr(2)) + ", which is for a terminal");
+    if (option == options.end()) reject("found option " + std::string(name.substr(2)) + ", expected one of `sightline monitor`");
     Arguments::Value& into = arguments.value(name);
     const bool several = option->kind == OptionKind::list || option->kind == OptionKind::files;
     if (option->kind == OptionKind::flag) {
-      if (!value.boolean()) refuse("found " + describe(value) + " for " + std::string(name.substr(2)) + ", expected true or false");
+      if (!value.boolean()) reject("found " + describe(value) + " for " + std::string(name.substr(2)) + ", expected true or false");
       into.flag = *value.boolean();
     } else if (several && value.is_array()) {
       for (const Json& each : value.elements()) into.list.push_back(word_of(each, name));
@@ -66,12 +66,12 @@ Arguments arguments_of(const Json& request, std::span<const machines::Option> op
       into.text = word_of(value, name);
       const auto& choices = option->choices;
       if (!choices.empty() && std::find(choices.begin(), choices.end(), into.text) == choices.end())
-        refuse("found " + into.text + " for " + std::string(name.substr(2)) + ", which is none of its values");
+        reject("found " + into.text + " for " + std::string(name.substr(2)) + ", which is none of its values");
     }
   };
   if (const Json* const program = request.find("program")) set("--load", *program);
   if (const Json* const more = request.find("options")) {
-    if (!more->is_object()) refuse("found " + describe(*more) + " as options, expected an object");
+    if (!more->is_object()) reject("found " + describe(*more) + " as options, expected an object");
     for (const base::JsonMember& each : more->members()) set("--" + each.key, each.value);
   }
   return arguments;
@@ -79,7 +79,7 @@ Arguments arguments_of(const Json& request, std::span<const machines::Option> op
 
 base::Result<live::Launched> launch(const Json& request) {
   try {
-    if (!request.is_object()) refuse("found " + describe(request) + " as arguments, expected an object");
+    if (!request.is_object()) reject("found " + describe(request) + " as arguments, expected an object");
     const MachineDescription& machine = machine_named(request);
     const std::vector<machines::Option> options = monitor_options(machine);
     const Arguments arguments = arguments_of(request, options);
@@ -94,7 +94,7 @@ base::Result<live::Launched> launch(const Json& request) {
   }
 }
 
-// A signal that ends the process ends the session, as does a client that has gone: what was written on disks is put back.
+// A signal, or a client that closes its connection, ends the session in order: changed disks are written back.
 ExitCode serve() {
   const base::EndSignals signals;
   live::DapHost host;

@@ -1,4 +1,4 @@
-// `sightline demo`: both machines on everything they come with, in about ten lines and a page with the pictures.
+// `sightline demo`: runs both machines on all built-in scenes and functions; prints about ten lines and writes a page.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct DemoArguments {
   bool json = false;
 };
 
-// The parts on the old machines do not depend on each other; times of this computer are measured when they are done.
+// The runs of the emulated machines are independent of each other. Times of this computer are measured after them.
 DemoResults run_parts(const DemoArguments& arguments) {
   DemoResults results;
   const std::vector<std::function<void()>> parts{[&] { results.jones = run_jones_demo(arguments.directory); },
@@ -69,7 +69,7 @@ std::string write_page(const std::string& directory, const DemoResults& results)
 }
 
 Json document_of(const DemoArguments& arguments, const DemoResults& results, const std::string& page) {
-  // The folder's name comes from the user: what is no UTF-8 is shown as far as it can be.
+  // The name of the folder comes from the user: bytes that are not UTF-8 are replaced.
   Json document{{"schema", "sightline/demo/2"}, {"pictures", arguments.directory}, {"page", page}};
   document["verdicts"] = Json::array();
   for (const Verdict& verdict : verdicts_of(results))
@@ -99,11 +99,11 @@ ExitCode run_demo(const DemoArguments& arguments) {
   ExitCode code = ExitCode::ok;
   for (const JonesRow& row : results.jones) {
     if (row.view.status == programs::jones::Status::complete) continue;
-    complain(fmt::format("{}: the view stopped: {}", row.scene, programs::jones::name(row.view.status)));
+    print_message(fmt::format("{}: the view stopped: {}", row.scene, programs::jones::name(row.view.status)));
     code = ExitCode::guest_failed;
   }
   if (!results.answer.agrees()) {
-    complain("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
+    print_message("an exact algorithm is not exact, or a program on its machine differs from the same program in C++: see above");
     code = ExitCode::differs;
   }
   return code;
@@ -115,7 +115,7 @@ void add_demo_command(const Command& program) {
   const Command command = program.add_command("demo", help_page("demo"));
   const auto arguments = std::make_shared<DemoArguments>();
   command.option("-o,--output", arguments->directory, "Folder for the page and the pictures").default_value().value("DIR");
-  command.flag("--no-host-times", arguments->no_host_times, "Leave out times of this computer: the same bytes in every run");
+  command.flag("--no-host-times", arguments->no_host_times, "Omit times of this computer: the same bytes in every run");
   command.flag("--json", arguments->json, "One JSON document instead of the lines");
   command.run([arguments] { return run_demo(*arguments); });
 }

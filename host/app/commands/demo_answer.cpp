@@ -1,4 +1,3 @@
-// See demo_answer.hpp.
 #include "host/app/commands/demo_answer.hpp"
 
 #include <fmt/core.h>
@@ -28,7 +27,7 @@ constexpr const char* turned_boxes = "boxes-8";
 constexpr const char* turned_view = "1,0,2";
 
 template <class Value>
-Value done(base::Result<Value> result, std::string_view name) {
+Value value_or_throw(base::Result<Value> result, std::string_view name) {
   return value_of(std::move(result), std::string(name), base::ErrorKind::program_failed);
 }
 
@@ -39,7 +38,7 @@ void add_plotted(std::vector<compare::PlotPoint> points, DemoAnswer& answer) {
 void compare_cells(const compare::CompareOptions& options, DemoAnswer& answer) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = load_cells(std::string(name));
-    answer.scenes.push_back(done(compare::compare_cell_scene(scene, options), name));
+    answer.scenes.push_back(value_or_throw(compare::compare_cell_scene(scene, options), name));
     if (name == cells_in_plot) add_plotted(compare::variants_of(scene, options, answer.scenes.back()), answer);
   }
 }
@@ -49,10 +48,10 @@ void compare_polyhedra(const compare::CompareOptions& options, DemoAnswer& answe
     const scene::PolyScene scene = load_scene(name).scene;
     CameraArguments camera;
     if (name == turned_boxes) camera.orthographic = turned_view;
-    answer.scenes.push_back(done(compare::compare_poly_scene(scene, camera_of(camera, scene, name), options), name));
+    answer.scenes.push_back(value_or_throw(compare::compare_poly_scene(scene, camera_of(camera, scene, name), options), name));
     answer.scenes.back().scene = name;
     if (name == boxes) continue;
-    // The other methods are in the plot with the scene of cells.
+    // The plot shows the other methods on the scene of cells.
     std::vector<compare::PlotPoint> points = compare::variants_of(scene, options, answer.scenes.back());
     std::erase_if(points, [](const compare::PlotPoint& point) {
       return !point.series.starts_with("plantinga") && point.series != "turn-pdp7";
@@ -93,7 +92,7 @@ DemoAnswer answer_for_demo(bool host_times) {
   std::uint64_t number = 0;
   const auto add = [&](const std::string& name, std::vector<compare::MethodView> views) {
     by_scene.add(name, 0, views);
-    for (compare::MethodView& view : views) view.read = view.of_all = std::nullopt;  // counts of different scenes
+    for (compare::MethodView& view : views) view.read = view.of_all = std::nullopt;  // counts of different scenes cannot be combined
     by_method.add("all", number++, views);
   };
   for (const compare::SceneComparison& scene : answer.scenes)

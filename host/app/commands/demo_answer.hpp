@@ -1,8 +1,8 @@
-// How fast and how wrong each method is on the scenes and functions of `sightline demo`: the rows of the table, the points of the
-// plot.
+// Measures the speed and the error of each method on the scenes and functions of `sightline demo`: the rows of the table and the
+// points of the plot.
 //
-// The built-in scenes of cells from their own views, the functions of the figures rotated 30 degrees, a scene of boxes from its
-// own view, and one in parallel projection, so that every method of the five papers occurs.
+// The views: the built-in scenes of cells and a scene of boxes from their own cameras, the functions of the figures rotated 30
+// degrees, and a scene of boxes in parallel projection. Every method of the five papers applies to one of them.
 #pragma once
 
 #include <string>
@@ -19,13 +19,13 @@ namespace sightline::app {
 
 struct DemoAnswer {
   std::vector<compare::SceneComparison> scenes;
-  std::vector<std::pair<std::string, compare::HeightComparison>> functions;  // by name; lines
-  std::vector<compare::AnswerRow> rows;                                      // a scene or function and method each
-  std::vector<compare::AnswerRow> methods;  // a method each, over all of them; without what was read
+  std::vector<std::pair<std::string, compare::HeightComparison>> functions;  // name and comparison, drawn as lines
+  std::vector<compare::AnswerRow> rows;                                      // one for each scene or function and method
+  std::vector<compare::AnswerRow> methods;  // one for each method, over all scenes and functions; without `read`
   std::vector<compare::PlotPoint> plotted;
-  std::string plotted_text;  // of what
+  std::string plotted_text;  // what the plot shows
 
-  // No guest differs from its twin, no exact algorithm from the oracle.
+  // Whether every guest agrees with its twin and every exact algorithm with the oracle.
   [[nodiscard]] bool agrees() const;
 };
 

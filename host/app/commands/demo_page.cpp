@@ -1,4 +1,3 @@
-// See demo_page.hpp.
 #include "host/app/commands/demo_page.hpp"
 
 #include <fmt/core.h>
@@ -57,7 +56,7 @@ pre { overflow-x: auto; padding: .6rem .8rem; background: var(--band); font-size
   th, td { padding: .24rem .4rem; } .methods th small { display: block; max-width: 8.2rem; white-space: normal; } h1 { font-size: 1.2rem; } }
 )";
 
-// Who had the idea, and on what it runs.
+// The paper of a method and the machine on which it runs.
 std::string_view method_text(std::string_view method) {
   struct Known {
     std::string_view method;
@@ -81,7 +80,7 @@ std::string_view method_text(std::string_view method) {
   return {};
 }
 
-// Escaped. Line ends stay.
+// Escapes a text for HTML; line ends are kept.
 std::string html(std::string_view text) {
   std::string escaped;
   while (!text.empty()) {
@@ -94,7 +93,7 @@ std::string html(std::string_view text) {
   return escaped;
 }
 
-// Escaped text with times (base::time_text): microseconds with their sign.
+// The same for a text with times (base::time_text): writes us as a micro sign.
 std::string html_with_times(std::string_view text) {
   std::string escaped = html(text);
   for (std::size_t at = 0; (at = escaped.find(" us", at)) != std::string::npos; at += 3) {
@@ -128,7 +127,7 @@ std::string defect_row(const AnswerRow& row, int columns) {
              : fmt::format("<tr><th></th><td class=\"bad\" colspan=\"{}\">{}</td></tr>\n", columns - 1, html(row.defect));
 }
 
-// One row per method, over all scenes: first those of the old machines.
+// One row per method, over all scenes; the emulated machines come first.
 std::string methods_html(const std::vector<AnswerRow>& methods) {
   constexpr int columns = 6;
   std::string text = "<div class=\"wide\" tabindex=\"0\">\n<table class=\"methods\">\n<thead><tr>" + cell("th", "", "method") +
@@ -168,7 +167,7 @@ std::string table_html(const std::vector<AnswerRow>& rows) {
   for (const AnswerRow& row : rows) {
     if (row.scene != scene) {
       scene = row.scene;
-      // No method's error: all draw the lines between the samples.
+      // Not an error of a method: all of them draw straight lines between the samples.
       const std::string chord =
           row.chord ? fmt::format(" <small>between its samples the function is up to {:.2f} dots off these lines</small>", *row.chord)
                     : std::string();
@@ -199,8 +198,8 @@ std::string gallery_html(const PageGallery& gallery) {
 
 // --- Pictures
 
-// Where a window of `side` points has most points that differ, and of such most that are lit; the lowest, and of these the
-// leftmost.
+// The window of `side` points with the most differing points; among those the one with the most lit points, then the lowest, then
+// the leftmost.
 struct Window {
   int left = 0;
   int bottom = 0;
@@ -234,7 +233,7 @@ picture::PixelGrid part_of(const picture::PixelGrid& grid, const Window& window,
   return part;
 }
 
-// The part of the screen in which most points differ, so large that single points can be seen.
+// The part of the screen in which most points differ, enlarged so that single points can be seen.
 constexpr int shown_points = 128;
 void write_difference(const std::string& directory, const std::string& file, const std::string& title,
                       const picture::PixelGrid& truth, const picture::PixelGrid& lit) {

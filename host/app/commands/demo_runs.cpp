@@ -1,4 +1,3 @@
-// See demo_runs.hpp.
 #include "host/app/commands/demo_runs.hpp"
 
 #include <fmt/core.h>
@@ -19,7 +18,7 @@ using base::Json;
 
 JonesRow run_scene(const std::string& name, const scene::CellScene& scene, bool eae, const std::string& directory) {
   jones::Order order;
-  if (eae) order.photograph = photograph_time;  // the pictures are the same without
+  if (eae) order.photograph = photograph_time;  // without the EAE the pictures are the same
   order.check = true;
   const jones::Outcome outcome = value_of(jones::run(scene, {.eae = eae}, order), name);
   if (eae) write_jones_pictures(directory, file_stem(scene.name), title_of(scene.name, eae), outcome);

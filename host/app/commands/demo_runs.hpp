@@ -1,5 +1,5 @@
-// What `sightline demo` runs on the old machines but for Skala's and Montani and Re's pictures: Jones's program on its scenes,
-// solids turning, flights with the priority display. Of each the table and the JSON.
+// Runs of `sightline demo` on the emulated machines: Jones's program on its scenes, solids turning, and flights with the priority
+// display, each with its table and its JSON. (skala_demo.hpp and stripes_demo.hpp have the others.)
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace sightline::app {
 
-// A built-in scene of cells, with the EAE or without.
+// A built-in scene of cells, with or without the EAE.
 struct JonesRow {
   std::string scene;
   bool eae = false;
@@ -28,7 +28,7 @@ struct JonesRow {
 // Adds "views".
 void add_jones_rows(base::Json& document, const std::vector<JonesRow>& rows);
 
-// A solid turning, with the EAE or without.
+// A turning solid, with or without the EAE.
 struct TurnRow {
   std::string model;
   bool eae = false;

@@ -1,4 +1,3 @@
-// See demo_verdicts.hpp.
 #include "host/app/commands/demo_verdicts.hpp"
 
 #include <fmt/core.h>
@@ -18,7 +17,7 @@ namespace {
 
 using compare::AnswerRow;
 
-// Of numbers the least and the greatest.
+// The least and the greatest of a set of numbers.
 class Range {
  public:
   void add(double value) {
@@ -29,13 +28,13 @@ class Range {
   [[nodiscard]] bool any() const { return any_; }
   [[nodiscard]] double low() const { return low_; }
   [[nodiscard]] double high() const { return high_; }
-  // "0.06 to 1.00", or one number if both look the same.
+  // "0.06 to 1.00", or one number if both are printed alike.
   [[nodiscard]] std::string text(int decimals) const {
     const std::string low = fmt::format("{:.{}f}", low_, decimals);
     const std::string high = fmt::format("{:.{}f}", high_, decimals);
     return low == high ? low : low + " to " + high;
   }
-  // Of seconds: "6.57 us to 2.12 ms".
+  // For seconds: "6.57 us to 2.12 ms".
   [[nodiscard]] std::string times() const {
     const std::string low = base::time_text(low_);
     const std::string high = base::time_text(high_);
@@ -48,12 +47,12 @@ class Range {
   bool any_ = false;
 };
 
-// Of all rows of a method, a scene each.
+// The range over all rows of a method, one row per scene.
 struct MethodRange {
   Range emulated;
   Range host;
   Range wrong;  // per cent
-  double far = 0;  // farther than a point, of any row
+  double far = 0;  // the greatest part farther than a point in any row
   double farthest = 0;
   bool defect = false;
   std::size_t views = 0;
@@ -78,10 +77,10 @@ MethodRange range_of(const DemoAnswer& answer, std::string_view method, std::str
   return range;
 }
 
-// Of the programs of this computer that are exact.
+// The native methods that are exact.
 constexpr std::array<std::string_view, 4> exact_methods{"exact", "jones", "montani-re", "plantinga"};
 
-// Whether all pictures are right, then what else there is to say.
+// Says whether all pictures are right, and appends `also`.
 std::string verdict_text(const MethodRange& range, const std::string& also = "") {
   std::string text = range.all_right() ? fmt::format("right in {} of {}", range.right, range.views)
                                        : fmt::format("WRONG in {} of {}", range.views - range.right, range.views);
@@ -132,7 +131,7 @@ Verdict turn_verdict(const DemoResults& results) {
 
 Verdict flight_verdict(const DemoResults& results) {
   constexpr double wanted = 25;
-  constexpr double noise = 1e-9;  // of a mean of quotients
+  constexpr double noise = 1e-9;  // rounding error of a mean of quotients
   Range frames_8;
   Range frames_16;
   Range wrong_8;
@@ -167,7 +166,7 @@ Verdict stripes_verdict(const DemoResults& results) {
           verdict_text(range, pen.all_right() ? "" : "WRONG on the plotter"), range.all_right() && pen.all_right()};
 }
 
-// Lines on a device: no difference from the twin, and nothing farther off than dots or steps explain.
+// Whether lines on a device agree with the twin and are no farther from the reference than its dots or steps explain.
 bool within_dots(const MethodRange& range, programs::skala::Device device) {
   compare::SkalaInk ink;
   ink.kind = algorithms::skala::Subject::lines;
@@ -231,7 +230,7 @@ MethodRange exact_range(const DemoResults& results) {
   return all;
 }
 
-// Methods written for this computer, and that they are exact, or how wrong.
+// Methods written for this computer: that they are exact, or their error.
 Verdict exact_verdict(const DemoResults& results) {
   std::string times;
   for (const std::string_view method : exact_methods) {
@@ -295,13 +294,13 @@ ThreeAnswers answers_of(const DemoResults& results) {
   return answers;
 }
 
-// Why visibility does not cost the paper's 15 %: what the test adds to a point, and how many points it hides.
+// Why visibility does not cost the 15 % of the paper: the time that the test adds per point, and the share of points that it hides.
 std::string visibility_line(const SkalaDemo& demo) {
   struct Cost {
     std::string function;
-    double plain = 0;  // T-states a point without the test
+    double plain = 0;  // T-states per point without the test
     double added = 0;
-    double hidden = 0;  // per cent of the points
+    double hidden = 0;  // per cent of all points
   };
   std::vector<Cost> costs;
   for (const SkalaDemoRow& row : demo.rows) {

@@ -1,5 +1,4 @@
-// What `sightline demo` says in about ten lines: of each machine and method what was run, how fast and how wrong it is, and what
-// the paper says.
+// The lines of `sightline demo`: for each machine and method, what was run, its speed and its error, and what the paper states.
 #pragma once
 
 #include <optional>
@@ -24,10 +23,10 @@ struct DemoResults {
 
 struct Verdict {
   std::string subject;  // "Jones 1971 on the PDP-7"
-  std::string text;     // what was measured, without a full stop at the end
+  std::string text;     // the measurements, without a full stop at the end
   std::string verdict;  // "right in 5 of 5"; empty: none
-  // No program differs from its twin, and no picture is farther from the truth than a point, or than the dots and steps of its device
-  // explain; absent where no picture is judged.
+  // Every program agrees with its twin, and no picture is farther from the reference than a point, or than the dots and steps of its
+  // device explain. Absent if no picture is compared.
   std::optional<bool> right{};
 };
 [[nodiscard]] std::vector<Verdict> verdicts_of(const DemoResults& results);
@@ -40,7 +39,8 @@ struct ThreeAnswers {
 };
 [[nodiscard]] ThreeAnswers answers_of(const DemoResults& results);
 
-// Why visibility does not cost the paper's 15 %: what the test adds to a point, and how many points it hides. Empty: unknown.
+// Why visibility does not cost the 15 % of the paper: the time that the test adds per point, and the share of points that it hides.
+// Empty: unknown.
 [[nodiscard]] std::string visibility_line(const SkalaDemo& demo);
 
 }  // namespace sightline::app

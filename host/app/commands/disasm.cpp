@@ -1,5 +1,4 @@
-// `sightline disasm`: a tape, a core image or a program file to source that assembles to the same words
-// again.
+// `sightline disasm`: disassembles a tape, a core image or a program file to source that assembles to the same words.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -24,16 +23,16 @@ std::optional<std::uint32_t> address_argument(const MachineDescription& machine,
                                                (1U << machine.address_bits) - 1, "an address"));
 }
 
-// The words at `first` to `last`. Error bad_input if there are none.
+// Removes the words outside `first` to `last`. Error bad_input if none remain.
 void keep_range(machines::Program& program, std::uint32_t first, std::uint32_t last) {
-  if (first > last) throw base::usage_error("--end: found an address before --start, expected one behind it");
+  if (first > last) throw base::usage_error("--end: found an address below --start, expected one above it");
   const bool any = !program.words.empty();
   std::erase_if(program.words, [&](const auto& word) { return word.first < first || word.first > last; });
   if (any && program.words.empty())
     throw base::bad_input("--start, --end: found no word of the program in this range, expected one");
 }
 
-// Error bad_input if the dialect cannot say it.
+// Error bad_input: the dialect cannot express the program.
 std::string source_of(const Disassembler& disassembler, const machines::Program& program, const Arguments& arguments,
                       const std::string& file) {
   for (const auto& [name, write] : disassembler.dialects.others)
@@ -53,8 +52,8 @@ ExitCode disassemble(const MachineDescription& machine, const Disassembler& disa
   Output output(arguments.text("--output"));
   output.write(source);
   output.commit();
-  say_written(arguments.text("--output"),
-              counted(static_cast<std::uint64_t>(std::count(source.begin(), source.end(), '\n')), "line"));
+  report_written(arguments.text("--output"),
+              count_text(static_cast<std::uint64_t>(std::count(source.begin(), source.end(), '\n')), "line"));
   return ExitCode::ok;
 }
 
@@ -65,11 +64,11 @@ std::vector<machines::Option> options_of(const MachineDescription& machine,
   if (has_endings(machine)) {
     options.push_back({.name = "--format",
                        .argument = "FORMAT",
-                       .help = "Form of the file",
+                       .help = "Format of the file",
                        .choices = format_names(machine),
-                       .shown_initial = "by its ending or content"});
+                       .shown_initial = "by its extension or content"});
   }
-  options.push_back({text, "--start", "ADDRESS", "Begin at this address; what lies before it is left out"});
+  options.push_back({text, "--start", "ADDRESS", "Begin at this address and omit the words below it"});
   options.push_back({text, "--end", "ADDRESS", "Stop after this address"});
   if (!disassembler.dialects.others.empty()) {
     std::vector<std::string_view> names{disassembler.dialects.own};
@@ -82,7 +81,7 @@ std::vector<machines::Option> options_of(const MachineDescription& machine,
   }
   options.push_back({.name = "-o,--output",
                      .argument = "FILE",
-                     .help = "Where the source goes; - is standard output",
+                     .help = "The source; - is standard output",
                      .initial = "-"});
   return options;
 }

@@ -1,4 +1,4 @@
-// `sightline draw`: its methods, and the drawing of those that find visible lines.
+// `sightline draw`: adds all its methods; draws by the methods that find visible lines.
 #include "host/app/commands/draw.hpp"
 
 #include <fmt/core.h>
@@ -40,7 +40,7 @@ namespace sightline::app {
 
 namespace {
 
-// --- --fill: faces filled, by a method that draws lines as well
+// --- --fill: filled faces by a method that also draws lines
 
 struct FillArguments {
   bool fill = false;
@@ -50,8 +50,8 @@ struct FillArguments {
 struct FilledPicture {
   const scene::LoadedScene& source;
   const scene::PolyCamera& camera;
-  std::optional<double> field;  // as image_field says it
-  const DrawOutput& output;     // settled
+  std::optional<double> field;  // the result of image_field
+  const DrawOutput& output;     // after read_draw_output
   bool json = false;
 };
 
@@ -75,7 +75,7 @@ std::vector<registry::FaceCount> write_outlines(const registry::PreparedFaces& p
   return seen.counts;
 }
 
-// An image on white paper, from the bottom left corner inside the margin on.
+// Places an image on white paper, at the bottom left corner inside the margin.
 picture::Image on_sheet(const picture::Image& inside, const DrawOutput& output) {
   picture::Image sheet(output.image.width, output.image.height, inside.channels);
   std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{255});
@@ -103,7 +103,7 @@ std::vector<registry::FaceCount> write_stripes(const registry::PreparedFaces& pr
     };
     width = pixels(output.paper.width);
     height = pixels(output.paper.height);
-    // Of whole pixels, at the same scale.
+    // A whole number of pixels, at the same scale.
     const double shorter = (std::min(output.paper.width, output.paper.height) - 2 * output.paper.margin) * output.image.unit;
     if (field && !picture.camera.perspective) *field *= std::min(width, height) / shorter;
   }
@@ -133,7 +133,7 @@ void print_filled_summary(const registry::FaceAlgorithm& algorithm, const Filled
 void add_fill_options(const Command& command, FillArguments& arguments) {
   const Option fill =
       command.flag("--fill", arguments.fill,
-                   "Faces filled instead of lines: outlines with holes in .svg, stripes of pixels in .png");
+                   "Draw filled faces instead of lines: outlines with holes in .svg, stripes of pixels in .png");
   const std::vector<double> thicknesses(registry::stripe_thicknesses.begin(),
                                         registry::stripe_thicknesses.end());
   command.option("--stripe", arguments.stripe, "Thickness of stripes in pixels, with --fill to .png")
@@ -148,7 +148,7 @@ ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArgumen
   if (format != hidden_lines::Format::svg && format != hidden_lines::Format::png)
     throw base::usage_error(fmt::format("{}: expected a name that ends in .svg or .png with --fill",
                                                picture.output.file));
-  if (format == hidden_lines::Format::svg) refuse_option(picture.output, "--stripe", "a name that ends in .png");
+  if (format == hidden_lines::Format::svg) reject_option(picture.output, "--stripe", "a name that ends in .png");
   registry::FaceOptions options;
   options.stripe = arguments.stripe;
   const auto prepared = value_of(algorithm.prepare(picture.source.scene, options), picture.source.name);
@@ -159,7 +159,7 @@ ExitCode draw_filled(const registry::FaceAlgorithm& algorithm, const FillArgumen
   if (picture.json) {
     print_filled_summary(algorithm, picture, counts);
   } else {
-    say_written(picture.output.file, fmt::format("{} filled, {}", counted(scene::face_count(picture.source.scene), "face"), size_text(picture.output, format)));
+    report_written(picture.output.file, fmt::format("{} filled, {}", count_text(scene::face_count(picture.source.scene), "face"), size_text(picture.output, format)));
   }
   return ExitCode::ok;
 }
@@ -174,13 +174,13 @@ struct DrawLinesArguments {
   CameraArguments camera;
   std::optional<double> field;
   EdgeArguments edges;
-  std::string layers;  // empty: by the format
+  std::string layers;  // empty: the default of the format
   bool hidden = false;
   unsigned jobs = 1;
   std::string hatch;  // "ANGLE,SPACING"
   std::string light;  // "X,Y,Z"
   double min_length = 0;
-  std::string strokes;  // a file
+  std::string strokes;  // name of a file
   int turntable = 1;
   bool go_on = false;
   bool json = false;
@@ -188,7 +188,7 @@ struct DrawLinesArguments {
   FillArguments filled;
 };
 
-// A millimetre for paper, about a millimetre on a screen for an image.
+// The unit is 1 mm on paper; in an image it is about 1 mm on a screen.
 picture::DrawingField field_of(const DrawLinesArguments& arguments, hidden_lines::Format format, std::optional<double> extent,
                                std::optional<double> scale) {
   picture::DrawingField field;
@@ -206,8 +206,8 @@ picture::DrawingField field_of(const DrawLinesArguments& arguments, hidden_lines
   return field;
 }
 
-// Millimetres on the paper of a step of the scene's grid; empty: the picture is fitted. Error usage: a picture that has
-// no scale.
+// The length on paper of a step of the scene's grid, in mm; empty: the picture is fitted. Error usage: the picture has no
+// scale.
 std::optional<double> scale_of(const DrawOutput& output, const scene::LoadedScene& source, const scene::PolyCamera& camera) {
   if (output.scale.empty()) return std::nullopt;
   if (camera.perspective)
@@ -216,8 +216,8 @@ std::optional<double> scale_of(const DrawOutput& output, const scene::LoadedScen
   return scale_argument(output.scale) * scene::millimetres(source.report.unit) * source.scene.step;
 }
 
-// Error usage: a plotter's margin would be wider than the one that the field was meant for, and so the scale smaller.
-void refuse_wider_margin(const DrawLinesArguments& arguments, const scene::PolyCamera& camera) {
+// Error usage: a plotter's margin is wider than the margin for which --field was given, which would reduce the scale.
+void reject_wider_margin(const DrawLinesArguments& arguments, const scene::PolyCamera& camera) {
   const picture::Paper& paper = arguments.output.paper;
   const double margin = arguments.output.margin;
   if (!arguments.field || camera.perspective || paper.margin <= margin || !arguments.output.scale.empty()) return;
@@ -228,7 +228,7 @@ void refuse_wider_margin(const DrawLinesArguments& arguments, const scene::PolyC
                             *arguments.field * (shorter - 2 * paper.margin) / (shorter - 2 * margin)));
 }
 
-// Numbers with commas between them, as many as `count`. Error usage.
+// Parses `count` numbers separated by commas. Error usage.
 std::vector<double> numbers_argument(std::string_view option, const std::string& text, std::size_t count,
                                      std::string_view expected) {
   std::vector<double> numbers;
@@ -244,7 +244,7 @@ std::vector<double> numbers_argument(std::string_view option, const std::string&
   return numbers;
 }
 
-// Error usage: no hatching like that.
+// Error usage: the angle or spacing is out of range.
 std::optional<hidden_lines::HatchOptions> hatching(const DrawLinesArguments& arguments) {
   if (arguments.hatch.empty()) return std::nullopt;
   const auto numbers = numbers_argument("--hatch", arguments.hatch, 2, "ANGLE,SPACING in degrees and mm, such as 45,1.5");
@@ -288,7 +288,7 @@ Json summary_of(const registry::LineAlgorithm& algorithm, const std::string& fil
   return document;
 }
 
-// part.svg becomes part-07.svg: as many digits as the last has.
+// part-07.svg for part.svg, with as many digits as the last number has.
 std::string numbered(const std::string& file, int number, int count) {
   if (count == 1 || file == "-") return file;
   const std::filesystem::path path(file);
@@ -297,7 +297,7 @@ std::string numbered(const std::string& file, int number, int count) {
       .string();
 }
 
-// The value, or the error thrown: of an option of the views that is one of the command.
+// The value of a result; an error about a view option is thrown with the name of the command's option.
 template <class Value>
 Value value_of_view(base::Result<Value> result) {
   if (!result && result.error().file == "hatch") result.error().file = "--hatch";
@@ -311,7 +311,7 @@ hidden_lines::Views views_of(const scene::LoadedScene& source, const hidden_line
   return views;
 }
 
-// What the options of the command mean for the views.
+// Converts the options of the command to options of the views.
 hidden_lines::ViewOptions view_options(const registry::LineAlgorithm& algorithm, const DrawLinesArguments& arguments) {
   hidden_lines::ViewOptions options;
   options.algorithm = algorithm.name;
@@ -334,24 +334,24 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const bool on_paper = format != hidden_lines::Format::png || arguments.output.is_sheet();
   if (!on_paper)
     for (const char* option : {"--strokes", "--min-length"})
-      refuse_option(arguments.output, option, "--size, or a name that does not end in .png");
+      reject_option(arguments.output, option, "--size, or a name that does not end in .png");
   if (arguments.strokes == "-" && arguments.turntable > 1)
     throw base::usage_error("--strokes: found - with --turntable, expected a file");
   if (!arguments.output.scale.empty() && format == hidden_lines::Format::png && !arguments.output.is_sheet())
     throw base::usage_error("--scale: found without --size, or a name that does not end in .png");
   check_edges(arguments.edges);
-  // The CalComp has one pen.
+  // The CalComp has only one pen.
   if (arguments.layers.empty()) arguments.layers = format == hidden_lines::Format::steps ? "none" : "kind";
   hidden_lines::ViewOptions options = view_options(algorithm, arguments);
   arguments.mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source =
-      load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::kept : Wires::left_out);
+      load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::keep : Wires::remove);
   const std::size_t faces = scene::face_count(source.scene);
-  refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
+  reject_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
   const std::optional<double> extent = image_field(arguments.field, source.scene, aimed.camera);
   options.field = field_of(arguments, format, extent, scale_of(arguments.output, source, aimed.camera));
-  refuse_wider_margin(arguments, aimed.camera);
+  reject_wider_margin(arguments, aimed.camera);
   if (arguments.filled.fill) {
     return draw_filled(*registry::find_face_algorithm(algorithm.name), arguments.filled,
                        {source, aimed.camera, extent, arguments.output, arguments.json}, format);
@@ -359,18 +359,18 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   const scene::SceneFrame frame = frame_of(arguments.camera, source.scene);
   std::vector<scene::PolyCamera> cameras;
   for (int i = 0; i < arguments.turntable; ++i) {
-    cameras.push_back(turned_about(frame, source.scene, aimed.camera, i, arguments.turntable));
+    cameras.push_back(view_of_turn(frame, source.scene, aimed.camera, i, arguments.turntable));
     if (auto error = scene::eye_error(source.scene, cameras.back())) {
       error->file = source.name;
       throw base::bad_input(error->message());
     }
   }
   if (source.cells && algorithm.draws_crossings && options.edges.are_given())
-    warn(fmt::format("{}: the outer box is left out: --edges, --crease and --all-edges choose among the edges of solids and walls",
+    warn(fmt::format("{}: the outer box is omitted: --edges, --crease and --all-edges choose among the edges of solids and walls",
                      source.name));
   std::optional<hidden_lines::Views> views;
   std::optional<base::ProgressLine> line(std::in_place);
-  // Before any of several drawings is written, all of them fit.
+  // All drawings are checked to fit before the first one is written.
   if (options.field.scale && cameras.size() > 1) {
     views = views_of(source, options, cameras);
     for (const scene::PolyCamera& camera : cameras) require_room(value_of_view(views->at(camera)).picture, arguments.output);
@@ -412,15 +412,15 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
     print_json(arguments.turntable == 1 ? documents[0] : documents);
     return ExitCode::ok;
   }
-  std::string summary = counted(strokes_drawn, "line");
+  std::string summary = count_text(strokes_drawn, "line");
   if (on_paper) summary += fmt::format(", {:.3g} m in all", length_drawn / 1000);
   if (arguments.turntable > 1) summary += fmt::format(", {} drawings", arguments.turntable);
   const auto written = [&arguments](const std::string& name) {
     if (arguments.turntable == 1 || name.empty()) return name;
     return fmt::format("{} ... {}", numbered(name, 1, arguments.turntable), numbered(name, arguments.turntable, arguments.turntable));
   };
-  say_written(written(arguments.output.file), fmt::format("{}, {}", summary, size_text(arguments.output, format)));
-  say_written(written(arguments.strokes), counted(strokes_drawn, "line"));
+  report_written(written(arguments.output.file), fmt::format("{}, {}", summary, size_text(arguments.output, format)));
+  report_written(written(arguments.strokes), count_text(strokes_drawn, "line"));
   return ExitCode::ok;
 }
 
@@ -431,24 +431,24 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   add_field_option(command, arguments->field, "everything");
   command
       .option("--turntable", arguments->turntable,
-              "So many drawings, once around the upright through the middle of the scene; numbered")
+              "Make this many numbered drawings, once around the vertical axis through the middle of the scene")
       .range(1, 9999)
       .default_value()
       .value("N")
       .group("View");
   add_edge_options(command, arguments->edges);
   const Option hidden =
-      command.flag("--hidden", arguments->hidden, "Draw hidden lines as a layer of their own, dashed").group("Edges");
+      command.flag("--hidden", arguments->hidden, "Draw hidden lines, dashed, in a separate layer").group("Edges");
   command
-      .option("--layers", arguments->layers, "A layer for each kind of edge, or for each body, or one layer")
+      .option("--layers", arguments->layers, "One layer for each kind of edge (kind) or for each body, or one layer for all (none)")
       .one_of({"kind", "body", "none"})
-      .default_value("kind, of .steps none")
+      .default_value("kind; for .steps none")
       .group("Edges");
   if (algorithm.draws_crossings) {
     const Option hatch =
         command
             .option("--hatch", arguments->hatch,
-                    "Shade faces by lines at this angle on the paper, that far apart where they are dense")
+                    "Shade faces by lines at this angle on the paper, with this distance where they are dense")
             .value("DEGREES,MM")
             .group("Hatching");
     command.option("--light", arguments->light, "The direction towards the light")
@@ -460,7 +460,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   const Option min_length =
       command
           .option("--min-length", arguments->min_length,
-                  "Leave out lines shorter than this on the paper, in mm, unless they join two others: stray ticks on smooth meshes")
+                  "Omit lines shorter than this on the paper, in mm, unless they join two others: stray ticks on smooth meshes")
           .range(0.0, 1000.0)
           .default_value()
           .value("MM")
@@ -469,20 +469,20 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   if (algorithm.mesh_time.seconds > 0) add_go_on_option(command, arguments->go_on);
   if (registry::find_face_algorithm(algorithm.name) != nullptr) {
     add_fill_options(command, arguments->filled);
-    if (algorithm.draws_crossings) command.added("--fill").excludes(command.added("--hatch"));
-    command.added("--fill").excludes(command.added("--all-edges")).excludes(hidden);
+    if (algorithm.draws_crossings) command.find_option("--fill").excludes(command.find_option("--hatch"));
+    command.find_option("--fill").excludes(command.find_option("--all-edges")).excludes(hidden);
   }
   add_draw_output_options(command, arguments->output);
   const Option scale =
       command
           .option("--scale", arguments->output.scale,
-                  "The scale on paper, such as 1:50 or 2:1, without perspective: by the unit of the scene's file (--unit names it), a "
-                  "millimetre where it has none")
+                  "The scale on paper, such as 1:50 or 2:1, in parallel projection; it refers to the unit of the scene's file (--unit), or to "
+                  "millimetres if it has none")
           .value("N:M")
-          .excludes(command.added("--field"))
+          .excludes(command.find_option("--field"))
           .group("Paper");
   if (algorithm.prepare_threads != nullptr)
-    command.option("--jobs", arguments->jobs, "Threads for a view; the drawing is the same with any number")
+    command.option("--jobs", arguments->jobs, "Threads for a view; the drawing is the same for any number")
         .range(1U, 1024U)
         .default_value()
         .value("N");
@@ -493,7 +493,7 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
                   "its kind, its layer, its edges and faces")
           .value("FILE");
   if (registry::find_face_algorithm(algorithm.name) != nullptr)
-    command.added("--fill").excludes(scale).excludes(min_length).excludes(strokes);
+    command.find_option("--fill").excludes(scale).excludes(min_length).excludes(strokes);
   command.flag("--json", arguments->json, "Print what was drawn as one JSON document on standard output");
   command.run([arguments, &algorithm] { return run_draw_lines(algorithm, *arguments); });
 }
@@ -516,7 +516,7 @@ void add_draw_command(const Command& program) {
                                                 {"method", std::string(algorithm.name)},
                                                 {"camera", help_page("camera").summary}}));
   };
-  // A new algorithm is a row of its registry; nothing changes here.
+  // The algorithms come from the registries; a new one needs no change here.
   for (const registry::LineAlgorithm& algorithm : registry::line_algorithms())
     add_draw_lines(add_method(algorithm, algorithm.why_not_view == nullptr ? "draw_lines" : "draw_parallel"),
                    algorithm);

@@ -1,4 +1,4 @@
-// The parts of `sightline draw`, and the options that its methods share: where the drawing goes.
+// The parts of `sightline draw`, and the output options that its methods share.
 #pragma once
 
 #include <array>
@@ -16,29 +16,29 @@
 
 namespace sightline::app {
 
-// `draw METHOD SCENE` for a method that says which face is seen at each point: filled faces, their outlines,
-// or a flight as an animated PNG. The method is one of the registry's, which does not end.
+// Adds `draw METHOD SCENE` for a method that finds the visible face at each point: filled faces, their outlines, or a flight as
+// an animated PNG. `algorithm` is an entry of the registry, which exists as long as the program.
 void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algorithm);
-// `draw METHOD GRID` for a method that draws a surface over a grid of heights as vectors. The method is one of
-// the registry's, which does not end.
+// Adds `draw METHOD GRID` for a method that draws a surface over a grid of heights as vectors. `algorithm` is an entry of the
+// registry.
 void add_draw_heights(const Command& command, const registry::HeightAlgorithm& algorithm);
 
-// --- where to
+// --- Output options
 
 struct DrawOutput {
-  std::optional<Command> command;  // whose options these are
+  std::optional<Command> command;  // the command that has these options
   std::string file;
-  std::string format;            // empty: as the file's name says
-  picture::Paper paper;          // SVG and HP-GL, and an image with a size; read_draw_output settles it
-  double margin = 10;            // as given: that of the paper is wider where the plotter needs that, and 0 with a scale
-  std::string size = "200x200";  // of the paper: a name, or millimetres
+  std::string format;            // empty: by the extension of the file
+  picture::Paper paper;          // for drawings, and images with a size; set by read_draw_output
+  double margin = 10;            // as given; that of `paper` is wider if the plotter needs it, and 0 with a scale
+  std::string size = "200x200";  // of the paper: a name, or in mm
   bool landscape = false;
-  std::string scale;  // "N:M", of a drawing that is not stretched to the paper; empty: none
-  std::array<double, 2> room{};  // for a drawing with a scale, around the middle of the paper, in mm
+  std::string scale;  // "N:M"; empty: the drawing is fitted to the paper
+  std::array<double, 2> room{};  // mm around the middle of the paper that a drawing with a scale may fill
   std::string pixels = "1024x1024";
   double dpi = 150;
   picture::ImageSize image;
-  bool as_found = false;  // not in the order of a pen
+  bool as_found = false;  // keep the order in which lines were found
   double min_gap = 0;
   std::string device;
   std::vector<int> pens;
@@ -46,31 +46,31 @@ struct DrawOutput {
   bool relative = false;
   bool report = false;
 
-  [[nodiscard]] bool is_sheet() const;  // an image of a whole sheet of paper
+  [[nodiscard]] bool is_sheet() const;  // whether it is an image of a whole sheet of paper
   [[nodiscard]] const picture::Plotter* plotter() const;
 };
 
-// --output, --format, of the paper, of the pen, of an image.
+// Adds --output, --format and the options for paper, pen and image.
 void add_draw_output_options(const Command& command, DrawOutput& output);
 
-// Reads the sizes and the ending of the file: .svg, .png, .plt, .hpgl, .pdf, .dxf, .steps, in small or capital letters. Error
-// usage, also of an option that the format does not have, or of paper that the plotter does not take.
+// Parses the sizes and the extension of the file (.svg, .png, .plt, .hpgl, .pdf, .dxf, .steps, in any case). Error usage, also
+// for an option that the format does not have and for paper that the plotter does not take.
 [[nodiscard]] hidden_lines::Format read_draw_output(DrawOutput& output);
 
-// Error usage if `option` was given: it means nothing without what `needed` names.
-void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed);
+// Error usage if `option` was given, because it has no effect without `needed`.
+void reject_option(const DrawOutput& output, const std::string& option, std::string_view needed);
 
-// "210 x 297 mm" of paper, "1024 x 1024 pixels" of an image; of settled options.
+// "210 x 297 mm" for paper, "1024 x 1024 pixels" for an image. Called after read_draw_output.
 [[nodiscard]] std::string size_text(const DrawOutput& output, hidden_lines::Format format);
 
-// "N:M", such as 1:50, as N / M. Error usage.
+// The value N / M of "N:M", such as 1:50. Error usage.
 [[nodiscard]] double scale_argument(const std::string& text);
-// Error usage, with the paper that is needed: a drawing with a scale does not fit into output.room.
+// Error usage if a drawing with a scale does not fit into output.room; the error names the paper that is needed.
 void require_room(const picture::VectorDrawing& drawing, const DrawOutput& output);
 
-// Into output.file, opened before the drawing was made, in the order of a pen. It is there whole or not at all. Error
-// io. A drawing of nothing is warned about, and so are layers that share a pen. Result: of what is drawn with a pen, how far that
-// travels.
+// Writes a drawing, with its lines ordered for a pen, to output.file, which was opened before. The file is written completely or
+// not at all; error io. Warns of an empty drawing and of layers that share a pen. Returns the plot report of formats that a pen
+// draws.
 std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, const DrawOutput& output, hidden_lines::Format format,
                                         const std::string& title, Output& file);
 

@@ -1,4 +1,4 @@
-// `sightline draw METHOD SCENE` for methods that say which face is seen at each point.
+// `sightline draw METHOD SCENE` for methods that find the visible face at each point.
 
 #include <fmt/core.h>
 
@@ -53,8 +53,8 @@ void name_not_solved(const registry::PreparedFaces& prepared) {
                      prepared.not_solved.size() - most));
 }
 
-// A flight looks at the middle of the scene. Unless an eye is asked for, it keeps clear of every building: it is
-// as wide as it has to be, as far as the scene's coordinates go, and then as high.
+// A flight looks at the middle of the scene. Without a given camera position it avoids all buildings: the circle is as wide as
+// necessary, and if the scene's coordinates do not suffice for that, as high as necessary.
 scene::PolyCamera start_of_flight(const CameraArguments& arguments, const scene::PolyScene& scene,
                                   const scene::PolyCamera& camera, int frames) {
   const scene::SceneFrame frame = frame_of(arguments, scene);
@@ -69,7 +69,7 @@ scene::PolyCamera start_of_flight(const CameraArguments& arguments, const scene:
   if (!arguments.eye.empty()) return start;
   const auto is_clear = [&](const scene::PolyCamera& from) {
     for (int i = 0; i < frames; ++i) {
-      const auto at = turned_eye(frame, scene, from, i, frames);
+      const auto at = eye_of_turn(frame, scene, from, i, frames);
       if (!at) return false;
       scene::PolyCamera moved = from;
       moved.eye = *at;
@@ -93,10 +93,10 @@ scene::PolyCamera start_of_flight(const CameraArguments& arguments, const scene:
       if (const scene::PolyCamera wider = looking_from(eye); is_clear(wider)) return wider;
     }
   }
-  return start;  // the flight names the frame
+  return start;  // the error then comes from the flight, with the number of the frame
 }
 
-// Black where the number changes, white elsewhere.
+// Black where the face number changes, white elsewhere.
 picture::Image outline_image(const picture::PixelGrid& faces) {
   const picture::PixelGrid lines = algorithms::willis::outlines(faces);
   picture::Image image(faces.width, faces.height, 1);
@@ -113,7 +113,7 @@ base::Bytes fly(const DrawFacesArguments& arguments, const scene::LoadedScene& s
   const auto shades = picture::face_shades(source.scene);
   picture::ApngWriter writer({1, 25}, 0, {{"Title", source.name}, {"Software", "sightline"}});
   for (int i = 0; i < arguments.frames; ++i) {
-    const scene::PolyCamera camera = turned_about(frame, source.scene, start, i, arguments.frames);
+    const scene::PolyCamera camera = view_of_turn(frame, source.scene, start, i, arguments.frames);
     if (const auto error = scene::eye_error(source.scene, camera)) {
       throw base::bad_input(fmt::format("{}: frame {} of the flight: {}; --eye says where the flight begins",
                                                      source.name, i, error->message()));
@@ -164,7 +164,7 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   mesh.eye = eye_of(arguments.camera);
   const scene::LoadedScene source = load_scene(arguments.scene, mesh);
   const std::size_t faces = scene::face_count(source.scene);
-  refuse_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
+  reject_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
   scene::PolyCamera camera = camera_of(arguments.camera, source.scene, source.name);
   const std::optional<double> field = image_field(arguments.field, source.scene, camera);
   if (flight && !camera.perspective)
@@ -193,7 +193,7 @@ ExitCode run_draw_faces(const registry::FaceAlgorithm& algorithm, const DrawFace
   if (arguments.json) {
     print_faces_summary(algorithm, arguments, source, prepared, counts);
   } else {
-    say_written(arguments.output, fmt::format("{}, {} x {} pixels", flight ? counted(static_cast<std::uint64_t>(arguments.frames), "frame") : counted(faces, "face"), width, height));
+    report_written(arguments.output, fmt::format("{}, {} x {} pixels", flight ? count_text(static_cast<std::uint64_t>(arguments.frames), "frame") : count_text(faces, "face"), width, height));
   }
   return ExitCode::ok;
 }
@@ -204,23 +204,23 @@ void add_draw_faces(const Command& command, const registry::FaceAlgorithm& algor
   const auto arguments = std::make_shared<DrawFacesArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
   command
-      .option("-o,--output", arguments->output, "The picture, .png, or a flight once around the scene, .apng")
+      .option("-o,--output", arguments->output, "The picture (.png), or a flight once around the scene (.apng)")
       .required()
       .value("FILE");
   add_camera_options(command, arguments->camera);
-  add_field_option(command, arguments->field, "everything, or 60 degrees of a flight");
+  add_field_option(command, arguments->field, "the whole scene; for a flight 60 degrees");
   add_mesh_options(command, arguments->mesh);
   if (algorithm.mesh_time.seconds > 0) add_go_on_option(command, arguments->go_on);
   command
       .option("--pixels", arguments->pixels,
-              "Size of the image; 512x512 is made by the priority display itself")
+              "Size of the image; at 512x512 the picture is that of the priority display")
       .default_value()
       .value("WxH");
-  command.option("--picture", arguments->picture, "Faces filled, or lines between them")
+  command.option("--picture", arguments->picture, "Filled faces, or the lines between them")
       .one_of({"faces", "lines"})
       .default_value();
   command.option("--frames", arguments->frames, "Frames of a flight, 25 per second").range(1, 10'000).default_value();
-  command.option("--depth", arguments->options.depth, "Cut no surface more often than this")
+  command.option("--depth", arguments->options.depth, "Cut each surface at most this many times")
       .range(0, 1000)
       .default_value("30");
   command.flag(

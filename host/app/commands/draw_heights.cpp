@@ -1,5 +1,4 @@
-// `sightline draw METHOD GRID`: a surface over a grid with its hidden parts removed, by a method of the
-// registry.
+// `sightline draw METHOD GRID`: draws a surface over a grid with its hidden parts removed, by a method of the registry.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ using algorithms::skala::Subject;
 
 struct DrawHeightsArguments {
   std::vector<std::string> grids;
-  SkalaSource source;  // of each of them
+  SkalaSource source;  // the options that all grids share
   algorithms::skala::View view;
   std::string picture;
   std::string along;
@@ -48,7 +47,7 @@ struct DrawHeightsArguments {
   DrawOutput output;
 };
 
-// By the names the options take; empty: not given.
+// Values of options by name; empty: not given.
 Subject subject_named(const std::string& name) {
   if (name == "surface") return Subject::surface;
   return name == "contours" ? Subject::contours : Subject::lines;
@@ -60,8 +59,8 @@ Family slices_named(const std::string& name) {
   return name == "x" ? Family::along_x : Family::along_z;
 }
 
-void refuse_without_axes(const DrawOutput& output, const std::string& option, bool axes) {
-  if (!axes) refuse_option(output, option, "--axes");
+void reject_without_axes(const DrawOutput& output, const std::string& option, bool axes) {
+  if (!axes) reject_option(output, option, "--axes");
 }
 
 // --- proportions of the box
@@ -104,7 +103,7 @@ BoxSides sides_of(const std::string& aspect, const scene::HeightGrid& grid) {
 
 // --- contours
 
-// Round heights inside the range, unless levels or their distance are asked for.
+// Round heights within the range, unless --levels or --contour-step is given.
 std::vector<double> levels_of(const DrawHeightsArguments& arguments, const scene::HeightGrid& grid) {
   constexpr int most_levels = 255;
   constexpr int usual_most = 12;
@@ -153,7 +152,7 @@ void print_drawing(const registry::HeightAlgorithm& algorithm, const DrawHeights
     document["levels"] = levels.empty() ? Json(arguments.view.levels) : numbers(levels);
   }
   if (plot) document["plot"] = *plot;
-  // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
+  // Names of functions and files come from the user: bytes that are not UTF-8 are replaced.
   print_json(document);
 }
 
@@ -166,7 +165,7 @@ void read_view(DrawHeightsArguments& arguments, hidden_lines::Format format) {
   require_angles(view.rotation, view.elevation);
   view.visibility = !arguments.no_visibility;
   view.rims = !arguments.no_rims;
-  // Without it a contour would end in the middle of nowhere where the surface turns away, and a net where a cell is folded.
+  // Without a silhouette, contours would end at no visible line where the surface turns away, and a net where a cell is folded.
   const bool needs_silhouette = view.subject == Subject::contours || (view.subject == Subject::surface && view.net);
   view.silhouette = arguments.silhouette || (needs_silhouette && !arguments.no_silhouette);
   if (arguments.colours == "heights") view.colouring = algorithms::skala::Colouring::heights;
@@ -176,21 +175,21 @@ void read_view(DrawHeightsArguments& arguments, hidden_lines::Format format) {
   const DrawOutput& output = arguments.output;
   const bool levels = view.subject == Subject::contours || arguments.figure.floor;
   if (!levels)
-    for (const char* option : {"--levels", "--contour-step", "--labels"}) refuse_option(output, option, "--picture contours or --floor");
+    for (const char* option : {"--levels", "--contour-step", "--labels"}) reject_option(output, option, "--picture contours or --floor");
   if (view.subject == Subject::lines) {
-    refuse_option(output, "--net", "--picture contours or --picture surface");
-    if (!arguments.figure.floor) refuse_option(output, "--colours", "--picture contours or --picture surface");
+    reject_option(output, "--net", "--picture contours or --picture surface");
+    if (!arguments.figure.floor) reject_option(output, "--colours", "--picture contours or --picture surface");
   }
   if (arguments.contour_step) require_finite("--contour-step", *arguments.contour_step);
   if (arguments.contour_step && output.command->is_given("--levels")) throw base::usage_error("--levels: found with --contour-step");
   require_finite("--text", arguments.figure.text);
   if (!arguments.axis_names.empty() && arguments.axis_names.size() != 3)
     throw base::usage_error(fmt::format("--axis-names: found {}, expected three: of x, y and the height", arguments.axis_names.size()));
-  if (!arguments.axis_names.empty()) refuse_without_axes(output, "--axis-names", arguments.figure.axes);
+  if (!arguments.axis_names.empty()) reject_without_axes(output, "--axis-names", arguments.figure.axes);
   arguments.figure.legend = view.colouring == algorithms::skala::Colouring::heights && !with_pens && !arguments.no_legend;
 }
 
-// A millimetre on paper; on an image four pixels, about a millimetre on a screen.
+// The unit is 1 mm on paper; in an image four pixels, about 1 mm on a screen.
 void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, hidden_lines::Format format) {
   algorithms::skala::FigureOptions& figure = arguments.figure;
   const DrawOutput& output = arguments.output;
@@ -208,7 +207,7 @@ void read_page(DrawHeightsArguments& arguments, const SkalaFunction& function, h
   for (std::size_t i = 0; i < arguments.axis_names.size(); ++i) figure.names[i] = arguments.axis_names[i];
 }
 
-// Where there are more layers than pens, the contours of all levels are one, and so are those of the floor.
+// If there are more layers than pens, the contours of all levels become one layer, and so do those of the floor.
 void join_levels(picture::VectorDrawing& drawing, const DrawOutput& output) {
   const std::size_t pens = !output.pens.empty()           ? output.pens.size()
                            : output.plotter() != nullptr ? static_cast<std::size_t>(output.plotter()->pens)
@@ -226,11 +225,11 @@ void join_levels(picture::VectorDrawing& drawing, const DrawOutput& output) {
   drawing.layers = std::move(layers);
 }
 
-// The surfaces, all with the range of all; the result is the first one, with the names of all.
+// Loads all surfaces and gives each the common range of heights. Returns the first one, with the names of all.
 SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene::HeightGrid>& grids) {
   constexpr scene::GridSize usual{65, 65};
   std::vector<std::string> names = arguments.grids;
-  // One of --function, or nothing, which is said there.
+  // The surface of --function; if there is none, load_skala_function reports it.
   if (names.empty() || !arguments.source.expression.empty()) names.emplace_back();
   SkalaFunction all;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -260,8 +259,8 @@ SkalaFunction load_all(const DrawHeightsArguments& arguments, std::vector<scene:
 // "65 lines", "4096 facets, 12 lines"
 std::string drawing_text(const picture::VectorDrawing& drawing) {
   std::string text;
-  if (!drawing.facets.empty()) text = counted(drawing.facets.size(), "facet");
-  if (text.empty() || !drawing.lines.empty()) text += (text.empty() ? "" : ", ") + counted(drawing.lines.size(), "line");
+  if (!drawing.facets.empty()) text = count_text(drawing.facets.size(), "facet");
+  if (text.empty() || !drawing.lines.empty()) text += (text.empty() ? "" : ", ") + count_text(drawing.lines.size(), "line");
   return text;
 }
 
@@ -286,7 +285,7 @@ ExitCode run_draw_heights(const registry::HeightAlgorithm& algorithm, DrawHeight
   if (arguments.json) {
     print_drawing(algorithm, arguments, function, figure, plot);
   } else {
-    say_written(arguments.output.file, fmt::format("{}, {}", drawing_text(figure.drawing), size_text(arguments.output, format)));
+    report_written(arguments.output.file, fmt::format("{}, {}", drawing_text(figure.drawing), size_text(arguments.output, format)));
   }
   return ExitCode::ok;
 }
@@ -296,19 +295,19 @@ void add_view_options(const Command& command, DrawHeightsArguments& arguments) {
   add_picture_option(command, arguments.picture, "What is drawn");
   command.option("--along", arguments.along, "Slices along x, along z or both")
       .one_of({"x", "z", "both"})
-      .default_value("the less end-on, of several surfaces both");
+      .default_value("the family seen less end-on; for several surfaces both");
   add_angle_options(command, view.rotation, view.elevation);
-  command.option("--levels", view.levels, "How many contour levels, at equal distances").range(1, 255).default_value("round heights, at most 12");
+  command.option("--levels", view.levels, "Number of contour levels, at equal distances").range(1, 255).default_value("round heights, at most 12");
   command.option("--contour-step", arguments.contour_step, "Contours at the multiples of this height").range(1e-300, 1e300).value("H");
-  command.flag("--labels", arguments.figure.contour_labels, "Write their heights into contours");
-  command.flag("--floor", arguments.figure.floor, "Contours also on a floor below the surface");
-  command.flag("--net", view.net, "Contours and surfaces: draw the net of all cells, too");
-  const Option silhouette = command.flag("--silhouette", arguments.silhouette, "Draw where the surface turns away from the eye, as contours and --net of a surface do anyway");
-  command.flag("--no-silhouette", arguments.no_silhouette, "Leave it out of contours and of --net").excludes(silhouette);
+  command.flag("--labels", arguments.figure.contour_labels, "Label contours with their heights");
+  command.flag("--floor", arguments.figure.floor, "Also draw contours on a floor below the surface");
+  command.flag("--net", view.net, "Also draw the net of all cells, with contours or a surface");
+  const Option silhouette = command.flag("--silhouette", arguments.silhouette, "Draw the silhouette; contours and a surface with --net always have it");
+  command.flag("--no-silhouette", arguments.no_silhouette, "Omit the silhouette from contours and --net").excludes(silhouette);
   command.option("--colours", arguments.colours, "Colours of a surface or of contours by height, or of a surface by its slope").one_of({"slope", "heights"}).default_value("slope");
-  command.flag("--no-legend", arguments.no_legend, "Leave out the legend of --colours heights");
-  command.flag("--no-rims", arguments.no_rims, "Leave out the surface's own edges between slices");
-  command.flag("--no-visibility", arguments.no_visibility, "Draw hidden lines, too");
+  command.flag("--no-legend", arguments.no_legend, "Omit the legend of --colours heights");
+  command.flag("--no-rims", arguments.no_rims, "Omit the borders of the surface between slices");
+  command.flag("--no-visibility", arguments.no_visibility, "Also draw hidden lines");
   command.option("--columns", view.columns, "Columns of the horizon masks; more columns find hidden parts more finely")
       .default_value()
       .range(algorithms::skala::fewest_columns, algorithms::skala::most_columns);
@@ -318,10 +317,10 @@ void add_figure_options(const Command& command, DrawHeightsArguments& arguments)
   command.flag("--axes", arguments.figure.axes, "A box of axes with ticks and labels around the surface").group("Figure");
   command.option("--axis-names", arguments.axis_names, "Names of the three axes").separated_by(',').default_value("those of the file or x,y").value("X,Y,HEIGHT").group("Figure");
   command.option("--title", arguments.figure.title, "A title above the drawing").value("WORDS").group("Figure");
-  command.option("--text", arguments.figure.text, "Height of a capital in mm; in an image four pixels are one").default_value().range(0.5, 50.0).value("MM").group("Figure");
+  command.option("--text", arguments.figure.text, "Height of capital letters in mm; in an image 1 mm is four pixels").default_value().range(0.5, 50.0).value("MM").group("Figure");
   command
       .option("--aspect", arguments.aspect,
-              "Proportions of the box: free (1:1:0.6, whatever the units), equal-xy (x and y in the same units), equal (heights, too), or sides of your own")
+              "Proportions of the box: free (1:1:0.6 for all units), equal-xy (x and y at the same scale), equal (also heights), or X:Y:HEIGHT")
       .default_value()
       .value("X:Y:HEIGHT")
       .group("Figure");

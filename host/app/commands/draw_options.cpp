@@ -20,7 +20,7 @@ namespace sightline::app {
 
 namespace {
 
-// --- where to
+// --- Output
 
 constexpr std::string_view calcomp = "calcomp";
 constexpr double widest_paper = 10'000;  // millimetres
@@ -39,31 +39,31 @@ std::optional<hidden_lines::Format> format_of(const DrawOutput& output) {
   return dot == std::string::npos ? std::nullopt : hidden_lines::format_named(std::string_view(output.file).substr(dot + 1));
 }
 
-void refuse_options_of_others(const DrawOutput& output, hidden_lines::Format format) {
+void reject_options_of_others(const DrawOutput& output, hidden_lines::Format format) {
   constexpr std::string_view on_paper = "--size, or a name that does not end in .png";
   constexpr std::string_view with_pens = "a name that does not end in .png";
   constexpr std::string_view of_plotters = "a name that ends in .plt or .hpgl";
   if (format != hidden_lines::Format::png) {
-    for (const char* option : {"--pixels", "--dpi"}) refuse_option(output, option, "a name that ends in .png");
+    for (const char* option : {"--pixels", "--dpi"}) reject_option(output, option, "a name that ends in .png");
   } else if (output.is_sheet()) {
     if (output.command->is_given("--pixels"))
       throw base::usage_error("--pixels: found with --size, which --dpi makes pixels");
   } else {
-    for (const char* option : {"--margin", "--landscape", "--dpi"}) refuse_option(output, option, on_paper);
+    for (const char* option : {"--margin", "--landscape", "--dpi"}) reject_option(output, option, on_paper);
   }
   if (format == hidden_lines::Format::png)
-    for (const char* option : {"--as-found", "--min-gap", "--plot-report"}) refuse_option(output, option, with_pens);
+    for (const char* option : {"--as-found", "--min-gap", "--plot-report"}) reject_option(output, option, with_pens);
   if (format != hidden_lines::Format::hpgl)
-    for (const char* option : {"--pens", "--speed", "--relative"}) refuse_option(output, option, of_plotters);
-  if (format != hidden_lines::Format::hpgl && format != hidden_lines::Format::steps) refuse_option(output, "--device", of_plotters);
+    for (const char* option : {"--pens", "--speed", "--relative"}) reject_option(output, option, of_plotters);
+  if (format != hidden_lines::Format::hpgl && format != hidden_lines::Format::steps) reject_option(output, "--device", of_plotters);
   if (format == hidden_lines::Format::hpgl || format == hidden_lines::Format::steps || format == hidden_lines::Format::dxf ||
       (format == hidden_lines::Format::png && !output.is_sheet()))
-    refuse_option(output, "--pen", "a name that ends in .svg or .pdf");
+    reject_option(output, "--pen", "a name that ends in .svg or .pdf");
 }
 
 struct PaperSize {
   std::string_view name;
-  double width, height;  // mm, upright
+  double width, height;  // mm, portrait
 };
 // ISO 216 and ANSI Y14.1.
 constexpr std::array paper_sizes{
@@ -114,8 +114,8 @@ void read_paper(DrawOutput& output) {
   if (output.landscape && paper.width < paper.height) std::swap(paper.width, paper.height);
 }
 
-// What of a paper a drawing with a scale can use. A plotter's limits are its margins, which differ by axis, and no other
-// margin is needed unless it is asked for.
+// The part of a sheet that a drawing with a scale can use. A plotter's limits are its margins, which differ by axis; there is no
+// other margin unless --margin is given.
 std::array<double, 2> room_of(const DrawOutput& output, const picture::Paper& paper) {
   std::array<double, 2> room{paper.width - 2 * output.margin, paper.height - 2 * output.margin};
   if (output.plotter() == nullptr) return room;
@@ -126,7 +126,8 @@ std::array<double, 2> room_of(const DrawOutput& output, const picture::Paper& pa
   return room;
 }
 
-// With the margin that the plotter needs, unless a narrower one was asked for; or with what a scale leaves.
+// Sets the margin: --margin, which must be wide enough for the plotter, or the wider of the default and what the plotter needs. With a
+// scale, the drawing may fill all of room_of() instead.
 void read_margin(DrawOutput& output) {
   picture::Paper& paper = output.paper;
   const picture::Plotter* const plotter = output.plotter();
@@ -172,7 +173,7 @@ std::string list_of(const std::vector<std::string>& names) {
   return base::joined(first, ", ") + " and " + (names.size() > most ? fmt::format("{} more", names.size() - shown) : names.back());
 }
 
-// More layers than pens, or pens without a layer.
+// Warns of more layers than pens, and of pens without a layer.
 void warn_of_pens(const std::vector<std::string>& labels, const DrawOutput& output) {
   const picture::Plotter* const plotter = output.plotter();
   const picture::HpglOptions options = hpgl_options(output);
@@ -217,14 +218,14 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
   output.command = command;
   command
       .option("-o,--output", output.file,
-              fmt::format("The drawing; the ending says what it is: {}; - is standard output, SVG unless "
-                          "--format says otherwise",
+              fmt::format("The drawing; the extension selects the format: {}; - is standard output, in SVG unless "
+                          "--format is given",
                           format_endings))
       .required()
       .value("FILE");
-  command.option("--format", output.format, "What it is, whatever its name")
+  command.option("--format", output.format, "Format of the drawing, whatever its name")
       .one_of({"svg", "png", "plt", "pdf", "dxf", "steps"})
-      .default_value("as the name says");
+      .default_value("by the extension");
   command
       .option("--size", output.size,
               "Size of the paper: A0 to A6, Letter, Legal, Tabloid, or WIDTHxHEIGHT in mm, or in inches as "
@@ -245,38 +246,38 @@ void add_draw_output_options(const Command& command, DrawOutput& output) {
       .group("Pen");
   command
       .option("--min-gap", output.min_gap,
-              "Draw over gaps between lines that are shorter than this, in mm, so that the pen stays down")
+              "Keep the pen down across gaps between lines that are shorter than this, in mm")
       .default_value()
       .range(0.0, 10.0)
       .value("MM")
       .group("Pen");
   command
       .flag("--as-found", output.as_found,
-            "Lines in the order they were found in, not in that of a pen, which travels little in the air")
+            "Keep the order in which the lines were found; otherwise they are ordered so that the raised pen travels little")
       .group("Pen");
   std::vector<std::string> devices;
   for (const picture::Plotter& plotter : picture::plotters()) devices.emplace_back(plotter.name);
-  command.option("--device", output.device, "A plotter whose limits and number of pens are kept; its own paper unless --size is given")
+  command.option("--device", output.device, "Observe the limits and the number of pens of this plotter; its own paper unless --size is given")
       .one_of(devices)
       .default_value("any")
       .group("Pen");
-  command.option("--pens", output.pens, "The pens of the layers in their order; the last one draws all layers beyond")
+  command.option("--pens", output.pens, "The pens of the layers, in order; the last one also draws all further layers")
       .default_value("1,2,3 and so on, as many as there are")
       .separated_by(',')
       .value("N,...")
       .group("Pen");
-  command.option("--speed", output.speed, "Of the lowered pen in cm/s, for .plt")
+  command.option("--speed", output.speed, "Speed of the lowered pen in cm/s, for .plt")
       .default_value("the plotter's own")
       .range(0.1, 110.0)
       .value("SPEED")
       .group("Pen");
-  command.flag("--relative", output.relative, "HP-GL with distances from point to point").group("Pen");
-  command.flag("--plot-report", output.report, "Say how far the pen travels and how long that takes").group("Pen");
+  command.flag("--relative", output.relative, "Write HP-GL with relative coordinates").group("Pen");
+  command.flag("--plot-report", output.report, "Report how far the pen travels and how long that takes").group("Pen");
   command.option("--pixels", output.pixels, "Size of the image, for .png").default_value().value("WxH");
-  command.option("--dpi", output.dpi, "Pixels of an inch, for .png with --size").default_value().range(10.0, 2400.0).value("N");
+  command.option("--dpi", output.dpi, "Pixels per inch, for .png with --size").default_value().range(10.0, 2400.0).value("N");
 }
 
-void refuse_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
+void reject_option(const DrawOutput& output, const std::string& option, std::string_view needed) {
   if (output.command->is_given(option))
     throw base::usage_error(fmt::format("{}: found without {}", option, needed));
 }
@@ -292,10 +293,10 @@ hidden_lines::Format read_draw_output(DrawOutput& output) {
                           output.file)
             : fmt::format("--device: found {} with a step file, which is for calcomp", output.device));
   }
-  refuse_options_of_others(output, *format);
+  reject_options_of_others(output, *format);
   read_paper(output);
   picture::Paper& paper = output.paper;
-  // A value that is not a number (nan) passes the ranges of the options.
+  // nan passes the range checks of the options.
   require_finite("--margin", output.margin);
   require_finite("--pen", paper.pen);
   require_finite("--min-gap", output.min_gap);
@@ -346,7 +347,7 @@ void require_room(const picture::VectorDrawing& drawing, const DrawOutput& outpu
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  constexpr double rounding = 0.002;  // mm, of two floats on the largest paper
+  constexpr double rounding = 0.002;  // mm; rounding error of two floats on the largest paper
   const std::array<double, 2> size{double{high.x} - low.x, double{high.y} - low.y};
   const auto fits = [&size](const std::array<double, 2>& room) {
     return size[0] <= room[0] + rounding && size[1] <= room[1] + rounding;
@@ -354,7 +355,7 @@ void require_room(const picture::VectorDrawing& drawing, const DrawOutput& outpu
   if (fits(output.room)) return;
   const std::string found = fmt::format("--scale {}: found a drawing of {:.1f}x{:.1f} mm on paper with room for {:.1f}x{:.1f}", output.scale,
                                         size[0], size[1], output.room[0], output.room[1]);
-  // Upright before lying, small before large.
+  // Portrait before landscape, small before large.
   const picture::Plotter* const plotter = output.plotter();
   const auto sheet_that_fits = [&](std::string_view name, double width, double height) -> std::string {
     for (const bool lying : {width > height, width <= height}) {
@@ -402,7 +403,7 @@ std::optional<base::Json> write_drawing(const picture::VectorDrawing& drawing, c
   if (!written.plot) return std::nullopt;
   base::Json plot = plot_json(*written.plot);
   if (output.report) {
-    complain(fmt::format(
+    print_message(fmt::format(
         "{}: {} m drawn, {} m in the air, {} lifts; {} s on a {}", output.file, plot["pen_down_m"].dump(),
         plot["pen_up_m"].dump(), plot["lifts"].dump(), plot["seconds"].dump(),
         std::string(output.plotter() != nullptr ? output.device : picture::plotters().front().name)));

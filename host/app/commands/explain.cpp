@@ -1,4 +1,4 @@
-// `sightline explain`: an algorithm at work on a picture, step by step, as JSON or as a page.
+// `sightline explain`: shows step by step how an algorithm makes a picture, as JSON or as a page.
 #include <fmt/core.h>
 
 #include <memory>
@@ -38,10 +38,10 @@ void check_name(const std::string& file) {
 void write_lesson(const explain::Lesson& lesson, const std::string& file, Output& output) {
   output.write(std::string_view(is_page(file) ? explain::page_of(lesson) : explain::json_of(lesson) + "\n"));
   output.commit();
-  say_written(file, (lesson.cut ? "cut after " : "") + counted(lesson.steps.size(), "step") + (is_page(file) ? "; open it in a browser" : ""));
+  report_written(file, (lesson.cut ? "cut after " : "") + count_text(lesson.steps.size(), "step") + (is_page(file) ? "; open it in a browser" : ""));
 }
 
-// A grid of heights is no scene, but a lesson of skala can be had of it.
+// If the file is a grid of heights, the error names the lesson that accepts it, skala.
 scene::LoadedScene load_scene_of(const explain::Explainer& explainer, const std::string& name, const MeshArguments& mesh) {
   try {
     return load_scene(name, mesh);
@@ -97,7 +97,7 @@ void add_explain_command(const Command& program) {
       one.option("SCENE", arguments->scene, scene_help).required();
       add_camera_options(one, arguments->camera);
     }
-    one.option("-o,--output", arguments->file, "The lesson: .html to look at, .json for other programs, - for JSON on standard output")
+    one.option("-o,--output", arguments->file, "The lesson: .html for a browser, .json for other programs, - for JSON on standard output")
         .required()
         .value("FILE");
     one.run([arguments, &explainer] {

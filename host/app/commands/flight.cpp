@@ -41,8 +41,8 @@ flight::Precision precision_of(const std::string& bits) {
   return bits == "12" ? flight::Precision::bits_12 : flight::Precision::bits_16;
 }
 
-// What the display showed, the bottom row first; 256 by 256, every second point of every second line.
-picture::PixelGrid faces_shown(std::span<const std::uint32_t> shown) {
+// The picture on the display, the bottom row first; 256 by 256, every second point of every second line.
+picture::PixelGrid half_size_picture(std::span<const std::uint32_t> shown) {
   picture::PixelGrid faces(display::columns / 2, display::lines / 2);
   for (int row = 0; row < faces.height; ++row)
     for (int column = 0; column < faces.width; ++column)
@@ -51,8 +51,8 @@ picture::PixelGrid faces_shown(std::span<const std::uint32_t> shown) {
   return faces;
 }
 
-// The whole of one picture.
-picture::PixelGrid whole_shown(std::span<const std::uint32_t> shown) {
+// The same picture with all its points.
+picture::PixelGrid full_picture(std::span<const std::uint32_t> shown) {
   picture::PixelGrid faces(display::columns, display::lines);
   for (int row = 0; row < faces.height; ++row)
     std::copy_n(shown.begin() + static_cast<std::ptrdiff_t>(display::lines - 1 - row) * display::columns, display::columns,
@@ -60,8 +60,8 @@ picture::PixelGrid whole_shown(std::span<const std::uint32_t> shown) {
   return faces;
 }
 
-// Each picture for as long as the display showed it: until the next.
-picture::FrameTime time_shown(const std::vector<flight::Frame>& frames, std::size_t number) {
+// The time during which the display showed a picture, until the next one.
+picture::FrameTime display_time(const std::vector<flight::Frame>& frames, std::size_t number) {
   const core::Duration shown = number + 1 < frames.size() ? frames[number + 1].shown - frames[number].shown : display::frame;
   return {static_cast<std::uint16_t>(std::min<std::int64_t>(shown.count() / 1'000'000, 65'535)), 1000};
 }
@@ -76,16 +76,16 @@ std::string frame_table(const std::vector<flight::Frame>& frames) {
   return text;
 }
 
-struct Made {
+struct FlightFiles {
   flight::Outcome run;
   std::vector<std::string> files;
 };
 
-Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, const flight::Plan& planned) {
+FlightFiles fly(const FlightArguments& arguments, const scene::LoadedScene& source, const flight::Plan& planned) {
   make_directory(arguments.directory);
   const std::string stem = file_stem(std::filesystem::path(arguments.scene).stem().string());
   const std::string base = (std::filesystem::path(arguments.directory) / (stem + "-flight")).string();
-  Made made;
+  FlightFiles made;
   made.files = {base + ".apng", base + ".png", base + ".csv"};
   const std::string title = fmt::format("{} from the priority display, after Willis 1977", stem);
   Output animation(made.files[0]);
@@ -95,13 +95,13 @@ Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, con
   std::vector<picture::Image> pictures;
   flight::Order order{.model = planned.model, .path = planned.path, .precision = precision_of(arguments.bits), .count_points = true, .check = arguments.check};
   order.picture = [&](std::uint32_t frame, std::span<const std::uint32_t> shown) {
-    pictures.push_back(picture::shaded_image(faces_shown(shown), shades));
-    if (frame == arguments.frames / 3) write_png(still, picture::shaded_image(whole_shown(shown), shades), {{"Title", title}, {"Software", "sightline"}});
+    pictures.push_back(picture::shaded_image(half_size_picture(shown), shades));
+    if (frame == arguments.frames / 3) write_png(still, picture::shaded_image(full_picture(shown), shades), {{"Title", title}, {"Software", "sightline"}});
   };
   made.run = value_of(flight::run(order), arguments.scene);
   picture::ApngWriter apng({1, 25}, 0, {{"Title", title}, {"Software", "sightline"}});
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const auto added = apng.add(pictures[i], time_shown(made.run.frames, i));
+    const auto added = apng.add(pictures[i], display_time(made.run.frames, i));
     if (!added) throw base::io_error(added.error().message());
   }
   const auto bytes = apng.finish();
@@ -114,7 +114,7 @@ Made fly(const FlightArguments& arguments, const scene::LoadedScene& source, con
   return made;
 }
 
-Json flight_document(const FlightArguments& arguments, const flight::Plan& planned, const Made& made) {
+Json flight_document(const FlightArguments& arguments, const flight::Plan& planned, const FlightFiles& made) {
   const flight::Packed& packed = made.run.packed;
   const flight::Summary& sum = made.run.summary;
   return Json{{"schema", "sightline/flight/1"},
@@ -143,8 +143,8 @@ Json flight_document(const FlightArguments& arguments, const flight::Plan& plann
               {"files", made.files}};
 }
 
-// `unit`: of the scene's coordinates, in that of its file.
-std::string flight_text(const FlightArguments& arguments, const flight::Plan& planned, const Made& made, double unit) {
+// `unit`: one unit of the scene's coordinates, in units of its file.
+std::string flight_text(const FlightArguments& arguments, const flight::Plan& planned, const FlightFiles& made, double unit) {
   const flight::Packed& packed = made.run.packed;
   const flight::Summary& sum = made.run.summary;
   std::string text = fmt::format("{}: a flight on an 8080 at 3 MHz with the priority display{}\n", arguments.scene, arguments.plan ? ", in plan" : "");
@@ -171,7 +171,7 @@ ExitCode run_flight(const FlightArguments& arguments) {
   const scene::LoadedScene source = load_scene(arguments.scene);
   const std::optional<std::size_t> pieces = arguments.pieces > 0 ? std::optional<std::size_t>(arguments.pieces) : std::nullopt;
   const flight::Plan planned = value_of(flight::plan_flight(source.scene, arguments.plan, arguments.frames, pieces), arguments.scene);
-  const Made made = fly(arguments, source, planned);
+  const FlightFiles made = fly(arguments, source, planned);
   if (arguments.json) {
     print_json(flight_document(arguments, planned, made));
   } else {
@@ -186,10 +186,10 @@ void add_flight_command(const Command& program) {
   const Command command = program.add_command("flight", help_page("flight"));
   const auto arguments = std::make_shared<FlightArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
-  command.option("--bits", arguments->bits, "Of a coordinate on the machine").one_of({"8", "12", "16"}).default_value();
+  command.option("--bits", arguments->bits, "Bits of a coordinate on the machine").one_of({"8", "12", "16"}).default_value();
   command.flag("--plan", arguments->plan,
                "Measure in plan, along the scene's vertical, as the paper does: walls only, seen from between their feet and tops");
-  command.option("--pieces", arguments->pieces, "Fly past this many of the pieces, those nearest to the start")
+  command.option("--pieces", arguments->pieces, "Use only this many pieces, those nearest to the start")
       .default_value("all")
       .range(1, static_cast<int>(flight::most_pieces));
   command.option("--frames", arguments->frames, "Frames of the flight").default_value().range(2, 2000);

@@ -1,4 +1,4 @@
-// `sightline hard`: the inputs that break programs of this kind, by every method that they name.
+// `sightline hard`: runs the inputs that break programs of this kind, by every method that they name.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -46,20 +46,20 @@ struct GroupedCase {
   HardCase hard;
 };
 
-struct Chosen {
+struct Selection {
   std::vector<GroupedCase> cases;
   std::vector<compare::Family> families;
 };
 
 std::string stem_of(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
-// "J5", and the file of one of its inputs: "J5-strip" or "J5-strip.json".
+// Whether `name` is the case's number, "J5", or a file of its inputs, "J5-strip" or "J5-strip.json".
 bool is_called(const HardCase& hard, const std::string& name) {
   return hard.id == name || (!hard.input.empty() && (hard.input == name || stem_of(hard.input) == name));
 }
 
-Chosen choose(const compare::Manifest& manifest, const std::vector<std::string>& names) {
-  Chosen chosen;
+Selection choose(const compare::Manifest& manifest, const std::vector<std::string>& names) {
+  Selection chosen;
   std::vector<std::string> known;
   for (const auto& group : manifest.groups)
     for (const HardCase& hard : group.cases) {
@@ -90,7 +90,7 @@ Chosen choose(const compare::Manifest& manifest, const std::vector<std::string>&
 
 // --- pictures and inputs
 
-// Names of files, each once: the input's, with the case's in front of it where it does not begin with that.
+// Makes unique file names: the name of the input, with the case's number in front unless it begins with that.
 class FileNames {
  public:
   std::string unused(const HardCase& hard) {
@@ -106,7 +106,7 @@ class FileNames {
   std::set<std::string> used_;
 };
 
-// The input and the picture; returns the paths.
+// Writes the input and the picture; returns the paths.
 std::vector<std::string> write_files(const std::string& directory, const HardCase& hard, const CaseOutcome& outcome,
                                      FileNames& names) {
   const auto path_of = [&](const std::string& name) { return (std::filesystem::path(directory) / name).string(); };
@@ -127,7 +127,7 @@ std::vector<std::string> write_files(const std::string& directory, const HardCas
 
 // --- texts
 
-// As the help explains it: the two builds of a program by what they run on, any other method by its name.
+// The name of a method in the output: "emulated" or "in C++" for the two builds of a program, else its own name.
 std::string shown_method(std::string_view method) {
   for (const auto& [name, shown] : {std::pair{"guest", "emulated"}, std::pair{"twin", "in C++"}})
     if (method.substr(0, method.find(',')) == name) return shown + std::string(method.substr(std::string_view(name).size()));
@@ -238,7 +238,7 @@ Json family_json(const compare::Family& family, const std::vector<FamilyResult>&
 
 // --- the command
 
-ExitCode list_cases(const Chosen& chosen, bool json) {
+ExitCode list_cases(const Selection& chosen, bool json) {
   if (json) {
     Json document{{"schema", "sightline/hard/1"}, {"cases", Json::array()}};
     for (const GroupedCase& one : chosen.cases) document["cases"].push_back(case_json(one));
@@ -256,7 +256,7 @@ ExitCode list_cases(const Chosen& chosen, bool json) {
 
 ExitCode run_hard(const HardArguments& arguments) {
   const compare::Manifest manifest = value_of(compare::read_manifest(compare::hard_case_text("manifest.json"), "manifest.json"), "manifest.json");
-  const Chosen chosen = choose(manifest, arguments.cases);
+  const Selection chosen = choose(manifest, arguments.cases);
   if (arguments.list) return list_cases(chosen, arguments.json);
   if (!arguments.directory.empty()) make_directory(arguments.directory);
   const bool whole = !arguments.cases.empty();
@@ -297,7 +297,7 @@ ExitCode run_hard(const HardArguments& arguments) {
     write_stdout(fmt::format("\n{} cases and {} searches for a first failure, {}\n", chosen.cases.size(), chosen.families.size(),
                              otherwise.empty() ? "all as recorded" : fmt::format("{} NOT AS RECORDED", otherwise.size())));
   if (otherwise.empty()) return ExitCode::ok;
-  complain(fmt::format("not as their entries say: {}", base::joined(otherwise, ", ")));
+  print_message(fmt::format("not as their entries say: {}", base::joined(otherwise, ", ")));
   return ExitCode::differs;
 }
 

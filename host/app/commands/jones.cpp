@@ -47,7 +47,7 @@ jones::Order order_of(const JonesArguments& arguments) {
   order.check = arguments.check;
   if (!arguments.switches.empty()) {
     static_cast<void>(value_of(machines::read_switches(read_named(arguments.switches), order.switches)));
-    // The modes asked for on the command line stay up whatever else the script does.
+    // The switches of --stereo and --immediate stay up, whatever the script sets.
     const core::Word18 modes((arguments.stereo ? 1U : 0U) | (arguments.immediate ? 2U : 0U));
     for (auto& setting : order.switches) setting.switches = setting.switches | modes;
   }
@@ -120,7 +120,7 @@ ExitCode run_jones(const JonesArguments& arguments) {
   }
   const jones::Status status = outcome.view().status;
   if (status == jones::Status::complete) return ExitCode::ok;
-  complain(fmt::format("{}: the view stopped: {}; the pictures show what there was", arguments.scene,
+  print_message(fmt::format("{}: the view stopped: {}; the pictures show what there was", arguments.scene,
                        jones::name(status)));
   return ExitCode::guest_failed;
 }
@@ -135,8 +135,8 @@ void add_jones_command(const Command& program) {
   command.option("--fraction", arguments->fraction, "Fraction bits of the program's screen coordinates")
       .default_value()
       .range(0, 3);
-  command.flag("--truncate", arguments->truncate, "Truncate quotients where the program rounds them");
-  command.option("--at,--eye", arguments->at, "The eye; the cell it is in becomes the initial cell")
+  command.flag("--truncate", arguments->truncate, "Truncate quotients instead of rounding them");
+  command.option("--at,--eye", arguments->at, "The camera position; its cell becomes the initial cell")
       .default_value("the scene's own view")
       .value("X,Y,Z");
   command.option("--scale", arguments->scale, "Scale factor; 512 shows 90 degrees")
@@ -146,7 +146,7 @@ void add_jones_command(const Command& program) {
       .value("SCRIPT");
   command.flag("--stereo", arguments->stereo, "A stereo pair: AC switch 17 up");
   command.flag("--immediate", arguments->immediate, "Add lines to the picture at once: AC switch 16 up");
-  command.option("--views", arguments->views, "How many views to compute; the last is shown")
+  command.option("--views", arguments->views, "Number of views to compute; the last one is shown")
       .default_value()
       .range(1, 1000);
   command.option("-o,--output", arguments->directory, "Folder for the pictures").default_value().value("DIR");

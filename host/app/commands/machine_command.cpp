@@ -1,4 +1,3 @@
-// See machine_command.hpp.
 #include "host/app/commands/machine_command.hpp"
 
 #include <memory>
@@ -16,7 +15,7 @@ Option add(const Command& command, const machines::Option& option, Arguments& ar
   Arguments::Value& value = arguments.value(option.key());
   switch (option.kind) {
     case OptionKind::flag:
-      // One that is only there to be said has nothing to set.
+      // A flag that only states the default sets nothing.
       return command.flag(option.name, value.flag, option.help);
     case OptionKind::list: return command.option(option.name, value.list, option.help).one_at_a_time();
     case OptionKind::step:
@@ -52,17 +51,17 @@ void add_machine_command(const Command& parent, std::string_view name, const Hel
     }
     if (!option.argument.empty()) static_cast<void>(added.value(std::string(option.argument)));
     if (!option.excludes.empty())
-      static_cast<void>(added.excludes(command.added(std::string(option.excludes))));
+      static_cast<void>(added.excludes(command.find_option(std::string(option.excludes))));
   }
   command.run([arguments, work = std::move(work)] { return work(*arguments); });
 }
 
 machines::Input read_named(const std::string& path) {
-  return {shown_name(path), read_input(path)};
+  return {display_name(path), read_input(path)};
 }
 
-// The assembler tries several names and says itself that none of them could be read. A source says nothing
-// about standard input: `-` is a name like any other, and no such file is there.
+// Errors are ignored because the assembler tries several names and reports if none can be read. In a source, `-` is an ordinary
+// file name, not standard input.
 std::optional<std::string> read_include(const std::string& path) {
   if (path == "-") return std::nullopt;
   try {

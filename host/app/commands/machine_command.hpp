@@ -1,5 +1,5 @@
-// What `run`, `asm` and `disasm` share: a subcommand for each described machine
-// (host/machines/machine.hpp), whose options are data.
+// Adds the subcommands of `run`, `asm`, `disasm` and `monitor`: one for each described machine (host/machines/machine.hpp), with
+// the options of its description.
 #pragma once
 
 #include <functional>
@@ -14,21 +14,21 @@
 
 namespace sightline::app {
 
-// One subcommand of `parent`.
+// Adds a subcommand to `parent`.
 void add_machine_command(const Command& parent, std::string_view name, const HelpPage& help,
                          std::span<const machines::Option> options,
                          std::function<ExitCode(const machines::Arguments&)> work);
 
-// Reads a file whole; Error io.
+// Reads a whole file. Error io.
 [[nodiscard]] machines::Input read_named(const std::string& path);
 
-// The text of a source that another includes; empty if it cannot be read.
+// The text of an included source; empty if it cannot be read.
 [[nodiscard]] std::optional<std::string> read_include(const std::string& path);
 
-// Error io if the image of --disk could not be written back after the run, which is better known before it.
+// Checks before the run that the image of --disk can be written back after it. Error io.
 void check_disk(const machines::Arguments& arguments);
 
-// Puts what the program has changed on disks back into their files, each whole or not at all. Error io.
+// Writes changed disks back to their files, each completely or not at all. Error io.
 void write_media_back(const machines::Machine& machine);
 
 }  // namespace sightline::app

@@ -1,4 +1,4 @@
-// `sightline monitor`: a machine stopped, looked into and run on, at a prompt or by a file of commands.
+// `sightline monitor`: examines and runs a machine, by commands at a prompt or from a file.
 #include <fmt/core.h>
 
 #include <string>
@@ -22,13 +22,13 @@ using machines::OptionKind;
 
 ExitCode monitor(const MachineDescription& description, const Arguments& arguments) {
   if (arguments.list("--load").empty() && !arguments.given("--restore")) {
-    throw base::usage_error(fmt::format("monitor {}: needs a PROGRAM or --load FILE: without a program there is nothing to look into",
+    throw base::usage_error(fmt::format("monitor {}: needs a PROGRAM or --load FILE: without a program there is nothing to examine",
                                                description.name));
   }
   MonitoredMachine made = make_monitored(description, arguments);
   for (const std::string& warning : made.prepared.warnings) warn(warning);
   Machine& machine = *made.prepared.machine;
-  const ExitCode code = hold_monitor_session({description, machine, made.prepared.limits, std::move(made.symbols), arguments});
+  const ExitCode code = run_monitor_session({description, machine, made.prepared.limits, std::move(made.symbols), arguments});
   write_media_back(machine);
   return code;
 }
@@ -44,7 +44,7 @@ MonitoredMachine make_monitored(const MachineDescription& description, Arguments
   for (const std::string& path : arguments.list("--listing")) programs.symbols.add_listing(read_input_text(path));
   auto prepared = value_of(prepare(description, arguments, programs.reader()));
   if (prepared.machine->probe() == nullptr)
-    throw base::usage_error(fmt::format("the {} has no probe for a monitor or an editor; `sightline run {}` runs it",
+    throw base::usage_error(fmt::format("the {} does not support a monitor or an editor; `sightline run {}` runs it",
                                                description.name, description.name));
   return {std::move(prepared), std::move(programs.symbols)};
 }
@@ -57,13 +57,13 @@ std::vector<machines::Option> monitor_options(const MachineDescription& machine)
     options.push_back(option);
   }
   if (const auto* const dialect = dialect_option(machine)) options.push_back(*dialect);
-  options.push_back({OptionKind::list, "--symbols", "FILE", "Symbols of the program, as `sightline asm --symbols` writes them"});
-  options.push_back({OptionKind::list, "--listing", "FILE", "Its listing, whose lines are shown with the instructions"});
-  options.push_back({OptionKind::list, "--do", "FILE", "Commands to begin with"});
+  options.push_back({OptionKind::list, "--symbols", "FILE", "Symbols of the program, in a file of `sightline asm --symbols`"});
+  options.push_back({OptionKind::list, "--listing", "FILE", "Listing of the program; its lines are shown with the instructions"});
+  options.push_back({OptionKind::list, "--do", "FILE", "Execute the commands of this file first"});
   options.push_back({.kind = OptionKind::text,
                      .name = "--radix",
                      .argument = "N",
-                     .help = "Of the numbers that are typed and shown",
+                     .help = "Radix of the numbers that are typed and shown",
                      .choices = {"8", "10", "16"},
                      .initial = machine.radix == 8 ? "8" : "16"});
   return options;

@@ -1,4 +1,3 @@
-// See monitor_session.hpp.
 #include "host/app/commands/monitor_session.hpp"
 
 #include <editline/readline.h>
@@ -35,7 +34,7 @@ using machines::Machine;
 
 // --- Lines ---
 
-// Where the lines of the history are kept between sessions; empty: nowhere.
+// The file that keeps the history between sessions; empty: none.
 std::filesystem::path history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");
@@ -44,8 +43,8 @@ std::filesystem::path history_file() {
   return {};
 }
 
-// A character for libedit, which by itself would pass a signal on to all processes of the terminal; EOF at the end and when a
-// signal has come.
+// Reads a character for libedit, whose own function would pass a signal on to all processes of the terminal. EOF at the end of
+// the input and after a signal.
 int next_character(std::FILE*) {
   std::string bytes;
   while (base::EndSignals::received() == 0) {
@@ -57,13 +56,13 @@ int next_character(std::FILE*) {
     wchar_t character = 0;
     std::mbstate_t whole{};
     const std::size_t length = std::mbrtowc(&character, bytes.data(), bytes.size(), &whole);
-    if (length == static_cast<std::size_t>(-2)) continue;  // its other bytes are to come
+    if (length == static_cast<std::size_t>(-2)) continue;  // its other bytes follow
     return length == static_cast<std::size_t>(-1) ? byte : static_cast<int>(character);
   }
   return EOF;
 }
 
-// The one monitor whose names are completed: libedit calls a plain function.
+// The monitor that completes names; a global because libedit calls a plain function.
 const live::Monitor* completed_monitor = nullptr;
 
 char* next_completion(const char* begun, int state) {
@@ -80,7 +79,7 @@ char* next_completion(const char* begun, int state) {
 class Lines {
  public:
   virtual ~Lines() = default;
-  // nullopt: no more.
+  // nullopt: the input has ended.
   virtual std::optional<std::string> next(const std::string& prompt) = 0;
 };
 
@@ -113,7 +112,7 @@ class EditedLines final : public Lines {
     std::filesystem::create_directories(file_.parent_path(), ignored);
     static_cast<void>(write_history(file_.c_str()));
   }
-  // Ctrl-C drops the line.
+  // Ctrl-C discards the line.
   std::optional<std::string> next(const std::string& prompt) override {
     for (;;) {
       const std::unique_ptr<char, void (*)(void*)> line(readline(prompt.c_str()), &std::free);
@@ -124,7 +123,7 @@ class EditedLines final : public Lines {
       }
       if (base::EndSignals::received() != 0) return std::nullopt;
       if (!line) {
-        static_cast<void>(base::write_now(STDOUT_FILENO, "\n"));  // behind Ctrl-D
+        static_cast<void>(base::write_now(STDOUT_FILENO, "\n"));  // after Ctrl-D
         return std::nullopt;
       }
       if (*line != '\0') add_history(line.get());
@@ -137,7 +136,7 @@ class EditedLines final : public Lines {
 
 // --- A session ---
 
-// What the program prints, and whether the line is still open.
+// Prints the program's output and records whether its last line has ended.
 class Printer {
  public:
   bool print(std::string_view text) {
@@ -149,7 +148,7 @@ class Printer {
   void end_line() {
     if (open_) static_cast<void>(print("\n"));
   }
-  // Nobody reads it any more.
+  // Whether nobody reads the output any more.
   [[nodiscard]] bool unread() const { return unread_; }
 
  private:
@@ -159,7 +158,7 @@ class Printer {
 
 using Heard = std::function<void(std::string_view)>;
 
-// The operator at a terminal, whose monitor hears what is printed.
+// The operator at a terminal; the monitor receives what is printed.
 class Person final : public live::Operator {
  public:
   Person(Printer& printer, const Heard& heard) : printer_(printer), heard_(heard) {}
@@ -175,11 +174,11 @@ class Person final : public live::Operator {
   const Heard& heard_;
 };
 
-machines::Stop run_plainly(Machine& machine, const machines::Limits& limits, Printer& printer, const Heard& heard) {
+machines::Stop run_without_console(Machine& machine, const machines::Limits& limits, Printer& printer, const Heard& heard) {
   std::optional<machines::Stop> stop;
   while (!stop) {
     stop = machine.run(limits, true);
-    // A monitor runs a machine in parts of so many instructions.
+    // The monitor runs a machine in parts with a limit of instructions.
     if (!stop || stop->name == "instruction_limit")
       for (const std::string& warning : machine.take_early_warnings()) warn(warning);
     const std::string text = live::shown_text(machine.take_printed());
@@ -192,12 +191,12 @@ machines::Stop run_plainly(Machine& machine, const machines::Limits& limits, Pri
   return *stop;
 }
 
-// Ctrl-C stops what is under way at a prompt; any other signal, and Ctrl-C where there is no prompt, ends the session, and so does
-// the end of those who read what it prints. 0: none has come.
+// The signal that ends the session; 0: none. At a prompt, Ctrl-C only stops the current command. A session also ends if nobody
+// reads its output any more.
 int ending_signal(const Printer& printer, bool terminal) {
   const int received = base::EndSignals::received();
   if (received != 0 && !(terminal && received == SIGINT)) return received;
-  return printer.unread() ? SIGPIPE : 0;  // a terminal that has gone tells no signal
+  return printer.unread() ? SIGPIPE : 0;  // a closed terminal sends no signal
 }
 
 ExitCode exit_code_of(live::Answer::Kind kind) {
@@ -239,7 +238,7 @@ live::MonitorHost files_of_commands() {
   return host;
 }
 
-ExitCode hold_monitor_session(MonitorSetup setup) {
+ExitCode run_monitor_session(MonitorSetup setup) {
   Machine& machine = setup.machine;
   const Arguments& arguments = setup.arguments;
   const bool terminal = base::stdin_is_terminal();
@@ -249,11 +248,11 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
 
   Printer printer;
   const base::EndSignals signals;
-  // A command may run the machine in pieces: the terminal is raw until it has ended.
+  // A command may run the machine in parts: the terminal stays in raw mode until the command has ended.
   std::optional<base::RawTerminal> raw_terminal;
   live::MonitorHost host = files_of_commands();
   host.running.run = [&](Machine& running, const machines::Limits& limits, const Heard& heard) {
-    if (!console_options || !terminal) return run_plainly(running, limits, printer, heard);
+    if (!console_options || !terminal) return run_without_console(running, limits, printer, heard);
     if (!raw_terminal) raw_terminal.emplace();
     Person person(printer, heard);
     return live::run_console(running, limits, *console_options, person);
@@ -301,7 +300,7 @@ ExitCode hold_monitor_session(MonitorSetup setup) {
     raw_terminal.reset();
     if (!answer.text.empty()) printer.end_line();
     static_cast<void>(printer.print(answer.text));
-    // What goes wrong at a prompt is told; in a file of commands it ends the session.
+    // At a prompt an error is printed; in a file of commands it ends the session.
     const bool failed = answer.kind == live::Answer::Kind::wrong || answer.kind == live::Answer::Kind::failed;
     if (failed && !terminal && ending_signal(printer, terminal) == 0) {
       static_cast<void>(printer.print(session.finish().text));

@@ -1,4 +1,4 @@
-// The prompt of the monitor: lines of a person or a pipe, answered by live::Monitor.
+// The prompt of the monitor: reads lines from a person or a pipe and passes them to live::Monitor.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@
 
 namespace sightline::app {
 
-// The options of the monitor: those of `run` that make a machine, and its own.
+// The options of `monitor`: those of `run` that configure a machine, and its own.
 [[nodiscard]] std::vector<machines::Option> monitor_options(const machines::MachineDescription& machine);
 
-// --radix; 0: that of the machine.
+// The value of --radix; 0: the radix of the machine.
 [[nodiscard]] int radix_of(const machines::Arguments& arguments);
 
-// --dialect; empty: that of the machine's assembler.
+// The value of --dialect; empty: that of the machine's assembler.
 [[nodiscard]] std::string dialect_of(const machines::Arguments& arguments);
 
-// Reads and writes the files that commands name. There is no console to have a speed.
+// A host that reads and writes the files that commands name. It has no console.
 [[nodiscard]] live::MonitorHost files_of_commands();
 
 // A machine made with --monitor; sources among its programs are assembled in place.
@@ -37,11 +37,11 @@ struct MonitorSetup {
   machines::Machine& machine;  // made with --monitor
   machines::Limits limits;
   live::Symbols symbols;
-  // --console and --speed say how the program's console runs, --do what to begin with.
+  // --console and --speed configure the program's console; --do names the first commands.
   const machines::Arguments& arguments;
 };
 
-// Until `quit`, the end of the input, or a line that goes wrong in a pipe.
-[[nodiscard]] ExitCode hold_monitor_session(MonitorSetup setup);
+// Runs until `quit`, the end of the input, or, if the input is a pipe, the first error.
+[[nodiscard]] ExitCode run_monitor_session(MonitorSetup setup);
 
 }  // namespace sightline::app

@@ -1,4 +1,4 @@
-// `sightline page`: the page of live machines as a file.
+// `sightline page`: writes the page of live machines.
 #include <fmt/core.h>
 #include <zlib.h>
 
@@ -11,10 +11,10 @@
 namespace sightline::app {
 namespace {
 
-std::string unpacked(std::span<const std::uint8_t> packed) {
+std::string decompress(std::span<const std::uint8_t> packed) {
   constexpr int gzip = 16;
   z_stream stream{};
-  if (inflateInit2(&stream, MAX_WBITS + gzip) != Z_OK) throw base::io_error("the page cannot be unpacked");
+  if (inflateInit2(&stream, MAX_WBITS + gzip) != Z_OK) throw base::io_error("the page cannot be decompress");
   std::string text;
   std::string block(std::size_t{1} << 20, '\0');
   stream.next_in = const_cast<Bytef*>(packed.data());
@@ -27,7 +27,7 @@ std::string unpacked(std::span<const std::uint8_t> packed) {
     text.append(block, 0, block.size() - stream.avail_out);
   }
   static_cast<void>(inflateEnd(&stream));
-  if (state != Z_STREAM_END) throw base::io_error("the page cannot be unpacked: this program is damaged");
+  if (state != Z_STREAM_END) throw base::io_error("the page cannot be decompress: this program is damaged");
   return text;
 }
 
@@ -38,9 +38,9 @@ ExitCode write_page(const std::string& file) {
                   "tree installs them and makes it");
   }
   Output output(file);
-  output.write(std::string_view(unpacked(packed)));
+  output.write(std::string_view(decompress(packed)));
   output.commit();
-  if (file != "-") complain(fmt::format("{}: open it in a browser", file));
+  if (file != "-") print_message(fmt::format("{}: open it in a browser", file));
   return ExitCode::ok;
 }
 

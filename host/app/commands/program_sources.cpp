@@ -1,4 +1,3 @@
-// See program_sources.hpp.
 #include "host/app/commands/program_sources.hpp"
 
 #include <fmt/core.h>
@@ -37,7 +36,7 @@ const machines::Option* dialect_option(const MachineDescription& machine) {
   return found == options.end() ? nullptr : &*found;
 }
 
-void say_whose_source(const MachineDescription& machine, std::span<const assembler::SourceFile> sources, std::string_view command,
+void suggest_other_machine(const MachineDescription& machine, std::span<const assembler::SourceFile> sources, std::string_view command,
                       std::span<const std::string> names) {
   for (const MachineDescription* other : machines::machines()) {
     if (other == &machine || other->assembler.assemble == nullptr) continue;
@@ -45,7 +44,7 @@ void say_whose_source(const MachineDescription& machine, std::span<const assembl
     if (!assembled || assembler::any_errors(assembled->diagnostics)) continue;
     std::string files;
     for (const std::string& name : names) files += " " + name;
-    complain(fmt::format("this looks like {} source: sightline {} {}{}", other->name, command, other->name, files));
+    print_message(fmt::format("this looks like {} source: sightline {} {}{}", other->name, command, other->name, files));
     return;
   }
 }
@@ -56,7 +55,7 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
   const auto form = std::find_if(machine.formats.begin(), machine.formats.end(), [&machine](const auto& format) {
     return format.name == machine.assembler.format;
   });
-  // Sources side by side are one program, as those of a command line of `sightline asm` are.
+  // Adjacent sources are one program, as in `sightline asm`.
   std::vector<std::string>& loads = arguments.value("--load").list;
   for (auto first = loads.begin(); first != loads.end(); ++first) {
     const auto last = std::find_if_not(first, loads.end(), machines::named_as_source);
@@ -70,7 +69,7 @@ Programs assemble_sources(const MachineDescription& machine, Arguments& argument
     for (const auto& diagnostic : assembled.diagnostics)
       fmt::print(stderr, "{}\n", assembler::to_string(diagnostic));
     if (assembler::any_errors(assembled.diagnostics)) {
-      say_whose_source(machine, sources, command, {first, last});
+      suggest_other_machine(machine, sources, command, {first, last});
       throw base::bad_input(fmt::format("{}: the source has errors: {}", *first, first_error(assembled.diagnostics)));
     }
     static_cast<void>(programs.symbols.add_table(assembled.symbol_table));

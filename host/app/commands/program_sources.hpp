@@ -1,4 +1,4 @@
-// The programs of a command line that runs a machine: sources among them are assembled in place.
+// Assembles the sources among the programs of a command line that runs a machine.
 #pragma once
 
 #include <map>
@@ -11,25 +11,25 @@
 
 namespace sightline::app {
 
-// The sources of a command line, assembled, and the symbols of all.
+// The assembled sources of a command line, and the symbols of all.
 struct Programs {
-  std::map<std::string, base::Bytes> assembled;  // under the names that --load has for them now
+  std::map<std::string, base::Bytes> assembled;  // by the names that --load now has for them
   live::Symbols symbols;
 
-  // Reads what is assembled from here, and all else as a file. The programs outlive it.
+  // Reads assembled programs from here and everything else from files. The Programs must outlive the reader.
   [[nodiscard]] machines::FileReader reader() const;
 };
 
-// The assembler's option of which language sources are in; null if it reads one.
+// The assembler's option that selects the language of sources; null if it reads only one.
 [[nodiscard]] const machines::Option* dialect_option(const machines::MachineDescription& machine);
 
-// Says on standard error if sources with errors are those of another machine: if its assembler finds none in them. `command`: that
-// which was given ("run"); `names`: the files as they were given.
-void say_whose_source(const machines::MachineDescription& machine, std::span<const assembler::SourceFile> sources,
+// If the assembler of another machine accepts sources that have errors, prints a hint on standard error. `command`: the command that
+// was given ("run"); `names`: the files as given.
+void suggest_other_machine(const machines::MachineDescription& machine, std::span<const assembler::SourceFile> sources,
                       std::string_view command, std::span<const std::string> names);
 
-// Replaces sources in --load by what they assemble to; sources side by side are one program. Diagnostics go to standard error.
-// `command`: that which was given. Error bad_input or io.
+// Replaces the sources in --load by assembled programs; adjacent sources are one program. Diagnostics go to standard error.
+// `command`: the command that was given. Error bad_input or io.
 [[nodiscard]] Programs assemble_sources(const machines::MachineDescription& machine, machines::Arguments& arguments,
                                         std::string_view command);
 

@@ -1,4 +1,3 @@
-// See random_views.hpp.
 #include "host/app/commands/random_views.hpp"
 
 #include <fmt/core.h>
@@ -9,13 +8,13 @@ namespace sightline::app {
 
 void add_random_view_options(const Command& command, RandomViewOptions& options) {
   command.option("--seed", options.seed, "Seed of the random views: another seed gives other views")
-      .check(why_no_whole_number)
+      .check(whole_number_error)
       .default_value()
       .value("N");
   const Option turn = command.flag("--turn", options.turn,
                                    "Random views of a scene of cells in all directions, as polyhedra; without it they look along +z, as "
                                    "Jones's program does");
-  command.flag("--level", options.level, "Random views in parallel projection along directions without y, as plantinga and turn-pdp7 draw")
+  command.flag("--level", options.level, "Random views in parallel projection along level directions, which plantinga and turn-pdp7 draw")
       .excludes(turn);
 }
 

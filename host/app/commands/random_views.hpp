@@ -1,4 +1,4 @@
-// The options of random views, the same in `compare` and `sweep`, so that a view's number means the same view in both.
+// The options of random views, the same in `compare` and `sweep`: a number means the same view in both.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ struct RandomViewOptions {
   bool level = false;
 };
 
-// --seed, --turn and --level, of which the last two exclude each other.
+// Adds --seed, --turn and --level; the last two exclude each other.
 void add_random_view_options(const Command& command, RandomViewOptions& options);
 
-// Error usage: --turn of a scene that is not of cells.
+// Error usage: --turn for a scene that has no cells.
 [[nodiscard]] compare::Directions directions_of(const RandomViewOptions& options, const scene::LoadedScene& source);
 
 }  // namespace sightline::app

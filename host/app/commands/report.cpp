@@ -25,7 +25,7 @@ std::optional<std::string> report_program() {
 
 ExitCode run_report_program(char** argv) {
   if (const auto program = report_program()) execv(program->c_str(), argv);
-  complain(
+  print_message(
       "found no program sightline-report, which makes the report; `tools/dev report` in the source tree "
       "builds and runs it");
   return ExitCode::io;

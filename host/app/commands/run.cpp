@@ -1,4 +1,4 @@
-// `sightline run`: any program on an emulated machine, with the devices it asks for.
+// `sightline run`: runs any program on an emulated machine with the requested devices.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -31,11 +31,10 @@ using machines::Machine;
 using machines::MachineDescription;
 using machines::OptionKind;
 
-// The files a run writes: opened before it, filled during and after it, put in their places at the end.
+// The files that a run writes: opened before it, written during and after it, committed at the end.
 class RunOutputs {
  public:
-  // Error usage if a path is named twice or more than one goes to standard output; Error io if one cannot
-  // be written.
+  // Error usage: a path is named twice, or more than one output goes to standard output. Error io: one cannot be written.
   RunOutputs(const MachineDescription& description, const Arguments& arguments) {
     const bool json = arguments.given("--json");
     std::string stdout_twice = "-: named for two outputs";
@@ -60,14 +59,14 @@ class RunOutputs {
       throw base::usage_error("--console needs standard output; an output cannot be `-`");
   }
 
-  // The streams go to their files; this object outlives the run.
+  // Connects the machine's streams to their files. This object must outlive the run.
   void attach(Machine& machine) {
     for (File& file : files_) {
       if (file.option->kind != OptionKind::stream) continue;
       machine.take(file.option->key(), [&file](std::string_view text) { file.output->write(text); });
     }
   }
-  // Writes what the run left behind, and puts all files in their places. Error io.
+  // Writes the results of the run and commits all files. Error io.
   void write(const MachineDescription& description, Machine& machine) {
     for (File& file : files_) {
       if (file.option->kind != OptionKind::output) continue;
@@ -96,15 +95,15 @@ class RunOutputs {
 
 struct Ended {
   machines::Stop stop;
-  int signal = 0;  // that ended it; SIGPIPE: nobody reads what the program prints
+  int signal = 0;  // the signal that ended it, 0: none; SIGPIPE: nobody reads the program's output
 };
 
 Ended run_to_stop(const machines::Prepared& prepared, const Arguments& arguments) {
   const base::EndSignals signals;
-  // Without a disk nothing is to be put away when nobody reads the output: it ends at once, as other filters do.
+  // Without a disk nothing must be saved if nobody reads the output: the process ends at once, like other filters.
   if (!arguments.given("--disk")) static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
   base::ProgressLine line;
-  // Asked by the count of instructions, and not by a clock: what a run says is the same each time.
+  // Counted in instructions, not in time, so that the messages of a run are the same each time.
   constexpr std::uint64_t instructions_between_warnings = std::uint64_t{1} << 15;
   std::uint64_t next_warnings = 0;
   machines::Stop stop = machines::run_to_stop(
@@ -117,25 +116,25 @@ Ended run_to_stop(const machines::Prepared& prepared, const Arguments& arguments
           }
         }
         line.show_run(static_cast<std::uint64_t>(core::nanoseconds_of(progress.now)), progress.instructions);
-        return base::EndSignals::received() == 0 && std::ferror(stdout) == 0;  // it may be full
+        return base::EndSignals::received() == 0 && std::ferror(stdout) == 0;  // the disk may be full
       });
   return {std::move(stop), base::EndSignals::received()};
 }
 
-// Whether keys come from a person, and not from a script or a pipe.
+// Whether a person types, not a script or a pipe.
 bool person_types(const Arguments& arguments) {
   return arguments.given("--console") && base::stdin_is_terminal() && arguments.steps().empty();
 }
 
-// A person at a terminal, a pipe, or a script. What the program prints goes to standard output, with --json to standard
-// error.
+// Runs with a console: a person at a terminal, a pipe, or a script. The program's output goes to standard output, with --json
+// to standard error.
 Ended run_on_console(const machines::Prepared& prepared, const Arguments& arguments) {
   const bool person = person_types(arguments);
   const live::ConsoleOptions options = value_of(live::console_options(arguments, base::stdin_is_terminal()));
   const base::EndSignals signals;
   std::optional<base::RawTerminal> raw;
   if (person) {
-    static_cast<void>(std::fputs("Ctrl-E comes to the monitor; there `quit` ends the run.\n", stderr));
+    static_cast<void>(std::fputs("Ctrl-E enters the monitor; `quit` there ends the run.\n", stderr));
     raw.emplace();
   }
   const auto operator_ = live::standard_operator(
@@ -166,11 +165,11 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   const machines::Stop& stop = ended.stop;
   if (person && stop.name == live::stopped_by_ctrl_e) {
     const ExitCode code =
-        hold_monitor_session({description, machine, prepared.limits, std::move(programs.symbols), arguments});
+        run_monitor_session({description, machine, prepared.limits, std::move(programs.symbols), arguments});
     ended.signal = std::max(0, static_cast<int>(code) - 128);
   }
   for (const std::string& warning : machine.warnings()) warn(warning);
-  // A disk that cannot be written must not take the other files with it.
+  // If a disk cannot be written, the other files are still written.
   std::optional<base::Error> disk_failure;
   try {
     write_media_back(machine);
@@ -190,17 +189,17 @@ ExitCode run(const MachineDescription& description, Arguments arguments) {
   }
   if (disk_failure) throw *disk_failure;
   if (stop.name == machines::interrupted && ended.signal == 0) {
-    complain("stopped: standard output takes no more; all outputs hold what was done so far");
+    print_message("stopped: standard output takes no more; all outputs hold what was done so far");
     return ExitCode::io;
   }
   if (ended.signal == SIGINT && !console) {
-    complain("stopped by Ctrl-C; all outputs hold what was done so far");
+    print_message("stopped by Ctrl-C; all outputs hold what was done so far");
   } else if (ended.signal != 0 && ended.signal != SIGPIPE) {
-    complain(fmt::format("stopped by signal {}; all outputs hold what was done so far", ended.signal));
+    print_message(fmt::format("stopped by signal {}; all outputs hold what was done so far", ended.signal));
   }
   if (ended.signal != 0) return static_cast<ExitCode>(128 + ended.signal);
   if (stop.complaint.empty()) return ExitCode::ok;
-  complain(stop.complaint);
+  print_message(stop.complaint);
   return ExitCode::guest_failed;
 }
 

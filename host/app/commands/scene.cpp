@@ -1,4 +1,4 @@
-// `sightline scene`: what is known of a scene, and a scene in other forms.
+// `sightline scene`: describes, checks, converts, generates and decomposes scenes.
 #include "host/scene/generate/scene.hpp"
 
 #include <fmt/core.h>
@@ -35,7 +35,7 @@ namespace {
 using base::Json;
 using base::TextTable;
 
-// Openings through which the cells are entered from outside.
+// The number of openings that lead outside.
 std::size_t openings_outside(const scene::CellComplex& complex) {
   return static_cast<std::size_t>(
       std::count_if(complex.openings.begin(), complex.openings.end(), [](const auto& opening) {
@@ -52,7 +52,7 @@ std::size_t sheet_count(const scene::PolyScene& scene) {
       std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const scene::PolyBody& body) { return body.sheet; }));
 }
 
-// As the file's name says; JSON to standard output (-). `name`: what the scene came from, for an error in it.
+// Writes a scene in the format of the file's extension; JSON on standard output (-). `name`: the scene's name in errors.
 void write_scene(const scene::PolyScene& scene, const std::string& name, const std::string& path) {
   const auto format = scene::poly_format_of(path);
   if (path != "-" && !(format && scene::can_be_written(*format))) {
@@ -63,10 +63,10 @@ void write_scene(const scene::PolyScene& scene, const std::string& name, const s
   output.write(text);
   output.commit();
   const std::size_t sheets = sheet_count(scene);
-  std::string what = counted(scene.bodies.size() - sheets, "solid");
-  if (sheets > 0) what += ", " + counted(sheets, "sheet");
-  if (!scene.wires.empty()) what += fmt::format(", {} without faces", counted(scene.wires.size(), "line"));
-  say_written(path, fmt::format("{}, {}, {}", what, counted(scene::face_count(scene), "face"), counted(scene.vertices.size(), "vertex", "vertices")));
+  std::string what = count_text(scene.bodies.size() - sheets, "solid");
+  if (sheets > 0) what += ", " + count_text(sheets, "sheet");
+  if (!scene.wires.empty()) what += fmt::format(", {} without faces", count_text(scene.wires.size(), "line"));
+  report_written(path, fmt::format("{}, {}, {}", what, count_text(scene::face_count(scene), "face"), count_text(scene.vertices.size(), "vertex", "vertices")));
 }
 
 // --- tape
@@ -85,7 +85,7 @@ ExitCode tape(const TapeArguments& arguments) {
   Output output(arguments.output);
   output.write(text);
   output.commit();
-  say_written(arguments.output, fmt::format("{}, {}", counted(scene.cells.size(), "cell"), counted(scene.openings.size(), "portal")));
+  report_written(arguments.output, fmt::format("{}, {}", count_text(scene.cells.size(), "cell"), count_text(scene.openings.size(), "portal")));
   return ExitCode::ok;
 }
 
@@ -108,14 +108,14 @@ struct ShowArguments {
   bool json = false;
 };
 
-// What is wrong with a mesh, and what the other commands make of it.
+// Reports the defects of a scene; for a mesh, also whether the other commands would repair them.
 ExitCode check(const ShowArguments& arguments) {
   scene::SceneFile file = find_scene(arguments.scene);
   std::optional<scene::SceneReading> mended;
   if (!arguments.json && scene::can_be_mended(file)) mended = scene::read_scene(file, {.mend = true});
   scene::SceneReading reading = scene::read_scene(std::move(file));
   const std::string& name = reading.loaded.name;
-  // Where the eye is, is known only among bodies that are in order.
+  // The position of the eye can only be checked among correct bodies.
   if (reading.errors.empty() && reading.loaded.kind != scene::SceneKind::cells) {
     if (auto error = scene::eye_error(reading.loaded.scene, reading.loaded.scene.camera)) {
       error->file = name;
@@ -132,12 +132,12 @@ ExitCode check(const ShowArguments& arguments) {
                 {"possible", possible},
                 {"errors", std::move(errors)}});
   } else {
-    for (const base::Error& error : reading.errors) complain(error.message());
+    for (const base::Error& error : reading.errors) print_message(error.message());
     warn_of_changes(mended && mended->errors.empty() ? mended->loaded.report : reading.loaded.report);
     if (possible) {
       write_stdout(name + ": a possible scene\n");
     } else if (mended && mended->errors.empty()) {
-      write_stdout(name + ": all other commands mend this, unless --strict is given\n");
+      write_stdout(name + ": all other commands repair this, unless --strict is given\n");
     }
   }
   return possible ? ExitCode::ok : ExitCode::bad_input;
@@ -182,9 +182,9 @@ void describe_cells(const scene::CellScene& scene, const std::string& name, bool
   }
   TextTable facts = facts_table();
   facts.row({"name", scene.name});
-  facts.row({"cells", fmt::format("{}, with {}", scene.cells.size(), counted(lines, "line"))});
+  facts.row({"cells", fmt::format("{}, with {}", scene.cells.size(), count_text(lines, "line"))});
   facts.row({"openings", fmt::format("{}", scene.openings.size())});
-  facts.row({"matter", counted(scene.solids.size(), "solid") + ", " + counted(scene.walls.size(), "wall")});
+  facts.row({"matter", count_text(scene.solids.size(), "solid") + ", " + count_text(scene.walls.size(), "wall")});
   facts.row({"outer box", box_text(scene.outer.low, scene.outer.high)});
   facts.row({"default view", fmt::format("{}, in cell {}", base::joined(scene.default_view, ","), core.view.cell)});
   facts.row({"eye may move", box_text(core.view.limits.low, core.view.limits.high)});
@@ -234,11 +234,11 @@ void list_polyhedra(const scene::PolyScene& scene, TextTable& facts) {
   if (!scene.name.empty()) facts.row({"name", scene.name});
   facts.row({"vertices", fmt::format("{}", scene.vertices.size())});
   facts.row({"edges", fmt::format("{}", counts.edges)});
-  facts.row({"faces", fmt::format("{}, with {}", scene::face_count(scene), counted(counts.holes, "hole"))});
+  facts.row({"faces", fmt::format("{}, with {}", scene::face_count(scene), count_text(counts.holes, "hole"))});
   facts.row(
-      {"bodies", counted(scene.bodies.size() - counts.sheets, "solid") + ", " + counted(counts.sheets, "sheet")});
+      {"bodies", count_text(scene.bodies.size() - counts.sheets, "solid") + ", " + count_text(counts.sheets, "sheet")});
   if (!scene.wires.empty()) facts.row({"lines", fmt::format("{} without faces", scene.wires.size())});
-  if (!scene.surfaces.empty()) facts.row({"surfaces", counted(scene.surfaces.size(), "plane or single face", "planes and single faces")});
+  if (!scene.surfaces.empty()) facts.row({"surfaces", count_text(scene.surfaces.size(), "plane or single face", "planes and single faces")});
   const auto low = scene::file_point(scene, bounds.low);
   const auto high = scene::file_point(scene, bounds.high);
   facts.row({"bounds", fmt::format("x {}..{}  y {}..{}  z {}..{}", low[0], high[0], low[1], high[1], low[2], high[2])});
@@ -284,7 +284,7 @@ void describe_decomposition(const scene::LoadedScene& loaded, bool json) {
   TextTable facts = facts_table();
   list_polyhedra(loaded.scene, facts);
   facts.row(
-      {"cells", fmt::format("{}, with {}; by {}", complex.cells.size(), counted(complex.lines.size(), "line"), method)});
+      {"cells", fmt::format("{}, with {}; by {}", complex.cells.size(), count_text(complex.lines.size(), "line"), method)});
   facts.row({"openings", fmt::format("{}, {} of them to outside", complex.openings.size(), outside)});
   facts.row({"planes", fmt::format("{}", complex.planes.size())});
   facts.row({"outer box", box_text(complex.outer.low, complex.outer.high)});
@@ -339,7 +339,7 @@ struct ConvertArguments {
 };
 
 ExitCode convert(const ConvertArguments& arguments) {
-  const scene::LoadedScene loaded = load_scene(arguments.scene, arguments.mesh, Wires::kept);
+  const scene::LoadedScene loaded = load_scene(arguments.scene, arguments.mesh, Wires::keep);
   write_scene(loaded.scene, loaded.name, arguments.output);
   return ExitCode::ok;
 }
@@ -366,19 +366,19 @@ struct GenerateArguments {
   std::string output = "-";
 };
 
-// What SIZE counts; host/scene/generate/scene.hpp says what the families look like.
+// The meaning of SIZE for each family. host/scene/generate/scene.hpp describes the families.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 11> family_sizes{{
-    {"boxes", "SIZE boxes anywhere that touch nowhere"},
-    {"edgeon", "SIZE such boxes, viewed from the plane of a face"},
+    {"boxes", "SIZE boxes that do not touch"},
+    {"edgeon", "SIZE boxes that do not touch, seen from the plane of a face"},
     {"touch", "SIZE x SIZE x SIZE cubes that share faces"},
-    {"aligned", "SIZE x SIZE x SIZE cubes in rows, apart"},
+    {"aligned", "SIZE x SIZE x SIZE separate cubes in rows"},
     {"town", "SIZE buildings on the ground"},
     {"triangles", "SIZE triangles"},
-    {"bricks", "SIZE small boxes that may touch, fewer where there is no room"},
+    {"bricks", "SIZE small boxes that may touch; fewer if there is no room"},
     {"rooms", "SIZE x SIZE rooms with doors and hatches"},
-    {"big_rooms", "SIZE x SIZE such rooms, all lengths divided by 5"},
+    {"big_rooms", "SIZE x SIZE rooms with doors and hatches, all lengths divided by 5"},
     {"corridors", "SIZE rooms one behind the other"},
-    {"prisms", "SIZE turned houses of one height"},
+    {"prisms", "SIZE rotated houses of equal height"},
 }};
 
 std::string families_help() {
@@ -407,9 +407,9 @@ void add_generate(const Command& parent) {
   command.option("FAMILY", arguments->family, "Family of scenes; see below").required();
   command.option("SIZE", arguments->size, "Size of the scene; see below")
       .required()
-      .check(why_no_whole_number);
+      .check(whole_number_error);
   command.option("--seed", arguments->seed, "Seed of the random numbers: another seed gives another scene")
-      .check(why_no_whole_number)
+      .check(whole_number_error)
       .default_value()
       .value("N");
   command
@@ -453,12 +453,12 @@ void write_counts(const DecomposeArguments& arguments, const scene::Decompositio
   counts.row({"method", method_name(result.method)});
   counts.row({"cells", fmt::format("{}", complex.cells.size())});
   counts.row({"openings", fmt::format("{}, {} of them to outside", complex.openings.size(), outside)});
-  counts.row({"lines", fmt::format("{}, parts of {}", complex.lines.size(), counted(complex.edges.size(), "edge"))});
+  counts.row({"lines", fmt::format("{}, parts of {}", complex.lines.size(), count_text(complex.edges.size(), "edge"))});
   counts.row({"planes", fmt::format("{}", complex.planes.size())});
   write_stdout(counts.text());
 }
 
-// The file it writes is that of host/scene/read/cell_complex_file.hpp.
+// host/scene/read/cell_complex_file.hpp describes the format of the file.
 ExitCode decompose(const DecomposeArguments& arguments) {
   std::unique_ptr<Output> output;
   if (!arguments.output.empty()) output = std::make_unique<Output>(arguments.output);
@@ -466,7 +466,7 @@ ExitCode decompose(const DecomposeArguments& arguments) {
   const scene::Decomposition result =
       value_of(scene::decomposition_of(source.scene, method_named(arguments.method)), arguments.scene);
   const auto errors = scene::check_complex(result.complex, source.scene);
-  for (const base::Error& error : errors) complain(error.message());
+  for (const base::Error& error : errors) print_message(error.message());
   if (!errors.empty()) return ExitCode::differs;
   if (output) {
     scene::write_cell_complex(source.scene, result, [&](std::string_view text) { output->write(text); });
@@ -478,7 +478,7 @@ ExitCode decompose(const DecomposeArguments& arguments) {
 
 void add_decompose(const Command& parent) {
   const Command command = parent.add_command("decompose", help_page("scene_decompose"));
-  command.also_called("compartment");
+  command.add_alias("compartment");
   const auto arguments = std::make_shared<DecomposeArguments>();
   command.option("SCENE", arguments->scene, scene_help).required();
   add_mesh_options(command, arguments->mesh);

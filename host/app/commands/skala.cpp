@@ -38,7 +38,7 @@ struct SkalaArguments {
   bool json = false;
 };
 
-// By the names the option takes.
+// The value of --device by name.
 programs::skala::Device device_named(const std::string& name) {
   if (name == "alt256") return programs::skala::Device::alt256;
   if (name == "calcomp") return programs::skala::Device::calcomp;
@@ -84,13 +84,13 @@ void add_view_options(const Command& command, SkalaArguments& arguments) {
       .value("F");
   if (view.subject != Subject::contours) {
     add_slices_options(command, arguments.slices);
-    // Accepted, since one command line may serve all pictures; of no effect, and so without a help.
-    if (view.subject == Subject::surface) command.added("--both").hidden();
+    // Accepted so that one command line works for all pictures, but hidden because it has no effect.
+    if (view.subject == Subject::surface) command.find_option("--both").hidden();
     return;
   }
   command.flag("--both", arguments.slices.both, "");
   add_levels_option(command, view.levels);
-  command.flag("--net", view.net, "Draw the net of all cells, not only the domain's edge");
+  command.flag("--net", view.net, "Draw the net of all cells, not only the border of the domain");
 }
 
 void add_machine_options(const Command& command, SkalaArguments& arguments) {
@@ -100,7 +100,7 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
       .value("NAME");
   command.flag("--no-visibility", arguments.no_visibility, "Draw everything: the program without its visibility test");
   command.flag("--check", arguments.order.check, "Compare the picture with that of the same program in C++");
-  command.option("--link", arguments.link, "From the host computer; serial is 9600 baud")
+  command.option("--link", arguments.link, "Link from the host computer; serial has 9600 baud")
       .default_value()
       .one_of({"parallel", "serial"})
       .value("NAME");
@@ -112,7 +112,7 @@ void add_machine_options(const Command& command, SkalaArguments& arguments) {
 
 void add_output_options(const Command& command, SkalaArguments& arguments) {
   command.option("--palette", arguments.palette, "Colours of the PNG")
-      .default_value("grey for surfaces, else colour")
+      .default_value("grey for surfaces, colour for others")
       .one_of({"colour", "grey"})
       .value("NAME");
   command.option("--scale", arguments.scale, "Pixels per point in the PNG").default_value().range(1, 32);

@@ -15,7 +15,7 @@ using algorithms::skala::Subject;
 
 constexpr std::string_view plotted_function = "rogers";
 
-programs::skala::Outcome drawn(const scene::HeightFunction& function, Subject subject, programs::skala::Device device,
+programs::skala::Outcome run_program(const scene::HeightFunction& function, Subject subject, programs::skala::Device device,
                                const std::string& directory, std::string_view suffix) {
   SkalaRequest request;
   request.name = function.name;
@@ -50,14 +50,14 @@ SkalaDemo run_skala_demo(const std::string& directory) {
   SkalaDemo demo;
   for (const scene::HeightFunction& function : scene::height_functions().first(scene::figure_functions)) {
     const auto raster = [&](Subject picture, std::string_view suffix) {
-      return drawn(function, picture, programs::skala::Device::ef9365, directory, suffix);
+      return run_program(function, picture, programs::skala::Device::ef9365, directory, suffix);
     };
     demo.rows.push_back({std::string(function.name), raster(Subject::lines, "lines"),
                          raster(Subject::surface, "surface"),
                          raster(Subject::contours, "contours")});
   }
   demo.plotted = plotted_function;
-  demo.plot = drawn(*scene::height_function(plotted_function), Subject::lines,
+  demo.plot = run_program(*scene::height_function(plotted_function), Subject::lines,
                     programs::skala::Device::calcomp, directory, "calcomp");
   return demo;
 }

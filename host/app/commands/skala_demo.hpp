@@ -1,5 +1,5 @@
-// The 8080's part of `sightline demo`: the eight functions of every figure as lines, as shaded surfaces and
-// as contours on the raster board, and one of them on a plotter.
+// Skala's program in `sightline demo`: the eight functions of the figures as lines, as shaded surfaces and as contours on the
+// raster board, and one of them on a plotter.
 #pragma once
 
 #include <string>

@@ -1,4 +1,3 @@
-// See skala_options.hpp.
 #include "host/app/commands/skala_options.hpp"
 
 #include <fmt/core.h>
@@ -12,7 +11,7 @@ namespace sightline::app {
 
 namespace {
 
-constexpr const char* levels_help = "How many contour levels";
+constexpr const char* levels_help = "Number of contour levels";
 
 }  // namespace
 
@@ -24,15 +23,15 @@ void add_function_options(const Command& command, SkalaSource& source, const std
   command.option("--x-range", source.x_range, "Range of x in a function").default_value("--domain").value("A:B");
   command.option("--y-range", source.y_range, "Range of the second variable").default_value("--domain").value("A:B");
   command.option("--xyz", source.columns, "Three columns of a file of points, by name or number: x, y and height")
-      .default_value("as its heading or its content says")
+      .default_value("by its heading or content")
       .separated_by(',')
       .value("X,Y,Z");
-  command.option("--layout", source.layout, "What a file has: a matrix of heights, a table with its places in the first line and column, points x y z")
+  command.option("--layout", source.layout, "Layout of a file: a matrix of heights, a table with coordinates in its first line and column, or points x y z")
       .one_of({"matrix", "table", "points"})
-      .default_value("as its content says");
+      .default_value("by its content");
   constexpr int fewest = static_cast<int>(scene::smallest_grid.points);
   constexpr int most = static_cast<int>(scene::largest_grid.points);
-  command.option("--slices", source.slices, "Samples along the second variable: slices, unless those along it are drawn")
+  command.option("--slices", source.slices, "Samples along the second variable: the slices, unless the slices along it are drawn")
       .range(fewest, most)
       .default_value(slices)
       .value("N");
@@ -43,8 +42,8 @@ void add_function_options(const Command& command, SkalaSource& source, const std
 }
 
 void add_angle_options(const Command& command, double& rotation, double& elevation) {
-  command.option("--rotate", rotation, "Degrees about the vertical").default_value().value("A");
-  command.option("--elevate", elevation, "Degrees of the eye above the horizon; below 0 from below")
+  command.option("--rotate", rotation, "Rotation about the vertical axis in degrees").default_value().value("A");
+  command.option("--elevate", elevation, "Elevation of the camera above the horizon in degrees; negative from below")
       .default_value()
       .range(-90.0, 90.0)
       .value("E");
@@ -58,7 +57,7 @@ void require_angles(double rotation, double elevation) {
 void add_slices_options(const Command& command, SkalaSlices& slices) {
   const Option both = command.flag("--both", slices.both, "Slices along x and along z (lines only)");
   command.option("--along", slices.along, "Slices along x or along z")
-      .default_value("the less end-on")
+      .default_value("the family seen less end-on")
       .one_of({"x", "z"})
       .excludes(both);
 }

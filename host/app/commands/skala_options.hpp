@@ -1,5 +1,4 @@
-// The options that say which function of two variables is drawn and how it is looked at: the same ones in
-// `sightline skala`, `draw skala` and `compare`.
+// The options for a function of two variables and its view, the same in `sightline skala`, `draw skala` and `compare`.
 #pragma once
 
 #include <optional>
@@ -12,24 +11,25 @@
 
 namespace sightline::app {
 
-// How finely a function is sampled unless the options say so: as in the figures of the paper.
+// The default numbers of samples, those of the figures of the paper.
 [[nodiscard]] constexpr scene::GridSize usual_grid_size(algorithms::skala::Subject picture) {
   return picture == algorithms::skala::Subject::contours ? scene::GridSize{33, 33} : scene::GridSize{33, 60};
 }
 
-// --function, --domain, --x-range, --y-range, --xyz, --slices and --points. `slices` and `points` are what help says is usual.
+// Adds --function, --domain, --x-range, --y-range, --xyz, --layout, --slices and --points. `slices` and `points`: the defaults that
+// the help shows.
 void add_function_options(const Command& command, SkalaSource& source, const std::string& slices,
                           const std::string& points);
 
-// --rotate and --elevate. The defaults are those the angles have.
+// Adds --rotate and --elevate; the defaults are the values of the variables.
 void add_angle_options(const Command& command, double& rotation, double& elevation);
-// Error usage: an angle that is no number.
+// Error usage: an angle is not finite.
 void require_angles(double rotation, double elevation);
 
-// --both and --along, which exclude each other.
+// The values of --both and --along, which exclude each other.
 struct SkalaSlices {
   bool both = false;
-  std::string along;  // "x" or "z"; empty: the less end-on
+  std::string along;  // "x" or "z"; empty: the family seen less end-on
 };
 void add_slices_options(const Command& command, SkalaSlices& slices);
 [[nodiscard]] algorithms::skala::Family family_of(const SkalaSlices& slices);
@@ -37,10 +37,10 @@ void add_slices_options(const Command& command, SkalaSlices& slices);
 // "lines", "surface" or "contours"
 [[nodiscard]] std::string_view picture_name(algorithms::skala::Subject picture);
 
-// --picture: "lines", "surface" or "contours"; empty: not given, lines.
+// Adds --picture: "lines", "surface" or "contours"; empty: not given, lines.
 void add_picture_option(const Command& command, std::string& picture, const std::string& help);
 
-// --levels; the second without a default of its own.
+// Adds --levels; the second function shows no default.
 void add_levels_option(const Command& command, int& levels);
 void add_levels_option(const Command& command, std::optional<int>& levels);
 

@@ -15,8 +15,7 @@ namespace sightline::app {
 
 namespace {
 
-// Files BASE.ENDING of which all appear or, if one cannot be written, none: opened together, and put in their
-// places when all are written.
+// Files BASE.EXTENSION that are opened together and committed after all have been written: all are written, or none.
 class PictureSet {
  public:
   PictureSet(const std::string& base, std::initializer_list<std::string_view> endings) {
@@ -26,7 +25,7 @@ class PictureSet {
     }
   }
 
-  // By the place of its ending.
+  // The output of the i-th extension.
   Output& at(std::size_t i) { return outputs_[i]; }
 
   std::vector<std::string> commit() {

@@ -1,4 +1,4 @@
-// The files that `sightline skala` and `sightline demo` leave of a picture by Skala's program, and the names of what is in them.
+// The files that `sightline skala` and `sightline demo` write for a picture by Skala's program, and the names of their contents.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace sightline::app {
 
 struct SkalaRequest {
-  std::string name;  // of the function, as messages and titles show it
+  std::string name;  // of the function, in messages and titles
   programs::skala::Order order;
 };
 
@@ -24,14 +24,13 @@ struct SkalaRequest {
 [[nodiscard]] picture::RasterPalette usual_palette(algorithms::skala::Subject picture);
 
 struct SkalaFiles {
-  std::string directory;  // made if it is not there
+  std::string directory;  // created if necessary
   std::string stem;
   picture::RasterPalette palette = picture::RasterPalette::colour;
-  int scale = 3;  // pixels a point
+  int scale = 3;  // pixels per point
 };
 
-// DIRECTORY/STEM.png, for a plotter also .svg and .hpgl: none if one cannot be opened. Returns the paths.
-// Error io.
+// Writes DIRECTORY/STEM.png, for a plotter also .svg and .hpgl; none if one cannot be opened. Returns the paths. Error io.
 std::vector<std::string> write_skala_pictures(const SkalaFiles& files, const SkalaRequest& request,
                                               const programs::skala::Outcome& outcome);
 

@@ -18,8 +18,8 @@ std::string_view link_name(programs::skala::Link link) {
   return link == programs::skala::Link::serial ? "serial" : "parallel";
 }
 
-// The paper gives both figures for its pictures on a raster display, lines, surfaces and contours alike, and no number of slices.
-bool in_the_paper(const programs::skala::Order& order) {
+// Whether the paper gives times for such a picture. It gives one for all pictures on a raster display, and no number of slices.
+bool has_times_in_paper(const programs::skala::Order& order) {
   return is_raster(order.device) && order.view.visibility;
 }
 
@@ -31,8 +31,8 @@ std::string plotter_lines(const programs::skala::Order& order, const programs::s
       work.pen_lifts, core::in_seconds(work.time), work.steps_pen_down, work.steps_pen_up);
 }
 
-// The program looks once for the EF9365 board: that nobody answers is no finding.
-bool is_the_look_for_a_board(const programs::skala::Unanswered& port) {
+// The program tests once for the EF9365 board; a missing answer is normal.
+bool is_test_for_board(const programs::skala::Unanswered& port) {
   constexpr std::uint8_t ef9365_status = 0x40;
   return port.port == ef9365_status && port.reads == 1 && port.writes == 0;
 }
@@ -40,7 +40,7 @@ bool is_the_look_for_a_board(const programs::skala::Unanswered& port) {
 std::string port_lines(const programs::skala::Outcome& outcome) {
   std::string text;
   for (const programs::skala::Unanswered& port : outcome.picture.unanswered)
-    if (!is_the_look_for_a_board(port))
+    if (!is_test_for_board(port))
       text += fmt::format("unanswered       port {:02X}: reads {}, writes {}\n", port.port, port.reads,
                           port.writes);
   return text;
@@ -72,13 +72,13 @@ std::string skala_summary(const SkalaRequest& request, const programs::skala::Ou
   const auto seconds_of = [&](core::TStates time) { return core::in_seconds(time, order.clock); };
   text += fmt::format("drawing          {} T-states, {:.3f} s at {}{}\n", picture.drawing.count(),
                       seconds_of(picture.drawing), megahertz(order.clock),
-                      in_the_paper(order) ? " (the paper: about 2 s)" : "");
+                      has_times_in_paper(order) ? " (the paper: about 2 s)" : "");
   text += fmt::format("with receipt     {} T-states, {:.3f} s: {} bytes of commands in {} block{}\n",
                       picture.total.count(), seconds_of(picture.total), outcome.bytes, picture.blocks,
                       picture.blocks == 1 ? "" : "s");
   if (const auto cost = outcome.visibility_cost()) {
     text += fmt::format("visibility       {:+.1f} per cent of the time without{}\n", *cost,
-                        in_the_paper(order) ? " (the paper: about 15)" : "");
+                        has_times_in_paper(order) ? " (the paper: about 15)" : "");
   }
   text +=
       fmt::format("points walked    {}\npoints lit       {}\n", outcome.points_walked, outcome.points_lit);
@@ -121,7 +121,7 @@ std::string skala_document(const SkalaRequest& request, const programs::skala::O
                            {"steps_pen_up", outcome.plotter.steps_pen_up}};
   }
   document["pictures"] = pictures;
-  // Names of functions and files come from the user: what is no UTF-8 is shown as far as it can be.
+  // Names of functions and files come from the user: bytes that are not UTF-8 are replaced.
   return document.dump(2) + "\n";
 }
 

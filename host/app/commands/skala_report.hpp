@@ -1,4 +1,4 @@
-// What `sightline skala` prints of a picture: a summary for people, or one JSON document.
+// The output of `sightline skala` for a picture: a summary or one JSON document.
 #pragma once
 
 #include <string>

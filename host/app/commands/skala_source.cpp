@@ -25,7 +25,7 @@ namespace sightline::app {
 namespace {
 
 template <class Value>
-Value checked(base::Result<Value> result, base::ErrorKind kind) {
+Value value_or_throw(base::Result<Value> result, base::ErrorKind kind) {
   if (!result) throw base::error_of(kind, result.error().message(base::MessageStyle::position));
   return std::move(*result);
 }
@@ -34,10 +34,10 @@ scene::GridSize size_of(const SkalaSource& source, scene::GridSize usual) {
   return {source.points.value_or(usual.points), source.slices.value_or(usual.slices)};
 }
 
-// What of `usual` is not asked for otherwise.
+// The domain of the options; parts that are not given are those of `usual`.
 scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usual) {
   const auto read = [](const std::string& text, const char* option, scene::Interval otherwise) {
-    return text.empty() ? otherwise : checked(scene::read_domain(text, option), base::ErrorKind::usage);
+    return text.empty() ? otherwise : value_or_throw(scene::read_domain(text, option), base::ErrorKind::usage);
   };
   const scene::Interval x = read(source.domain, "--domain", usual.x);
   const scene::Interval z = read(source.domain, "--domain", usual.z);
@@ -47,7 +47,7 @@ scene::HeightDomain domain_of(const SkalaSource& source, scene::HeightDomain usu
 SkalaFunction from_expression(const SkalaSource& source, scene::GridSize size) {
   const scene::HeightDomain domain = domain_of(source, {scene::expression_domain, scene::expression_domain});
   const auto sampled = [expression = source.expression, domain](scene::GridSize at) {
-    return checked(scene::sample_expression(expression, domain, at), base::ErrorKind::usage);
+    return value_or_throw(scene::sample_expression(expression, domain, at), base::ErrorKind::usage);
   };
   return {source.expression, "function", sampled(size), sampled};
 }
@@ -96,18 +96,18 @@ SkalaFunction from_file(const SkalaSource& source) {
   if (source.points || source.slices)
     throw base::usage_error(fmt::format("{}: a grid file has its own size; found --points or --slices", file));
   if (!source.x_range.empty() || !source.y_range.empty())
-    throw base::usage_error(fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", shown_name(file)));
+    throw base::usage_error(fmt::format("{}: a grid file has its own ranges; found --x-range or --y-range", display_name(file)));
   const scene::GridFileOptions options{source.columns, layout_named(source.layout)};
   SkalaFunction function;
-  function.name = shown_name(file);
+  function.name = display_name(file);
   if (file == "-") {
     function.stem = "standard-input";
-    function.grid = checked(scene::read_height_grid(read_input_text(file), function.name, options), base::ErrorKind::bad_input);
+    function.grid = value_or_throw(scene::read_height_grid(read_input_text(file), function.name, options), base::ErrorKind::bad_input);
   } else {
     function.stem = file_stem(std::filesystem::path(file).stem().string());
-    function.grid = checked(scene::load_height_grid(file, options), base::ErrorKind::bad_input);
+    function.grid = value_or_throw(scene::load_height_grid(file, options), base::ErrorKind::bad_input);
   }
-  if (!function.grid.note.empty()) complain(fmt::format("{}: {}", function.name, function.grid.note));
+  if (!function.grid.note.empty()) print_message(fmt::format("{}: {}", function.name, function.grid.note));
   return function;
 }
 

@@ -1,4 +1,4 @@
-// The function that `sightline skala` draws: by name, from a grid file, or as an expression.
+// Loads the function that `sightline skala` draws: by name, from a grid file, or from an expression.
 #pragma once
 
 #include <functional>
@@ -14,29 +14,29 @@ namespace sightline::app {
 struct SkalaSource {
   std::string name_or_file;           // empty: none
   std::string expression;             // empty: none
-  std::string domain;                 // "A:B", of both variables of an expression; empty: the usual one
-  std::string x_range;                // "A:B", of a function that is sampled; empty: as `domain` or the function says
-  std::string y_range;                // of the second variable, whatever its name
-  std::vector<std::string> columns;   // of a file of points: x, y, height; empty: as its content says
-  std::string layout;                 // of a file: "matrix", "table", "points"; empty: as its content says
-  std::optional<std::size_t> points;  // only where there is something to sample
+  std::string domain;                 // "A:B", for both variables of an expression; empty: the default
+  std::string x_range;                // "A:B", for a sampled function; empty: that of `domain` or of the function
+  std::string y_range;                // of the second variable, y or z
+  std::vector<std::string> columns;   // of a file of points: x, y, height; empty: by its content
+  std::string layout;                 // of a file: "matrix", "table", "points"; empty: by its content
+  std::optional<std::size_t> points;  // only for functions that are sampled
   std::optional<std::size_t> slices;
 };
 
 struct SkalaFunction {
   std::string name;
-  std::string stem;  // for names of files
+  std::string stem;  // for file names
   scene::HeightGrid grid;
-  // The same function at another size; empty where nothing is between the points.
+  // Samples the same function at another size; empty for a grid, which has no values between its points.
   std::function<scene::HeightGrid(scene::GridSize)> sampled{};
 };
 
-// One line on standard error if the layout of a file was guessed. A file "-" is standard input. Sampled at the size asked for, else
-// at `usual`; a file has its own size. Error usage: no function, two, options that do not go with it, an expression or domain with
-// an error. Error io: neither a name nor a file. Error bad_input: the file is wrong.
+// Loads the function. It is sampled at the requested size, by default `usual`; a file has its own size. A file "-" is standard input.
+// If the layout of a file was guessed, one line on standard error says so. Error usage: no function, two functions, options that do
+// not apply, an error in an expression or domain. Error io: neither a function nor a file. Error bad_input: the file is wrong.
 [[nodiscard]] SkalaFunction load_skala_function(const SkalaSource& source, scene::GridSize usual);
 
-// Whether a name among scenes and functions is that of a function: its name, or a file whose ending is none of a scene.
+// Whether a name among scenes and functions is a function: its name, or a file whose extension is not that of a scene.
 [[nodiscard]] bool is_height_function(const std::string& name);
 
 }  // namespace sightline::app

@@ -33,8 +33,8 @@ struct SpinOptions {
   std::string memory = "8k";
   MeshArguments mesh;
   EdgeArguments edges;
-  std::string method;  // empty: as the scene is
-  std::string vertical;  // empty: as the file says, or y
+  std::string method;  // empty: by the scene
+  std::string vertical;  // empty: that of the file's format, or y
   double step = 3;
   double tolerance = 0;
   int size = 480;
@@ -42,7 +42,7 @@ struct SpinOptions {
   bool wire = false;
 };
 
-// Turned as a solid body is, so that the axis named points up: the turn is about y.
+// Rotates the scene so that the axis `vertical` becomes y, the axis of the turn.
 scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical) {
   const auto turned = [vertical](const scene::PolyPoint& p) -> scene::PolyPoint {
     if (vertical == "x") return {-p[1], p[0], p[2]};
@@ -53,7 +53,7 @@ scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical)
     return p;
   };
   for (scene::PolyPoint& vertex : scene.vertices) vertex = turned(vertex);
-  // The axis of the turn is the upright through the middle.
+  // The axis of the turn is the vertical line through the middle.
   const scene::PolyPoint middle = scene::bounds_of(scene).middle();
   for (scene::PolyPoint& vertex : scene.vertices) {
     vertex[0] -= middle[0];
@@ -62,7 +62,7 @@ scene::PolyScene turn_upright(scene::PolyScene scene, std::string_view vertical)
   return scene;
 }
 
-// Events of a mesh are too many to be found.
+// A mesh has too many events to compute.
 const registry::TurnMethod& method_of(const SpinOptions& options, const scene::PolyScene& scene) {
   if (!options.method.empty()) return *registry::find_turn_method(options.method);
   const bool each_view =
@@ -70,7 +70,7 @@ const registry::TurnMethod& method_of(const SpinOptions& options, const scene::P
   return *registry::find_turn_method(each_view ? "exact" : "plantinga");
 }
 
-// What was found is read from the file if it is there; else it is found, and kept there.
+// Reads the events from the file if it exists; otherwise computes and writes them.
 registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const scene::PolyScene& scene,
                                     const SpinOptions& options) {
   const bool keeps = !options.events.empty();
@@ -91,7 +91,7 @@ registry::PreparedTurn prepare_turn(const registry::TurnMethod& method, const sc
   return prepared;
 }
 
-// The image of every frame fits: the farthest any vertex is from the axis, and its heights.
+// The part of the plane that all frames fit into: the largest distance of a vertex from the axis, and the range of heights.
 class Sheet {
  public:
   Sheet(const scene::PolyScene& scene, int size) : size_(size) {
@@ -133,7 +133,7 @@ class Sheet {
   double scale_ = 1;
 };
 
-// For the PDP-7, as punched.
+// Writes the tape for the PDP-7.
 void write_tape(const scene::PolyScene& scene, const SpinOptions& options) {
   namespace turn = programs::turn;
   const auto memory = options.memory == "32k" ? turn::Memory::words_32k : turn::Memory::words_8k;
@@ -154,9 +154,9 @@ void spin(const SpinOptions& options) {
   const registry::TurnMethod& method = method_of(options, scene);
   if (method.name == "exact") scene = scene::with_crossings(std::move(scene));
   if (const auto reason = method.why_not(scene))
-    throw base::bad_input(fmt::format("{}: {}; --method exact finds each view from nothing", options.scene, *reason));
+    throw base::bad_input(fmt::format("{}: {}; --method exact computes each view from scratch", options.scene, *reason));
   if (method.name == "exact" && !options.events.empty())
-    throw base::usage_error("--events: found with --method exact, which finds none");
+    throw base::usage_error("--events: found with --method exact, which computes no events");
   Output output(options.out);
   const registry::PreparedTurn turn = prepare_turn(method, scene, options);
   const Sheet sheet(scene, options.size);
@@ -179,7 +179,7 @@ void spin(const SpinOptions& options) {
   for (const registry::TurnCount& of : turn.counts) counts += fmt::format("{} {}, ", of.value, of.name);
   write_stdout(fmt::format("{}: {}{} frames\n", source.name, counts, count));
   check_stdout();
-  say_written(options.out, fmt::format("{}, {} x {} pixels", counted(static_cast<std::uint64_t>(count), "frame"), options.size, options.size));
+  report_written(options.out, fmt::format("{}, {} x {} pixels", count_text(static_cast<std::uint64_t>(count), "frame"), options.size, options.size));
 }
 
 }  // namespace
@@ -193,29 +193,29 @@ void add_spin_command(const Command& program) {
   add_mesh_options(command, options->mesh);
   command
       .option("--events", options->events,
-              "Read the events of the turn from this file; if there is none, find and keep them in it")
+              "Read the events of the turn from this file; if it does not exist, compute and write them")
       .value("FILE");
   command
       .option("--tape", options->tape,
-              "Also punch the model with its events as a tape for the PDP-7, as `sightline turn` shows it")
+              "Also write the model with its events as a tape for the PDP-7, as in `sightline turn`")
       .value("FILE");
-  command.option("--memory", options->memory, "Core of the machine that the tape is for")
+  command.option("--memory", options->memory, "Core of the machine for which the tape is made")
       .one_of({"8k", "32k"})
       .default_value();
   std::vector<std::string> methods;
   for (const registry::TurnMethod& method : registry::turn_methods()) methods.emplace_back(method.name);
-  command.option("--method", options->method, "How the views of the turn are found")
+  command.option("--method", options->method, "How the views of the turn are computed")
       .one_of(methods)
-      .default_value("exact for a mesh and where bodies pass through each other, plantinga for all others");
+      .default_value("exact for a mesh and if bodies pass through each other, plantinga for others");
   command.option("--vertical", options->vertical, "Which axis points up, such as z or -y")
       .one_of({"x", "y", "z", "-x", "-y", "-z"})
       .value("AXIS")
-      .default_value("as the file's format says, or y");
+      .default_value("that of the file's format, or y");
   command.option("--step", options->step, "Degrees from frame to frame")
       .value("DEGREES")
       .range(0.05, 180.0)
       .default_value();
-  command.option("--tolerance", options->tolerance, "Join events within so many degrees; 0: exact")
+  command.option("--tolerance", options->tolerance, "Join events within this many degrees; 0: exact")
       .value("DEGREES")
       .range(0.0, 30.0)
       .default_value();
@@ -223,7 +223,7 @@ void add_spin_command(const Command& program) {
       .range(16, 4096)
       .default_value();
   command.option("--rate", options->rate, "Frames per second").range(1, 100).default_value();
-  command.flag("--wire", options->wire, "Every edge whole, hidden or not, for comparison");
+  command.flag("--wire", options->wire, "Draw every edge whole, hidden or not, for comparison");
   command.run([options] {
     require_finite("--step", options->step);
     require_finite("--tolerance", options->tolerance);

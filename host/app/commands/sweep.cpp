@@ -1,4 +1,4 @@
-// `sightline sweep`: methods compared over many random views of a scene.
+// `sightline sweep`: compares methods over many random views of a scene.
 #include "host/compare/sweep.hpp"
 
 #include <fcntl.h>
@@ -54,7 +54,7 @@ struct SweepArguments {
 
 constexpr std::string_view edge_oracle = "oracle";
 
-// What --algorithm takes.
+// The values of --algorithm.
 std::vector<std::string> known_methods() {
   std::vector<std::string> names = compare::method_names();
   names.emplace_back(edge_oracle);
@@ -73,7 +73,7 @@ bool is_asked(const SweepArguments& arguments, std::string_view method) {
   return std::find(arguments.algorithms.begin(), arguments.algorithms.end(), method) != arguments.algorithms.end();
 }
 
-// The methods that --algorithm and --guest name, in the order of tables. `exact` is always one for a scene.
+// The methods that --algorithm and --guest name, in the order of tables. For a scene, `exact` is always one of them.
 std::vector<std::string> methods_of(const SweepArguments& arguments, bool function) {
   const std::vector<std::string> known = known_methods();
   for (const std::string& name : arguments.algorithms) {
@@ -102,7 +102,7 @@ compare::SweepOptions options_of(const SweepArguments& arguments) {
   return options;
 }
 
-// Error usage: a method that was asked for does not apply; bad_input: one of those by default cannot be prepared.
+// Error usage: a requested method does not apply. Error bad_input: a default method cannot be prepared.
 compare::Sweep value_of(base::Result<compare::Sweep> sweep, const SweepArguments& arguments) {
   if (sweep) return std::move(*sweep);
   throw base::error_of(arguments.algorithms.empty() && !arguments.guest ? base::ErrorKind::bad_input : base::ErrorKind::usage, sweep.error().message());
@@ -112,7 +112,7 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const scene::LoadedScen
   if (source.scene.vertices.empty())
     throw base::bad_input(fmt::format("{}: nothing in it can be seen", source.name));
   if (arguments.guest && !source.cells)
-    throw base::usage_error(fmt::format("--guest: found {}, expected a scene of cells, which Jones's program can be given", source.name));
+    throw base::usage_error(fmt::format("--guest: found {}, expected a scene of cells, the input of Jones's program", source.name));
   compare::SweepOptions options = options_of(arguments);
   options.directions = directions_of(arguments.random, source);
   options.methods = methods_of(arguments, false);
@@ -132,22 +132,22 @@ compare::Sweep sweep_of(const SweepArguments& arguments, const SkalaFunction& fu
   return value_of(compare::Sweep::of(arguments.scene, function.grid, view, options), arguments);
 }
 
-// --- the output: a file of lines that grows while it is made and is continued after an interruption
+// --- the output: a file of lines that grows during the sweep and is resumed after an interruption
 //
-// Not written beside its place and renamed, as other outputs are: every whole line counts. A last line
-// without its end, which an interruption may leave, is dropped.
+// It is written in place, not renamed at the end like other outputs, because every complete line is a result. An incomplete last
+// line, which an interruption may leave, is removed.
 
 class SweepFile {
  public:
-  // "-" is standard output. Error io: it cannot be read or written, or is just being written by another.
+  // "-" is standard output. Error io: the file cannot be read or written, or another process is writing it.
   explicit SweepFile(const std::string& path);
   ~SweepFile();
   SweepFile(const SweepFile&) = delete;
   SweepFile& operator=(const SweepFile&) = delete;
 
-  // Passes every whole line, with its line feed, to `keep` until that says no; cuts the file off there if
-  // what follows is a line without end, or nothing. Returns how many were kept; -1 - that if a whole line was
-  // refused, and the file is as it was.
+  // Passes every complete line, with its line feed, to `keep` until it returns false. Truncates the file after the last kept line if
+  // only an incomplete line follows. Returns the number n of kept lines; or -1 - n if a complete line was rejected, and the file is
+  // unchanged.
   [[nodiscard]] std::int64_t keep_lines(const std::function<bool(std::string_view)>& keep);
 
   // Error io.
@@ -169,7 +169,7 @@ SweepFile::SweepFile(const std::string& path) : path_(path) {
     file_ = STDOUT_FILENO;
     return;
   }
-  // A pipe is opened for writing only: reading and writing it would not fail when nobody reads.
+  // A pipe is opened for writing only; opened for both, writing would succeed even if nobody reads.
   struct stat about {};
   const bool exists = stat(path.c_str(), &about) == 0;
   regular_ = !exists || S_ISREG(about.st_mode);
@@ -221,8 +221,7 @@ void SweepFile::append(std::string_view line) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       const int why = errno;
-      // A full disk leaves whole lines. What is left of this one if even that fails, the next sweep takes
-      // off.
+      // If the disk is full, only complete lines remain. If this fails, too, the next sweep removes the incomplete line.
       if (regular_) static_cast<void>(ftruncate(file_, start) == 0);
       errno = why;
       fail_with_errno(path_);
@@ -233,7 +232,7 @@ void SweepFile::append(std::string_view line) {
 
 // --- the sweep
 
-// How many views of the shard the file has already.
+// The number of views of the shard that the file already has.
 std::uint64_t kept_views(SweepFile& file, const SweepArguments& arguments, const compare::Sweep& sweep,
                          const compare::SweepShard& shard, compare::SweepTable& table) {
   std::uint64_t next = shard.first;
@@ -289,20 +288,20 @@ ExitCode run_sweep(const SweepArguments& arguments, const compare::Sweep& sweep)
     base::run_in_order(work);
   }
   if (done < shard.last - shard.first) {
-    complain(fmt::format("stopped after {} of {} views{}", done, shard.last - shard.first,
-                         arguments.output == "-" ? "" : "; the same command goes on from there"));
+    print_message(fmt::format("stopped after {} of {} views{}", done, shard.last - shard.first,
+                         arguments.output == "-" ? "" : "; the same command resumes there"));
     return ExitCode::interrupted;
   }
   const std::string text = sweep_text(
       table, [&](std::string_view method, std::uint64_t view) { return compare_command(arguments, method, view); });
-  // Lines on standard output stay lines alone.
+  // If the lines go to standard output, nothing else is printed there.
   if (arguments.output == "-")
     std::fputs(text.c_str(), stderr);
   else
     write_stdout(text);
-  say_written(arguments.output, counted(done, "view") + (kept > 0 ? fmt::format(", {} of them already there", kept) : ""));
+  report_written(arguments.output, count_text(done, "view") + (kept > 0 ? fmt::format(", {} of them already there", kept) : ""));
   if (table.differing() == 0) return ExitCode::ok;
-  complain(fmt::format("{}: {} of {} views differ", arguments.scene, table.differing(), done));
+  print_message(fmt::format("{}: {} of {} views differ", arguments.scene, table.differing(), done));
   return ExitCode::differs;
 }
 
@@ -325,7 +324,7 @@ void add_sweep_command(const Command& program) {
   command.option("SCENE", arguments->scene, fmt::format("{}; or a function of two variables, by name or from a grid file", scene_help))
       .required();
   add_mesh_options(command, arguments->mesh);
-  command.option("--views", arguments->views, "How many views there are in all")
+  command.option("--views", arguments->views, "Number of all views")
       .required()
       .range(std::uint64_t{1}, most_views)
       .value("N");
@@ -335,7 +334,7 @@ void add_sweep_command(const Command& program) {
       .value("I/N");
   command
       .option("--algorithm", arguments->algorithms,
-              fmt::format("Which of: {}. For scenes exact always runs, and is the truth for polyhedra unless oracle, the slow oracle of "
+              fmt::format("Some of: {}. For scenes exact always runs, and is the reference for polyhedra unless oracle, the slow oracle of "
                           "edges, is named",
                           base::joined(known_methods(), ", ")))
       .default_value("the native line methods that apply, or those of functions")

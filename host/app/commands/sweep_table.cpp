@@ -1,4 +1,3 @@
-// See sweep_table.hpp.
 #include "host/app/commands/sweep_table.hpp"
 
 #include <fmt/core.h>
@@ -21,13 +20,13 @@ std::string percent_text(double percent) {
   return fmt::format("{:.3g} %", percent);
 }
 
-// Median, 90 percent and greatest as three cells; empty ones of nothing.
+// The median, the 90 % quantile and the greatest value as three cells; empty cells if not measured.
 std::vector<std::string> quantiles(const std::optional<Spread>& spread, std::string (*text)(double)) {
   if (!spread) return {"", "", ""};
   return {text(spread->median), text(spread->ninety), text(spread->greatest)};
 }
 
-// The name under which --methods has it: rows of devices have theirs behind it.
+// The method's name for --methods. Rows of devices append the name of the device to it.
 std::string_view method_of(const AnswerRow& row) {
   return std::string_view(row.method).substr(0, row.method.find(' '));
 }
@@ -78,7 +77,8 @@ std::string sweep_text(const compare::SweepTable& sweep, const ViewCommand& comm
     if (std::exchange(first, false)) table.line("worst views:");
     table.line(fmt::format("  {}", command(method_of(row), row.worst_view)));
   }
-  // What a narrow terminal has no room for: of times 90 per cent, then the greatest; 90 per cent of what is different; what is drawn.
+  // The columns that a narrow terminal omits, in this order: for times the 90 % quantile, then the greatest; the 90 % quantile of the
+  // difference; the picture.
   std::vector<std::size_t> least;
   for (const std::size_t of_times : {std::size_t{8}, std::size_t{9}})
     for (std::size_t column = of_times; column + 1 < widths.size(); column += 3) least.push_back(column);

@@ -1,4 +1,5 @@
-// What a sweep ends with: of each method how often it is right, how wrong it is, how long it takes, and how to see its worst view.
+// The table at the end of a sweep: for each method, the number of right views, its error, its time, and the command that shows its
+// worst view.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace sightline::app {
 
-// The command that shows a method's picture of a view, measured.
+// Returns the command that compares a view by a method.
 using ViewCommand = std::function<std::string(std::string_view method, std::uint64_t view)>;
 
 [[nodiscard]] std::string sweep_text(const compare::SweepTable& table, const ViewCommand& command);

@@ -36,8 +36,8 @@ struct TurnArguments {
   bool json = false;
 };
 
-// Half as wide and high: the brightest of four points.
-picture::Image halved(const picture::Image& image) {
+// Half as wide and high; each pixel is the brightest of four.
+picture::Image half_size(const picture::Image& image) {
   picture::Image half(image.width / 2, image.height / 2, 1);
   for (int row = 0; row < half.height; ++row)
     for (int column = 0; column < half.width; ++column)
@@ -47,14 +47,14 @@ picture::Image halved(const picture::Image& image) {
   return half;
 }
 
-// Each picture for the time that the machine took for the one after it.
+// Each picture is shown for the time that the machine took for the next one.
 void write_animation(const std::string& path, const std::string& title, const turn::Pictures& run) {
   Output output(path);
   picture::ApngWriter apng({1, 25}, 0, {{"Title", title}, {"Software", "sightline"}});
   for (const turn::ShownPass& pass : run.shown) {
-    if (pass.picture + 2 >= run.pictures.size()) break;  // the turn's last pictures are its first again
+    if (pass.picture + 2 >= run.pictures.size()) break;  // the last pictures of the turn repeat the first ones
     const auto tenths = static_cast<std::uint16_t>(std::min<std::int64_t>(run.pictures[pass.picture + 2].time.count() / 100'000, 60000));
-    const auto added = apng.add(halved(picture::crisp_raster(pass.strokes)), {tenths, 10000});
+    const auto added = apng.add(half_size(picture::crisp_raster(pass.strokes)), {tenths, 10000});
     if (!added) throw base::usage_error(added.error().message());
   }
   const auto bytes = apng.finish();
@@ -166,7 +166,7 @@ ExitCode run_turn(const TurnArguments& arguments) {
   const auto full = std::find_if(outcome.hidden.pictures.begin(), outcome.hidden.pictures.end(),
                                  [](const turn::Picture& p) { return p.status != turn::Status::right; });
   if (full == outcome.hidden.pictures.end()) return ExitCode::ok;
-  complain(fmt::format("{}: a display file was full at angle {:06o}; that picture shows what there was", arguments.model,
+  print_message(fmt::format("{}: a display file was full at angle {:06o}; that picture shows what there was", arguments.model,
                        full->angle));
   return ExitCode::guest_failed;
 }
@@ -179,7 +179,7 @@ void add_turn_command(const Command& program) {
   command.option("MODEL", arguments->model, scene_help).required();
   add_eae_options(command, arguments->no_eae);
   command.option("--memory", arguments->memory, "Core of the machine").one_of({"8k", "32k"}).default_value();
-  command.option("--frames", arguments->frames, "Pictures to make of each kind")
+  command.option("--frames", arguments->frames, "Number of pictures of each kind")
       .default_value("those of one turn")
       .range(4, 20000);
   command.flag("--level", arguments->level, "Do not tilt the model: its y axis is the axis of the turn");

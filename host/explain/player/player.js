@@ -1,29 +1,29 @@
 // Plays a lesson (schema sightline/explain/1): sheets, a caption, counts, and controls to go forward and back.
 //
-// The state of a step is the contents of all layers. States are built from the nearest kept one: every 64th is kept.
+// The state of a step is the contents of all layers. Every 64th state is stored; the others are built from the one before.
 //
-// In the address of the page, behind ? or #: step=5, the step shown first; from=3 and to=12, the only steps shown; embed=1, the player without
-// the rest of the page, for a frame of another page.
+// Parameters in the page's address, after ? or #: step=5 is shown first; from=3 and to=12 limit the steps; embed=1 shows the player
+// without the rest of the page, for a frame in another page.
 
 const LOOKS = {
   faint: ['there for comparison', 1, []], plain: ['of the matter at hand', 1.5, []], now: ['this step', 2.5, []],
   other: ['compared with', 2, []], seen: ['visible', 2, []], hidden: ['hidden', 1.5, [4, 4]], waiting: ['waiting', 1.5, []],
   mask: ['mask', 2, []],
 };
-const KEPT = 64;
+const STATE_INTERVAL = 64;
 
-// Drawn in this order, so that what a step is about is not under what was there before.
+// The drawing order: the subject of the step is on top.
 const ORDER = ['faint', 'mask', 'plain', 'hidden', 'waiting', 'seen', 'other', 'now'];
 
-const asked = name => new RegExp(`[#&?]${name}=([^&]*)`).exec(location.hash)?.[1] ?? new URLSearchParams(location.search).get(name);
+const parameter = name => new RegExp(`[#&?]${name}=([^&]*)`).exec(location.hash)?.[1] ?? new URLSearchParams(location.search).get(name);
 
-// Whether the page is a frame of another one. The style sheet leaves out all but the player.
-const embedded = asked('embed') === '1';
+// Whether the page is embedded in another one. The style sheet then hides all but the player.
+const embedded = parameter('embed') === '1';
 document.documentElement.classList.toggle('embed', embedded);
 
-// A step that the address asks for, counted from 0; a sentence in `notes` if it cannot be had.
-function stepAsked(name, otherwise, length, notes) {
-  const text = asked(name);
+// The step (from 0) that a parameter of the address requests. A parameter that is out of range or no number adds a sentence to `notes`.
+function stepParameter(name, otherwise, length, notes) {
+  const text = parameter(name);
   if (text === null) return otherwise;
   if (!/^\d+$/.test(text)) {
     notes.push(`${name}=${text.slice(0, 20)} is ignored: expected the number of a step, from 1 to ${length}.`);
@@ -34,22 +34,22 @@ function stepAsked(name, otherwise, length, notes) {
   return step - 1;
 }
 
-// Gives the keys back to the player when something has been chosen from a list, or a slider has been let go.
+// Returns the keyboard focus to the player after a choice from a list and when a slider is released.
 export function releaseKeys(element) {
   element.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement) event.target.blur(); });
   element.addEventListener('pointerup', event => { if (event.target.type === 'range') event.target.blur(); });
 }
 
-// `moved` is called when the player rests on another step, never many times a second; with `addressed` the address says which is the first.
+// `moved` is called 0.2 s after the last change of the step; `addressed`: the address gives the first step.
 export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = {}) {
   const notes = [];
-  let first = stepAsked('from', 0, lesson.steps.length, notes);
-  let last = stepAsked('to', lesson.steps.length - 1, lesson.steps.length, notes);
+  let first = stepParameter('from', 0, lesson.steps.length, notes);
+  let last = stepParameter('to', lesson.steps.length - 1, lesson.steps.length, notes);
   if (first > last) {
     [first, last] = [last, first];
     notes.push(`from comes after to: steps ${first + 1} to ${last + 1} are shown.`);
   }
-  const begin = Math.max(first, Math.min(last, addressed ? stepAsked('step', first, lesson.steps.length, notes) : first));
+  const begin = Math.max(first, Math.min(last, addressed ? stepParameter('step', first, lesson.steps.length, notes) : first));
   const states = new Map();
   const order = lesson.sheets.map(() => []);
   for (const step of lesson.steps)
@@ -57,8 +57,8 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
       if (!order[layer.sheet].includes(layer.name)) order[layer.sheet].push(layer.name);
 
   function stateOf(n) {
-    let from = n - n % KEPT;
-    while (from > 0 && !states.has(from)) from -= KEPT;
+    let from = n - n % STATE_INTERVAL;
+    while (from > 0 && !states.has(from)) from -= STATE_INTERVAL;
     let state = states.get(from);
     if (!state) {
       state = lesson.sheets.map(() => ({}));
@@ -69,7 +69,7 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
     state = state.map(sheet => ({...sheet}));
     for (let i = from + 1; i <= n; ++i) {
       apply(state, lesson.steps[i]);
-      if (i % KEPT === 0) states.set(i, state.map(sheet => ({...sheet})));
+      if (i % STATE_INTERVAL === 0) states.set(i, state.map(sheet => ({...sheet})));
     }
     return state;
   }
@@ -106,8 +106,8 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
     const words = step.section ? `${step.caption} (${step.section})` : step.caption;
     return words.length > text.length ? words : text;
   }, '');
-  const room = make('p', {className: 'longest', textContent: longest});  // keeps the sheets in place when the caption changes
-  room.setAttribute('aria-hidden', 'true');
+  const placeholder = make('p', {className: 'longest', textContent: longest});  // reserves the height of the longest caption
+  placeholder.setAttribute('aria-hidden', 'true');
   const used = new Set(lesson.steps.flatMap(step => step.layers.flatMap(layer => layer.marks.filter(mark => mark[0] !== 'text' && mark[0] !== 'label').map(mark => mark[1]))));
   const player = make('section', {className: 'player'},
     make('h1', {textContent: lesson.title}),
@@ -116,7 +116,7 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
       button('|<', 'First step (Home)', () => show(first)), button('<', 'Back (left arrow)', () => show(at - 1)), play,
       button('>', 'Forward (right arrow)', () => show(at + 1)), button('>|', 'Last step (End)', () => show(last)),
       slider, place, pace),
-    make('div', {className: 'words'}, caption, room),
+    make('div', {className: 'words'}, caption, placeholder),
     make('div', {className: 'sheets'}, ...lesson.sheets.map((sheet, i) => make('figure', {}, make('div', {className: 'canvas'}, canvases[i]), make('figcaption', {textContent: sheet.title})))),
     counts,
     make('ul', {className: 'legend'}, ...Object.keys(LOOKS).filter(look => used.has(look)).map(look => {
@@ -172,8 +172,8 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
     lesson.sheets.forEach((sheet, i) => drawSheet(canvases[i], sheet, order[i].map(name => state[i][name] ?? []), colours, i === 0));
   }
 
-  // A key that goes down anywhere on the page. True if it is the player's; lists, fields, other sliders and the browser keep theirs. The page
-  // keys, which presenters' remotes send, scroll where there is something to scroll, and step where there is not.
+  // Handles a keydown event from anywhere on the page; true if the player uses the key. Lists, fields, other sliders and the browser keep
+  // their keys. The page keys, which presenters' remotes send, step only if the page fits its window; otherwise they scroll.
   function key(event) {
     const target = event.target;
     if (event.ctrlKey || event.altKey || event.metaKey || !player.isConnected) return false;
@@ -188,7 +188,7 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
     return Boolean(act);
   }
   slider.oninput = () => show(Number(slider.value));
-  // Not at once: to draw changes the layout, and the browser calls it an error when sizes change while their observers are told of them.
+  // In the next frame, because drawing changes the layout, and browsers report an error if sizes change during an observer's callback.
   const observer = new ResizeObserver(() => requestAnimationFrame(draw));
   canvases.forEach(canvas => observer.observe(canvas));
   show(begin);
@@ -198,7 +198,7 @@ export function makePlayer(root, lesson, {moved = () => {}, addressed = true} = 
   };
 }
 
-// `cut`: what is beyond the sheet's box is left out, as it is beyond the edges of the image.
+// `cut`: marks are clipped to the sheet's box, as the image is at its borders.
 function drawSheet(canvas, sheet, layers, colours, cut) {
   const ratio = window.devicePixelRatio || 1;
   const width = canvas.clientWidth;
@@ -261,8 +261,8 @@ function drawSheet(canvas, sheet, layers, colours, cut) {
   drawWords(context, words, width, height, colours, style.backgroundColor);
 }
 
-// Texts are next to their points and labels on theirs, or as near as there is room. What the step is about comes first; words that only
-// accompany it are left out where there is no room.
+// Texts are placed beside their points and labels on theirs, or at the nearest free place. The subject of the step is placed first; texts
+// that only accompany it are omitted if there is no room.
 function drawWords(context, words, width, height, colours, paper) {
   const line = parseFloat(context.font.split(' ')[1]) * 1.15;
   const taken = [];

@@ -1,4 +1,3 @@
-// See breakpoints.hpp.
 #include "host/live/dap/breakpoints.hpp"
 
 #include <fmt/core.h>
@@ -21,7 +20,7 @@ void ClientBreakpoints::forget(std::vector<int>& numbers) {
   }
 }
 
-// With the condition and the count of the request; the answer has its number.
+// Adds a breakpoint with the condition and the count of the request; the answer has its number.
 Json ClientBreakpoints::add(Breakpoint breakpoint, const Json& request, std::vector<int>& numbers) {
   const std::string condition = text_in(request, "condition");
   const std::string count = text_in(request, "hitCondition");
@@ -40,7 +39,7 @@ Json ClientBreakpoints::add(Breakpoint breakpoint, const Json& request, std::vec
   return Json{{"id", number}, {"verified", true}};
 }
 
-// One for each element of `list`: `make` throws base::Error where there is none to be.
+// Replaces all breakpoints of `numbers` by one for each element of `list`. `make` throws base::Error if it cannot set one.
 template <class Make>
 Json ClientBreakpoints::set_all(const Json& list, std::vector<int>& numbers, Make make) {
   forget(numbers);
@@ -55,14 +54,14 @@ Json ClientBreakpoints::set_all(const Json& list, std::vector<int>& numbers, Mak
   return Json{{"breakpoints", std::move(answers)}};
 }
 
-// The first line from there on that makes a word, or the value of the name.
+// The first line from the wanted one on that assembles to a word, or the value of the name.
 ClientBreakpoints::Found ClientBreakpoints::place_for(const Wanted& wanted) const {
   if (!wanted.name.empty()) return {base::value_of(debugger_->address_of(wanted.name)), 0};
   const std::map<Symbols::Place, std::uint32_t>& lines = debugger_->symbols().lines();
   const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& known) {
     return static_cast<std::int64_t>(known.first.line) >= wanted.line && same_file(known.first.file, wanted.file);
   });
-  if (found == lines.end()) throw base::usage_error("no word is made by this line or one that follows");
+  if (found == lines.end()) throw base::usage_error("neither this line nor a later one assembles to a word");
   return {found->second, found->first.line};
 }
 
@@ -73,11 +72,11 @@ Json ClientBreakpoints::add_at(const Wanted& wanted, const Json& request, std::v
   Json answer = add(breakpoint, request, numbers);
   if (!flag_in(answer, "verified")) return answer;
   wanted_[numbers.back()] = wanted;
-  tell_place(answer, found);
+  add_place(answer, found);
   return answer;
 }
 
-void ClientBreakpoints::tell_place(Json& breakpoint, const Found& found) const {
+void ClientBreakpoints::add_place(Json& breakpoint, const Found& found) const {
   if (found.line == 0) return;
   breakpoint["line"] = numbering_.line(found.line);
   breakpoint["instructionReference"] = reference(found.at);
@@ -108,7 +107,7 @@ std::vector<Json> ClientBreakpoints::find_places_again() {
       const Found found = place_for(wanted);
       if (!debugger_->breakpoints().move(number, found.at)) return true;
       breakpoint["verified"] = true;
-      tell_place(breakpoint, found);
+      add_place(breakpoint, found);
     } catch (const base::Error& refused) {
       static_cast<void>(debugger_->breakpoints().remove(number));
       breakpoint["message"] = refused.message();

@@ -1,6 +1,6 @@
-// Where a client wants the program to stop: by lines of sources, names, addresses and words of memory. The debugger's breakpoints
-// have these numbers, and commands at the console may remove them; what the client asked for stays when the machine is made again.
-// Each request takes its arguments and gives the body of its answer; one that cannot be done throws base::Error.
+// The breakpoints of a client: by source lines, names, addresses and words of memory. They have the numbers of the debugger's
+// breakpoints, which console commands may remove; after a restart of the machine they are set again. Each request takes its
+// arguments and returns the body of its answer, or throws base::Error.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +16,33 @@ namespace sightline::live::dap {
 
 class ClientBreakpoints {
  public:
-  // `numbering` outlives this.
+  // `numbering` must outlive this object.
   explicit ClientBreakpoints(const Numbering& numbering) : numbering_(numbering) {}
-  // Whose breakpoints they are from here on; before any request. It outlives this, or the next one takes its place.
-  void follow(Debugger& debugger) { debugger_ = &debugger; }
+  // Sets the debugger to which all further requests refer. Called before any request. The debugger must exist until the next call.
+  void set_debugger(Debugger& debugger) { debugger_ = &debugger; }
 
   [[nodiscard]] base::Json set_in_source(const base::Json& arguments);
   [[nodiscard]] base::Json set_at_functions(const base::Json& arguments);
   [[nodiscard]] base::Json set_at_instructions(const base::Json& arguments);
   [[nodiscard]] base::Json set_on_data(const base::Json& arguments);
-  // Registers are no places; a name or an expression is the word at its value.
+  // The word of memory at the value of a name or an expression. Registers cannot be watched.
   [[nodiscard]] base::Json data_info(const base::Json& arguments);
 
-  // After the sources have been read again: lines and names may be elsewhere. The bodies of the events `breakpoint`.
+  // Finds the places again after the sources have been assembled again. Returns the bodies of the events `breakpoint`.
   [[nodiscard]] std::vector<base::Json> find_places_again();
-  // Forgets those that a command has removed. The bodies of the events `breakpoint`.
+  // Removes those that a command has removed from the debugger. Returns the bodies of the events `breakpoint`.
   [[nodiscard]] std::vector<base::Json> forget_removed();
 
  private:
-  // Where a breakpoint of a source or a function was asked for.
+  // The place that a client requested, in a source or at a function.
   struct Wanted {
     std::string file;
     std::int64_t line = 0;  // from 1
-    std::string name;       // of a function; then there is no file
+    std::string name;       // of a function; `file` is then empty
   };
   struct Found {
     std::uint32_t at = 0;
-    std::size_t line = 0;  // from 1; 0: of a name
+    std::size_t line = 0;  // from 1; 0: found by name
   };
 
   void forget(std::vector<int>& numbers);
@@ -51,7 +51,7 @@ class ClientBreakpoints {
   template <class Make>
   [[nodiscard]] base::Json set_all(const base::Json& list, std::vector<int>& numbers, Make make);
   [[nodiscard]] Found place_for(const Wanted& wanted) const;
-  void tell_place(base::Json& breakpoint, const Found& found) const;
+  void add_place(base::Json& breakpoint, const Found& found) const;
 
   const Numbering& numbering_;
   Debugger* debugger_ = nullptr;

@@ -1,4 +1,3 @@
-// See dap.hpp.
 #include "host/live/dap/dap.hpp"
 
 #include <fmt/core.h>
@@ -67,7 +66,7 @@ class Adapter {
     return (breakpoints_.*answer)(arguments);
   }
 
-  // What the client has sent goes to the queue.
+  // Puts the messages of the client into the queue.
   base::Result<base::Done> listen(int milliseconds) {
     const auto bytes = host_.read(milliseconds);
     if (!bytes) over_ = queue_.empty();
@@ -79,13 +78,13 @@ class Adapter {
       queue_.push_back(std::move(**message));
     }
   }
-  // Asked while the machine runs.
+  // Polled while the machine runs: whether a message must interrupt the run.
   bool message_waits() {
     if (!over_ && !broken_) {
       if (const auto done = listen(0); !done) broken_ = done.error();
     }
     if (over_ || broken_) return true;
-    // A step over or out of a subroutine would not find back to its end: only what ends it comes before that.
+    // An interrupted step over or out of a subroutine cannot be resumed: only messages that end it interrupt it.
     if (action_ == Action::go_on) return !queue_.empty();
     return std::any_of(queue_.begin(), queue_.end(), [](const Json& message) {
       const std::string command = text_in(message, "command");
@@ -180,7 +179,7 @@ class Adapter {
     if (launched_->keys) debugger_->set_key_codes(*launched_->keys);
     monitor_.emplace(*debugger_, std::move(commands));
     view_.emplace(*debugger_, numbering_);
-    breakpoints_.follow(*debugger_);
+    breakpoints_.set_debugger(*debugger_);
     for (const std::string& warning : launched_->warnings) output("console", warning + "\n");
     debugger_->send(text_in(arguments, "input"));
     stop_on_entry_ = flag_in(arguments, "stopOnEntry");
@@ -196,17 +195,17 @@ class Adapter {
     afterwards_.push_back([this] { set_off(); });
     return {};
   }
-  // A new machine, its sources read again. Breakpoints stay: the client does not send them again.
+  // Makes a new machine and assembles its sources again. Breakpoints are kept, because the client does not send them again.
   Json restart(const Json& arguments) {
     const Json& changed = member(arguments, "arguments");
     const Json wanted = changed.is_object() ? changed : launch_arguments_;
     running_ = false;
     finish();
-    finished_ = false;  // until there is another
+    finished_ = false;  // until a new machine exists
     Launched launched = base::value_of(host_.launch(wanted));
     Breakpoints kept = debugger_->breakpoints();
     begin(std::move(launched), wanted);
-    kept.forget_passes();
+    kept.reset_counts();
     debugger_->breakpoints() = std::move(kept);
     for (Json& each : breakpoints_.find_places_again()) event("breakpoint", std::move(each));
     afterwards_.push_back([this] { set_off(); });
@@ -217,7 +216,7 @@ class Adapter {
     finish();
     return {};
   }
-  // Once for a machine; also where the client just goes away.
+  // Called once for a machine, also if the client disconnects without a request.
   void finish() {
     if (!launched_ || std::exchange(finished_, true)) return;
     if (monitor_) output("console", monitor_->finish().text);
@@ -235,12 +234,12 @@ class Adapter {
 
   enum class Action : std::uint8_t { go_on, one, over, out };
 
-  // An editor steps by lines in a source and by instructions in the disassembly.
+  // Editors step by lines in a source and by instructions in the disassembly.
   void begin_step(Action action, const Json& arguments) {
     by_lines_ = text_in(arguments, "granularity") != "instruction";
     begin_running(action);
   }
-  // A line of a macro makes several instructions: to the first that is of another, or of this one from its beginning.
+  // A line with a macro has several instructions: steps to the first one of another line, or to the beginning of this line.
   Halted step() {
     const std::uint32_t begun = debugger_->pc();
     const Symbols::Place* const line = debugger_->symbols().place(begun);
@@ -312,7 +311,7 @@ class Adapter {
       over_ = true;
       return;
     }
-    // A message waits: the run goes on after it, unless it says otherwise.
+    // Interrupted by a message: the run continues after it, unless the message stops it.
     if (halted.why == Halted::Why::machine && halted.stop.name == machines::interrupted) {
       action_ = Action::go_on;
       return;
@@ -324,7 +323,7 @@ class Adapter {
       case Halted::Why::machine: break;
     }
     output("console", halted.reason + "\n");
-    // The program has ended, but can still be looked at and taken back.
+    // The program has ended, but can still be examined and run backwards.
     stopped(halted.stop.complaint.empty() ? "pause" : "exception", halted.reason);
   }
 
@@ -341,7 +340,7 @@ class Adapter {
     return view_->value_of(text);
   }
 
-  // A line of the monitor, typed at the console.
+  // Executes a line of the monitor, typed at the console.
   Json command(std::string_view line) {
     const std::int64_t time = debugger_->machine().ticks();
     const std::uint64_t instructions = debugger_->machine().instructions();
@@ -369,7 +368,7 @@ class Adapter {
   const DapHost& host_;
   dap::Framing framing_;
   std::deque<Json> queue_;
-  std::vector<std::function<void()>> afterwards_;  // what follows the response
+  std::vector<std::function<void()>> afterwards_;  // called after the response has been sent
   std::int64_t sent_ = 0;
   bool over_ = false;
   bool stop_on_entry_ = false;

@@ -1,4 +1,3 @@
-// See messages.hpp.
 #include "host/live/dap/messages.hpp"
 
 #include <fmt/core.h>
@@ -70,7 +69,6 @@ bool flag_in(const Json& object, std::string_view name) {
   return member(object, name).boolean().value_or(false);
 }
 
-// RFC 4648, section 4.
 std::string base64(std::span<const std::uint8_t> bytes) {
   std::string text;
   for (std::size_t at = 0; at < bytes.size(); at += 3) {
@@ -81,7 +79,6 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   }
   return text;
 }
-// nullopt: not base64.
 std::optional<std::vector<std::uint8_t>> bytes_of_base64(std::string_view text) {
   std::vector<std::uint8_t> bytes;
   if (text.size() % 4 != 0) return std::nullopt;

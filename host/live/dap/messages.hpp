@@ -1,4 +1,4 @@
-// Messages of the Debug Adapter Protocol as bytes, and what is read from them.
+// Reads and writes the messages of the Debug Adapter Protocol.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,22 @@
 
 namespace sightline::live::dap {
 
-// The messages in the bytes that come in: Content-Length: N, an empty line, N bytes of JSON.
+// Splits the input into messages: Content-Length: N, an empty line, N bytes of JSON.
 class Framing {
  public:
   void take(std::string_view bytes) { buffer_ += bytes; }
-  // The next whole message, an object; nullopt: more is needed. An error: what came is not the protocol.
+  // The next complete message, an object; nullopt: more input is needed. An error: the input violates the protocol.
   [[nodiscard]] base::Result<std::optional<base::Json>> next();
 
  private:
   std::string buffer_;
 };
 
-// A message as it is sent.
+// The bytes of a message, with its header.
 [[nodiscard]] std::string framed(const base::Json& message);
 
-// Members of an object. One that is absent or of another type is null, an empty text, `otherwise`, false. An integer beyond 2^53 in
-// magnitude is taken as 2^53, so that adding to it cannot overflow.
+// Members of an object. If a member is absent or has another type, they return null, an empty text, `otherwise`, or false. Integers
+// are limited to 2^53 in magnitude, so that additions cannot overflow.
 [[nodiscard]] const base::Json& member(const base::Json& object, std::string_view name);
 [[nodiscard]] std::string text_in(const base::Json& object, std::string_view name);
 [[nodiscard]] std::int64_t integer_in(const base::Json& object, std::string_view name, std::int64_t otherwise);

@@ -1,4 +1,3 @@
-// See places.hpp.
 #include "host/live/dap/places.hpp"
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-// How a client names places: addresses, offsets in bytes, and lines of sources.
+// The places of a client: addresses, offsets in bytes, and source lines.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace sightline::live::dap {
 
-// The numbers of the first line and column in the client's words, which `initialize` says.
+// The numbers that the client uses for the first line and column, as `initialize` specifies.
 struct Numbering {
   std::int64_t first_line = 1;
   std::int64_t first_column = 1;
 
-  // Of a line that is counted from 1.
+  // The client's number of a line that is counted from 1.
   [[nodiscard]] std::int64_t line(std::size_t number) const { return static_cast<std::int64_t>(number) - 1 + first_line; }
 };
 
 // "0x40"
 [[nodiscard]] std::string reference(std::uint32_t at);
-// Of memory as a row of bytes.
+// Bytes per word, if memory is a sequence of bytes.
 [[nodiscard]] std::uint32_t bytes_a_word(const Debugger& debugger);
-// The address of "0x40" and an offset in bytes. Throws Refused if memory has none there.
+// The address of "0x40" plus an offset in bytes. Throws base::Error if it is outside memory.
 [[nodiscard]] std::uint32_t place_of(const Debugger& debugger, std::string_view text, std::int64_t offset);
 
 // A file as the protocol's Source.

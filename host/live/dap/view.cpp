@@ -1,4 +1,3 @@
-// See view.hpp.
 #include "host/live/dap/view.hpp"
 
 #include <fmt/core.h>
@@ -17,7 +16,7 @@ using base::Json;
 
 namespace {
 
-// The scopes, as variablesReference.
+// The values of variablesReference for the scopes.
 enum : std::int64_t { of_registers = 1, of_conditions, of_devices, of_display };
 
 }  // namespace
@@ -67,7 +66,7 @@ Json View::variables(const Json& arguments) {
   const auto add = [&list](std::string_view name, std::string_view value) {
     list.push_back(Json{{"name", name}, {"value", value}, {"evaluateName", name}, {"variablesReference", 0}});
   };
-  // Texts for a person; no expression gives them.
+  // Texts for a person; they have no expression.
   const auto add_lines = [&list](const std::vector<machines::ReportLine>& lines) {
     for (const auto& line : lines)
       list.push_back(Json{{"name", line.label}, {"value", line.text}, {"variablesReference", 0}});
@@ -175,7 +174,7 @@ Json View::write_memory(const Json& arguments) {
     throw base::usage_error(fmt::format("found data that is not base64 of whole words, expected {} bytes a word", bytes_a_word(debugger_)));
   const std::uint32_t first = place_of(debugger_, text_in(arguments, "memoryReference"), integer_in(arguments, "offset", 0));
   if (bytes->size() / bytes_a_word(debugger_) > debugger_.machine().words() - first)
-    throw base::usage_error("found more words than memory has behind that address");
+    throw base::usage_error("found more words than memory has from that address on");
   const std::uint32_t most = (std::uint32_t{1} << debugger_.description().word_bits) - 1;
   for (std::size_t at = 0; at < bytes->size(); at += bytes_a_word(debugger_)) {
     std::uint32_t word = 0;

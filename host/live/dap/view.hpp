@@ -1,5 +1,5 @@
-// What a client is shown of a stopped machine, and what it changes there: the stack, registers and devices, expressions, memory,
-// disassembly. Each request takes its arguments and gives the body of its answer; one that cannot be done throws base::Error.
+// Shows a stopped machine to a client and changes it: stack, registers, devices, expressions, memory and disassembly. Each request
+// takes its arguments and returns the body of its answer, or throws base::Error.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace sightline::live::dap {
 
 class View {
  public:
-  // Both outlive the view.
+  // Both must outlive the view.
   View(Debugger& debugger, const Numbering& numbering) : debugger_(debugger), numbering_(numbering) {}
 
   [[nodiscard]] base::Json threads(const base::Json& arguments);
@@ -23,7 +23,7 @@ class View {
   [[nodiscard]] base::Json set_variable(const base::Json& arguments);
   // A register by its name, or a word of memory as [address].
   [[nodiscard]] base::Json set_expression(const base::Json& arguments);
-  // Names that begin with what stands before the cursor; at the beginning of a line the monitor's verbs, too.
+  // Names that begin with the text before the cursor; at the beginning of a line also the monitor's verbs.
   [[nodiscard]] base::Json completions(const base::Json& arguments);
   [[nodiscard]] base::Json read_memory(const base::Json& arguments);
   [[nodiscard]] base::Json write_memory(const base::Json& arguments);

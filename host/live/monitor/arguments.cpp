@@ -1,4 +1,3 @@
-// See arguments.hpp.
 #include "host/live/monitor/arguments.hpp"
 
 #include <fmt/core.h>
@@ -18,7 +17,7 @@ using machines::Probe;
 
 namespace {
 
-// Where `word` stands by itself in the text, else npos.
+// The position of `word` as a separate word in the text, or npos.
 std::size_t find_word(std::string_view text, std::string_view word) {
   std::size_t at = 0;
   while ((at = text.find(word, at)) != std::string_view::npos) {
@@ -41,7 +40,7 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-void refuse_open_quotes(std::string_view text) {
+void reject_open_quotes(std::string_view text) {
   if (std::count(text.begin(), text.end(), '"') % 2 != 0)
     throw base::usage_error(fmt::format("found {} without a \" at its end, expected one; inside a text a quote is \\x22", text.substr(text.rfind('"'))));
 }
@@ -125,7 +124,7 @@ Goal Reader::goal(std::string_view arguments) const {
   throw base::usage_error(fmt::format("found \"{}\", expected a time such as 20ms, N cycles or N instructions", rest));
 }
 
-Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) const {
+Breakpoint Reader::parse_options(std::string_view arguments, Breakpoint breakpoint) const {
   breakpoint.text = std::string(arguments);
   std::string rest(arguments);
   const auto take_tail = [&rest](std::string_view name) -> std::optional<std::string> {
@@ -184,7 +183,7 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     if (breakpoint.condition.empty()) throw base::usage_error("expected an expression behind `when`");
     breakpoint.was_true = value(breakpoint.condition) != 0;
   } else if (first == "iot" || first == "port") {
-    return parsed("port " + std::string(what), [&] {
+    return parse_options("port " + std::string(what), [&] {
       Breakpoint port = breakpoint;
       port.kind = Breakpoint::Kind::memory;
       return port;
@@ -193,14 +192,14 @@ Breakpoint Reader::parsed(std::string_view arguments, Breakpoint breakpoint) con
     const auto conditions = debugger_.machine().conditions();
     const bool is_condition = std::any_of(conditions.begin(), conditions.end(),
                                           [&first](const auto& each) { return each.first == first; });
-    if (is_condition) return parsed("when " + rest, breakpoint);
+    if (is_condition) return parse_options("when " + rest, breakpoint);
     breakpoint.first = breakpoint.last = first.empty() ? debugger_.pc() : address(first);
   }
   return breakpoint;
 }
 
 Breakpoint Reader::breakpoint(std::string_view arguments) const {
-  Breakpoint breakpoint = parsed(arguments, {});
+  Breakpoint breakpoint = parse_options(arguments, {});
   breakpoint.text = std::string(arguments);
   return breakpoint;
 }
@@ -209,7 +208,7 @@ Breakpoint Reader::watchpoint(std::string_view arguments) const {
   Breakpoint of_memory;
   of_memory.kind = Breakpoint::Kind::memory;
   of_memory.access = Probe::is_written;
-  Breakpoint breakpoint = parsed(arguments, of_memory);
+  Breakpoint breakpoint = parse_options(arguments, of_memory);
   breakpoint.text = "watch " + std::string(arguments);
   return breakpoint;
 }

@@ -1,5 +1,4 @@
-// The words of a command, read as the verbs of the monitor want them: counts, addresses, values, goals of a run, breakpoints. What cannot
-// be read throws base::Error.
+// Parses the arguments of the monitor's verbs: counts, addresses, values, goals of a run, breakpoints. Throws base::Error.
 #pragma once
 
 #include <cstdint>
@@ -13,30 +12,30 @@
 
 namespace sightline::live::monitor {
 
-// The line up to a comment: a # outside quotes, at the beginning or behind a blank.
+// The line without its comment, which begins with a # outside quotes, at the beginning or after a blank.
 [[nodiscard]] std::string_view without_comment(std::string_view line);
-// Where the first command of a line ends: at a `;` outside quotes, or at the end.
+// The end of the first command of a line: a `;` outside quotes, or the end of the line.
 [[nodiscard]] std::size_t end_of_command(std::string_view line);
-// The next word; between quotes blanks belong to the word. `text` is left at what follows.
+// Removes the next word from `text` and returns it; blanks in quotes belong to the word.
 std::string_view take_part(std::string_view& text);
-// A word in quotes that do not end.
-void refuse_open_quotes(std::string_view text);
+// Error usage if a quote is not closed.
+void reject_open_quotes(std::string_view text);
 
-// Reads by the symbols, registers and radix of a machine.
+// Parses arguments with the symbols, registers and radix of a machine.
 class Reader {
  public:
   explicit Reader(Debugger& debugger) : debugger_(debugger) {}
 
-  // A count is decimal, whatever the radix of words is.
+  // A count is decimal, independent of the radix of words.
   [[nodiscard]] static std::uint64_t count(std::string_view text);
   // An expression.
   [[nodiscard]] std::int64_t value(std::string_view text) const { return base::value_of(debugger_.evaluate(text)); }
   [[nodiscard]] std::uint32_t address(std::string_view text) const { return base::value_of(debugger_.address_of(text)); }
-  // FIRST-LAST or one address; at a - that is followed by an expression of its own.
+  // FIRST-LAST or one address. Split at a - that is followed by a valid expression.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> range(std::string_view text) const;
-  // So many cycles, in the machine's unit; 1 if the text is empty.
+  // A number of cycles, in the machine's unit; 1 if the text is empty.
   [[nodiscard]] std::int64_t cycles(std::string_view text) const;
-  // until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions; nothing: no goal.
+  // until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions; empty: no goal.
   [[nodiscard]] Goal goal(std::string_view arguments) const;
   // [ADDRESS | iot DEVICE | interrupt | when EXPRESSION | a condition of the machine] [if EXPRESSION] [count N]
   [[nodiscard]] Breakpoint breakpoint(std::string_view arguments) const;
@@ -44,7 +43,7 @@ class Reader {
   [[nodiscard]] Breakpoint watchpoint(std::string_view arguments) const;
 
  private:
-  [[nodiscard]] Breakpoint parsed(std::string_view arguments, Breakpoint breakpoint) const;
+  [[nodiscard]] Breakpoint parse_options(std::string_view arguments, Breakpoint breakpoint) const;
 
   Debugger& debugger_;
 };

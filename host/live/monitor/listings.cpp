@@ -1,4 +1,3 @@
-// See listings.hpp.
 #include "host/live/monitor/listings.hpp"
 
 #include <fmt/core.h>
@@ -15,7 +14,7 @@ using machines::Probe;
 
 namespace {
 
-std::string labelled(const std::vector<machines::ReportLine>& lines) {
+std::string label_lines(const std::vector<machines::ReportLine>& lines) {
   std::string text;
   for (const auto& line : lines) text += fmt::format("{:<12} {}\n", line.label, line.text);
   return text;
@@ -115,9 +114,9 @@ std::string state(Debugger& debugger, std::string_view arguments) {
   if (is("registers")) {
     for (std::size_t n = 0; n < debugger.description().registers.size(); ++n) text += debugger.register_text(n) + "\n";
   } else if (is("devices")) {
-    text = labelled(debugger.machine().device_lines());
+    text = label_lines(debugger.machine().device_lines());
   } else if (is("display")) {
-    text = labelled(debugger.machine().display_lines());
+    text = label_lines(debugger.machine().display_lines());
     if (text.empty()) text = "no display is attached, or the program has not used it yet\n";
   } else if (is("stack")) {
     for (const Frame& frame : debugger.stack())

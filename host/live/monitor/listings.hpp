@@ -1,4 +1,4 @@
-// What the monitor shows of a stopped machine: whole lines. What is not to be shown throws base::Error.
+// The listings of the monitor, as complete lines. Requests that cannot be answered throw base::Error.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@ namespace sightline::live::monitor {
 
 inline constexpr std::uint32_t most_listed = 4096;  // words or instructions
 
-// Words, each with its instruction; of several on a machine of bytes a dump, 16 a line.
+// Words with their instructions; on a machine with bytes, several words are a dump with 16 per line.
 [[nodiscard]] std::string memory(const Debugger& debugger, std::uint32_t first, std::uint32_t last);
-// At most so many instructions from `at`, none that begins behind `last`.
+// At most `most` instructions from `at`; none begins after `last`.
 [[nodiscard]] std::string disassembly(const Debugger& debugger, std::uint32_t at, std::uint32_t last, std::uint32_t most);
-// A number in the radix, in decimal, as a word with a sign and as a place, where it is one.
+// A number in the radix, in decimal and, if possible, as a signed word and as an address.
 [[nodiscard]] std::string value(const Debugger& debugger, std::int64_t value);
-// Who last wrote that word.
+// The instruction that last wrote a word.
 [[nodiscard]] std::string writer(Debugger& debugger, std::uint32_t at);
-// The cycles of the instruction that is under way.
+// The cycles of the current instruction.
 [[nodiscard]] std::string cycles(const Debugger& debugger, const Debugger::Cycled& cycled);
-// The last so many instructions.
+// The last `instructions` instructions.
 [[nodiscard]] std::string history(Debugger& debugger, std::uint64_t instructions);
 // registers, devices, display, stack, time, breaks, conditions or symbols, or the beginning of such a word.
 [[nodiscard]] std::string state(Debugger& debugger, std::string_view what);

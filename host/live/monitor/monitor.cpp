@@ -1,4 +1,3 @@
-// See monitor.hpp.
 #include "host/live/monitor/monitor.hpp"
 
 #include <fmt/core.h>
@@ -31,16 +30,16 @@ using Kind = Answer::Kind;
 
 }  // namespace
 
-class Monitor::Inside {
+class Monitor::Impl {
  public:
-  Inside(const MachineDescription& description, Machine& machine, const Limits& limits, Symbols symbols,
+  Impl(const MachineDescription& description, Machine& machine, const Limits& limits, Symbols symbols,
          MonitorHost host)
       : description_(description),
         machine_(machine),
         host_(std::move(host)),
         own_(std::make_unique<Debugger>(description, machine, limits, std::move(symbols), host_.running)),
         debugger_(*own_) {}
-  Inside(Debugger& debugger, MonitorHost host)
+  Impl(Debugger& debugger, MonitorHost host)
       : description_(debugger.description()), machine_(debugger.machine()), host_(std::move(host)), debugger_(debugger) {}
 
   void set_radix(int radix) { debugger_.set_radix(radix); }
@@ -68,13 +67,13 @@ class Monitor::Inside {
 
   struct Verb {
     std::string_view name;
-    std::size_t shortest;  // letters that are enough
+    std::size_t shortest;  // length of the shortest abbreviation
     std::string_view arguments;
     std::string_view help;
-    Answer (Inside::*work)(std::string_view arguments);
+    Answer (Impl::*work)(std::string_view arguments);
   };
   static std::span<const Verb> verbs();
-  // Null: there is none. `line` is left at what follows the verb.
+  // Removes the verb from `line` and returns it; null: unknown.
   static const Verb* take_verb(std::string_view& line);
 
  private:
@@ -82,7 +81,7 @@ class Monitor::Inside {
   Answer answer_of(const Halted& halted) const;
   Answer run(const Goal& goal) { return answer_of(debugger_.run(goal)); }
   Answer back(std::string_view arguments);
-  // Before a medium is taken out of its device.
+  // Called before a medium is removed from its device.
   void write_media_back() {
     for (const auto& medium : machine_.changed_media()) {
       const auto done = host_.write(medium.path, medium.content);
@@ -123,16 +122,16 @@ class Monitor::Inside {
   Answer read_commands(std::string_view arguments);
   Answer help(std::string_view arguments);
   Answer quit(std::string_view arguments) {
-    if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+    if (!arguments.empty()) throw base::usage_error("expected no arguments");
     return {Kind::quit, {}};
   }
   void write_trace();
 
   Answer add(Breakpoint breakpoint);
-  // What a command has done, a line with or without its end: for a person at the prompt.
-  [[nodiscard]] Answer noted(std::string_view note) const {
+  // A note about what a command has done, shown only to a person at the prompt. The line end may be missing.
+  [[nodiscard]] Answer note(std::string_view text) const {
     if (!host_.person || depth_ > 0) return {};
-    return {Kind::done, std::string(note) + (note.ends_with('\n') ? "" : "\n")};
+    return {Kind::done, std::string(text) + (text.ends_with('\n') ? "" : "\n")};
   }
   [[nodiscard]] machines::Input file(const std::string& path) const {
     auto input = host_.read(path);
@@ -143,63 +142,63 @@ class Monitor::Inside {
   const MachineDescription& description_;
   Machine& machine_;
   MonitorHost host_;
-  std::unique_ptr<Debugger> own_;  // unless it is another's
+  std::unique_ptr<Debugger> own_;  // empty if the debugger belongs to the caller
   Debugger& debugger_;
   Reader read_{debugger_};
-  std::string trace_;  // under way
+  std::string trace_;  // lines of the current trace
   std::string trace_file_;
-  int depth_ = 0;  // of files that are read
+  int depth_ = 0;  // nesting of `do`
 };
 
-std::span<const Monitor::Inside::Verb> Monitor::Inside::verbs() {
+std::span<const Monitor::Impl::Verb> Monitor::Impl::verbs() {
   static constexpr std::array rows{
       Verb{"examine", 1, "[ADDRESS[-ADDRESS] | REGISTER]...", "show words with their instructions, or registers (all)",
-           &Inside::examine},
+           &Impl::examine},
       Verb{"deposit", 1, "ADDRESS WORD... | ADDRESS \"INSTRUCTION\" | REGISTER VALUE", "change words or a register",
-           &Inside::deposit},
-      Verb{"step", 1, "[N]", "obey N instructions (1) and show where the machine is", &Inside::step},
-      Verb{"next", 1, "", "one instruction; a subroutine that it calls runs to its return", &Inside::over},
-      Verb{"out", 1, "", "run on to the return from the subroutine called last", &Inside::out},
-      Verb{"cycle", 2, "[N]", "run N memory cycles or T-states (1), and show those of an instruction that is under way then", &Inside::cycle},
-      Verb{"continue", 1, "", "run on from where the machine is", &Inside::resume},
-      Verb{"go", 1, "[ADDRESS]", "press START at the address, or run on", &Inside::go},
+           &Impl::deposit},
+      Verb{"step", 1, "[N]", "execute N instructions (1) and show where the machine is", &Impl::step},
+      Verb{"next", 1, "", "execute one instruction; a subroutine that it calls runs to its return", &Impl::over},
+      Verb{"out", 1, "", "run to the return from the subroutine called last", &Impl::out},
+      Verb{"cycle", 2, "[N]", "run N memory cycles or T-states (1), and show those of an instruction that is under way then", &Impl::cycle},
+      Verb{"continue", 1, "", "continue from where the machine is", &Impl::resume},
+      Verb{"go", 1, "[ADDRESS]", "press START at the address, or continue", &Impl::go},
       Verb{"run", 2, "[until TIME | until EXPRESSION | for TIME | for N cycles | for N instructions]",
-           "run on to a goal; TIME is 0.5s, 20ms or 100us", &Inside::run_until},
+           "run to a goal; TIME is 0.5s, 20ms or 100us", &Impl::run_until},
       Verb{"break", 1, "[ADDRESS | iot DEVICE | interrupt | when EXPRESSION] [if EXPRESSION] [count N]",
-           "stop before an instruction, after an IOT or an interrupt, or when something becomes true; alone: where PC is",
-           &Inside::set_break},
+           "stop before an instruction, after an IOT or an interrupt, or when an expression becomes true; alone: at PC",
+           &Impl::set_break},
       Verb{"watch", 1, "ADDRESS[-ADDRESS] | port N [r|w|rw] [value V] [if EXPRESSION] [count N]",
-           "stop after an access to memory (w) or a port (rw)", &Inside::set_watch},
-      Verb{"delete", 3, "[N...]", "remove breakpoints by number, or all", &Inside::remove_break},
-      Verb{"nobreak", 3, "[N...]", "the same", &Inside::remove_break},
+           "stop after an access to memory (w) or a port (rw)", &Impl::set_watch},
+      Verb{"delete", 3, "[N...]", "remove breakpoints by number, or all", &Impl::remove_break},
+      Verb{"nobreak", 3, "[N...]", "the same", &Impl::remove_break},
       Verb{"history", 1, "[N]", "the last N instructions (20): time, address, word, instruction, word used, AC or A, L or F",
-           &Inside::history},
-      Verb{"list", 1, "[ADDRESS[-ADDRESS]]", "disassemble, ten instructions from PC or the address", &Inside::list},
-      Verb{"disassemble", 3, "[ADDRESS[-ADDRESS]]", "the same", &Inside::list},
-      Verb{"evaluate", 2, "EXPRESSION", "show its value", &Inside::evaluate_verb},
+           &Impl::history},
+      Verb{"list", 1, "[ADDRESS[-ADDRESS]]", "disassemble, ten instructions from PC or the address", &Impl::list},
+      Verb{"disassemble", 3, "[ADDRESS[-ADDRESS]]", "the same", &Impl::list},
+      Verb{"evaluate", 2, "EXPRESSION", "show the value of an expression", &Impl::evaluate_verb},
       Verb{"show", 2, "registers|devices|display|stack|time|breaks|conditions|symbols",
-           "show that; the stack as the last instructions tell it", &Inside::show},
-      Verb{"who", 3, "ADDRESS", "which instruction last wrote the word, when and what", &Inside::who_wrote},
-      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk, pen (a script of where it points)", &Inside::attach},
-      Verb{"detach", 3, "DEVICE", "take it out; a disk that was written is written back to its file", &Inside::detach},
-      Verb{"send", 3, "\"KEYS\"", "type on the console, as the program asks for keys in the runs that follow (\\r \\n \\t \\e \\NNN \\xHH)", &Inside::send},
-      Verb{"expect", 3, "\"TEXT\"", "run on until the program has printed the text", &Inside::expect},
-      Verb{"assert", 3, "EXPRESSION", "fail unless it is true", &Inside::assert_verb},
-      Verb{"back", 2, "[N]", "N instructions (1) back in time, to the state as it was", &Inside::back},
-      Verb{"save", 2, "FILE", "the whole machine into a snapshot", &Inside::save},
-      Verb{"restore", 3, "FILE", "the machine of a snapshot, made with the same options", &Inside::restore},
-      Verb{"screenshot", 3, "FILE", "the picture as PNG", &Inside::screenshot},
-      Verb{"trace", 2, "FILE | off", "write each instruction that is obeyed, as history shows it", &Inside::trace},
-      Verb{"speed", 2, "real | max | N", "of runs with a console", &Inside::speed},
-      Verb{"do", 2, "FILE", "read commands from a file; # begins a comment", &Inside::read_commands},
-      Verb{"help", 1, "[VERB]", "this, or one verb", &Inside::help},
-      Verb{"quit", 1, "", "end", &Inside::quit},
-      Verb{"exit", 3, "", "the same", &Inside::quit},
+           "show one of these; the stack is found from the last instructions", &Impl::show},
+      Verb{"who", 3, "ADDRESS", "show which instruction last wrote the word, when, and its value", &Impl::who_wrote},
+      Verb{"attach", 2, "DEVICE FILE", "put a file into a device: reader, disk, pen (a script of its positions)", &Impl::attach},
+      Verb{"detach", 3, "DEVICE", "take it out; a disk that was written is written back to its file", &Impl::detach},
+      Verb{"send", 3, "\"KEYS\"", "type on the console when the program asks for keys in the next runs (\\r \\n \\t \\e \\NNN \\xHH)", &Impl::send},
+      Verb{"expect", 3, "\"TEXT\"", "run until the program has printed the text", &Impl::expect},
+      Verb{"assert", 3, "EXPRESSION", "fail unless it is true", &Impl::assert_verb},
+      Verb{"back", 2, "[N]", "go back N instructions (1), to the state at that time", &Impl::back},
+      Verb{"save", 2, "FILE", "save the whole machine as a snapshot", &Impl::save},
+      Verb{"restore", 3, "FILE", "restore a snapshot of a machine with the same options", &Impl::restore},
+      Verb{"screenshot", 3, "FILE", "write the picture as PNG", &Impl::screenshot},
+      Verb{"trace", 2, "FILE | off", "write each executed instruction, in the format of history", &Impl::trace},
+      Verb{"speed", 2, "real | max | N", "set the speed of runs with a console", &Impl::speed},
+      Verb{"do", 2, "FILE", "read commands from a file; # begins a comment", &Impl::read_commands},
+      Verb{"help", 1, "[VERB]", "this, or one verb", &Impl::help},
+      Verb{"quit", 1, "", "end", &Impl::quit},
+      Verb{"exit", 3, "", "the same", &Impl::quit},
   };
   return rows;
 }
 
-const Monitor::Inside::Verb* Monitor::Inside::take_verb(std::string_view& line) {
+const Monitor::Impl::Verb* Monitor::Impl::take_verb(std::string_view& line) {
   const std::string typed = base::lower_case(take_part(line));
   const auto found = std::find_if(verbs().begin(), verbs().end(), [&typed](const Verb& verb) {
     return typed.size() >= verb.shortest && verb.name.starts_with(typed);
@@ -207,7 +206,7 @@ const Monitor::Inside::Verb* Monitor::Inside::take_verb(std::string_view& line) 
   return found == verbs().end() ? nullptr : &*found;
 }
 
-Answer Monitor::Inside::execute_one(std::string_view line) {
+Answer Monitor::Impl::execute_one(std::string_view line) {
   if (line.empty()) return {};
   std::string_view rest = line;
   const Verb* const found = take_verb(rest);
@@ -220,7 +219,7 @@ Answer Monitor::Inside::execute_one(std::string_view line) {
     return {Kind::wrong, fmt::format("unknown command \"{}\"; {}\n", typed, remedy.empty() ? "help lists them" : remedy)};
   }
   try {
-    monitor::refuse_open_quotes(rest);
+    monitor::reject_open_quotes(rest);
     return (this->*found->work)(rest);
   } catch (const base::Error& wrong) {
     return {Kind::wrong, fmt::format("{}: {}\n", found->name, wrong.message())};
@@ -229,7 +228,7 @@ Answer Monitor::Inside::execute_one(std::string_view line) {
 
 // --- Memory and registers ---
 
-Answer Monitor::Inside::examine(std::string_view arguments) {
+Answer Monitor::Impl::examine(std::string_view arguments) {
   if (arguments.empty()) return show("registers");
   std::string text;
   while (!arguments.empty()) {
@@ -246,7 +245,7 @@ Answer Monitor::Inside::examine(std::string_view arguments) {
   return {Kind::done, text};
 }
 
-Answer Monitor::Inside::deposit(std::string_view arguments) {
+Answer Monitor::Impl::deposit(std::string_view arguments) {
   const std::string_view where = take_part(arguments);
   if (where.empty() || arguments.empty()) throw base::usage_error("expected ADDRESS WORD..., ADDRESS \"INSTRUCTION\" or REGISTER VALUE");
   if (const auto n = debugger_.register_named(where)) {
@@ -256,40 +255,40 @@ Answer Monitor::Inside::deposit(std::string_view arguments) {
     if (value < 0 || value > most)
       throw base::usage_error(fmt::format("found {} for {}, expected {} of {} bits", arguments, each.name, each.what, each.bits));
     debugger_.set(*n, static_cast<std::uint32_t>(value));
-    return noted(debugger_.register_text(*n));
+    return note(debugger_.register_text(*n));
   }
   if (const auto pair = debugger_.pair_named(where)) {
     const std::int64_t value = read_.value(arguments);
     if (value < 0 || value > debugger_.most_of(*pair))
       throw base::usage_error(fmt::format("found {} for {}, expected 0 to {:X}", arguments, where, debugger_.most_of(*pair)));
     debugger_.set(*pair, static_cast<std::uint32_t>(value));
-    return noted(debugger_.pair_text(*pair));
+    return note(debugger_.pair_text(*pair));
   }
   std::uint32_t at = read_.address(where);
   if (arguments.front() == '"') {
     const std::string_view text = take_part(arguments);
     static_cast<void>(base::value_of(debugger_.put_instruction(at, text)));
-    return noted(monitor::memory(debugger_, at, at));
+    return note(monitor::memory(debugger_, at, at));
   }
   const std::int64_t most = (std::int64_t{1} << description_.word_bits) - 1;
   std::vector<std::uint32_t> words;
   while (!arguments.empty()) {
     const std::string_view text = take_part(arguments);
     const auto read = debugger_.evaluate(text);
-    if (!read) throw base::usage_error(read.error().message() + "; an instruction stands in quotes, \"" + std::string(text) + " ...\"");
+    if (!read) throw base::usage_error(read.error().message() + "; an instruction must be in quotes, \"" + std::string(text) + " ...\"");
     const std::int64_t value = *read;
     if (value < 0 || value > most)
       throw base::usage_error(fmt::format("found {}, expected a word of {} bits", text, description_.word_bits));
     words.push_back(static_cast<std::uint32_t>(value));
   }
-  if (words.size() > machine_.words() - at) throw base::usage_error("found more words than memory has behind that address");
+  if (words.size() > machine_.words() - at) throw base::usage_error("found more words than memory has from that address on");
   const std::uint32_t first = at;
   for (const std::uint32_t value : words) debugger_.put(at++, value);
-  if (words.size() == 1) return noted(monitor::memory(debugger_, first, first));
-  return noted(fmt::format("{} words in {}-{}", words.size(), debugger_.address(first), debugger_.address(at - 1)));
+  if (words.size() == 1) return note(monitor::memory(debugger_, first, first));
+  return note(fmt::format("{} words in {}-{}", words.size(), debugger_.address(first), debugger_.address(at - 1)));
 }
 
-Answer Monitor::Inside::list(std::string_view arguments) {
+Answer Monitor::Impl::list(std::string_view arguments) {
   constexpr std::uint32_t instructions = 10;
   const std::uint32_t end_of_memory = machine_.words() - 1;
   if (arguments.empty()) return {Kind::done, monitor::disassembly(debugger_, debugger_.pc(), end_of_memory, instructions)};
@@ -298,31 +297,31 @@ Answer Monitor::Inside::list(std::string_view arguments) {
                                     : monitor::disassembly(debugger_, first, last, monitor::most_listed)};
 }
 
-Answer Monitor::Inside::evaluate_verb(std::string_view arguments) {
+Answer Monitor::Impl::evaluate_verb(std::string_view arguments) {
   return {Kind::done, monitor::value(debugger_, read_.value(arguments))};
 }
 
-Answer Monitor::Inside::who_wrote(std::string_view arguments) {
+Answer Monitor::Impl::who_wrote(std::string_view arguments) {
   return {Kind::done, monitor::writer(debugger_, read_.address(arguments))};
 }
 
 // --- Breakpoints ---
 
-Answer Monitor::Inside::add(Breakpoint breakpoint) {
+Answer Monitor::Impl::add(Breakpoint breakpoint) {
   if (breakpoint.text.empty()) breakpoint.text = debugger_.address(breakpoint.first);
   const std::string text = breakpoint.text;
   return {Kind::done, fmt::format("breakpoint {}: {}\n", debugger_.breakpoints().add(std::move(breakpoint)), text)};
 }
 
-Answer Monitor::Inside::set_break(std::string_view arguments) {
+Answer Monitor::Impl::set_break(std::string_view arguments) {
   return add(read_.breakpoint(arguments));
 }
 
-Answer Monitor::Inside::set_watch(std::string_view arguments) {
+Answer Monitor::Impl::set_watch(std::string_view arguments) {
   return add(read_.watchpoint(arguments));
 }
 
-Answer Monitor::Inside::remove_break(std::string_view arguments) {
+Answer Monitor::Impl::remove_break(std::string_view arguments) {
   std::size_t removed = 0;
   if (arguments.empty()) {
     removed = debugger_.breakpoints().all().size();
@@ -335,31 +334,31 @@ Answer Monitor::Inside::remove_break(std::string_view arguments) {
       throw base::usage_error(fmt::format("there is no breakpoint {}; show breaks lists them", text));
     ++removed;
   }
-  return noted(fmt::format("{} breakpoint{} removed", removed, removed == 1 ? "" : "s"));
+  return note(fmt::format("{} breakpoint{} removed", removed, removed == 1 ? "" : "s"));
 }
 
 // --- Running ---
 
-Answer Monitor::Inside::answer_of(const Halted& halted) const {
+Answer Monitor::Impl::answer_of(const Halted& halted) const {
   const std::string reason = halted.reason.empty() ? std::string() : halted.reason + "\n";
   return {Kind::done, reason + debugger_.status()};
 }
 
-Answer Monitor::Inside::back(std::string_view arguments) {
+Answer Monitor::Impl::back(std::string_view arguments) {
   static_cast<void>(base::value_of(debugger_.back(arguments.empty() ? 1 : Reader::count(arguments))));
   return {Kind::done, status()};
 }
 
-Answer Monitor::Inside::save(std::string_view arguments) {
+Answer Monitor::Impl::save(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw base::usage_error("expected a file");
   const auto snapshot = debugger_.save();
   const auto done = host_.write(path, snapshot);
   if (!done) throw base::usage_error(done.error().message());
-  return noted(fmt::format("{}: {} bytes", path, snapshot.size()));
+  return note(fmt::format("{}: {} bytes", path, snapshot.size()));
 }
 
-Answer Monitor::Inside::restore(std::string_view arguments) {
+Answer Monitor::Impl::restore(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw base::usage_error("expected a file");
   const machines::Input input = file(path);
@@ -367,7 +366,7 @@ Answer Monitor::Inside::restore(std::string_view arguments) {
   return {Kind::done, status()};
 }
 
-Answer Monitor::Inside::step(std::string_view arguments) {
+Answer Monitor::Impl::step(std::string_view arguments) {
   const std::uint64_t n = arguments.empty() ? 1 : Reader::count(arguments);
   if (n == 0) return {};
   constexpr std::uint64_t most_shown = 100;
@@ -383,48 +382,48 @@ Answer Monitor::Inside::step(std::string_view arguments) {
   return {Kind::done, text};
 }
 
-Answer Monitor::Inside::over(std::string_view arguments) {
-  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+Answer Monitor::Impl::over(std::string_view arguments) {
+  if (!arguments.empty()) throw base::usage_error("expected no arguments");
   return answer_of(debugger_.step_over());
 }
 
-Answer Monitor::Inside::out(std::string_view arguments) {
-  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+Answer Monitor::Impl::out(std::string_view arguments) {
+  if (!arguments.empty()) throw base::usage_error("expected no arguments");
   return answer_of(base::value_of(debugger_.step_out()));
 }
 
-Answer Monitor::Inside::cycle(std::string_view arguments) {
+Answer Monitor::Impl::cycle(std::string_view arguments) {
   const Debugger::Cycled cycled = base::value_of(debugger_.run_cycles(read_.cycles(arguments)));
   return cycled.cycles.empty() ? answer_of(cycled.halted) : Answer{Kind::done, monitor::cycles(debugger_, cycled)};
 }
 
-Answer Monitor::Inside::resume(std::string_view arguments) {
-  if (!arguments.empty()) throw base::usage_error("expected nothing behind it");
+Answer Monitor::Impl::resume(std::string_view arguments) {
+  if (!arguments.empty()) throw base::usage_error("expected no arguments");
   return run({});
 }
 
-Answer Monitor::Inside::go(std::string_view arguments) {
+Answer Monitor::Impl::go(std::string_view arguments) {
   if (!arguments.empty()) debugger_.start(read_.address(arguments));
   return run({});
 }
 
-Answer Monitor::Inside::run_until(std::string_view arguments) {
+Answer Monitor::Impl::run_until(std::string_view arguments) {
   return run(read_.goal(arguments));
 }
 
-Answer Monitor::Inside::history(std::string_view arguments) {
+Answer Monitor::Impl::history(std::string_view arguments) {
   return {Kind::done, monitor::history(debugger_, arguments.empty() ? 20 : Reader::count(arguments))};
 }
 
 // --- Descriptions ---
 
-Answer Monitor::Inside::show(std::string_view arguments) {
+Answer Monitor::Impl::show(std::string_view arguments) {
   return {Kind::done, monitor::state(debugger_, arguments)};
 }
 
 // --- The world outside ---
 
-Answer Monitor::Inside::attach(std::string_view arguments) {
+Answer Monitor::Impl::attach(std::string_view arguments) {
   const std::string device = base::lower_case(take_part(arguments));
   if (device.empty() || arguments.empty()) throw base::usage_error("expected DEVICE FILE, such as reader tape.rim");
   const machines::Input input = file(std::string(take_part(arguments)));
@@ -432,27 +431,27 @@ Answer Monitor::Inside::attach(std::string_view arguments) {
   const auto done = machine_.attach(device, input);
   debugger_.forget_past();
   if (!done) throw base::usage_error(done.error().message());
-  return noted(fmt::format("{}: {}, {} bytes", device, input.name, input.bytes.size()));
+  return note(fmt::format("{}: {}, {} bytes", device, input.name, input.bytes.size()));
 }
 
-Answer Monitor::Inside::detach(std::string_view arguments) {
+Answer Monitor::Impl::detach(std::string_view arguments) {
   write_media_back();
   const std::string device = base::lower_case(arguments);
   const auto done = machine_.attach(device, {});
   debugger_.forget_past();
   if (!done) throw base::usage_error(done.error().message());
-  return noted(fmt::format("{}: detached", device));
+  return note(fmt::format("{}: detached", device));
 }
 
-Answer Monitor::Inside::send(std::string_view arguments) {
+Answer Monitor::Impl::send(std::string_view arguments) {
   if (arguments.empty()) throw base::usage_error("expected \"KEYS\", such as \"hello\\r\"");
   const auto keys = plain_text("a text", take_part(arguments));
   if (!keys) throw base::usage_error(keys.error().message());
   debugger_.send(*keys);
-  return noted(fmt::format("{} {} typed in the next run", keys->size(), keys->size() == 1 ? "key is" : "keys are"));
+  return note(fmt::format("{} {} typed in the next run", keys->size(), keys->size() == 1 ? "key is" : "keys are"));
 }
 
-Answer Monitor::Inside::expect(std::string_view arguments) {
+Answer Monitor::Impl::expect(std::string_view arguments) {
   const auto text = plain_text("a text", take_part(arguments));
   if (!text) throw base::usage_error(text.error().message());
   if (text->empty()) throw base::usage_error("expected a text");
@@ -475,43 +474,43 @@ Answer Monitor::Inside::expect(std::string_view arguments) {
   }
 }
 
-Answer Monitor::Inside::assert_verb(std::string_view arguments) {
+Answer Monitor::Impl::assert_verb(std::string_view arguments) {
   if (read_.value(arguments) != 0) return {};
   return {Kind::failed, fmt::format("assert: {} is not true\n{}", arguments, status())};
 }
 
-Answer Monitor::Inside::screenshot(std::string_view arguments) {
+Answer Monitor::Impl::screenshot(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw base::usage_error("expected a file");
-  // Of a vector display the photograph of its screen, of a raster board what it shows.
+  // The photograph of a vector display, or the picture of a raster board.
   auto picture = machine_.output("--phosphor");
   if (picture.empty()) picture = machine_.output("--png");
   if (picture.empty()) throw base::usage_error("this machine has no display or raster board, or its program has not used the display yet");
   const auto done = host_.write(path, picture);
   if (!done) throw base::usage_error(done.error().message());
-  return noted(fmt::format("{}: {} bytes", path, picture.size()));
+  return note(fmt::format("{}: {} bytes", path, picture.size()));
 }
 
-Answer Monitor::Inside::trace(std::string_view arguments) {
+Answer Monitor::Impl::trace(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw base::usage_error("expected a file, or off");
   if (path != "off") {
     write_trace();
-    // A file that cannot be written is told now, not at the end.
+    // Reports now, not at the end, that the file cannot be written.
     if (const auto done = host_.write(path, {}); !done) throw base::usage_error(done.error().message());
     trace_file_ = path;
     machine_.probe()->on_instruction = [this](const Past::Entry& entry) { trace_ += machine_.history_line(entry) + "\n"; };
-    return noted(fmt::format("{}: written by `trace off` or at the end of the session", path));
+    return note(fmt::format("{}: written by `trace off` or at the end of the session", path));
   }
-  if (trace_file_.empty()) throw base::usage_error("no trace is under way");
+  if (trace_file_.empty()) throw base::usage_error("no trace is being written");
   const std::string written = trace_file_;
   const auto instructions = std::count(trace_.begin(), trace_.end(), '\n');
   write_trace();
-  return noted(fmt::format("{}: {} instruction{}", written, instructions, instructions == 1 ? "" : "s"));
+  return note(fmt::format("{}: {} instruction{}", written, instructions, instructions == 1 ? "" : "s"));
 }
 
-// Of the trace that is under way, which ends.
-void Monitor::Inside::write_trace() {
+// Writes and ends the current trace.
+void Monitor::Impl::write_trace() {
   machine_.probe()->on_instruction = nullptr;
   if (trace_file_.empty()) return;
   const std::span<const char> text = trace_;
@@ -522,7 +521,7 @@ void Monitor::Inside::write_trace() {
   if (!done) throw base::usage_error(done.error().message());
 }
 
-Answer Monitor::Inside::finish() {
+Answer Monitor::Impl::finish() {
   try {
     write_trace();
   } catch (const base::Error& wrong) {
@@ -531,13 +530,13 @@ Answer Monitor::Inside::finish() {
   return {};
 }
 
-Answer Monitor::Inside::speed(std::string_view arguments) {
+Answer Monitor::Impl::speed(std::string_view arguments) {
   const auto done = host_.speed(std::string(arguments));
   if (!done) throw base::usage_error(done.error().message());
-  return noted(arguments == "max" ? "as fast as this computer can" : arguments == "real" ? "the speed of the machine" : fmt::format("{} times the speed of the machine", arguments));
+  return note(arguments == "max" ? "as fast as this computer can" : arguments == "real" ? "the speed of the machine" : fmt::format("{} times the speed of the machine", arguments));
 }
 
-Answer Monitor::Inside::read_commands(std::string_view arguments) {
+Answer Monitor::Impl::read_commands(std::string_view arguments) {
   const std::string path(take_part(arguments));
   if (path.empty()) throw base::usage_error("expected a file of commands");
   constexpr int deepest = 8;
@@ -559,7 +558,7 @@ Answer Monitor::Inside::read_commands(std::string_view arguments) {
   return all;
 }
 
-Answer Monitor::Inside::help(std::string_view arguments) {
+Answer Monitor::Impl::help(std::string_view arguments) {
   const std::string wanted = base::lower_case(arguments);
   std::string text;
   for (const Verb& verb : verbs()) {
@@ -579,7 +578,7 @@ Answer Monitor::Inside::help(std::string_view arguments) {
   return {Kind::done, text};
 }
 
-std::vector<std::string> Monitor::Inside::completions(std::string_view line, std::string_view begun) const {
+std::vector<std::string> Monitor::Impl::completions(std::string_view line, std::string_view begun) const {
   std::vector<std::string> names;
   const auto offer = [&](std::string_view name) {
     if (base::lower_case(name).starts_with(base::lower_case(begun))) names.emplace_back(name);
@@ -596,41 +595,41 @@ std::vector<std::string> Monitor::Inside::completions(std::string_view line, std
 
 Monitor::Monitor(const MachineDescription& description, Machine& machine, const Limits& limits, Symbols symbols,
                  MonitorHost host)
-    : inside_(std::make_unique<Inside>(description, machine, limits, std::move(symbols), std::move(host))) {}
-Monitor::Monitor(Debugger& debugger, MonitorHost host) : inside_(std::make_unique<Inside>(debugger, std::move(host))) {}
+    : impl_(std::make_unique<Impl>(description, machine, limits, std::move(symbols), std::move(host))) {}
+Monitor::Monitor(Debugger& debugger, MonitorHost host) : impl_(std::make_unique<Impl>(debugger, std::move(host))) {}
 Monitor::~Monitor() = default;
 
 void Monitor::set_radix(int radix) {
-  inside_->set_radix(radix);
+  impl_->set_radix(radix);
 }
 void Monitor::set_dialect(std::string dialect) {
-  inside_->set_dialect(std::move(dialect));
+  impl_->set_dialect(std::move(dialect));
 }
 void Monitor::set_key_codes(KeyCodes codes) {
-  inside_->set_key_codes(codes);
+  impl_->set_key_codes(codes);
 }
 bool Monitor::is_command(std::string_view line) {
-  return Inside::take_verb(line) != nullptr;
+  return Impl::take_verb(line) != nullptr;
 }
 std::vector<std::string_view> Monitor::verbs() {
   std::vector<std::string_view> names;
-  for (const Inside::Verb& verb : Inside::verbs()) names.push_back(verb.name);
+  for (const Impl::Verb& verb : Impl::verbs()) names.push_back(verb.name);
   return names;
 }
 Answer Monitor::execute(std::string_view line) {
-  return inside_->execute(line);
+  return impl_->execute(line);
 }
 Answer Monitor::finish() {
-  return inside_->finish();
+  return impl_->finish();
 }
 std::string Monitor::status() const {
-  return inside_->status();
+  return impl_->status();
 }
 std::vector<std::string> Monitor::completions(std::string_view line, std::string_view word) const {
-  return inside_->completions(line, word);
+  return impl_->completions(line, word);
 }
 const Stop& Monitor::last_stop() const {
-  return inside_->last_stop();
+  return impl_->last_stop();
 }
 
 }  // namespace sightline::live

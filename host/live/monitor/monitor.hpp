@@ -1,8 +1,7 @@
-// The monitor: an emulated machine stopped, looked into, changed, and run on, one line of text at a time.
+// The monitor: examines, changes and runs an emulated machine by lines of text.
 //
-// Verbs and abbreviations are those that users of SIMH have in their fingers; `help` lists them from the one table in
-// monitor.cpp. Addresses and words are in the radix of the machine. Nothing here knows of terminals: the caller reads
-// lines, and hands in how a run waits for the operator.
+// Verbs and abbreviations are those of SIMH; `help` lists them from the table in monitor.cpp. Addresses and words are in the
+// radix of the machine. The monitor does not use a terminal: the caller reads lines and supplies the functions of RunHost.
 #pragma once
 
 #include <functional>
@@ -17,15 +16,15 @@
 
 namespace sightline::live {
 
-// What the monitor cannot do by itself.
+// The functions of the caller that the monitor needs.
 struct MonitorHost {
   RunHost running;
   std::function<base::Result<machines::Input>(const std::string& path)> read;
-  // All of the file or nothing.
+  // Writes the whole file or nothing.
   std::function<base::Result<base::Done>(const std::string& path, std::span<const std::uint8_t>)> write;
-  // "real", "max" or a number; a complaint if it is none.
+  // Sets the speed: "real", "max" or a number.
   std::function<base::Result<base::Done>(const std::string&)> speed;
-  // A person at a prompt: commands that else print nothing say in one line what they have done. Those of a file never do.
+  // A person is at the prompt: commands without output print one line about what they have done, except commands from a file.
   bool person = false;
 };
 
@@ -33,11 +32,11 @@ struct Answer {
   enum class Kind : std::uint8_t {
     done,
     wrong,   // the line was not understood, or a file could not be read
-    failed,  // assert or expect: what was claimed is not so
+    failed,  // an assert or expect failed
     quit,
   };
   Kind kind = Kind::done;
-  std::string text;  // whole lines, or empty
+  std::string text;  // complete lines, or empty
 };
 
 class Monitor {
@@ -45,36 +44,36 @@ class Monitor {
   // All must outlive the monitor; the machine was made with --monitor.
   Monitor(const machines::MachineDescription& description, machines::Machine& machine,
           const machines::Limits& limits, Symbols symbols, MonitorHost host);
-  // Commands for a machine that is under control already; `host.running` is not used.
+  // A monitor for an existing debugger; `host.running` is not used.
   Monitor(Debugger& debugger, MonitorHost host);
   ~Monitor();
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;
 
-  // 8, 10 or 16, for numbers that are typed and shown; that of the machine unless it is set.
+  // 8, 10 or 16, for numbers that are typed and shown; the default is that of the machine.
   void set_radix(int radix);
   // The language of instructions that are typed, a value of the assembler's option --dialect; empty: its default.
   void set_dialect(std::string dialect);
-  // What `send` types; see Debugger.
+  // See Debugger.
   void set_key_codes(KeyCodes codes);
-  // All verbs, whole.
+  // All verbs, unabbreviated.
   [[nodiscard]] static std::vector<std::string_view> verbs();
   // Whether a line begins with a verb.
   [[nodiscard]] static bool is_command(std::string_view line);
-  // One line as typed; several commands between `;`.
+  // Executes a line, with commands separated by `;`.
   [[nodiscard]] Answer execute(std::string_view line);
-  // At the end of a session: what is under way is written.
+  // Called at the end of a session: writes a current trace.
   [[nodiscard]] Answer finish();
-  // Where the machine is and what it does next.
+  // See Debugger.
   [[nodiscard]] std::string status() const;
-  // What the word under the cursor may become: verbs at the beginning of a line, else names.
+  // Completions of the word before the cursor: verbs at the beginning of a line, otherwise names.
   [[nodiscard]] std::vector<std::string> completions(std::string_view line, std::string_view word) const;
-  // The last stop of the machine by itself, for a report.
+  // The last stop that the machine itself caused, for a report.
   [[nodiscard]] const machines::Stop& last_stop() const;
 
  private:
-  class Inside;
-  std::unique_ptr<Inside> inside_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace sightline::live

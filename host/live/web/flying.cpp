@@ -28,11 +28,11 @@ Flying::~Flying() = default;
 Json Flying::make(const Workbench& workbench, const Json& request) {
   journey_.reset();
   const auto loaded = scene_named(workbench, text_of(request, "scene"));
-  if (!loaded) return refusal(loaded.error().message());
+  if (!loaded) return error_answer(loaded.error().message());
   const auto frames = static_cast<std::uint32_t>(std::clamp(number_of(request, "frames", 100), 2.0, 2000.0));
   const auto pieces = static_cast<std::size_t>(std::clamp(number_of(request, "pieces", flight::most_pieces), 1.0, double{flight::most_pieces}));
   auto planned = flight::plan_flight(loaded->scene, flag_of(request, "plan"), frames, pieces);
-  if (!planned) return refusal(planned.error().message());
+  if (!planned) return error_answer(planned.error().message());
   const double bits = number_of(request, "bits", 8);
   const auto precision = bits > 12 ? flight::Precision::bits_16 : bits > 8 ? flight::Precision::bits_12 : flight::Precision::bits_8;
   journey_ = std::make_unique<Journey>(std::move(*planned), precision);
@@ -52,9 +52,9 @@ Json Flying::make(const Workbench& workbench, const Json& request) {
               {"shades", std::move(shades)}};
 }
 
-// Counts of all frames so far, and of the last one.
+// The counts of all frames so far, and of the last frame.
 Json Flying::state() const {
-  if (journey_ == nullptr) return refusal("nothing flies");
+  if (journey_ == nullptr) return error_answer("nothing flies");
   const flight::Outcome& run = journey_->run.outcome();
   const flight::Summary& sum = run.summary;
   Json state{{"ended", run.flight.ended},

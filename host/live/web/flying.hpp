@@ -1,5 +1,5 @@
-// A flight through a scene on an 8080 with the priority display of Willis (firmware/i8080/flight): one at a time. It is no machine of the
-// workbench: what its host computer does for each frame belongs to it.
+// A flight through a scene on an 8080 with the priority display of Willis (firmware/i8080/flight); one exists at a time. It is not a
+// machine of the workbench, because its host computer takes part in every frame.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ class Flying {
   Flying();
   ~Flying();
 
-  // The answer to a request of this file's kind; null if it is none: flight, flight_state.
+  // Answers the requests flight and flight_state; null for any other.
   [[nodiscard]] Json answer(const Workbench& workbench, std::string_view what, const Json& request);
 
-  // To that time; whether there is more to fly.
+  // Runs to a time; true: the flight continues.
   bool run(std::int64_t t_states);
   [[nodiscard]] std::int64_t t_states() const;
-  // What the display shows: 512 lines of 512 numbers of faces from 1, 0 for none; the top line first. Empty without a flight.
+  // The picture of the display: 512 lines of 512 face numbers from 1, 0 for none; the top line first. Empty without a flight.
   [[nodiscard]] std::span<const std::uint32_t> picture();
 
  private:

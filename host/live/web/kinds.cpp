@@ -32,7 +32,7 @@ constexpr std::string_view expected =
     "a mesh or scene (STL, PLY, OFF, OBJ, JSON), a grid of heights (CSV, ESRI, Surfer), a source, a program "
     "or tape (RIM, HRI, octal, Intel HEX, "
     ".com), a snapshot or a lesson";
-// Both assemblers are tried on texts of at most so many bytes.
+// Texts of at most so many bytes are tried with both assemblers.
 constexpr std::size_t largest_guess = 1 << 20;
 
 struct File {
@@ -53,7 +53,7 @@ Json kind(std::string_view name, std::string_view title) {
 Json kind_of_machine(std::string_view name, std::string_view title, const MachineDescription& machine) {
   return Json{{"kind", name}, {"title", title}, {"machine", machine.name}};
 }
-// A damaged file of that kind.
+// The answer for a damaged file of a kind.
 Json damaged(std::string_view name, std::string_view complaint) {
   return Json{{"kind", name}, {"error", complaint}};
 }
@@ -66,7 +66,7 @@ bool is_text(std::string_view text) {
   });
 }
 
-// The first line that is not empty, up to a few characters; of other files the first bytes.
+// The beginning of the first line that is not empty, or the first bytes of a binary file.
 std::string beginning_of(const File& file) {
   if (const std::string_view format = scene::foreign_format_of(file.text); !format.empty())
     return std::string(format);
@@ -82,7 +82,7 @@ std::string beginning_of(const File& file) {
   if (line.size() > longest) {
     std::size_t end = longest;
     while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U)
-      --end;  // not within a character of UTF-8
+      --end;  // not inside a UTF-8 character
     line = line.substr(0, end) + "...";
   }
   return line.empty() ? "a text of blanks only" : fmt::format("a text that begins with \"{}\"", line);
@@ -147,7 +147,7 @@ Json json_file(const File& file) {
   return unknown(file);
 }
 
-// Whether the machine's format of that name reads the file without an error.
+// Whether a format of the machine reads the file without an error.
 bool reads_as(const MachineDescription& machine, std::string_view format, const File& file) {
   const auto found = std::find_if(machine.formats.begin(), machine.formats.end(),
                                   [format](const auto& each) { return each.name == format; });
@@ -181,7 +181,7 @@ Json source(const MachineDescription& machine) {
   return kind_of_machine("source", machine.name == "pdp7" ? "a source of the PDP-7" : "a source of the 8080",
                          machine);
 }
-// A text that one of the assemblers takes without an error, and makes words of.
+// A text that one of the assemblers assembles to words without an error.
 std::optional<Json> assembled(const File& file) {
   if (file.text.size() > largest_guess) return std::nullopt;
   for (const MachineDescription* const machine : {&machines::pdp7(), &machines::i8080()}) {
@@ -203,7 +203,7 @@ Json kind_by_name(const File& file) {
     return kind_of_machine("program", "a program of the 8080", machines::i8080());
   if (file.ends_in({".csv", ".tsv", ".asc", ".grd", ".xyz"})) return grid(file);
   const auto format = scene::poly_format_of(file.name);
-  // A .json that is no JSON is unknown.
+  // A .json file that is no JSON is unknown.
   if (format && *format != PolyFormat::json) return scene_file(file);
   return unknown(file);
 }
@@ -215,7 +215,7 @@ Json kind_of(const File& file) {
   if (file.bytes.size() >= signature.size() &&
       std::equal(signature.begin(), signature.end(), file.bytes.begin()))
     return snapshot(file);
-  // Not by the name: "JSON" is the answer for what begins as no mesh.
+  // By content only: for a text that is no mesh, poly_format_of(".json") returns JSON.
   const PolyFormat mesh = scene::poly_format_of(".json", file.text);
   const bool other_archive = mesh == PolyFormat::threemf && !file.ends_in({".3mf"});
   if (mesh != PolyFormat::json && !other_archive) return scene_file(file);
@@ -241,7 +241,7 @@ Json kinds_answer(Workbench& workbench, std::string_view what, const Json& reque
   if (what != "kind") return {};
   const std::string name = text_of(request, "file");
   const Bytes* const bytes = workbench.file(name);
-  if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page", name));
+  if (bytes == nullptr) return error_answer(fmt::format("{}: no such file on the page", name));
   const std::string text(bytes->begin(), bytes->end());
   return kind_of({name, *bytes, base::without_byte_order_mark(text)});
 }

@@ -1,4 +1,4 @@
-// What a file of the page is: by its content, and where that says nothing by the ending of its name.
+// Finds the kind of a file on the page by its content, or else by its extension.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace sightline::live::web {
 
-// The answer to a request of this file's kind; null if it is none: kind.
+// Answers the request kind; null for any other.
 [[nodiscard]] Json kinds_answer(Workbench& workbench, std::string_view what, const Json& request);
 
 }  // namespace sightline::live::web

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The page as one file: the module, the scripts and the examples packed in one piece, the styles as they are.
+# Makes the page as one file: the module, the scripts and the examples are compressed together, the styles are not compressed.
 #
 #   make_page.sh MODULE.wasm VERSION PAGE.html
 #
-# Beside it PAGE.html.gz. The same files give the same bytes; libdeflate, where it is installed, makes 5 % fewer of them than gzip.
+# Also writes PAGE.html.gz. The same inputs give the same bytes; libdeflate, if it is installed, compresses 5 % better than gzip.
 set -eu
 
 root=$(cd "$(dirname "$0")/../../.." && pwd)
@@ -14,7 +14,7 @@ parts=$(mktemp -d)
 trap 'rm -rf "$parts"' EXIT
 export LC_ALL=C
 
-# Standard input compressed, with neither name nor time in it.
+# Compresses standard input, without a name and a time.
 compress() {
   if command -v libdeflate-gzip >/dev/null; then libdeflate-gzip -12 -c; else gzip -9 -n -c; fi
 }
@@ -26,16 +26,16 @@ for script in "$root"/host/live/web/page/*.js "$root"/host/explain/player/player
   sed "s|from '\./|from 'sightline/|" "$script" > "$parts/$(basename "$script")"
 done
 
-# Texts as JSON strings; < as an escape, so that none can end the script element.
+# Writes texts as JSON strings; < is escaped, so that no text can end the script element.
 text_as_json() {
   cat "$@" | sed 's/\\/\\\\/g; s/"/\\"/g; s/\t/\\t/g; s/\r/\\r/g; s/\f/\\f/g; s/</\\u003c/g' | awk '{ printf "%s\\n", $0 }'
 }
-# What the module has of the firmware is taken from there: of such files only the names, and they come first.
+# The module contains the firmware: of such files only the names are written, before the other texts.
 {
   printf '['
   comma=""
   grep -v '^#' "$root/host/live/web/examples.txt" | while IFS='|' read -r files machine title more; do
-    # Of several files the folder's name: two programs may have sources of the same name.
+    # Several files have the name of their folder, because two programs may have sources of the same name.
     name=$(basename "${files%% *}")
     [ "$files" = "${files%% *}" ] || name=$(basename "$(dirname "${files%% *}")").s
     printf '%s{"name":"%s","machine":"%s","title":"%s"' "$comma" "$name" "$machine" "${title:-$name}"
@@ -58,7 +58,7 @@ text_as_json() {
   printf ']'
 } > "$parts/examples"
 
-# One piece: a line that says what is in it, then the files.
+# The compressed part: a line that lists the files, then the files.
 {
   printf '['
   comma=""
@@ -84,7 +84,7 @@ awk -v parts="$parts" '
     }
     print line
   }' "$root/host/live/web/page/page.html" > "$page.new"
-# What has not changed stays as old as it is: nothing is built again for it.
+# An unchanged page keeps its time, so that nothing is rebuilt.
 if [ -f "$page" ] && [ -f "$page.gz" ] && cmp -s "$page.new" "$page"; then
   rm "$page.new"
 else

@@ -1,13 +1,13 @@
-// The C interface of the module: one buffer in, one buffer out, and numbers.
+// The C interface of the WebAssembly module: an input buffer, an output buffer, and numbers.
 //
-// A text or file goes into `room`; request and file_put read it from there. What an answer holds is at answer_data.
+// The page writes a text or file to the buffer of `buffer`, where request and file_put read it. Answers are at answer_data.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string>
 
-#include "host/live/web/rooms.hpp"
+#include "host/live/web/page_state.hpp"
 
 #define SIGHTLINE_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
@@ -15,11 +15,11 @@ namespace {
 
 using sightline::live::web::MachineSession;
 using sightline::live::web::reason_text;
-using sightline::live::web::Rooms;
+using sightline::live::web::PageState;
 
 struct Page {
-  Rooms rooms;
-  std::string room;
+  PageState state;
+  std::string buffer;
   std::string answer;
 };
 Page& page() {
@@ -31,81 +31,81 @@ using sightline::core::Stroke;
 static_assert(sizeof(Stroke) == 16 && offsetof(Stroke, x) == 8 && offsetof(Stroke, y) == 10 && offsetof(Stroke, intensity) == 12);
 const Stroke* taken_flashes = nullptr;
 
-int give(std::string answer) {
+int set_answer(std::string answer) {
   page().answer = std::move(answer);
   return static_cast<int>(page().answer.size());
 }
 
 }  // namespace
 
-// Room for so many bytes; valid until the next call.
-SIGHTLINE_EXPORT(room) char* room(int bytes) {
-  page().room.resize(static_cast<std::size_t>(bytes));
-  return page().room.data();
+// A buffer for `bytes` bytes, valid until the next call.
+SIGHTLINE_EXPORT(buffer) char* buffer(int bytes) {
+  page().buffer.resize(static_cast<std::size_t>(bytes));
+  return page().buffer.data();
 }
 SIGHTLINE_EXPORT(answer_data) const char* answer_data() { return page().answer.data(); }
 
-// A request in JSON of so many bytes; gives the length of its answer, JSON as well.
+// Executes a request, JSON of `bytes` bytes; returns the length of its answer, also JSON.
 SIGHTLINE_EXPORT(request) int request(int bytes) {
-  const std::string_view text = std::string_view(page().room).substr(0, static_cast<std::size_t>(bytes));
-  return give(page().rooms.answer(text).dump());
+  const std::string_view text = std::string_view(page().buffer).substr(0, static_cast<std::size_t>(bytes));
+  return set_answer(page().state.answer(text).dump());
 }
-// The bytes that the last request has made; 0: none.
+// The number of bytes that the last request has made; 0: none.
 SIGHTLINE_EXPORT(made) int made() {
-  const auto& bytes = page().rooms.workbench.made();
-  return give(std::string(bytes.begin(), bytes.end()));
+  const auto& bytes = page().state.workbench.made();
+  return set_answer(std::string(bytes.begin(), bytes.end()));
 }
-// A file: so many bytes of its name, then its content.
+// Stores a file: the first `name` bytes of the buffer are its name, the rest is its content.
 SIGHTLINE_EXPORT(file_put) void file_put(int name, int bytes) {
-  const std::string& room = page().room;
-  const auto begin = room.begin() + name;
-  page().rooms.workbench.put_file(room.substr(0, static_cast<std::size_t>(name)), {begin, room.begin() + bytes});
+  const std::string& buffer = page().buffer;
+  const auto begin = buffer.begin() + name;
+  page().state.workbench.put_file(buffer.substr(0, static_cast<std::size_t>(name)), {begin, buffer.begin() + bytes});
 }
 
-// --- A machine by its number; 0 and nothing for one that there is not.
+// --- A machine by its number. An unknown number gives 0.
 
-// To a time in the machine's unit and at most so many instructions; 0: come there, 1: a breakpoint, 2: the machine has
-// stopped. The reason is the answer.
+// Runs to a time in the machine's unit, for at most so many instructions. 0: reached, 1: a breakpoint, 2: the machine has
+// stopped. The answer is the reason.
 SIGHTLINE_EXPORT(run) int run(int id, double until, double instructions) {
-  MachineSession* const session = page().rooms.workbench.session(id);
+  MachineSession* const session = page().state.workbench.session(id);
   if (session == nullptr) return 2;
   const auto halted = session->run(static_cast<std::int64_t>(until), static_cast<std::uint64_t>(instructions));
-  give(reason_text(halted));
+  set_answer(reason_text(halted));
   return static_cast<int>(halted.why);
 }
 SIGHTLINE_EXPORT(answer_size) int answer_size() { return static_cast<int>(page().answer.size()); }
 SIGHTLINE_EXPORT(ticks) double ticks(int id) {
-  MachineSession* const session = page().rooms.workbench.session(id);
+  MachineSession* const session = page().state.workbench.session(id);
   return session != nullptr ? static_cast<double>(session->machine().ticks()) : 0;
 }
 SIGHTLINE_EXPORT(instructions) double instructions(int id) {
-  MachineSession* const session = page().rooms.workbench.session(id);
+  MachineSession* const session = page().state.workbench.session(id);
   return session != nullptr ? static_cast<double>(session->machine().instructions()) : 0;
 }
 SIGHTLINE_EXPORT(get) std::uint32_t get(int id, int number) {
-  MachineSession* const session = page().rooms.workbench.session(id);
+  MachineSession* const session = page().state.workbench.session(id);
   return session != nullptr ? session->machine().get(static_cast<std::size_t>(number)) : 0;
 }
 SIGHTLINE_EXPORT(set) void set(int id, int number, std::uint32_t value) {
-  if (MachineSession* const session = page().rooms.workbench.session(id)) session->debugger().set(static_cast<std::size_t>(number), value);
+  if (MachineSession* const session = page().state.workbench.session(id)) session->debugger().set(static_cast<std::size_t>(number), value);
 }
 SIGHTLINE_EXPORT(word) std::uint32_t word(int id, std::uint32_t at) {
-  MachineSession* const session = page().rooms.workbench.session(id);
+  MachineSession* const session = page().state.workbench.session(id);
   return session != nullptr && at < session->machine().words() ? session->machine().word(at) : 0;
 }
-// A key as the teletype of that machine sends it.
+// Types a key on the teletype of a machine.
 SIGHTLINE_EXPORT(type) void type(int id, int key) {
-  if (MachineSession* const session = page().rooms.workbench.session(id)) session->type(static_cast<char>(key));
+  if (MachineSession* const session = page().state.workbench.session(id)) session->type(static_cast<char>(key));
 }
-// What has been printed since the last call: its length; the text is the answer.
+// The length of the text printed since the last call; the text is the answer.
 SIGHTLINE_EXPORT(printed) int printed(int id) {
-  MachineSession* const session = page().rooms.workbench.session(id);
-  return session != nullptr ? give(session->take_printed()) : 0;
+  MachineSession* const session = page().state.workbench.session(id);
+  return session != nullptr ? set_answer(session->take_printed()) : 0;
 }
-// What has been drawn since the last call: how many flashes of 16 bytes (nanoseconds in 64 bits; x and y of 16; the intensity of 8) lie at
-// flashes_data.
+// The number of flashes since the last call. They are at flashes_data, 16 bytes each: nanoseconds (64 bits), x and y (16 bits),
+// intensity (8 bits).
 SIGHTLINE_EXPORT(flashes) int flashes(int id) {
-  MachineSession* const session = page().rooms.workbench.session(id);
+  MachineSession* const session = page().state.workbench.session(id);
   if (session == nullptr) return 0;
   const auto taken = session->take_flashes();
   taken_flashes = taken.data();
@@ -114,15 +114,15 @@ SIGHTLINE_EXPORT(flashes) int flashes(int id) {
 SIGHTLINE_EXPORT(flashes_data) const void* flashes_data() { return taken_flashes; }
 // 256 by 256 bytes, the bottom row first; null without a raster board.
 SIGHTLINE_EXPORT(raster) const void* raster(int id) {
-  MachineSession* const session = page().rooms.workbench.session(id);
+  MachineSession* const session = page().state.workbench.session(id);
   const auto* const shown = session != nullptr ? session->machine().raster() : nullptr;
   return shown != nullptr ? shown->points().data() : nullptr;
 }
 
-// --- The flight.
+// --- The flight
 
-// To that T-state; 1 if there is more to fly.
-SIGHTLINE_EXPORT(fly) int fly(double until) { return page().rooms.flying.run(static_cast<std::int64_t>(until)) ? 1 : 0; }
-SIGHTLINE_EXPORT(flown) double flown() { return static_cast<double>(page().rooms.flying.t_states()); }
-// 512 by 512 numbers of faces of 32 bits, the top line first; null without a flight.
-SIGHTLINE_EXPORT(flight_picture) const void* flight_picture() { return page().rooms.flying.picture().data(); }
+// Runs to a T-state; 1 if the flight continues.
+SIGHTLINE_EXPORT(fly) int fly(double until) { return page().state.flying.run(static_cast<std::int64_t>(until)) ? 1 : 0; }
+SIGHTLINE_EXPORT(flown) double flown() { return static_cast<double>(page().state.flying.t_states()); }
+// 512 by 512 face numbers of 32 bits, the top line first; null without a flight.
+SIGHTLINE_EXPORT(flight_picture) const void* flight_picture() { return page().state.flying.picture().data(); }

@@ -75,7 +75,7 @@ Json make_pdp7(Workbench& workbench, const std::string& file, const CoreProgram&
   const auto& formats = machines::pdp7().formats;
   const auto octal = std::find_if(formats.begin(), formats.end(), [](const auto& each) { return each.name == "octal"; });
   auto written = octal->write(program.image, file);
-  if (!written) return refusal(written.error().message());
+  if (!written) return error_answer(written.error().message());
   workbench.put_file(file, std::move(*written));
   Json options{{"--load", file}, {"--display", true}, {program.eae ? "--eae" : "--no-eae", true}};
   options.update(program.options);

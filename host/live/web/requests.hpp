@@ -1,5 +1,5 @@
-// What requests of the page have in common: their members with a usual value for what is not there, the scene they name, and a
-// program put into a PDP-7.
+// Functions that the page's requests share: members with default values, the scene that they name, and a program loaded into a
+// PDP-7.
 #pragma once
 
 #include <map>
@@ -19,25 +19,25 @@ namespace sightline::live::web {
 [[nodiscard]] double number_of(const Json& request, std::string_view key, double otherwise);
 [[nodiscard]] bool flag_of(const Json& request, std::string_view key, bool otherwise = false);
 
-// A file of the page of that name, else a built-in or generated scene.
+// Loads the file of the page with this name, or else a built-in or generated scene.
 [[nodiscard]] base::Result<scene::LoadedScene> scene_named(const Workbench& workbench, const std::string& name);
 
-// Three whole numbers below 32768; empty if it is something else.
+// Three whole numbers below 32768 in magnitude; empty if it is anything else.
 [[nodiscard]] std::optional<scene::PolyPoint> point_of(const Json* json);
-// The scene's own camera, turned as the request's "camera" says: "eye", "forward", "right" and "up" arrays, "perspective" a boolean.
+// The scene's own camera, changed by the request's "camera": arrays "eye", "forward", "right" and "up", and a boolean "perspective".
 [[nodiscard]] base::Result<scene::PolyCamera> camera_of(const scene::PolyScene& scene, const Json& request);
 
-// A program that has been assembled.
+// An assembled program.
 struct CoreProgram {
-  machines::Program image;  // with its start
+  machines::Program image;  // with a start address
   bool eae = true;
-  Json options = Json::object();  // of the machine, besides the program, its display and the EAE
+  Json options = Json::object();  // of the machine, except the program, the display and the EAE
   std::map<std::string, std::uint32_t, std::less<>> symbols;
 };
-// A PDP-7 with a display, the program in core, standing at its start: the answer of "make". The file of the program stays on the
-// page under that name.
+// Makes a PDP-7 with a display and the program in core, at its start address; returns the answer of "make". The program becomes a
+// file of the page with the name `file`.
 [[nodiscard]] Json make_pdp7(Workbench& workbench, const std::string& file, const CoreProgram& program, std::uint32_t switches);
-// The machine of such an answer; null if it is a refusal.
+// The machine of such an answer; null if it is an error.
 [[nodiscard]] MachineSession* session_of(Workbench& workbench, const Json& made);
 
 }  // namespace sightline::live::web

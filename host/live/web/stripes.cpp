@@ -15,20 +15,20 @@ namespace {
 
 namespace stripes = programs::stripes;
 
-// The program on an 8080 whose host computer sends the faces; it cuts them into stripes and finds the order itself.
+// Makes an 8080 with the program, to which a host computer sends the faces. The 8080 cuts them into stripes and finds their order.
 Json make_stripes(Workbench& workbench, const Json& request) {
   auto loaded = scene_named(workbench, text_of(request, "scene"));
-  if (!loaded) return refusal(loaded.error().message());
+  if (!loaded) return error_answer(loaded.error().message());
   const auto camera = camera_of(loaded->scene, request);
-  if (!camera) return refusal(camera.error().message());
+  if (!camera) return error_answer(camera.error().message());
   const bool plotter = text_of(request, "device") == "calcomp";
   stripes::StreamOptions options;
   options.output = plotter ? stripes::Output::vector : stripes::Output::raster;
   if (flag_of(request, "priority_by_host")) options.priority = stripes::Computer::host;
   const auto scene = stripes::project_scene(loaded->scene, stripes::view_of(loaded->scene, *camera), options.priority == stripes::Computer::host);
-  if (!scene) return refusal(scene.error().message());
+  if (!scene) return error_answer(scene.error().message());
   const auto stream = stripes::encode(*scene, options);
-  if (!stream) return refusal(stream.error().message());
+  if (!stream) return error_answer(stream.error().message());
   const stripes::Program& program = stripes::resident_program();
   workbench.put_file(".stripes.stream", stream->bytes);
   workbench.put_file(".stripes.bin", program.memory);

@@ -1,4 +1,4 @@
-// A scene in parallel connected stripes on the page's 8080 (firmware/i8080/stripes).
+// Draws a scene in stripes on the page's 8080 (firmware/i8080/stripes).
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace sightline::live::web {
 
-// The answer to a request of this file's kind; null if it is none: stripes.
+// Answers the request stripes; null for any other.
 [[nodiscard]] Json stripes_answer(Workbench& workbench, std::string_view what, const Json& request);
 
 }  // namespace sightline::live::web

@@ -25,7 +25,7 @@ turn::Memory memory_of(const Json& request) {
   return text_of(request, "memory") == "32k" ? turn::Memory::words_32k : turn::Memory::words_8k;
 }
 
-// How many pictures the program makes in a second of the machine's time, from its first ones.
+// The number of pictures per emulated second, measured from the first ones.
 double pictures_a_second(MachineSession& session, const turn::Labels& labels) {
   constexpr std::int64_t begun = 100'000'000;
   constexpr std::int64_t ended = 800'000'000;
@@ -37,12 +37,12 @@ double pictures_a_second(MachineSession& session, const turn::Labels& labels) {
   return passed / (static_cast<double>(ended - begun) / 1e9);
 }
 
-// The model in core and its tape in the reader: a start at the label `start` reads it in, as in 1965.
+// Makes a PDP-7 with the model in core and its tape in the reader; a start at the label `start` reads the tape.
 Json make_turn(Workbench& workbench, const Json& request) {
   auto loaded = scene_named(workbench, text_of(request, "scene"));
-  if (!loaded) return refusal(loaded.error().message());
+  if (!loaded) return error_answer(loaded.error().message());
   const auto tape = turn::make_tape(loaded->scene, memory_of(request), !flag_of(request, "level"));
-  if (!tape) return refusal(tape.error().message());
+  if (!tape) return error_answer(tape.error().message());
   const turn::Program program = turn::assemble_program(flag_of(request, "eae", true), tape->memory);
   std::vector<core::Word18> words = program.core;
   const std::uint32_t base = turn::model_base(tape->memory);
@@ -56,7 +56,7 @@ Json make_turn(Workbench& workbench, const Json& request) {
   core.options = Json{{"--reader", ".turn.tape"}};
   if (tape->memory == turn::Memory::words_32k) core.options["--memory"] = "32k";
 
-  // At one word of angle from picture to picture the angle counts the pictures.
+  // With an angle step of 1, the angle is the number of pictures.
   const Json trial = make_pdp7(workbench, ".turn.oct", core, 1);
   MachineSession* const tried = session_of(workbench, trial);
   if (tried == nullptr) return trial;
@@ -80,15 +80,15 @@ Json make_turn(Workbench& workbench, const Json& request) {
   return made;
 }
 
-// The exact visible lines at an angle of the machine, to a 30,000th of a radian, in points of the Type 340: [x0, y0, x1, y1].
+// The exact visible lines at an angle of the machine, accurate to 1/30,000 radian, in points of the Type 340: [x0, y0, x1, y1].
 Json turn_sight(Workbench& workbench, const Json& request) {
   auto loaded = scene_named(workbench, text_of(request, "scene"));
-  if (!loaded) return refusal(loaded.error().message());
+  if (!loaded) return error_answer(loaded.error().message());
   const auto standing = turn::stand_on_axis(loaded->scene, !flag_of(request, "level"));
-  if (!standing) return refusal(standing.error().message());
+  if (!standing) return error_answer(standing.error().message());
   const auto angle = static_cast<std::uint32_t>(std::clamp(number_of(request, "angle", 0), 0.0, double{angles - 1}));
   const auto view = hidden_lines::visible_edges(*standing, turn::ScreenView::camera(angle));
-  if (!view) return refusal(view.error().message());
+  if (!view) return error_answer(view.error().message());
   const turn::ScreenView screen(*standing);
   Json lines = Json::array();
   for (const auto& piece : view->picture.pieces) {

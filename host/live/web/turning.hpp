@@ -1,4 +1,4 @@
-// A solid turning on the page's PDP-7 (firmware/pdp7/turn).
+// Turns a solid on the page's PDP-7 (firmware/pdp7/turn).
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace sightline::live::web {
 
-// The answer to a request of this file's kind; null if it is none: turn, turn_sight.
+// Answers the requests turn and turn_sight; null for any other.
 [[nodiscard]] Json turning_answer(Workbench& workbench, std::string_view what, const Json& request);
 
 }  // namespace sightline::live::web

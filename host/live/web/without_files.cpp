@@ -1,5 +1,5 @@
-// What a browser's module has instead of files, folders and libpng: nothing, said in words. Each function is that of the header
-// it is declared in.
+// Replaces files, folders and libpng in the WebAssembly module: these functions return errors or nothing. The headers that declare
+// them describe them.
 #include "host/base/file.hpp"
 #include "host/machines/cpm_files.hpp"
 #include "host/picture/apng.hpp"
@@ -21,7 +21,7 @@ base::Result<base::Bytes> encode_png(const Image&, const TextEntries&, double) {
   return base::bad_input("no PNG files are written here; the page saves its own pictures");
 }
 
-// Its private fields are libpng's business.
+// Its private fields are used only with libpng.
 #pragma clang diagnostic ignored "-Wunused-private-field"
 ApngWriter::ApngWriter(FrameTime time, std::uint32_t plays, TextEntries text)
     : time_(time), plays_(plays), text_(std::move(text)) {}
@@ -46,7 +46,7 @@ CpmFiles::Answer CpmFiles::call(std::uint8_t, std::uint16_t, std::span<std::uint
 
 }  // namespace sightline::machines
 
-// Debian's runtime library for wasm32 is compiled with guards of the stack, and has none.
+// Debian's runtime library for wasm32 is compiled with stack protection, but does not define its symbols.
 extern "C" {
 std::uintptr_t __stack_chk_guard = 0x5349474C;
 void __stack_chk_fail() { __builtin_trap(); }

@@ -32,7 +32,7 @@ std::int64_t whole_of(const Json& request, std::string_view key, std::int64_t ot
   return member != nullptr ? member->integer().value_or(otherwise) : otherwise;
 }
 
-// Options as a command line has them: {"--memory": "8k", "--display": true, "--load": ["a.rim"]}. A complaint, or empty.
+// Takes the options of a command line: {"--memory": "8k", "--display": true, "--load": ["a.rim"]}. Returns a complaint, or empty.
 std::string take_options(const Json& given, std::span<const machines::Option> options, Arguments& arguments) {
   for (const auto& [key, value] : given.members()) {
     const std::string& name = key;
@@ -59,7 +59,7 @@ std::string take_options(const Json& given, std::span<const machines::Option> op
   return {};
 }
 
-// The options of the machine of a snapshot, from its configuration. A complaint if they name files, or empty.
+// Takes the options of a snapshot's machine from its configuration. Returns a complaint if they name files, or empty.
 std::string take_configuration(const std::string& file, const Snapshot& snapshot, const MachineDescription& description, Arguments& arguments) {
   for (const std::string& word : snapshot.configuration) {
     const std::size_t end = std::min(word.find(' '), word.size());
@@ -149,7 +149,7 @@ Json rows_json(MachineSession& session, std::uint32_t from, std::int64_t before,
 
 }  // namespace
 
-// A request that runs a machine comes back after some seconds, whatever the program does: the page must stay alive.
+// A request that runs a machine returns after some seconds, whatever the program does, so that the page stays responsive.
 constexpr std::uint64_t most_instructions = 200'000'000;
 constexpr int most_slices = 2000;
 constexpr std::string_view waits_for_a_key = "waits for a key";
@@ -160,7 +160,7 @@ std::string reason_text(const Halted& halted) {
   return halted.stop.complaint.empty() ? std::string(halted.stop.name) : halted.stop.complaint;
 }
 
-Json refusal(std::string_view complaint) { return Json{{"error", complaint}}; }
+Json error_answer(std::string_view complaint) { return Json{{"error", complaint}}; }
 
 MachineSession::MachineSession(const MachineDescription& description, machines::Prepared prepared, Symbols symbols)
     : description_(description),
@@ -233,21 +233,21 @@ Json Workbench::make(const Json& request) {
   std::optional<Snapshot> snapshot;
   if (!from.empty()) {
     const Bytes* const bytes = file(from);
-    if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", from));
+    if (bytes == nullptr) return error_answer(fmt::format("{}: no such file on the page; drop it first", from));
     auto read = decode_snapshot(*bytes, from);
-    if (!read) return refusal(read.error().message());
+    if (!read) return error_answer(read.error().message());
     snapshot = std::move(*read);
   }
   const MachineDescription* const description = description_of(snapshot ? snapshot->machine : text_of(request, "machine"));
-  if (description == nullptr) return refusal("found no machine of that name, expected pdp7 or i8080");
+  if (description == nullptr) return error_answer("found no machine of that name, expected pdp7 or i8080");
   Arguments arguments(description->options);
   if (snapshot) {
-    if (std::string complaint = take_configuration(from, *snapshot, *description, arguments); !complaint.empty()) return refusal(complaint);
+    if (std::string complaint = take_configuration(from, *snapshot, *description, arguments); !complaint.empty()) return error_answer(complaint);
     arguments.value("--restore").text = from;
   }
   if (const Json* const options = request.find("options")) {
     if (std::string complaint = take_options(*options, description->options, arguments); !complaint.empty())
-      return refusal(complaint);
+      return error_answer(complaint);
   }
   arguments.value("--monitor").flag = true;
   std::string missing;
@@ -260,8 +260,8 @@ Json Workbench::make(const Json& request) {
     if (!done) return base::bad_input(done.error().message());
     return base::Done{};
   });
-  if (!missing.empty()) return refusal(fmt::format("{}: no such file on the page; drop it first", missing));
-  if (!prepared) return refusal(prepared.error().message());
+  if (!missing.empty()) return error_answer(fmt::format("{}: no such file on the page; drop it first", missing));
+  if (!prepared) return error_answer(prepared.error().message());
   Symbols symbols(description->radix);
   if (const Json* const table = request.find("symbols"); table != nullptr && table->text() != nullptr)
     static_cast<void>(symbols.add_table(*table->text()));
@@ -281,16 +281,16 @@ Json Workbench::make(const Json& request) {
 
 Json Workbench::assemble(const Json& request) {
   const MachineDescription* const description = description_of(text_of(request, "machine"));
-  if (description == nullptr) return refusal("found no machine of that name, expected pdp7 or i8080");
+  if (description == nullptr) return error_answer("found no machine of that name, expected pdp7 or i8080");
   const Json* const sources = request.find("sources");
-  if (sources == nullptr || sources->size() == 0) return refusal("found no sources, expected some");
+  if (sources == nullptr || sources->size() == 0) return error_answer("found no sources, expected some");
   std::vector<assembler::SourceFile> files;
   for (const Json& source : sources->elements()) files.push_back({text_of(source, "name"), text_of(source, "text")});
   Arguments arguments(description->assembler.options);
-  // Defines are an option of the command, not of the language.
+  // Definitions are an option of the command, not of the language.
   if (const Json* const options = request.find("options")) {
     if (std::string complaint = take_options(*options, description->assembler.options, arguments); !complaint.empty())
-      return refusal(complaint);
+      return error_answer(complaint);
   }
   auto assembled = description->assembler.assemble(files, arguments, [&](const std::string& path) -> std::optional<std::string> {
     for (const auto& each : files)
@@ -299,7 +299,7 @@ Json Workbench::assemble(const Json& request) {
     if (bytes == nullptr) return std::nullopt;
     return std::string(bytes->begin(), bytes->end());
   });
-  if (!assembled) return refusal(assembled.error().message());
+  if (!assembled) return error_answer(assembled.error().message());
   Json diagnostics = Json::array();
   for (const auto& each : assembled->diagnostics) {
     diagnostics.push_back(Json{{"severity", each.severity == assembler::Severity::error ? "error" : "warning"},
@@ -317,7 +317,7 @@ Json Workbench::assemble(const Json& request) {
     const auto form = std::find_if(description->formats.begin(), description->formats.end(),
                                    [&](const auto& each) { return each.name == description->assembler.format; });
     auto written = form->write(assembled->program, name);
-    if (!written) return refusal(written.error().message());
+    if (!written) return error_answer(written.error().message());
     put_file(name, std::move(*written));
   }
   return Json{{"right", right},
@@ -357,20 +357,20 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
   if (what == "over") return halted_json(debugger.step_over());
   if (what == "out") {
     auto halted = debugger.step_out();
-    return halted ? halted_json(*halted) : refusal(halted.error().message());
+    return halted ? halted_json(*halted) : error_answer(halted.error().message());
   }
   if (what == "back") {
     const auto done = debugger.back(static_cast<std::uint64_t>(std::max<std::int64_t>(1, whole_of(request, "count", 1))));
-    return done ? Json::object() : refusal(done.error().message());
+    return done ? Json::object() : error_answer(done.error().message());
   }
   if (what == "back_to_breakpoint") {
     const auto found = debugger.back_to_breakpoint();
-    if (!found) return refusal(found.error().message());
+    if (!found) return error_answer(found.error().message());
     return Json{{"found", found->value_or(false)}};
   }
   if (what == "break") {
     const auto at = address();
-    if (!at) return refusal(at.error().message());
+    if (!at) return error_answer(at.error().message());
     const auto& all = debugger.breakpoints().all();
     const auto there = std::find_if(all.begin(), all.end(), [&](const Breakpoint& each) {
       return each.kind == Breakpoint::Kind::execution && each.first == *at;
@@ -387,7 +387,7 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
   }
   if (what == "watch") {
     const auto at = address();
-    if (!at) return refusal(at.error().message());
+    if (!at) return error_answer(at.error().message());
     Breakpoint breakpoint;
     breakpoint.kind = Breakpoint::Kind::memory;
     breakpoint.first = breakpoint.last = *at;
@@ -408,13 +408,13 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
   }
   if (what == "rows") {
     const auto at = address();
-    if (!at) return refusal(at.error().message());
+    if (!at) return error_answer(at.error().message());
     return Json{{"rows", rows_json(session, *at, std::clamp<std::int64_t>(whole_of(request, "before"), 0, 200),
                                    std::clamp<std::int64_t>(whole_of(request, "count", 20), 1, 400))}};
   }
   if (what == "memory") {
     const auto at = address();
-    if (!at) return refusal(at.error().message());
+    if (!at) return error_answer(at.error().message());
     Json words = Json::array();
     const auto count = std::clamp<std::int64_t>(whole_of(request, "count", 128), 1, 4096);
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count) && *at + i < machine.words(); ++i)
@@ -423,28 +423,28 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
   }
   if (what == "put") {
     const auto at = address();
-    if (!at) return refusal(at.error().message());
+    if (!at) return error_answer(at.error().message());
     if (const std::string instruction = text_of(request, "instruction"); !instruction.empty()) {
       const auto done = debugger.put_instruction(*at, instruction);
-      return done ? Json::object() : refusal(done.error().message());
+      return done ? Json::object() : error_answer(done.error().message());
     }
     const auto word = whole_of(request, "word", -1);
     if (word < 0 || (word >> session.description().word_bits) != 0)
-      return refusal(fmt::format("found no word of {} bits", session.description().word_bits));
+      return error_answer(fmt::format("found no word of {} bits", session.description().word_bits));
     debugger.put(*at, static_cast<std::uint32_t>(word));
     return Json::object();
   }
   if (what == "set") {
     const auto number = debugger.register_named(text_of(request, "register"));
-    if (!number) return refusal("there is no register of that name");
+    if (!number) return error_answer("there is no register of that name");
     const auto value = whole_of(request, "value", -1);
-    if (value < 0 || (value >> session.description().registers[*number].bits) != 0) return refusal("the register is too small for that value");
+    if (value < 0 || (value >> session.description().registers[*number].bits) != 0) return error_answer("the register is too small for that value");
     debugger.set(*number, static_cast<std::uint32_t>(value));
     return Json::object();
   }
   if (what == "start") {
     const auto at = address();
-    if (!at) return refusal(at.error().message());
+    if (!at) return error_answer(at.error().message());
     debugger.start(*at);
     return Json::object();
   }
@@ -462,14 +462,14 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
   }
   if (what == "who") {
     const auto at = address();
-    if (!at) return refusal(at.error().message());
+    if (!at) return error_answer(at.error().message());
     const auto writer = debugger.last_writer(*at);
-    if (!writer) return Json{{"text", "nothing has written it since this machine's past begins"}};
+    if (!writer) return Json{{"text", "nothing has written it since the machine was made"}};
     return Json{{"text", debugger.instruction_text(writer->pc)}, {"pc", writer->pc}, {"time", debugger.time_text(writer->event.time)}};
   }
   if (what == "evaluate") {
     const auto value = debugger.evaluate(text_of(request, "text"));
-    return value ? Json{{"value", *value}} : refusal(value.error().message());
+    return value ? Json{{"value", *value}} : error_answer(value.error().message());
   }
   if (what == "symbols") {
     Json symbols = Json::array();
@@ -484,22 +484,22 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
       const std::string text = text_of(request, "text");
       input = {"the page", Bytes(text.begin(), text.end())};
     } else if (bytes == nullptr && !name.empty()) {
-      return refusal(fmt::format("{}: no such file on the page; drop it first", name));
+      return error_answer(fmt::format("{}: no such file on the page; drop it first", name));
     }
     const auto done = machine.attach(text_of(request, "device"), input);
-    return done ? Json::object() : refusal(done.error().message());
+    return done ? Json::object() : error_answer(done.error().message());
   }
   if (what == "load") {
     const std::string name = text_of(request, "file");
     const Bytes* const bytes = file(name);
-    if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", name));
+    if (bytes == nullptr) return error_answer(fmt::format("{}: no such file on the page; drop it first", name));
     const auto program = machines::read_program(session.description(), {name, {}}, {name, *bytes}, {}, nullptr);
-    if (!program) return refusal(program.error().message());
+    if (!program) return error_answer(program.error().message());
     for (const auto& [where, word] : program->words) {
-      if (where >= machine.words()) return refusal(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));
+      if (where >= machine.words()) return error_answer(fmt::format("{}: found a word for {}, beyond this memory", name, debugger.address(where)));
       debugger.put(where, word);
     }
-    debugger.set_symbols(Symbols(session.description().radix));  // those of the program that was there
+    debugger.set_symbols(Symbols(session.description().radix));  // removes those of the previous program
     if (program->start && flag_of(request, "start")) debugger.start(*program->start);
     return Json{{"words", program->words.size()}, {"start", program->start ? Json(*program->start) : Json()}};
   }
@@ -510,11 +510,11 @@ Json Workbench::of_session(MachineSession& session, std::string_view what, const
   if (what == "restore") {
     const std::string name = text_of(request, "file");
     const Bytes* const bytes = file(name);
-    if (bytes == nullptr) return refusal(fmt::format("{}: no such file on the page; drop it first", name));
+    if (bytes == nullptr) return error_answer(fmt::format("{}: no such file on the page; drop it first", name));
     const auto done = debugger.restore(*bytes, name);
-    return done ? Json::object() : refusal(done.error().message());
+    return done ? Json::object() : error_answer(done.error().message());
   }
-  return refusal(fmt::format("there is no request \"{}\"", what));
+  return error_answer(fmt::format("there is no request \"{}\"", what));
 }
 
 Json Workbench::answer(const Json& request) {
@@ -523,7 +523,7 @@ Json Workbench::answer(const Json& request) {
   if (what == "assemble") return assemble(request);
   if (what == "file") {
     const Bytes* const bytes = file(text_of(request, "name"));
-    if (bytes == nullptr) return refusal("no such file on the page");
+    if (bytes == nullptr) return error_answer("no such file on the page");
     made_ = *bytes;
     return Json{{"bytes", made_.size()}};
   }
@@ -533,7 +533,7 @@ Json Workbench::answer(const Json& request) {
     return Json::object();
   }
   MachineSession* const found = session(number);
-  if (found == nullptr) return refusal("there is no machine of that number");
+  if (found == nullptr) return error_answer("there is no machine of that number");
   return of_session(*found, what, request);
 }
 

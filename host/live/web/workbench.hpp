@@ -1,6 +1,6 @@
-// All that the page has of machines: files that were dropped on it, machines made of them, a debugger for each, and the
-// assemblers. The page asks by requests in JSON (host/manual/page.md lists them); what it needs in every picture it
-// asks for by number, without a text.
+// The machines of the page: files that were dropped on it, machines made from them, a debugger for each, and the assemblers.
+// The page sends requests in JSON (host/manual/page.md lists them). Values that it needs for every frame have functions in
+// module.cpp.
 #pragma once
 
 #include <cstdint>
@@ -28,17 +28,17 @@ class MachineSession {
   [[nodiscard]] machines::Machine& machine() { return *prepared_.machine; }
   [[nodiscard]] Debugger& debugger() { return debugger_; }
   [[nodiscard]] const machines::MachineDescription& description() const { return description_; }
-  // A request begins: what it runs counts from here, and ends when it has run too long.
+  // Called at the beginning of a request: limits how long it may run the machine.
   void begin();
-  // What has been printed since the last call.
+  // The text printed since the last call.
   [[nodiscard]] std::string take_printed();
 
   void type(char key);
 
-  // To that time in the machine's unit; at most so many instructions.
+  // Runs to a time in the machine's unit, for at most so many instructions.
   [[nodiscard]] Halted run(std::int64_t until, std::uint64_t instructions);
 
-  // What has been drawn since the last call. The page reads it as it lies in memory (module.cpp).
+  // The flashes since the last call. The page reads them directly from memory (module.cpp).
   [[nodiscard]] std::span<const core::Stroke> take_flashes();
 
  private:
@@ -54,17 +54,17 @@ class MachineSession {
 
 class Workbench {
  public:
-  // A file of the page under a name; another of that name is replaced.
+  // Stores a file of the page; it replaces a file of the same name.
   void put_file(const std::string& name, Bytes bytes) { files_[name] = std::move(bytes); }
   [[nodiscard]] const Bytes* file(const std::string& name) const;
 
-  // Null if there is none of that number.
+  // Null if the number is unknown.
   [[nodiscard]] MachineSession* session(int number);
   int add(std::unique_ptr<MachineSession> session);
 
-  // An object with what was asked for, or with `error`, a text for a person. Never anything else, whatever the request.
+  // An object with the requested members, or with `error`, a text for a person; for every request, valid or not.
   [[nodiscard]] Json answer(const Json& request);
-  // What a request has made that is no text: a snapshot, an assembled program.
+  // The binary result of the last request: a snapshot or an assembled program.
   [[nodiscard]] const Bytes& made() const { return made_; }
 
  private:
@@ -78,8 +78,8 @@ class Workbench {
   Bytes made_;
 };
 
-[[nodiscard]] Json refusal(std::string_view complaint);
-// Why a machine stands still, for a person.
+[[nodiscard]] Json error_answer(std::string_view complaint);
+// The reason why a machine has stopped, as a text for a person.
 [[nodiscard]] std::string reason_text(const Halted& halted);
 
 }  // namespace sightline::live::web

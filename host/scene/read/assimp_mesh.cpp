@@ -60,7 +60,7 @@ base::Result<PolyMesh> read_by_assimp(std::string_view, std::string_view source,
 #include <utility>
 #include <vector>
 
-#include "host/base/apart.hpp"
+#include "host/base/child_process.hpp"
 #include "host/base/file.hpp"
 #include "host/base/json.hpp"
 #include "host/scene/model/vertex_pool.hpp"
@@ -607,7 +607,7 @@ base::Result<PolyMesh> read_apart(std::string_view bytes, std::string_view sourc
     if (!found) return std::move(found.error());
     notes = std::move(*found);
   }
-  const auto result = base::run_apart([&] { return import(bytes, format, folder); });
+  const auto result = base::run_in_child([&] { return import(bytes, format, folder); });
   if (!result) {
     base::Error error = result.error();
     if (error.found.starts_with("crashed") || error.found.starts_with("takes more"))

@@ -82,7 +82,7 @@ TEST_F(ExplainCommand, HeightsFromAnExpression) {
 TEST_F(ExplainCommand, SaysWhatIsWrong) {
   expect_failure({"exact", "house", "-o", "steps.txt"}, 2, "ends in .json or .html, or - for JSON");
   expect_failure({"exact", "house"}, 2, "--output is required");
-  expect_failure({"house", "jones", "-o", "steps.json"}, 2, "found \"house\" before jones, expected it behind, as in `explain jones house`");
+  expect_failure({"house", "jones", "-o", "steps.json"}, 2, "found \"house\" before jones, expected after it, as in `explain jones house`");
   expect_failure({"exact", "no_such_scene", "-o", "steps.json"}, 5, "no_such_scene: no such file");
   expect_failure({"exact", "house", "-o", "no/such/folder/steps.json"}, 5, "no/such/folder/steps.json");
   expect_failure({"nothing", "house", "-o", "steps.json"}, 2, "exact, jones, skala, montani-re, willis, plantinga");

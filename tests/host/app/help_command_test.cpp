@@ -316,7 +316,7 @@ TEST_F(HelpCommand, AnOptionBeforeItsSubcommandIsToldItsPlace) {
   for (const Arguments& words : {Arguments{"draw", "--view", "iso", "exact", "boxes-3", "-o", "b.svg"}, Arguments{"draw", "--view=iso"}}) {
     const auto ran = sightline(words);
     EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_TRUE(has(ran.err, "--view: found before the subcommand, expected behind it, as in `draw exact --view`")) << ran.err;
+    EXPECT_TRUE(has(ran.err, "--view: found before the subcommand, expected after it, as in `draw exact --view`")) << ran.err;
   }
 }
 

@@ -1195,7 +1195,7 @@ TEST(MonitorVerbs, InstructionsAreTypedInTheDialectOfTheProgram) {
 TEST(MonitorVerbs, WrongArgumentsAreRefusedInWords) {
   const std::vector<std::pair<std::string_view, std::string_view>> pdp7{
       {"deposit 100 \"", "deposit: found \" without a \" at its end"},
-      {"deposit 100 lac i 10", "an instruction stands in quotes"},
+      {"deposit 100 lac i 10", "an instruction must be in quotes"},
       {"deposit 100 1000000", "found 1000000, expected a word of 18 bits"},
       {"deposit l 2", "found 2 for L"},
       {"examine 103-100", "the smaller address first"},
@@ -1211,11 +1211,11 @@ TEST(MonitorVerbs, WrongArgumentsAreRefusedInWords) {
       {"send", "expected \"KEYS\""},
       {"send \"x", "found \"x without a \" at its end"},
       {"do", "expected a file of commands"},
-      {"quit now", "expected nothing behind it"},
-      {"continue 100", "expected nothing behind it"},
+      {"quit now", "expected no arguments"},
+      {"continue 100", "expected no arguments"},
       {"delete 7", "there is no breakpoint 7; show breaks lists them"},
       {"back 1", "the past reaches no further"},
-      {"trace off", "no trace is under way"}};
+      {"trace off", "no trace is being written"}};
   for (const auto& [line, complaint] : pdp7) {
     auto m = pdp7_program();
     const std::string answer = (*m)(line, Kind::wrong);

@@ -1,5 +1,5 @@
-// A function of x and y, or of x and z, typed by a person, as muParser reads it for the command (`sightline draw skala --function`): numbers, x,
-// y or z, pi, + - * / ^ ( ), comparisons, && || and ?:, and functions. Never run as a program of the page.
+// Parses a function of x and y, or of x and z, like muParser in `sightline draw skala --function`: numbers, x, y or z, pi, + - * / ^ ( ),
+// comparisons, && || and ?:, and functions. The text is never executed as JavaScript.
 
 const FUNCTIONS = {
   sin: [1, Math.sin], cos: [1, Math.cos], tan: [1, Math.tan], asin: [1, Math.asin], acos: [1, Math.acos], atan: [1, Math.atan],
@@ -10,11 +10,11 @@ const FUNCTIONS = {
 };
 const DEEPEST = 100;
 
-// A function (x, z) => number. Throws an Error that says what was found, where, and what was expected.
+// Returns a function (x, z) => number. Throws an Error that says what was found, where, and what was expected.
 export function expression(text) {
   let at = 0;
   let depth = 0;
-  let second = '';  // how the text names the other variable
+  let second = '';  // the text's name for the second variable
   const blank = () => { while (at < text.length && /\s/.test(text[at])) ++at; };
   const take = token => {
     blank();
@@ -60,7 +60,7 @@ export function expression(text) {
     return (x, z) => Math.pow(base(x, z), exponent(x, z));
   };
   const sign = () => {
-    // One sign, as muParser has it.
+    // One sign, as in muParser.
     if (take('-')) { const of = power(); return (x, z) => -of(x, z); }
     take('+');
     return power();
@@ -112,7 +112,7 @@ export function expression(text) {
 
 const places = count => Array.from({length: count}, (_, i) => count > 1 ? -1 + 2 * i / (count - 1) : 0);
 
-// What the module takes of an expression: its heights row by row, and their range on 65 by 65 places.
+// The data of an expression for the module: its heights row by row, and their range at 65 by 65 places.
 export function sampled(text, half, points, slices) {
   const value = expression(text);
   const on = (xs, zs) => zs.flatMap(z => xs.map(x => { const v = value(x * half, z * half); return Number.isFinite(v) ? v : null; }));

@@ -1,16 +1,16 @@
-// Files of the person's computer: dropped anywhere on the page or chosen by a button. Their content tells their kind (the module's request `kind`).
-// The room that is shown takes a file, or the page offers it to the rooms that can.
+// Opens files of the user's computer, dropped anywhere on the page or chosen by a button. The module's request `kind` finds their kind.
+// The current tab takes a file, or the page offers the tabs that can.
 
 const LARGEST = 16 << 20;
-export const MOST_FACES = 200;  // in the theatre, where Jones's lesson of a larger mesh takes a quarter of a minute and more
-const MOST_OFFERED = 2000;  // faces; what is larger has more than the 3000 edges that turn, and more than the 64 faces that are cut into stripes
+export const MOST_FACES = 200;  // in the theatre; Jones's lesson of a larger mesh would take a quarter of a minute or more
+const MOST_OFFERED = 2000;  // faces; larger meshes exceed the 3000 edges of the turning program and the 64 faces of the stripes program
 
-// What is wrong with a file, which is named once.
-export function said({name}, error) { return error.startsWith(name) ? error : `${name}: ${error}`; }
+// The error with the file's name, which occurs once.
+export function errorText({name}, error) { return error.startsWith(name) ? error : `${name}: ${error}`; }
 
 export class Files {
-  // `reserved`: names that the page has a meaning for. `page`: `shown` is the name of the room that is shown, `room` the room; `say` shows a sentence
-  // with offers there; `visit(name)` shows another room.
+  // `reserved`: names that the page itself uses. `page`: `shown` is the name of the current tab, `tab` the tab; `say` shows a sentence with
+  // offers there; `visit(name)` shows another tab.
   constructor(module, reserved, page) {
     this.module = module;
     this.reserved = reserved;
@@ -33,7 +33,7 @@ export class Files {
     addEventListener('chosen', event => this.open(event.detail));
   }
 
-  // One after the other; what cannot be opened is said at the end.
+  // Opens files one after the other, and then reports those that cannot be opened.
   async open(list) {
     const complaints = [];
     let offers = [], wrong = false;
@@ -41,7 +41,7 @@ export class Files {
     for (const each of list) {
       const file = await this.read(each);
       if (!file.error && file.kind === 'material' && list.length > 1) continue;
-      if (!file.error && !(file.faces > MOST_OFFERED) && this.page.room.take?.(file)) {
+      if (!file.error && !(file.faces > MOST_OFFERED) && this.page.tab.take?.(file)) {
         if (file.changes) changes.push(`${file.name}: ${file.changes}.`);
         continue;
       }
@@ -65,14 +65,14 @@ export class Files {
     this.module.putFile(name, bytes);
     return {name, bytes, given: each.name, ...this.module.ask({do: 'kind', file: name})};
   }
-  // A file called as something of the page has another name there.
+  // The name of a file on the page; it differs if the page itself uses the name.
   nameFor(name) {
     if (this.own.has(name)) return name;
     const taken = name.startsWith('.') || this.reserved.has(name) || !this.module.ask({do: 'file', name}).error || !this.module.ask({do: 'scene', scene: name}).error;
     return taken ? `my-${name}` : name;
   }
 
-  // `reasons`: why a room does not take it, a sentence each.
+  // `reasons`: sentences that say why tabs do not take it.
   describe({name, given, title, kind, faces, changes}, offers, reasons) {
     if (kind === 'material') return `${name}: ${title}, which the page does not need. Open the OBJ file.`;
     const what = `${name} is ${title}${changes ? ` (${changes})` : ''}`;
@@ -82,11 +82,11 @@ export class Files {
     return [...why, `Draw it with: sightline draw exact ${word} -o picture.svg`].join(' ');
   }
 
-  // A label and an action for each room that can take it; in `reasons` why the others cannot.
+  // A label and an action for each tab that can take the file; adds the reasons of the others to `reasons`.
   offers(file, reasons = []) {
     const {name, kind} = file;
-    if (!file.title || file.faces > MOST_OFFERED) return [];  // without a title it cannot be read
-    // Of an error the few words that tell what is wrong.
+    if (!file.title || file.faces > MOST_OFFERED) return [];  // without a title the file cannot be read
+    // Only the main clause of an error.
     const not = (what, why) => { reasons.push(`${what}: ${why.replace(/^(faces|scene|stripes): /, '').split(/[:;]/)[0]}.`); return false; };
     // Whether one of the requests makes a machine.
     const can = (what, ...requests) => {
@@ -112,13 +112,13 @@ export class Files {
       snapshot: () => [pdp7 ? ['Continue it in the PDP-7 tab', 'jones'] : ['Continue it in the 8080 tab', 'skala'], ['Continue it in the workbench', 'bench']],
       lesson: () => [['Show it in the theatre', 'theatre']],
     }[kind];
-    return (ways?.() ?? []).filter(each => each && (each[2] || each[1] !== this.page.shown)).map(([label, room, way]) => [label, () => this.give(file, room, way)]);
+    return (ways?.() ?? []).filter(each => each && (each[2] || each[1] !== this.page.shown)).map(([label, tab, way]) => [label, () => this.give(file, tab, way)]);
   }
   give(file, name, way) {
     file.error = undefined;
-    const room = this.page.visit(name);
+    const tab = this.page.visit(name);
     this.page.say('');
-    if (!room.take(file, way)) this.page.say(file.error ?? `${file.name} is ${file.title}.`, true, this.offers(file));
+    if (!tab.take(file, way)) this.page.say(file.error ?? `${file.name} is ${file.title}.`, true, this.offers(file));
     else if (file.changes) this.page.say(`${file.name}: ${file.changes}.`);
   }
 }

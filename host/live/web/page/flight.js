@@ -1,13 +1,13 @@
-// A flight on the 8080 with Willis's priority display (firmware/i8080/flight): its scenes, its picture, and what can be said of it.
+// A flight on the 8080 with Willis's priority display (firmware/i8080/flight): its scenes, its picture and its figures.
 
-import {among, flag, named, number as numeric, optionsOf} from './links.js';
+import {oneOf, flag, named, number as numeric, optionsOf} from './links.js';
 import {check, choice, field} from './ui.js';
 
 const SCENES = [['prisms-9', 'nine turned houses'], ['prisms-25', '25 turned houses'], ['town-4', 'four houses of a town'], ['town-9', 'nine houses'], ['town-20', 'twenty houses'], ['town-60', 'sixty houses, the nearest pieces']];
 const SIDE = 512;
 
 export class Flight {
-  // `again`: begins anew.
+  // `again` restarts the flight.
   constructor(module, again) {
     this.module = module;
     this.options = {scene: 'town-20', bits: 8, plan: false, pieces: 255, frames: 200};
@@ -30,14 +30,14 @@ export class Flight {
     const made = this.module.ask(this.request());
     this.made = made.error ? null : made;
     if (!this.made) return made;
-    // Red is the lowest byte of a pixel; with a sign, because a number as small as that needs no room of its own.
+    // Red is the lowest byte of a pixel. Signed, because JavaScript engines store small signed integers without allocation.
     this.colours = Int32Array.from(made.shades, shade => 0xff000000 | (shade & 0xff) << 16 | shade & 0xff00 | shade >> 16);
     this.before = null;
     this.rate = 0;
     return made;
   }
 
-  // As a machine, for runFor.
+  // ticks and run have the interface that runFor expects of a machine.
   ticks() { return this.module.flown(); }
   run(id, until) { return this.module.fly(until) ? 0 : 2; }
 
@@ -51,7 +51,7 @@ export class Flight {
   get side() { return SIDE; }
 
   get status() { return this.module.ask({do: 'flight_state'}).status; }
-  // Rows of the room's facts.
+  // Rows of the tab's facts.
   facts() {
     const state = this.state = this.module.ask({do: 'flight_state'});
     const {frame} = state;
@@ -70,7 +70,7 @@ export class Flight {
       ['Check', state.difference || 'the same priorities as the same algorithm on this computer', 'The same algorithm, as a native program, also computes every frame']];
   }
 
-  // `local`: what a link has of a file of the person's.
+  // `local`: the parameters of a link for a file of the user.
   link(local) {
     const o = this.options;
     return `${encodeURIComponent(`flight ${o.scene}`)}?${new URLSearchParams({bits: o.bits, plan: o.plan ? 1 : 0, pieces: o.pieces, ...local(o.scene)})}`;
@@ -78,7 +78,7 @@ export class Flight {
   open(scene, query) {
     const o = this.options;
     const known = scene ? {scene: named('scene', scene, [...this.scene.select.options].map(each => each.value), query)} : {};
-    Object.assign(o, optionsOf(query, {bits: among([8, 12, 16]), plan: flag, pieces: numeric(1, 255)}), known);
+    Object.assign(o, optionsOf(query, {bits: oneOf([8, 12, 16]), plan: flag, pieces: numeric(1, 255)}), known);
     this.scene.select.value = o.scene;
     this.bits.select.value = o.bits;
     this.plan.box.checked = o.plan;

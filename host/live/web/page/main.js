@@ -1,21 +1,21 @@
-// The page: its rooms, which one is shown, and the links to them.
+// The page: its tabs and the links to them.
 
 import {element, notice} from './ui.js';
 import {openModule} from './module.js';
 import {Files} from './files.js';
 import {parseLink, sameLink} from './links.js';
-import {Pdp7Room} from './pdp7_room.js';
-import {I8080Room} from './i8080_room.js';
+import {Pdp7Tab} from './pdp7_tab.js';
+import {I8080Tab} from './i8080_tab.js';
 import {Workbench} from './workbench.js';
 import {Theatre} from './theatre.js';
 
-const ROOMS = [['jones', 'PDP-7'], ['skala', '8080'], ['bench', 'Workbench'], ['theatre', 'Theatre'], ['about', 'About']];
+const TABS = [['jones', 'PDP-7'], ['skala', '8080'], ['bench', 'Workbench'], ['theatre', 'Theatre'], ['about', 'About']];
 
-// `wasm`: the module's bytes. `shelf`: the examples (examples.txt); one whose text is of the firmware has the names of its sources, which
-// the module has.
+// `wasm`: the module's bytes. `shelf`: the examples (examples.txt); those from the firmware only have the names of their sources, which are
+// in the module.
 export async function begin(wasm, shelf) {
   const main = document.getElementById('main');
-  const nav = document.getElementById('rooms');
+  const nav = document.getElementById('tabs');
   const began = performance.now();
   const message = notice();
   const module = await openModule(await WebAssembly.compile(wasm));
@@ -30,35 +30,35 @@ export async function begin(wasm, shelf) {
     history.replaceState(null, '', '#' + current.link());
   };
   const about = {root: document.getElementById('credits').content.firstElementChild, enter() {}, leave() {}, key: () => false, link: () => 'about', open: part => { if (part) throw new Error(`About has no part "${part}".`); }};
-  const rooms = {};
+  const opened = {};
   const make = {
-    jones: () => new Pdp7Room(module, examples.filter(each => each.room), examples.filter(each => each.machine === 'solid'), remember), skala: () => new I8080Room(module, lists.functions, remember),
+    jones: () => new Pdp7Tab(module, examples.filter(each => each.room), examples.filter(each => each.machine === 'solid'), remember), skala: () => new I8080Tab(module, lists.functions, remember),
     bench: () => new Workbench(module, examples.filter(each => each.machine !== 'solid'), remember), theatre: () => new Theatre(module, lists.lessons, remember), about: () => about,
   };
-  const tabs = Object.fromEntries(ROOMS.map(([name, title]) => [name, element('a', {href: '#' + name, textContent: title})]));
-  nav.append(...Object.values(tabs));
+  const anchors = Object.fromEntries(TABS.map(([name, title]) => [name, element('a', {href: '#' + name, textContent: title})]));
+  nav.append(...Object.values(anchors));
 
   const say = (...what) => (current?.message ?? message).say(...what);
   const visit = name => {
-    const room = rooms[name] ??= make[name]();
-    if (current !== room) {
+    const tab = opened[name] ??= make[name]();
+    if (current !== tab) {
       current?.leave();
       message.say('');
-      main.replaceChildren(message, room.root);
-      for (const [each, tab] of Object.entries(tabs)) tab.setAttribute('aria-current', each === name ? 'page' : 'false');
-      current = room;
+      main.replaceChildren(message, tab.root);
+      for (const [each, anchor] of Object.entries(anchors)) anchor.setAttribute('aria-current', each === name ? 'page' : 'false');
+      current = tab;
     }
-    return room;
+    return tab;
   };
-  // What the address says. Where it says something unknown, the room stays as it was.
+  // Shows what the address requests. If it is unknown, the tab does not change.
   const show = () => {
     let complaint = '';
     try {
-      const {room: name, part, query} = parseLink(location.hash.slice(1) || 'jones');
+      const {tab: name, part, query} = parseLink(location.hash.slice(1) || 'jones');
       if (!Object.hasOwn(make, name)) throw new Error(`There is no tab "${name}": expected ${Object.keys(make).join(', ')}.`);
-      const fresh = !rooms[name];
-      const room = visit(name);
-      if ((part !== null || query.toString()) && (fresh || !sameLink(location.hash.slice(1), room.link()))) room.open(part ?? '', query);
+      const fresh = !opened[name];
+      const tab = visit(name);
+      if ((part !== null || query.toString()) && (fresh || !sameLink(location.hash.slice(1), tab.link()))) tab.open(part ?? '', query);
     } catch (error) {
       complaint = error.message;
     }
@@ -68,12 +68,12 @@ export async function begin(wasm, shelf) {
     if (complaint) say(complaint, true);
   };
   const files = new Files(module, new Set([...lists.functions, ...examples].map(each => each.name)), {
-    say, get room() { return current; }, get shown() { return Object.keys(rooms).find(name => rooms[name] === current); },
+    say, get tab() { return current; }, get shown() { return Object.keys(opened).find(name => opened[name] === current); },
     visit(name) {
-      const room = visit(name);
-      room.enter();
-      history.pushState(null, '', '#' + room.link());
-      return room;
+      const tab = visit(name);
+      tab.enter();
+      history.pushState(null, '', '#' + tab.link());
+      return tab;
     },
   });
   addEventListener('hashchange', show);
@@ -84,6 +84,6 @@ export async function begin(wasm, shelf) {
   addEventListener('unhandledrejection', event => failed(event.reason?.message ?? event.reason));
   show();
   document.documentElement.dataset.ready = String(Math.round(performance.now() - began));
-  // For tests and for people who like to look inside.
-  globalThis.sightline = {module, files, get room() { return current; }};
+  // For tests and for the browser's console.
+  globalThis.sightline = {module, files, get tab() { return current; }};
 }

@@ -3,7 +3,7 @@
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-// The module asks for these where a program would end or write an error; it has no files.
+// The functions of WASI that the module imports, to exit and to write errors; it has no files.
 function system(memory) {
   const said = [];
   return {
@@ -31,8 +31,8 @@ function system(memory) {
   };
 }
 
-// Flashes in the module's memory, 16 bytes each: nanoseconds of the machine's time, where on the screen, and how bright, 0 to 7. One object is used
-// again and again, so that a picture leaves nothing to be collected.
+// Flashes in the module's memory, 16 bytes each: emulated nanoseconds, position on the screen, and intensity, 0 to 7. One object is reused, so that
+// frames produce no garbage.
 class Flashes {
   count = 0;
   at = 0;
@@ -51,14 +51,14 @@ export async function openModule(wasm) {
   exports._initialize();
 
   const put = bytes => {
-    const at = exports.room(bytes.length);
+    const at = exports.buffer(bytes.length);
     new Uint8Array(exports.memory.buffer, at, bytes.length).set(bytes);
     return bytes.length;
   };
   const taken = size => new Uint8Array(exports.memory.buffer, exports.answer_data(), size);
   const text = size => decoder.decode(taken(size));
   const flashes = new Flashes();
-  // Views of the memory are made again when it has grown or what they show has moved.
+  // Makes a new view of the memory if it has grown or the data has moved.
   const shows = (Kind, length) => {
     let view = null;
     return at => {
@@ -85,7 +85,7 @@ export async function openModule(wasm) {
     // The bytes that the last request has made.
     made: () => taken(exports.made()).slice(),
 
-    // What a machine does in every picture, without texts.
+    // Functions for every frame, without JSON.
     run: (id, until, instructions = 2 ** 50) => exports.run(id, until, instructions),
     reason: () => text(exports.answer_size()),
     ticks: id => exports.ticks(id),
@@ -94,9 +94,9 @@ export async function openModule(wasm) {
     set: (id, number, value) => exports.set(id, number, value),
     word: (id, at) => exports.word(id, at) >>> 0,
     type: (id, key) => exports.type(id, key),
-    // Codes of eight bits, a character each.
+    // One character for each 8-bit code.
     printed: id => { const size = exports.printed(id); return size ? String.fromCharCode(...taken(size)) : ''; },
-    // The flashes since the last call. Valid until the next call of anything here.
+    // The flashes since the last call; valid until the next call of any function.
     flashes(id) {
       flashes.count = exports.flashes(id);
       flashes.at = exports.flashes_data();
@@ -105,7 +105,7 @@ export async function openModule(wasm) {
     },
     raster: id => rasterAt(exports.raster(id)),
 
-    // The flight: to a T-state, whether there is more of it; the T-state reached; what the priority display shows, 512 by 512 numbers of faces.
+    // The flight: `fly` runs to a T-state, and is true if the flight continues; `flown` is the T-state reached; `flightPicture` has 512 by 512 face numbers.
     fly: until => exports.fly(until) !== 0,
     flown: () => exports.flown(),
     flightPicture: () => flightAt(exports.flight_picture()),

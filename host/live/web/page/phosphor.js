@@ -1,6 +1,5 @@
-// The phosphor of the Type 340: its parameters, which are those of the photograph (host/picture/phosphor.hpp, which gives their sources); and the
-// phosphor on a grid of so few points that a flash has none beside it: what tube.js does in shaders, for a computer whose processor would have to do
-// the work of a graphics card. Points that are dark cost next to nothing.
+// The phosphor of the Type 340: its parameters, those of host/picture/phosphor.hpp, which cites the sources; and a phosphor on a coarse grid, in which
+// a flash does not spread to other points. It replaces the shaders of tube.js on computers without a graphics card. Dark points take almost no time.
 
 export const PHOSPHOR = {
   margin: 24, floor: 0.15, sigmaBase: 0.6, sigmaGrowth: 0.2, cascade: 1.9, blueShare: 0.25,
@@ -8,10 +7,10 @@ export const PHOSPHOR = {
   blueColour: [0.10, 0.22, 1.0], yellowColour: [0.55, 0.80, 0.10], haloShare: 0.03,
   ambient: [0.011, 0.017, 0.012], exposure: 3.5, shutter: 0.2, eye: 0.06,
 };
-// What may be left of the afterglow: by what its times are multiplied, the share of the yellow layer that is seen, and the eye's persistence in seconds.
-// Without the yellow layer the picture is that of the blue one, as behind a blue filter. Then the eye's persistence alone smears what moves. It is as
-// short as a steady picture allows: with 0.03 s, 50 refreshes a second and 60 pictures a second of the browser the light of a point stays within a third of
-// its mean; with 0.02 s it would fall to half of it and flicker.
+// Settings of the afterglow: the factor of its times, the visible share of the yellow layer, and the persistence of vision in seconds. Without the yellow
+// layer only the blue one is visible, as behind a blue filter; moving lines are then smeared only by the persistence of vision. It is as short as a steady
+// picture allows: with 0.03 s, 50 refreshes and 60 frames per second, the light of a point stays within a third of its mean; with 0.02 s it would fall to
+// half of it and flicker.
 export const AFTERGLOWS = {
   p7: {title: 'P7 as it was', times: 1, yellow: 1, eye: PHOSPHOR.eye},
   short: {title: 'shorter: a twentieth', times: 0.05, yellow: 1, eye: PHOSPHOR.eye},
@@ -24,7 +23,7 @@ const LEVELS = Array.from({length: 8}, (_, i) => PHOSPHOR.floor + (1 - PHOSPHOR.
 
 const DARK = 1e-7;
 const STEPS = 16384;
-// Of v / (1 + v), the film's answer to the light v, as sRGB.
+// v / (1 + v), the response of the film to the light v, in sRGB.
 const SRGB = Uint8Array.from({length: STEPS + 1}, (_, i) => { const v = i / STEPS; return Math.round(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055)); });
 const shown = light => SRGB[STEPS * light / (1 + light) | 0];
 
@@ -32,11 +31,11 @@ export class CoarsePhosphor {
   constructor(side) {
     const floats = () => new Float32Array(side * side);
     this.side = side;
-    this.sums = floats();  // of the flashes of this picture
+    this.sums = floats();  // light of the flashes of this frame
     this.glow = [floats(), floats(), floats()];
-    this.blue = floats();  // what the eye has of either layer
+    this.blue = floats();  // light of either layer that the eye sees
     this.yellow = floats();
-    this.held = floats();  // the yellow layer of a picture that is held
+    this.held = floats();  // the yellow layer of a held picture
     this.seen = this.yellow;
     this.afterglow = AFTERGLOWS.p7;
     this.lit = new Uint8Array(side * side);
@@ -48,7 +47,7 @@ export class CoarsePhosphor {
     this.green = new Float32Array(side);
     this.bytes = new Uint8Array(4 * side * side);
     this.pixels = new Uint32Array(this.bytes.buffer);
-    // Of each column and row: the block before its middle, and how far it is on the way to the next.
+    // For each column and row: the block before its middle, and the fraction of the distance to the next block.
     this.block = Uint8Array.from({length: side}, (_, i) => Math.max(0, Math.min(this.blocks - 2, Math.floor((i + 0.5) / side * this.blocks - 0.5))));
     this.part = Float32Array.from({length: side}, (_, i) => Math.max(0, Math.min(1, (i + 0.5) / side * this.blocks - 0.5 - this.block[i])));
   }
@@ -57,7 +56,7 @@ export class CoarsePhosphor {
     for (const each of [this.sums, ...this.glow, this.blue, this.yellow, this.held, this.lit]) each.fill(0);
     this.seen = this.yellow;
   }
-  // As GlowTube's shaders, in its words.
+  // The same computation as the shaders of GlowTube.
   picture(flashes, seconds) {
     const {side, sums, lit, blue, yellow} = this;
     const {times, eye: persistence} = this.afterglow;
@@ -87,7 +86,7 @@ export class CoarsePhosphor {
     }
   }
 
-  // The picture of a machine that stands still: of each point what a photograph of so many seconds would get from its afterglow, if the eye has not more.
+  // The picture of a stopped machine: for each point the light that the eye sees, or that of a photograph of so many seconds, whichever is greater.
   hold(seconds) {
     const {lit, yellow, held} = this;
     const [glow0, glow1, glow2] = this.glow;
@@ -96,7 +95,7 @@ export class CoarsePhosphor {
     this.seen = held;
   }
 
-  // The light around a place: the mean of its block of 16 by 16 points, and of those beside it.
+  // The halo of a point: the interpolated means of blocks of 16 by 16 points.
   gather() {
     const {side, blocks, means, around, blue, seen: yellow, lit} = this;
     for (let by = 0; by < blocks; ++by) {
@@ -120,7 +119,7 @@ export class CoarsePhosphor {
       }
     }
   }
-  // `bytes`: red, green, blue and 255 of each point, the bottom row first. `pair`: the two pictures of a stereo pair, one over the other in red and cyan.
+  // `bytes`: red, green, blue and 255 of each point, the bottom row first. `pair`: superimposes the pictures of a stereo pair in red and cyan.
   develop(pair) {
     this.gather();
     const {side, blocks, around, rowBlue, rowYellow, blue, seen: yellow, block, part, pixels, green} = this;

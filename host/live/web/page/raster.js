@@ -1,6 +1,6 @@
-// What a raster board shows: 256 by 256 values of 0 to 7, the bottom row first, on a canvas.
+// Draws the picture of a raster board on a canvas: 256 by 256 values from 0 to 7, the bottom row first.
 
-// Pixels of the values: as a monitor shows three planes, and as levels of light.
+// The pixels of the values: three bit planes as colours, and grey levels.
 export const COLOURS = Int32Array.from({length: 8}, (_, n) => 0xff000000 | (n & 1 ? 0xff0000 : 0) | (n & 2 ? 0xff00 : 0) | (n & 4 ? 0xff : 0));
 export const GREYS = Int32Array.from({length: 8}, (_, n) => 0xff000000 | n * 36 * 0x010101);
 

@@ -1,9 +1,9 @@
-// The theatre: each algorithm at work on a small scene that can be turned.
+// The theatre: shows each algorithm step by step on a small scene that can be rotated.
 
 import {choice, element, field, fileTaker, introduction, notice} from './ui.js';
 import {makePlayer, releaseKeys} from './player.js';
 import {camera} from './camera.js';
-import {anything, named, number, optionsOf} from './links.js';
+import {anyText, named, number, optionsOf} from './links.js';
 import {MOST_FACES} from './files.js';
 
 const SCENES = ['house', 'roberts', 'street4', 'boxes-2', 'boxes-3', 'boxes-5', 'bricks-2', 'triangles-3', 'town-2'];
@@ -12,8 +12,8 @@ const FUNCTIONS = ['sinc', 'peaks', 'rogers', 'franke'];
 export class Theatre {
   constructor(module, lessons, remember) {
     this.module = module;
-    this.own = new Set();  // scenes that are files of the person's
-    this.lessonFile = '';  // of the lesson that is shown, if it is a file
+    this.own = new Set();  // scenes that are files of the user
+    this.lessonFile = '';  // name of the lesson's file, if it is a file
     this.lessons = lessons;
     this.remember = remember;
     this.options = {algorithm: 'jones', scene: 'house', function: 'sinc', view: 'own', rotation: 30, elevation: 30};
@@ -35,8 +35,8 @@ export class Theatre {
       this.message, this.stage);
     releaseKeys(this.root);
   }
-  // Gives what went wrong, or ''.
-  // `addressed`: the address says which step is shown first.
+  // Returns a complaint, or ''.
+  // `addressed`: the address selects the first step.
   play(addressed = false) {
     const o = this.options;
     const lesson = this.lessons.find(each => each.algorithm === o.algorithm) ?? this.lessons[0];
@@ -68,7 +68,7 @@ export class Theatre {
     this.view.select.value = o.view;
   }
 
-  // A file (files.js); false: not one for this room, or not one that it can show, which is then the file's `error`.
+  // Takes a file (files.js); false: this tab cannot use it, or cannot show it and sets the file's `error`.
   take(file) {
     const {name, kind} = file;
     const o = this.options;
@@ -83,7 +83,7 @@ export class Theatre {
     if (kind !== 'scene') return false;
     if (file.faces > MOST_FACES) return false;
     const before = {...o};
-    // Jones's lesson of a mesh takes many seconds, because its space has to be cut into cells first.
+    // Jones's lesson of a mesh takes many seconds, because its space must be decomposed first.
     const keeps = !this.lessons.find(each => each.algorithm === o.algorithm).heights && (file.cells || o.algorithm !== 'jones');
     this.own.add(name);
     let error = '';
@@ -125,7 +125,7 @@ export class Theatre {
     const {heights} = this.lessons.find(each => each.algorithm === (algorithm || o.algorithm));
     if (what && heights) changes.function = named('function', what, FUNCTIONS, query);
     else if (what) changes.scene = named('scene', what, [...this.scene.select.options].map(each => each.value), query);
-    const {rotation, elevation} = optionsOf(query, {rotation: number(-180, 180), elevation: number(-90, 90), step: anything, embed: anything, from: anything, to: anything});
+    const {rotation, elevation} = optionsOf(query, {rotation: number(-180, 180), elevation: number(-90, 90), step: anyText, embed: anyText, from: anyText, to: anyText});
     if (rotation !== undefined || elevation !== undefined) Object.assign(changes, {view: 'turned', rotation: rotation ?? o.rotation, elevation: elevation ?? o.elevation});
     Object.assign(o, changes);
     this.turn.input.value = o.rotation;
@@ -135,7 +135,7 @@ export class Theatre {
   }
 }
 
-// Whether what makePlayer needs of a lesson is there.
+// Whether a lesson has all that makePlayer needs.
 function isLesson({sheets, steps}) {
   const isPoint = point => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
   return Array.isArray(sheets) && sheets.length > 0 && sheets.every(sheet => sheet && isPoint(sheet.low) && isPoint(sheet.high))

@@ -1,12 +1,12 @@
 // The screen of the Type 340: a P7 phosphor that keeps the beam's energy.
 //
-// Each flash is a spot of light in two layers. The blue layer answers at once; the yellow one keeps its energy and gives it off
-// as the sum of three exponentials. What is seen is the light of the last moments, weighted as an eye with some persistence has it;
-// in a steady picture that is the photograph's exposure of 0.2 s.
+// Each flash is a spot of light in two layers. The blue layer responds at once; the yellow one stores energy and emits it as the
+// sum of three exponentials. The picture is the recent light, weighted by the persistence of vision; for a steady picture it
+// equals the photograph's exposure of 0.2 s.
 
 import {AFTERGLOWS, CoarsePhosphor, PHOSPHOR, POINTS, SHARE_0, SHARE_1, SHARE_2, SIDE, TAU_0, TAU_1, TAU_2} from './phosphor.js';
 
-// The corners of the glass are round: what is outside has the colour of the frame (page.css). To clip the canvas would cost another layer in each picture.
+// The corners of the glass are round; the shader gives points outside the colour of the frame (page.css). To clip the canvas would cost another layer.
 const ROUND = `
 vec3 framed(vec3 colour, vec2 at) {
   float outside = length(max(abs(at - 0.5) - 0.41, 0.0)) - 0.09;
@@ -28,7 +28,7 @@ float area(float s) { return 6.2831853 * s * s; }
 void main() {
   vec2 d = (gl_PointCoord - 0.5) * max(3.0, 13.0 * scale) / scale;
   float r = dot(d, d);
-  float pixel = 0.35 / scale;  // a pixel wider than the spot spreads it
+  float pixel = 0.35 / scale;  // the pixel widens the spot
   float blue = sqrt(sigma * sigma + pixel * pixel), yellow = sqrt(blue * blue + ${(PHOSPHOR.cascade ** 2).toFixed(3)});
   spot = light * vec4(exp(-r / (2.0 * blue * blue)) / area(blue), exp(-r / (2.0 * yellow * yellow)) / area(yellow), 0, 0);
 }`;
@@ -43,10 +43,10 @@ void main() {
   vec3 come = f.g * ${1 - PHOSPHOR.blueShare} * share;
   float yellow = dot(g, 1.0 - keep) + dot(come, 1.0 - keepHalf);
   glowNext = vec4(g * keep + come * keepHalf, 0);
-  // Held: the light that the glow would give to a film, where that is more than what the eye has.
+  // Held: the light of the afterglow on a film, if that is more than the eye sees.
   filmNext = hold ? vec4(seen.r, max(seen.g, dot(g, 1.0 - keep)), 0, 0) : vec4(seen * eye + weight * vec2(f.r * ${PHOSPHOR.blueShare}, yellow), 0, 0);
 }`;
-// The mean of each block of 16 by 16 points: four of them at once by 8 by 8 filtered looks.
+// The mean of each block of 16 by 16 points, by 8 by 8 filtered samples of four points each.
 const HALO_FRAGMENT = `#version 300 es
 precision highp float;
 in vec2 at; uniform sampler2D film; uniform vec2 step; out vec4 mean;
@@ -59,7 +59,7 @@ const SHOW_FRAGMENT = `#version 300 es
 precision highp float;
 in vec2 at; uniform sampler2D film, halo; uniform vec2 block; uniform bool pair; uniform float yellow; out vec4 colour;${ROUND}
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
-// The light of a place, as the film answers it.
+// The response of the film to the light at a point.
 vec3 answer(vec2 at) {
   vec2 around = 0.4 * texture(halo, at).rg + 0.15 * (texture(halo, at + vec2(block.x, 0)).rg + texture(halo, at - vec2(block.x, 0)).rg
     + texture(halo, at + vec2(0, block.y)).rg + texture(halo, at - vec2(0, block.y)).rg);
@@ -71,7 +71,7 @@ vec3 answer(vec2 at) {
 void main() {
   vec3 v = answer(at);
   if (pair) {
-    // The pictures of a pair lie 256 points to the left and right of the middle: one over the other, in red and in cyan.
+    // The pictures of a pair are 256 points to the left and right of the middle; they are superimposed in red and cyan.
     vec2 aside = vec2(256.0 / ${SIDE}.0, 0);
     bool inside = abs(at.x - 0.5) < aside.x;
     float left = inside ? answer(at - aside).g : 0.0, right = inside ? answer(at + aside).g : 0.0;
@@ -85,8 +85,8 @@ precision highp float;
 in vec2 at; uniform sampler2D picture; out vec4 colour;${ROUND}
 void main() { colour = vec4(framed(texture(picture, at).rgb, at), 1); }`;
 
-// Draws the flashes of a module on a canvas. Without WebGL2 and float targets it draws dots that fade; `kind` says which.
-// `fine`: with all points, however slow that is; `coarse`: with few of them.
+// Draws flashes on a canvas. Without WebGL2 and float targets it draws fading dots; `kind` says which. `fine`: always with all points;
+// `coarse`: with few points.
 export function makeTube(canvas, {plain = false, fine = false, coarse = false} = {}) {
   const gl = plain ? null : canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false});
   if (gl && gl.getExtension('EXT_color_buffer_float')) return new GlowTube(canvas, gl, coarse || (!fine && bySoftware(gl)) ? COARSE : SIDE);
@@ -94,13 +94,13 @@ export function makeTube(canvas, {plain = false, fine = false, coarse = false} =
 }
 
 const COARSE = SIDE / 4;
-// Whether a processor does the work of a graphics card, as far as the browser tells.
+// Whether WebGL runs in software, as far as the browser reports it.
 function bySoftware(gl) {
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
 }
 
-// What both kinds of tube have. `pair`: the two pictures of a stereo pair are shown one over the other, in red and cyan. `afterglow`: of AFTERGLOWS.
+// The base of both kinds of tube. `pair`: superimpose the pictures of a stereo pair in red and cyan. `afterglow`: one of AFTERGLOWS.
 class Tube {
   pair = false;
   afterglow = AFTERGLOWS.p7;
@@ -108,14 +108,14 @@ class Tube {
   began = 0;
   held = false;
 
-  // The dark screen, at a time of the machine in seconds.
+  // Clears the screen; `time` is emulated time in seconds.
   clear(time) {
     this.time = this.began = time;
     this.held = false;
     this.darken();
   }
-  // The flashes (of module.js) up to a time of the machine in seconds. `held`: the machine stands still, and the picture stays as it is. One that was drawn
-  // in less than the shutter's time is photographed with all of its afterglow.
+  // Shows the flashes (module.js) up to an emulated time in seconds. `held`: the machine has stopped, and the picture stays. A picture that was drawn in less
+  // than the shutter's time is shown with all of its afterglow.
   show(flashes, time, held) {
     const passed = time - this.time;
     this.time = time;
@@ -132,7 +132,7 @@ class GlowTube extends Tube {
     this.canvas = canvas;
     this.gl = gl;
     this.kind = 'phosphor';
-    this.room = new Float32Array(3 * 65536);
+    this.points = new Float32Array(3 * 65536);
     this.lost = false;
     canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.lost = true; });
     canvas.addEventListener('webglcontextrestored', () => { this.lost = false; this.held = false; this.build(); });
@@ -140,7 +140,7 @@ class GlowTube extends Tube {
     this.build();
   }
 
-  // Fewer pixels, for a computer that is too slow for all of them.
+  // Reduces the number of pixels on a slow computer.
   coarser() {
     if (this.side <= COARSE) return false;
     this.side = Math.round(this.side > SIDE / 2 ? SIDE / 2 : this.side > SIDE * 3 / 8 ? SIDE * 3 / 8 : COARSE);
@@ -191,7 +191,7 @@ class GlowTube extends Tube {
     };
     this.canvas.width = this.canvas.height = this.side;
     this.nothing = gl.createVertexArray();
-    // With pixels wider than a spot there is nothing to spread, and the processor, which does the work of a graphics card here, does it itself.
+    // If pixels are wider than a spot, CoarsePhosphor computes the picture without WebGL, which runs in software here.
     this.coarse = this.side < SIDE / 2 ? new CoarsePhosphor(this.side) : null;
     if (this.coarse) {
       this.copy = program(WHOLE_VERTEX, COPY_FRAGMENT);
@@ -218,7 +218,7 @@ class GlowTube extends Tube {
     gl.bindVertexArray(this.vertices);
     this.buffer = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, this.room.byteLength, gl.DYNAMIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, this.points.byteLength, gl.DYNAMIC_DRAW);
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 12, 0);
     gl.enableVertexAttribArray(1);
@@ -238,7 +238,7 @@ class GlowTube extends Tube {
     }
     this.develop();
   }
-  // What was drawn in the last `seconds` of emulated time.
+  // Adds what was drawn in the last `seconds` of emulated time.
   picture(flashes, seconds) {
     if (this.lost) return;
     if (this.coarse) {
@@ -250,7 +250,7 @@ class GlowTube extends Tube {
       this.now = 1 - this.now;
     }
   }
-  // Into the other state, which the next picture overwrites.
+  // Writes to the other state, which the next frame overwrites.
   hold(seconds) {
     if (this.lost) return;
     if (this.coarse) this.coarse.hold(seconds); else this.fade(seconds, true);
@@ -272,11 +272,11 @@ class GlowTube extends Tube {
     for (let from = 0; from < count;) {
       const part = Math.min(count - from, 65536);
       for (let i = 0; i < part; ++i) {
-        this.room[3 * i] = flashes.x(from + i);
-        this.room[3 * i + 1] = flashes.y(from + i);
-        this.room[3 * i + 2] = flashes.level(from + i);
+        this.points[3 * i] = flashes.x(from + i);
+        this.points[3 * i + 1] = flashes.y(from + i);
+        this.points[3 * i + 2] = flashes.level(from + i);
       }
-      gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.room, 0, 3 * part);
+      gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.points, 0, 3 * part);
       gl.drawArrays(gl.POINTS, 0, part);
       from += part;
     }
@@ -307,7 +307,7 @@ class GlowTube extends Tube {
   develop() {
     if (this.lost) return;
     const gl = this.gl;
-    // As many pixels as the page shows: no more are worth their work.
+    // At most as many pixels as the page shows.
     const shown = Math.max(64, Math.min(this.side, Math.round(this.canvas.clientWidth * (globalThis.devicePixelRatio || 1)) || this.side));
     if (this.canvas.width !== shown) this.canvas.width = this.canvas.height = shown;
     gl.bindVertexArray(this.nothing);
@@ -350,7 +350,7 @@ class GlowTube extends Tube {
   }
 }
 
-// Dots that fade, for browsers without WebGL2.
+// Fading dots, for browsers without WebGL2.
 class PlainTube extends Tube {
   constructor(canvas) {
     super();
@@ -387,7 +387,7 @@ class PlainTube extends Tube {
       pixels[i] = 0xff000000 | 21 + 119 * v << 16 | 26 + 214 * v << 8 | 20 + 193 * v;
     }
     if (this.pair) {
-      // As the other tube's.
+      // As in the other tube.
       const {row} = this, aside = POINTS / 8;
       for (let y = 0; y < side; ++y) {
         row.set(light.subarray(y * side, (y + 1) * side));

@@ -1,4 +1,4 @@
-// Small things every room uses: elements, controls with names, files that are dropped, downloads.
+// Elements that all tabs use: labelled controls, file choosers, downloads, a clock.
 
 const MOST_WARNINGS = 5;
 
@@ -16,9 +16,9 @@ export function button(label, act, title = label) {
   return element('button', {type: 'button', textContent: label, title, onclick: act});
 }
 
-// A named choice; `entries`: texts, or [value, text]. It gives the focus back when something is chosen, so that the keys are the room's again; not
-// when the arrow keys go through a closed list, where each of them chooses.
-// `title`, here and below: what the control does, shown to a pointer that rests on it.
+// A labelled list; `entries`: texts, or [value, text]. It releases the focus after a choice, so that the tab receives the keys again, except when
+// the arrow keys step through a closed list, where each step is a choice.
+// `title`, here and below: the tooltip.
 export function choice(label, entries, value, act, title = '') {
   let passing = false;
   const select = element('select', {
@@ -45,21 +45,20 @@ export function group(title, ...children) {
   return element('section', {className: 'group', 'aria-label': title}, element('h3', {textContent: title}), ...children);
 }
 
-// A group that can be folded away. On a narrow page it is folded at first.
+// A group that can be folded. On a narrow page it is folded at first.
 export function fold(title, ...children) {
   const open = !matchMedia('(max-width: 700px)').matches;
   return element('details', {className: 'group', open, 'aria-label': title}, element('summary', {textContent: title}), ...children);
 }
 
-// The first sentences of a room: what it is, and one thing to try. `say`: a narrow page leaves out what stands in [brackets].
+// The first sentences of a tab: its purpose, and one suggestion. `say`: a narrow page omits text in [brackets].
 export function introduction() {
   const box = element('p', {className: 'intro'});
   box.say = text => box.replaceChildren(...text.split(/[[\]]/).map((part, i) => i % 2 ? element('span', {className: 'wide', textContent: part}) : part));
   return box;
 }
 
-// Names, values and, where a name needs it, an explanation, which a pointer shows. They change a few times a second: `show` writes the rows, and
-// keeps the elements that are there.
+// Names, values and optional tooltips. `show`, which is called a few times a second, writes the rows and reuses the elements.
 export function factList() {
   const box = element('dl', {className: 'facts'});
   box.show = rows => {
@@ -77,7 +76,7 @@ export function factList() {
   return box;
 }
 
-// What went wrong, in a place that screen readers announce; `offers`: what can be done about it, a label and an action each.
+// An error message that screen readers announce; `offers`: remedies, each with a label and an action.
 export function notice() {
   const box = element('p', {className: 'notice', role: 'status', hidden: true});
   box.say = (text, wrong = false, offers = []) => {
@@ -88,22 +87,22 @@ export function notice() {
   return box;
 }
 
-// Whether an element uses the keys that are typed: text fields and lists do, boxes to tick and buttons do not.
+// Whether an element uses typed keys: text fields and lists do, check boxes and buttons do not.
 export function takesKeys(target) {
   return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && !['checkbox', 'file'].includes(target.type));
 }
 
-// Why a machine stands still, in a word or two for its screen. `result` and `reason`: of module.run and module.reason.
+// The reason why a machine has stopped, in one or two words for its screen. `result` and `reason`: from module.run and module.reason.
 export function stopName(result, reason) {
   if (result === 1) return 'stopped at a breakpoint';
   return reason === 'stopped by halt' ? 'halted' : reason;
 }
 
-// What a machine has to say of its program that it has not said before: it uses a device that is not there, or executes empty memory. `told`: what it has said. A machine that
-// `halted` is not about to run what is at PC.
-export function addWarnings(module, id, told, halted) {
-  const fresh = module.ask({do: 'warnings', id, halted}).warnings.slice(0, MOST_WARNINGS - told.length);
-  told.push(...fresh);
+// Adds new warnings about the program to `shown`: it uses a missing device, or executes empty memory. If the machine has `halted`, the word at PC will not
+// be executed.
+export function addWarnings(module, id, shown, halted) {
+  const fresh = module.ask({do: 'warnings', id, halted}).warnings.slice(0, MOST_WARNINGS - shown.length);
+  shown.push(...fresh);
   return fresh.length > 0;
 }
 
@@ -113,12 +112,12 @@ export function download(name, bytes, type = 'application/octet-stream') {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-// What is on a canvas, as PNG.
+// Downloads the content of a canvas as PNG.
 export function downloadPicture(name, canvas) {
   canvas.toBlob(blob => blob.arrayBuffer().then(bytes => download(`${name}.png`, bytes, 'image/png')));
 }
 
-// A button with which files are chosen. They are opened as those that are dropped on the page are (files.js).
+// A button to choose files, which are opened like dropped ones (files.js).
 export function fileTaker(label) {
   const input = element('input', {type: 'file', multiple: true, hidden: true, onchange: () => {
     input.dispatchEvent(new CustomEvent('chosen', {bubbles: true, detail: [...input.files]}));
@@ -127,9 +126,9 @@ export function fileTaker(label) {
   return element('span', {}, button(label, () => input.click()), input);
 }
 
-// Calls step(seconds since the last call) in every picture while it is wanted: not while the page is hidden, and never for more
-// than a quarter of a second, so that a page that has slept does not make up for it. With ?frames=N in the address there are N
-// pictures of a sixtieth of a second each, by timers, for tests.
+// Calls step(seconds since the last call) in every frame while the page is visible, with at most a quarter of a second, so that
+// a page does not catch up after a pause. For tests, ?frames=N in the address gives N frames of a sixtieth of a second, by
+// timers.
 export class Clock {
   constructor(step) {
     this.step = step;
@@ -165,7 +164,7 @@ export class Clock {
   }
 }
 
-// Runs a machine for so many ticks, in slices, until the host's time is used up; gives what module.run gives.
+// Runs a machine for so many ticks in slices, at most for `milliseconds` of host time; returns the result of module.run.
 export function runFor(module, id, ticks, slice, milliseconds = 10) {
   const until = module.ticks(id) + ticks;
   const end = performance.now() + milliseconds;

@@ -1,4 +1,4 @@
-// The workbench: a program written, assembled, run and looked into, forward and back, on either machine.
+// The workbench: edits, assembles, runs and debugs a program, forward and back, on either machine.
 
 import {Clock, addWarnings, button, check, choice, download, element, field, fileTaker, fold, group, introduction, notice, runFor, stopName} from './ui.js';
 import {RasterImage} from './raster.js';
@@ -17,7 +17,7 @@ export class Workbench {
     this.module = module;
     this.examples = examples;
     this.remember = remember;
-    this.own = new Set();  // programs that are files of the person's
+    this.own = new Set();  // programs that are files of the user
     this.id = 0;
     this.breaks = new Set();
     this.registers = new Map();
@@ -112,7 +112,7 @@ export class Workbench {
     this.assemble();
     this.remember();
   }
-  // A file (files.js); false: not one for this room.
+  // Takes a file (files.js); false: this tab cannot use it.
   take(file) {
     const {name, kind, machine} = file;
     if (kind === 'snapshot') {
@@ -128,7 +128,7 @@ export class Workbench {
       this.module.ask({do: 'drop', id: made.id});
       Object.assign(example, {text: `; ${name}: a program without its source\n`, program: name, cpm: /\.com$/i.test(name)});
     }
-    // What lies at 100H and says no other start is a program for CP/M.
+    // A program at 100H without another start address is a CP/M program.
     if (!program && machine === 'i8080') {
       const made = this.module.ask({do: 'assemble', machine, name: 'bench.program', sources: [{name, text: example.text}]});
       example.cpm = Boolean(made.right) && made.lowest === CPM_ORIGIN && [null, CPM_ORIGIN].includes(made.start);
@@ -191,7 +191,7 @@ export class Workbench {
     this.editor.scrollTop = Math.max(0, (line - 5) * (this.editor.scrollHeight / Math.max(1, lines.length)));
   }
 
-  // Nothing is loaded, for a reason that Run and Reset say again.
+  // Unloads the program; Run and Reset repeat the complaint.
   unload(complaint) {
     this.complaint = complaint;
     if (this.id) this.module.ask({do: 'drop', id: this.id});
@@ -216,7 +216,7 @@ export class Workbench {
     }
     this.begin(made.id, machine, Boolean(options['--board']));
   }
-  // A snapshot: with the names and lines of the source, if its words are what the machine has.
+  // Opens a snapshot, with the names and lines of the source if the machine has its words.
   restore({name, machine, configuration}) {
     const source = machine === this.machine.select.value && this.made?.right ? this.made : null;
     const make = known => this.module.ask({do: 'make', snapshot: name, ...(known ? {symbols: source.symbols, listing: source.listing, lines: source.lines} : {})});
@@ -230,12 +230,12 @@ export class Workbench {
     if (machine !== this.machine.select.value) {
       this.machine.select.value = machine;
       this.offerDialects();
-      this.made = null;  // it is a program of the other machine
+      this.made = null;  // the program is for the other machine
     }
     this.begin(made.id, machine, configuration.some(each => each.startsWith('--board')));
     this.message.say(known ? `${name}: the machine goes on from this snapshot.` : `${name}: a snapshot of another program than this source.`);
   }
-  // Whether a machine has the words of a source, but for a few, which a program may change.
+  // Whether a machine has the words of a source, except a few that the program may have changed.
   holds(id, source) {
     this.load();
     let words = 0, same = 0;
@@ -265,7 +265,7 @@ export class Workbench {
     if (!this.tube) fresh.width = fresh.height = 256;
     fresh.className = this.tube ? 'tube' : 'raster';
     this.screen.className = this.tube ? this.tube.kind === 'plain' ? 'screen' : 'screen framed' : 'screen board';
-    // A program without a screen has its console in that place.
+    // A program without a screen shows its console instead.
     this.root.classList.toggle('printing', !this.tube && !board);
     this.intro.say(`A program for the ${machine === 'pdp7' ? 'PDP-7' : '8080'}[ in its assembly language], run forward and back[, one instruction at a time if you like]. Press Run, then Back.`);
     this.memoryAt.input.value = (this.made?.lowest ?? 0).toString(machine === 'pdp7' ? 8 : 16);
@@ -284,7 +284,7 @@ export class Workbench {
     this.go(false);
     const answer = this.module.ask({id: this.id, ...request});
     if (answer.error) this.message.say(answer.error, true);
-    else this.tell(answer.reason ?? '');
+    else this.showReason(answer.reason ?? '');
     this.drawTube(true);
     this.hear();
     this.refresh();
@@ -295,7 +295,7 @@ export class Workbench {
     this.answer.textContent = answer.error ?? `${answer.value} decimal, ${answer.value.toString(8)} octal, ${answer.value.toString(16)} hexadecimal`;
   }
 
-  // `why`: the reason for which the machine stands still.
+  // `why`: the reason for which the machine stops.
   go(on, why = 'paused') {
     if (on && !this.id) return this.message.say(this.complaint, true);
     this.on = on;
@@ -325,7 +325,7 @@ export class Workbench {
     if (this.on) {
       if (result) {
         this.go(false, stopName(result, reason));
-        this.tell(reason);
+        this.showReason(reason);
       }
       this.sinceStatus = (this.sinceStatus ?? 1) + seconds;
       if (this.on && this.sinceStatus > 0.2) {
@@ -337,13 +337,13 @@ export class Workbench {
     if (!this.tube) this.showRaster();
     this.hear();
   }
-  // Why the machine stands still, and what is to be said of its program.
-  tell(reason) {
+  // Shows why the machine has stopped, and warnings about its program.
+  showReason(reason) {
     this.waits = reason === 'waits for a key';
     addWarnings(this.module, this.id, this.warned, reason === 'stopped by halt');
     this.message.say([this.waits ? 'The program waits for a key: type under Console.' : reason, ...this.warned].filter(Boolean).join('\n'));
   }
-  // Before the state is shown: to list the last instructions the machine runs again from an earlier time, and forgets what it has drawn.
+  // Called before the state is shown: the list of the last instructions repeats a run, which discards the flashes.
   drawTube(held) {
     const flashes = this.module.flashes(this.id);
     this.tube?.show(flashes, this.module.ticks(this.id) / this.second, held);

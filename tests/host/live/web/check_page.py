@@ -91,7 +91,7 @@ def fits(where):
 
 
 def said():
-    return js("return sightline.room.message.textContent")
+    return js("return sightline.tab.message.textContent")
 
 
 def button(name):
@@ -103,11 +103,11 @@ def press(name):
 
 
 def wrong():
-    return js("return sightline.room.message.classList.contains('wrong')")
+    return js("return sightline.tab.message.classList.contains('wrong')")
 
 
 def ticks():
-    return js("return sightline.module.ticks(sightline.room.id)")
+    return js("return sightline.module.ticks(sightline.tab.id)")
 
 
 def drop(target, name, content):
@@ -126,20 +126,20 @@ def named(where):
 go("")
 began = int(js("return document.documentElement.dataset.ready"))
 check(began < 3000, f"the page begins after {began} ms")
-wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a first view")
-before = js("return sightline.room.view")
+wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a first view")
+before = js("return sightline.tab.view")
 actions = ActionChains(driver)
 actions.key_down(Keys.ARROW_LEFT).perform()
-wait(lambda: js("return sightline.room.view.eye[0]") < before["eye"][0], "the key to the left moves the eye")
+wait(lambda: js("return sightline.tab.view.eye[0]") < before["eye"][0], "the key to the left moves the eye")
 ActionChains(driver).key_up(Keys.ARROW_LEFT).perform()
-check(js("return sightline.room.options.switches") == 0, "the switch is up again")
+check(js("return sightline.tab.options.switches") == 0, "the switch is up again")
 switch = driver.find_element(By.XPATH, "//button[@aria-label='AC switch 6']")
 switch.click()
-check(js("return sightline.module.get(sightline.room.id, 5)") == 0o4000, "a switch that is thrown is in the register")
+check(js("return sightline.module.get(sightline.tab.id, 5)") == 0o4000, "a switch that is thrown is in the register")
 check("switches=4000" in driver.current_url, "and in the address: " + driver.current_url)
 switch.click()
 shot("pdp7")
-seen = js("""sightline.room.tube.develop(); const c = sightline.room.canvas; const t = document.createElement('canvas'); t.width = t.height = 268;
+seen = js("""sightline.tab.tube.develop(); const c = sightline.tab.canvas; const t = document.createElement('canvas'); t.width = t.height = 268;
   t.getContext('2d').drawImage(c, 0, 0, 268, 268); const d = t.getContext('2d').getImageData(0, 0, 268, 268).data; let n = 0;
   for (let i = 0; i < d.length; i += 4) if (d[i + 1] > 120) ++n; return n;""")
 check(seen > 300, f"the tube shows something: {seen} bright points")
@@ -174,18 +174,18 @@ press("STOP")
 stopped = ticks()
 time.sleep(0.3)
 check(ticks() == stopped, "STOP stops the machine")
-obeyed = js("return sightline.module.instructions(sightline.room.id)")
+obeyed = js("return sightline.module.instructions(sightline.tab.id)")
 press("STEP")
-check(js("return sightline.module.instructions(sightline.room.id)") == obeyed + 1, "STEP is one instruction")
+check(js("return sightline.module.instructions(sightline.tab.id)") == obeyed + 1, "STEP is one instruction")
 press("BACK")
-check(js("return sightline.module.instructions(sightline.room.id)") == obeyed, "BACK is one back")
+check(js("return sightline.module.instructions(sightline.tab.id)") == obeyed, "BACK is one back")
 address = driver.find_element(By.CSS_SELECTOR, "input.octal")
 address.clear()
 address.send_keys("07000")
 for bit in (0, 17):
     js("arguments[0].click()", driver.find_element(By.XPATH, f"//button[@aria-label='AC switch {bit}']"))
 press("DEPOSIT")
-check(js("return sightline.module.word(sightline.room.id, 0o7000)") == 0o400001, "DEPOSIT puts the switches into core")
+check(js("return sightline.module.word(sightline.tab.id, 0o7000)") == 0o400001, "DEPOSIT puts the switches into core")
 address.clear()
 address.send_keys("07000")
 press("EXAMINE")
@@ -194,65 +194,65 @@ for bit in (0, 17):
     js("arguments[0].click()", driver.find_element(By.XPATH, f"//button[@aria-label='AC switch {bit}']"))
 press("CONTINUE")
 wait(lambda: ticks() > stopped + 1e6, "CONTINUE goes on")
-saved = js("sightline.module.ask({do: 'save', id: sightline.room.id}); globalThis.saved = sightline.module.made(); return sightline.module.ticks(sightline.room.id)")
+saved = js("sightline.module.ask({do: 'save', id: sightline.tab.id}); globalThis.saved = sightline.module.made(); return sightline.module.ticks(sightline.tab.id)")
 time.sleep(0.5)
 js("sightline.files.open([new File([globalThis.saved], 'house.snap')])")
 wait(lambda: ticks() < saved + 5e8, "a snapshot is taken")
 check(not wrong() and saved <= ticks() < saved + 5e8, "a snapshot goes on where it was saved: " + said())
-shown = js("return sightline.room.facts.textContent")
+shown = js("return sightline.tab.facts.textContent")
 check(all(word in shown for word in ["Emulated time", "Stolen cycles", "Refresh"]), "what can be said of the machine: " + shown)
 # A tab that has slept for an hour does not make up for it.
-before_sleep = js("sightline.room.clock.last -= 3600e3; return sightline.module.ticks(sightline.room.id)")
+before_sleep = js("sightline.tab.clock.last -= 3600e3; return sightline.module.ticks(sightline.tab.id)")
 time.sleep(1)
 slept = (ticks() - before_sleep) / 1e9
 check(0 < slept < 3, f"an hour of sleep is {slept:.2f} s of the machine")
 # Each of Jones's switches by its key.
 for scene in ["roberts", "street4", "corridor8", "corridor32"]:
     go("jones/" + scene)
-    js("sightline.room.options.speed = 10")
-    wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), scene + ": a first view")
+    js("sightline.tab.options.speed = 10")
+    wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), scene + ": a first view")
     for key in [Keys.ARROW_LEFT, Keys.ARROW_RIGHT, "u", "d", Keys.ARROW_UP, Keys.ARROW_DOWN, "+", "-"]:
-        place = js("return [...sightline.room.where()]")
+        place = js("return [...sightline.tab.where()]")
         ActionChains(driver).key_down(key).perform()
-        wait(lambda: js("return [...sightline.room.where()]") != place, f"{scene}: a key moves the eye", 20)
+        wait(lambda: js("return [...sightline.tab.where()]") != place, f"{scene}: a key moves the eye", 20)
         ActionChains(driver).key_up(key).perform()
 # Back to the start; the keys on the pad; the lamp of a machine that rests; a pair in red and cyan is a pair.
 go("jones/house")
-wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a view of the house")
-place = js("return [...sightline.room.where()]")
+wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a view of the house")
+place = js("return [...sightline.tab.where()]")
 ActionChains(driver).key_down(Keys.ARROW_UP).perform()
-wait(lambda: js("return [...sightline.room.where()]") != place, "in")
+wait(lambda: js("return [...sightline.tab.where()]") != place, "in")
 ActionChains(driver).key_up(Keys.ARROW_UP).perform()
 press("Back to the start")
-wait(lambda: js("return [...sightline.room.where()]") == place, "Back to the start")
-check(js("return sightline.room.pads.map(b => b.textContent).join()") == "left \u2190,right \u2192,up u,down d,in \u2191,out \u2193,bigger +,smaller -", "the pad names its keys")
-LAMP = "return getComputedStyle(sightline.room.lamp).visibility"
+wait(lambda: js("return [...sightline.tab.where()]") == place, "Back to the start")
+check(js("return sightline.tab.pads.map(b => b.textContent).join()") == "left \u2190,right \u2192,up u,down d,in \u2191,out \u2193,bigger +,smaller -", "the pad names its keys")
+LAMP = "return getComputedStyle(sightline.tab.lamp).visibility"
 check(js(LAMP) == "visible", "the lamp of a machine that runs")
 press("Pause")
 check(js(LAMP) == "hidden", "no view is computed by a machine that is paused")
 press("Run")
 check(js(LAMP) == "visible", "the lamp is back")
-js("sightline.room.redCyan.box.click()")
-check(js("return sightline.room.options.stereo && sightline.room.stereo.box.checked && (sightline.module.get(sightline.room.id, 5) & 1) === 1"), "a pair in red and cyan is a stereo pair")
+js("sightline.tab.redCyan.box.click()")
+check(js("return sightline.tab.options.stereo && sightline.tab.stereo.box.checked && (sightline.module.get(sightline.tab.id, 5) & 1) === 1"), "a pair in red and cyan is a stereo pair")
 go("jones/house?stereo=1&scale=300&eae=0")
-js("sightline.room.redCyan.box.click()")
-wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a pair without EAE")
-check(js("return sightline.room.tube.pair && sightline.room.view.scale === 300 && (sightline.module.get(sightline.room.id, 5) & 1) === 1"), "a pair in red and cyan, at a scale")
+js("sightline.tab.redCyan.box.click()")
+wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a pair without EAE")
+check(js("return sightline.tab.tube.pair && sightline.tab.view.scale === 300 && (sightline.module.get(sightline.tab.id, 5) & 1) === 1"), "a pair in red and cyan, at a scale")
 named("the PDP-7 room")
 console_is_clean("the panel")
 go("jones/house")
-wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a view again")
+wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a view again")
 
 # The exact lines lie on the picture; the pen sees a point of the row.
-js("sightline.room.exact.box.click()")
-check(js("return sightline.room.lines && sightline.room.lines.length > 5"), "exact lines over the picture")
-wait(lambda: js("return sightline.room.missing === 0 && sightline.room.extra === 0"), "the house's picture is on its exact lines, and nothing beside them", 30)
+js("sightline.tab.exact.box.click()")
+check(js("return sightline.tab.lines && sightline.tab.lines.length > 5"), "exact lines over the picture")
+wait(lambda: js("return sightline.tab.missing === 0 && sightline.tab.extra === 0"), "the house's picture is on its exact lines, and nothing beside them", 30)
 go("jones/pen.s")
 time.sleep(0.5)
 glass = driver.find_element(By.CSS_SELECTOR, ".screen")
 size = glass.size
 ActionChains(driver).move_to_element_with_offset(glass, int((0x140 + 24) / 1072 * size["width"] - size["width"] / 2), int(size["height"] / 2 - (0x100 + 24) / 1072 * size["height"])).click_and_hold().perform()
-wait(lambda: not js("return sightline.room.on"), "the program stops when the pen sees a point")
+wait(lambda: not js("return sightline.tab.on"), "the program stops when the pen sees a point")
 check("halt" in said(), "it halts: " + said())
 ActionChains(driver).release().perform()
 go("jones/echo.s")
@@ -260,8 +260,8 @@ time.sleep(0.3)
 driver.find_element(By.CSS_SELECTOR, "input.keys").send_keys("HI")
 wait(lambda: "HI" in driver.find_element(By.CSS_SELECTOR, ".paper").text, "the teletype types back what is typed")
 time.sleep(0.3)
-begun = js("for (const c of 'ABCDEFGHIJ') sightline.module.type(sightline.room.id, c.charCodeAt(0)); return sightline.module.ticks(sightline.room.id)")
-wait(lambda: "ABCDEFGHIJ" in js("return sightline.room.paper.textContent"), "ten characters")
+begun = js("for (const c of 'ABCDEFGHIJ') sightline.module.type(sightline.tab.id, c.charCodeAt(0)); return sightline.module.ticks(sightline.tab.id)")
+wait(lambda: "ABCDEFGHIJ" in js("return sightline.tab.paper.textContent"), "ten characters")
 lasted = (ticks() - begun) / 1e9
 check(0.9 < lasted < 3, f"ten characters take {lasted:.2f} s of the machine, at ten a second")
 with tempfile.TemporaryDirectory() as folder:
@@ -274,15 +274,15 @@ press("READ IN")
 wait(lambda: "halt" in said(), "READ IN loads it, and it runs to its halt: " + said())
 # A solid turns; held still, its flashes lie on the exact lines of its angle.
 go("jones/turn star.off?exact=1")
-wait(lambda: js("return sightline.room.turning.moves"), "the solid turns")
-check(js("return sightline.room.turning.made.step") > 100, "at a speed of its own")
+wait(lambda: js("return sightline.tab.turning.moves"), "the solid turns")
+check(js("return sightline.tab.turning.made.step") > 100, "at a speed of its own")
 ActionChains(driver).send_keys("s").perform()
-wait(lambda: not js("return sightline.room.turning.moves"), "the key s stops it")
-wait(lambda: js("return sightline.room.lines && sightline.room.missing === 0 && sightline.room.extra === 0"), "its picture is the exact one", 90)
+wait(lambda: not js("return sightline.tab.turning.moves"), "the key s stops it")
+wait(lambda: js("return sightline.tab.lines && sightline.tab.missing === 0 && sightline.tab.extra === 0"), "its picture is the exact one", 90)
 shot("turn")
-before_angle = js("return sightline.room.turning.angle")
+before_angle = js("return sightline.tab.turning.angle")
 ActionChains(driver).key_down("e").perform()
-wait(lambda: js("return sightline.room.turning.angle") != before_angle, "the key e goes to the next event")
+wait(lambda: js("return sightline.tab.turning.angle") != before_angle, "the key e goes to the next event")
 ActionChains(driver).key_up("e").perform()
 button("wire frame").click()
 check("switches=300000" in driver.current_url or "switches=200000" in driver.current_url, "the wire frame is a switch: " + driver.current_url)
@@ -291,8 +291,8 @@ console_is_clean("examples of the PDP-7")
 
 # --- The tube in each of its kinds: with few points, in shaders, without WebGL.
 # The picture of the tube as rows of red, green, blue, 268 by 268, which is a place for 4 by 4 points of the screen.
-PICTURE = """const picture = () => { const {room} = sightline; room.tube.develop?.(); const c = document.createElement('canvas'); c.width = c.height = 268;
-    const x = c.getContext('2d'); x.drawImage(room.canvas, 0, 0, 268, 268); return x.getImageData(0, 0, 268, 268).data; };
+PICTURE = """const picture = () => { const {tab} = sightline; tab.tube.develop?.(); const c = document.createElement('canvas'); c.width = c.height = 268;
+    const x = c.getContext('2d'); x.drawImage(tab.canvas, 0, 0, 268, 268); return x.getImageData(0, 0, 268, 268).data; };
   const bright = (low, high) => { const d = picture(); let within = 0, outside = 0;
     for (let i = 0; i < d.length; i += 4) if (d[i + 1] > 60) { const x = i / 4 % 268, y = 267 - Math.floor(i / 4 / 268); if (x >= low && x <= high && y >= low && y <= high) ++within; else ++outside; }
     return [within, outside]; };
@@ -318,11 +318,11 @@ def shown_label():
 
 
 def refresh():
-    return js("sightline.room.showState(); const rows = [...sightline.room.facts.children]; return rows[rows.findIndex(e => e.textContent === 'Refresh') + 1].textContent")
+    return js("sightline.tab.showState(); const rows = [...sightline.tab.facts.children]; return rows[rows.findIndex(e => e.textContent === 'Refresh') + 1].textContent")
 
 
 def switches():
-    return js("return sightline.room.options.switches")
+    return js("return sightline.tab.options.switches")
 
 
 # square.s draws 4 sides of 254 points and one diagonal once, from 385, 385: places 102 to 166, more than 300 of them.
@@ -331,7 +331,7 @@ for kind in ["few points", "shaders", "plain"]:
     def enter(place):
         go(place, "?plain" if kind == "plain" else "")
         if kind == "shaders":  # half of the points, and no fewer when the computer is slow
-            js("const {tube} = sightline.room; tube.side = 536; tube.build(); tube.coarser = () => false")
+            js("const {tube} = sightline.tab; tube.side = 536; tube.build(); tube.coarser = () => false")
     enter("jones/house")
     wait(lambda: bright()[0] > 300, f"{kind}: the house is shown", 90)
     wait(lambda: "a second" in refresh(), f"{kind}: its refresh rate")
@@ -341,7 +341,7 @@ for kind in ["few points", "shaders", "plain"]:
     choose("Program", "house")
     wait(lambda: bright()[0] > 300, f"{kind}: the house again", 90)
     choose("Program", "square.s")
-    wait(lambda: not js("return sightline.room.on"), f"{kind}: the square's program halts")
+    wait(lambda: not js("return sightline.tab.on"), f"{kind}: the square's program halts")
     check(shown_label() == "halted", f"{kind}: the screen says so: {shown_label()}")
     time.sleep(2)
     within, outside = bright(*SQUARE)
@@ -351,7 +351,7 @@ for kind in ["few points", "shaders", "plain"]:
     wait(lambda: bright()[0] > 200, f"{kind}: a square turns", 90)
     check(shown_label() == "", f"{kind}: a machine that runs has no label: {shown_label()}")
     press("Pause")
-    wait(lambda: js("return sightline.room.tube.held"), f"{kind}: the picture is held")
+    wait(lambda: js("return sightline.tab.tube.held"), f"{kind}: the picture is held")
     check(shown_label() == "paused", f"{kind}: paused: {shown_label()}")
     check(js(PICTURE + "globalThis.before = picture(); return true"), "a picture")
     time.sleep(1)
@@ -363,18 +363,18 @@ for kind in ["few points", "shaders", "plain"]:
     press("Pause")
     for glow, left in [("p7", True), ("short", False), ("off", False)]:
         choose("Afterglow", glow)
-        lit, later = js(PICTURE + """const {tube} = sightline.room, row = {count: 2560, x: i => 256 + i % 256, y: () => 512, level: () => 7}, none = {count: 0};
-          sightline.room.clock.stop(); tube.clear(0); tube.show(row, 0.01, false); const lit = bright(0, 267)[0];
+        lit, later = js(PICTURE + """const {tube} = sightline.tab, row = {count: 2560, x: i => 256 + i % 256, y: () => 512, level: () => 7}, none = {count: 0};
+          sightline.tab.clock.stop(); tube.clear(0); tube.show(row, 0.01, false); const lit = bright(0, 267)[0];
           for (let i = 1; i <= 9; ++i) tube.show(none, 0.01 + i * arguments[0], false); return [lit, bright(0, 267)[0]];""", 0.03 if kind == "plain" else 0.2)
         check(lit >= 64 and (later >= 50 if left else later == 0), f"{kind}: afterglow {glow}: {lit} bright places, later {later}")
-        js("sightline.room.clock.start()")
+        js("sightline.tab.clock.start()")
     # The exact lines of a pair in red and cyan lie on its pictures.
     enter("jones/house?stereo=1&exact=1")
-    js("sightline.room.redCyan.box.click()")
-    wait(lambda: js("return sightline.room.missing === 0 && sightline.room.extra === 0"), f"{kind}: a pair and its exact lines", 90)
+    js("sightline.tab.redCyan.box.click()")
+    wait(lambda: js("return sightline.tab.missing === 0 && sightline.tab.extra === 0"), f"{kind}: a pair and its exact lines", 90)
     press("Pause")
-    wait(lambda: js("return sightline.room.tube.held"), f"{kind}: the pair is held")
-    on = js(PICTURE + """const d = picture(), c = document.createElement('canvas'); c.width = c.height = 268; const x = c.getContext('2d'); x.drawImage(sightline.room.glass, 0, 0, 268, 268);
+    wait(lambda: js("return sightline.tab.tube.held"), f"{kind}: the pair is held")
+    on = js(PICTURE + """const d = picture(), c = document.createElement('canvas'); c.width = c.height = 268; const x = c.getContext('2d'); x.drawImage(sightline.tab.glass, 0, 0, 268, 268);
       const g = x.getImageData(0, 0, 268, 268).data, found = {red: [0, 0], cyan: [0, 0]};
       for (let i = 0; i < g.length; i += 4) if (g[i + 3] > 100) {
         const red = g[i] > g[i + 2], count = found[red ? 'red' : 'cyan']; ++count[1];
@@ -383,26 +383,26 @@ for kind in ["few points", "shaders", "plain"]:
     check(all(total > 200 and hit > 0.95 * total for hit, total in on.values()), f"{kind}: places of the exact lines that are on the picture of their colour: {on}")
     shot("pair-" + kind.replace(" ", "-"))
     choose("Program", "square.s")
-    wait(lambda: not js("return sightline.room.on"), f"{kind}: the square after the pair")
+    wait(lambda: not js("return sightline.tab.on"), f"{kind}: the square after the pair")
     wait(lambda: bright(*SQUARE)[0] > 280, f"{kind}: what is no pair is not shown as one", 10)
 console_is_clean("the tube")
 go("jones/turn star.off?glow=off")
-check(js("return sightline.room.options.glow === 'off' && sightline.room.glow.select.value === 'off'") and "glow=off" in driver.current_url, "the afterglow is in the link: " + driver.current_url)
+check(js("return sightline.tab.options.glow === 'off' && sightline.tab.glow.select.value === 'off'") and "glow=off" in driver.current_url, "the afterglow is in the link: " + driver.current_url)
 go("jones/turn star.off?glow=rubbish")
-check(js("return sightline.room.options.glow") == "p7" and "glow" not in driver.current_url, "an unknown afterglow is P7's: " + driver.current_url)
+check(js("return sightline.tab.options.glow") == "p7" and "glow" not in driver.current_url, "an unknown afterglow is P7's: " + driver.current_url)
 # Exact lines that are moved by 40 points are not in the picture.
 go("jones/house?exact=1")
-wait(lambda: "the picture shows all of them, and nothing else" in js("return sightline.room.facts.textContent"), "the exact lines are the picture's, in words", 30)
+wait(lambda: "the picture shows all of them, and nothing else" in js("return sightline.tab.facts.textContent"), "the exact lines are the picture's, in words", 30)
 press("Pause")
-js("const {room} = sightline; room.lines = room.lines.map(([a, b, c, d]) => [a, b + 40, c, d + 40]); room.drawGlass(); room.showState()")
-check(all(word in js("return sightline.room.facts.textContent") for word in ["pieces of a line, 4 points long each, are not in the picture (drawn red)", "squares of 4 by 4 points are lit where no line is (magenta)"]),
-      "what differs is said in words: " + js("return sightline.room.facts.textContent"))
-js("sightline.room.exact.box.click(); sightline.room.exact.box.click()")
-check("when the machine has run for a moment" in js("sightline.room.showState(); return sightline.room.facts.textContent") and js("return sightline.room.missing") is None, "nothing is called missing that was drawn before the lines were asked for")
+js("const {tab} = sightline; tab.lines = tab.lines.map(([a, b, c, d]) => [a, b + 40, c, d + 40]); tab.drawGlass(); tab.showState()")
+check(all(word in js("return sightline.tab.facts.textContent") for word in ["pieces of a line, 4 points long each, are not in the picture (drawn red)", "squares of 4 by 4 points are lit where no line is (magenta)"]),
+      "what differs is said in words: " + js("return sightline.tab.facts.textContent"))
+js("sightline.tab.exact.box.click(); sightline.tab.exact.box.click()")
+check("when the machine has run for a moment" in js("sightline.tab.showState(); return sightline.tab.facts.textContent") and js("return sightline.tab.missing") is None, "nothing is called missing that was drawn before the lines were asked for")
 
 # --- Keys: what has the focus does not keep those that walk.
 go("jones/house")
-wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 1"), "a view to walk from")
+wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 1"), "a view to walk from")
 unfold()
 speed = driver.find_element(By.XPATH, "//main//label[span[text()='Speed']]/select")
 speed.click()
@@ -417,8 +417,8 @@ for focus, what in [(None, "a choice from a list"), ("//main//label[contains(., 
         check(switches() == up | 1 << (17 - bit), f"after {what} a key walks: AC switch {bit}, found {switches():o}")
         ActionChains(driver).key_up(key).perform()
         check(switches() == up, f"after {what} the key is let go: {switches():o}")
-check(js("return sightline.room.options.speed") == 2, "the walk keys leave the list alone")
-js("sightline.room.setSwitches(0)")
+check(js("return sightline.tab.options.speed") == 2, "the walk keys leave the list alone")
+js("sightline.tab.setSwitches(0)")
 driver.find_element(By.XPATH, "//main//label[contains(., 'Scale at the start')]/input").click()
 ActionChains(driver).key_down(Keys.ARROW_UP).perform()
 check(switches() == 0, f"a number field keeps its keys: {switches():o}")
@@ -444,13 +444,13 @@ check(switches() == 0, f"a plus is let go when the shift key was let go before i
 go("skala/sinc?rotation=30")
 choose("Drawn as", "surface")
 ActionChains(driver).send_keys(Keys.ARROW_RIGHT).perform()
-check(js("return sightline.room.options.rotation") == 35 and js("return sightline.room.options.picture") == "surface", f"after a choice from a list the arrows turn the surface: {js('return sightline.room.options.rotation')}")
+check(js("return sightline.tab.options.rotation") == 35 and js("return sightline.tab.options.picture") == "surface", f"after a choice from a list the arrows turn the surface: {js('return sightline.tab.options.rotation')}")
 go("bench/hello.asm")
 choose("Example", "square.s")
 ActionChains(driver).send_keys(Keys.F11).perform()
-check(js("return sightline.module.instructions(sightline.room.id)") == 1, "after a choice from a list F11 steps")
+check(js("return sightline.module.instructions(sightline.tab.id)") == 1, "after a choice from a list F11 steps")
 ActionChains(driver).send_keys(Keys.F10).perform()
-check(js("return sightline.module.instructions(sightline.room.id)") == 2, "F10 steps over")
+check(js("return sightline.module.instructions(sightline.tab.id)") == 2, "F10 steps over")
 ActionChains(driver).send_keys(Keys.F5).perform()
 wait(lambda: driver.find_element(By.CSS_SELECTOR, ".bench .stopped").text == "halted", "F5 runs to the halt, and the screen says so", 20)
 time.sleep(1)
@@ -461,47 +461,47 @@ console_is_clean("keys")
 
 # --- The 8080 room.
 go("skala/sinc?rotation=30")
-wait(lambda: js("return sightline.room.ended"), "the picture is complete")
-dots = js("return sightline.module.raster(sightline.room.id).reduce((n, v) => n + (v ? 1 : 0), 0)")
+wait(lambda: js("return sightline.tab.ended"), "the picture is complete")
+dots = js("return sightline.module.raster(sightline.tab.id).reduce((n, v) => n + (v ? 1 : 0), 0)")
 check(dots > 2000, f"{dots} dots on the raster board")
 shot("i8080")
 canvas = driver.find_element(By.CSS_SELECTOR, "canvas.raster")
 ActionChains(driver).drag_and_drop_by_offset(canvas, 80, 0).perform()
-check(js("return sightline.room.options.rotation") != 30, "dragging turns the surface")
+check(js("return sightline.tab.options.rotation") != 30, "dragging turns the surface")
 button("Measure").click()
 wait(lambda: "times as long" in driver.find_element(By.TAG_NAME, "main").text, "what visibility costs")
 for device in ["calcomp", "minigraf", "alt256"]:
     go(f"skala/peaks?device={device}")
     time.sleep(0.6)
-    check(not js("return sightline.room.message.classList.contains('wrong')"), device)
+    check(not js("return sightline.tab.message.classList.contains('wrong')"), device)
 for device in ["ef9365", "calcomp"]:
     go(f"skala/stripes boxes-5?device={device}&rotation=30&elevation=20")
-    check(not js("return sightline.room.message.classList.contains('wrong')"), "stripes on " + device + ": " + said())
+    check(not js("return sightline.tab.message.classList.contains('wrong')"), "stripes on " + device + ": " + said())
     if device == "ef9365":
-        js("sightline.room.options.speed = 0")
-        wait(lambda: js("return sightline.room.ended"), "the scene is complete")
-        check(js("return sightline.room.reason") == "complete", "it ends well: " + str(js("return sightline.room.reason")))
+        js("sightline.tab.options.speed = 0")
+        wait(lambda: js("return sightline.tab.ended"), "the scene is complete")
+        check(js("return sightline.tab.reason") == "complete", "it ends well: " + str(js("return sightline.tab.reason")))
         shot("stripes")
 go("skala/?f=x*z/6")
-wait(lambda: js("return sightline.room.ended"), "an expression is drawn")
+wait(lambda: js("return sightline.tab.ended"), "an expression is drawn")
 with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../../host/examples/crater.csv"), "rb") as file:
     drop(".screen", "crater.csv", file.read())
-wait(lambda: js("return sightline.room.options.function === 'crater.csv' && sightline.room.ended"), "a grid is dropped: " + said())
+wait(lambda: js("return sightline.tab.options.function === 'crater.csv' && sightline.tab.ended"), "a grid is dropped: " + said())
 for kind in ["surface", "contours", "lines"]:
-    js("const s = sightline.room.kind.select; s.value = arguments[0]; s.dispatchEvent(new Event('change'))", kind)
-    wait(lambda: js("return sightline.room.ended") and not wrong(), f"{kind}: {said()}")
+    js("const s = sightline.tab.kind.select; s.value = arguments[0]; s.dispatchEvent(new Event('change'))", kind)
+    wait(lambda: js("return sightline.tab.ended") and not wrong(), f"{kind}: {said()}")
 drop(".screen", "rubbish.csv", b"1,2\nx,,,\n")
 wait(lambda: wrong() and "rubbish.csv" in said(), "a grid of rubbish is refused in words: " + said())
 for place in ["town-20", "prisms-25?bits=16&plan=1&pieces=200"]:
     go("skala/flight " + place)
-    wait(lambda: js("return sightline.room.flight.state?.frames > 10"), "it flies: " + said())
+    wait(lambda: js("return sightline.tab.flight.state?.frames > 10"), "it flies: " + said())
     faces = js("return new Set(sightline.module.flightPicture()).size")
     check(faces > 3, f"the priority display shows {faces} faces")
     if place == "town-20":
         shot("flight")
-    js("sightline.room.options.speed = 0")
-    wait(lambda: js("return sightline.room.ended"), "the flight ends")
-    check(js("return sightline.room.reason") == "complete" and "the same priorities" in js("return sightline.room.facts.textContent"), "as its twin: " + js("return sightline.room.facts.textContent"))
+    js("sightline.tab.options.speed = 0")
+    wait(lambda: js("return sightline.tab.ended"), "the flight ends")
+    check(js("return sightline.tab.reason") == "complete" and "the same priorities" in js("return sightline.tab.facts.textContent"), "as its twin: " + js("return sightline.tab.facts.textContent"))
 check("pieces=200" in driver.current_url, "a flight has a link: " + driver.current_url)
 drop(".screen", "rubbish.off", b"rubbish")
 wait(lambda: wrong() and "rubbish.off" in said(), "a scene of rubbish is refused in words: " + said())
@@ -515,10 +515,10 @@ wait(lambda: "assembled and loaded" in said(), "an example is assembled")
 driver.find_elements(By.CSS_SELECTOR, "table.code button.dot")[8].click()
 button("Run").click()
 wait(lambda: "reakpoint" in said(), "the run stops at the breakpoint: " + said())
-pc = js("return sightline.module.get(sightline.room.id, 0)")
+pc = js("return sightline.module.get(sightline.tab.id, 0)")
 button("Step").click()
 button("Back").click()
-check(js("return sightline.module.get(sightline.room.id, 0)") == pc, "a step and a step back")
+check(js("return sightline.module.get(sightline.tab.id, 0)") == pc, "a step and a step back")
 shot("workbench")
 editor = driver.find_element(By.CSS_SELECTOR, "textarea.editor")
 js("arguments[0].value = '\\tlac\\n\\tnonsense words here\\n'", editor)
@@ -529,10 +529,10 @@ button("Assemble").click()
 button("Run").click()
 time.sleep(1)
 begun = time.time()
-check(js("return sightline.room.on") and time.time() - begun < 2, "a program without an end leaves the page alive")
-for name in js("return [...sightline.room.shelf.select.options].map(o => o.value)"):
+check(js("return sightline.tab.on") and time.time() - begun < 2, "a program without an end leaves the page alive")
+for name in js("return [...sightline.tab.shelf.select.options].map(o => o.value)"):
     go("bench/" + name)
-    check(not js("return sightline.room.message.classList.contains('wrong')"), f"{name}: " + said())
+    check(not js("return sightline.tab.message.classList.contains('wrong')"), f"{name}: " + said())
 go("bench/hello.asm")
 button("Run").click()
 wait(lambda: "Hello" in driver.find_element(By.CSS_SELECTOR, ".paper").text, "a CP/M program prints")
@@ -540,7 +540,7 @@ go("bench/square.s")
 for _ in range(3):
     button("Step").click()
 check(js("return document.querySelectorAll('.changed').length > 0 && document.querySelectorAll('tr.now').length === 1"), "changes and the instruction to come are marked")
-check(js("return sightline.room.symbols.textContent.includes('begin') && sightline.room.past.textContent.length > 20 && sightline.room.listing.textContent.length > 100"), "symbols, history, listing")
+check(js("return sightline.tab.symbols.textContent.includes('begin') && sightline.tab.past.textContent.length > 20 && sightline.tab.listing.textContent.length > 100"), "symbols, history, listing")
 fits("the workbench")
 named("the workbench")
 console_is_clean("the workbench")
@@ -550,15 +550,15 @@ go("theatre")
 for algorithm in js("return sightline.module.ask({do: 'lists'}).lessons.map(l => l.algorithm)"):
     for scene in (["sinc"] if algorithm == "skala" else ["house", "boxes-3"]):
         go(f"theatre/{algorithm}/{scene}")
-        steps = js("return sightline.room.player ? sightline.room.player.length : 0")
+        steps = js("return sightline.tab.player ? sightline.tab.player.length : 0")
         check(steps > 5, f"{algorithm} of {scene}: {steps} steps")
-        js("const p = sightline.room.player; for (let i = 0; i < p.length; ++i) p.show(i); for (let i = p.length; i-- > 0;) p.show(i); p.show(p.length - 1);")
+        js("const p = sightline.tab.player; for (let i = 0; i < p.length; ++i) p.show(i); for (let i = p.length; i-- > 0;) p.show(i); p.show(p.length - 1);")
         check(driver.find_element(By.CSS_SELECTOR, ".caption").text != "", f"{algorithm}: a caption")
         if scene != "boxes-3":
-            js("sightline.room.player.show(Math.floor(sightline.room.player.length / 2))")
+            js("sightline.tab.player.show(Math.floor(sightline.tab.player.length / 2))")
             shot("theatre-" + algorithm)
 go("theatre/exact/boxes-3?rotation=40&elevation=20")
-check(js("return sightline.room.player && sightline.room.player.length > 5"), "a scene that is turned")
+check(js("return sightline.tab.player && sightline.tab.player.length > 5"), "a scene that is turned")
 fits("the theatre")
 console_is_clean("the theatre")
 
@@ -609,33 +609,33 @@ def one_window(name, width, height, mobile, places):
             frame_is_free(where)
 
 
-SCREEN, PROGRAM, RUN = "document.querySelector('.screen')", "sightline.room.programs ?? sightline.room.program", "sightline.room.running"
+SCREEN, PROGRAM, RUN = "document.querySelector('.screen')", "sightline.tab.programs ?? sightline.tab.program", "sightline.tab.running"
 PADS = "[...document.querySelectorAll('.pad button')].filter(shown)"
 STATE = "[document.querySelector('.registers'), document.querySelector('tr.now'), ...[...document.querySelectorAll('tr.now ~ tr')].slice(0, 4)]"
 PLAYER = "[...document.querySelectorAll('.player canvas, .player .controls > *, .player .caption')]"
 walk = {"screen": SCREEN, "program": PROGRAM, "run": RUN, "pads": PADS}
 picture = {"screen": SCREEN, "program": PROGRAM, "run": RUN}
-bench = {"screen": SCREEN, "program": "sightline.room.shelf", "run": RUN}
-whole_bench = {**bench, "source": "sightline.room.editor", "state": STATE}
-lesson = {"lesson": PLAYER, "algorithm": "sightline.room.pick"}
-turned = {**picture, "angles": "[sightline.room.turn, sightline.room.tilt]"}
+bench = {"screen": SCREEN, "program": "sightline.tab.shelf", "run": RUN}
+whole_bench = {**bench, "source": "sightline.tab.editor", "state": STATE}
+lesson = {"lesson": PLAYER, "algorithm": "sightline.tab.pick"}
+turned = {**picture, "angles": "[sightline.tab.turn, sightline.tab.tilt]"}
 one_window("wide", 1280, 800, False, {
     "jones/house": walk, "jones/turn roberts": walk, "jones/pen.s": picture, "skala/sinc": turned, "skala/peaks?device=calcomp": turned,
     "skala/stripes boxes-5": turned, "skala/flight town-9": picture, "theatre/jones/house": lesson, "theatre/skala/sinc": lesson, "theatre/plantinga/house": lesson,
-    "bench/hello.asm": {"run": RUN, "source": "sightline.room.editor", "state": STATE, "console": "[sightline.room.output, sightline.room.keys]"},
+    "bench/hello.asm": {"run": RUN, "source": "sightline.tab.editor", "state": STATE, "console": "[sightline.tab.output, sightline.tab.keys]"},
     "bench/ef9365.asm": whole_bench, "bench/square.s": whole_bench})
-side = js(SIZES_JS + "const b = box(sightline.room.canvas.closest('.screen') ?? sightline.room.canvas); return Math.min(b.width, b.height);")
+side = js(SIZES_JS + "const b = box(sightline.tab.canvas.closest('.screen') ?? sightline.tab.canvas); return Math.min(b.width, b.height);")
 check(side >= 400, f"the workbench's screen is {side} CSS pixels, expected at least 400")
 go("bench/hello.asm")
-check(js(SIZES_JS + "return !shown(document.querySelector('.screen')) && box(sightline.room.output).height > 300;"), "a program without a screen has its console in that place")
+check(js(SIZES_JS + "return !shown(document.querySelector('.screen')) && box(sightline.tab.output).height > 300;"), "a program without a screen has its console in that place")
 one_window("narrow", 390, 844, True, {
     "jones/house": walk, "jones/turn roberts": walk, "jones/pen.s": picture, "jones/echo.s": picture, "jones/text.s": picture, "skala/sinc": turned, "skala/?f=x*z/6": turned,
     "skala/peaks?device=calcomp": turned, "skala/stripes boxes-5": turned, "skala/flight town-9": picture, "bench/square.s": bench, "bench/ef9365.asm": bench,
-    "bench/hello.asm": {"run": RUN, "program": "sightline.room.shelf", "console": "[sightline.room.output, sightline.room.keys]"},
+    "bench/hello.asm": {"run": RUN, "program": "sightline.tab.shelf", "console": "[sightline.tab.output, sightline.tab.keys]"},
     **{f"theatre/{algorithm}/{'sinc' if algorithm == 'skala' else 'house'}": lesson for algorithm in ["exact", "jones", "skala", "montani-re", "willis", "plantinga"]}})
 for algorithm in ["exact", "jones", "skala", "montani-re", "willis", "plantinga"]:
     go(f"theatre/{algorithm}/{'sinc' if algorithm == 'skala' else 'house'}")
-    lowest = js(SIZES_JS + """const {player} = sightline.room; let lowest = 0;
+    lowest = js(SIZES_JS + """const {player} = sightline.tab; let lowest = 0;
       for (let i = 0; i < player.length; ++i) { player.show(i); lowest = Math.max(lowest, box(document.querySelector('.player .caption')).bottom); }
       return lowest;""")
     check(lowest <= 844, f"theatre, {algorithm}: a caption reaches down to {lowest:.0f} of 844 pixels")
@@ -647,7 +647,7 @@ console_is_clean("sizes")
 
 # --- Lessons: numbers, keys without a click, frames of other pages.
 def step():
-    return js("return sightline.room.player.step + 1")
+    return js("return sightline.tab.player.step + 1")
 
 
 def type_key(*keys):
@@ -683,7 +683,7 @@ check(step() == 3, f"Right steps: {step()}")
 type_key(Keys.ARROW_LEFT)
 check(step() == 2, f"Left steps back: {step()}")
 type_key(Keys.END)
-length = js("return sightline.room.player.length")
+length = js("return sightline.tab.player.length")
 check(step() == length, f"End: {step()} of {length}")
 type_key(Keys.HOME)
 check(step() == 1, f"Home: {step()}")
@@ -710,8 +710,8 @@ check(step() in (1, 3), "a list that has the focus keeps its keys")
 # In another room the keys are that room's, and the lesson rests.
 go("theatre/jones/house")
 type_key(Keys.SPACE)
-js("globalThis.theatre = sightline.room; location.hash = '#about'")
-wait(lambda: js("return sightline.room !== globalThis.theatre"), "another room")
+js("globalThis.theatre = sightline.tab; location.hash = '#about'")
+wait(lambda: js("return sightline.tab !== globalThis.theatre"), "another room")
 left = js("return globalThis.theatre.player.step")
 type_key(Keys.ARROW_RIGHT)
 time.sleep(0.8)
@@ -719,13 +719,13 @@ check(js("return globalThis.theatre.player.step") == left, "keys in another room
 # The keys of steps stop the play.
 for key in [Keys.ARROW_RIGHT, Keys.ARROW_LEFT, Keys.HOME, Keys.END]:
     go("theatre/jones/house")
-    js("sightline.room.player.show(3)")
+    js("sightline.tab.player.show(3)")
     type_key(Keys.SPACE)
     type_key(key)
     check(js("return document.querySelector('.player button[title^=Play]').textContent") == "Play", f"{key!r} stops the play")
 # The address keeps the step; another lesson begins at its own beginning.
 go("theatre/jones/house")
-js("sightline.room.player.show(6)")
+js("sightline.tab.player.show(6)")
 wait(lambda: driver.current_url.endswith("#theatre/jones/house?step=7"), "the address keeps the step")
 driver.refresh()
 wait(lambda: js("return document.documentElement.dataset.ready"), "the page begins again")
@@ -745,9 +745,9 @@ js("""globalThis.drawn = []; const fill = CanvasRenderingContext2D.prototype.fil
     fill.apply(this, arguments); };""")
 for scene in ["jones/house", "jones/street4", "montani-re/boxes-3", "willis/town-2", "plantinga/house"]:
     js("location.hash = '#theatre/' + arguments[0]", scene)
-    wait(lambda: js("return sightline.room.link() === 'theatre/' + arguments[0]", scene), scene)
+    wait(lambda: js("return sightline.tab.link() === 'theatre/' + arguments[0]", scene), scene)
     for n in range(3, 40, 4):
-        drawn = js("globalThis.drawn = []; sightline.room.player.show(arguments[0]); return {words: globalThis.drawn, caption: document.querySelector('.caption').textContent}", n)
+        drawn = js("globalThis.drawn = []; sightline.tab.player.show(arguments[0]); return {words: globalThis.drawn, caption: document.querySelector('.caption').textContent}", n)
         words = drawn["words"]
         check(all(each["inside"] for each in words), f"{scene}, step {n + 1}: words beside the sheet: {[each['text'] for each in words if not each['inside']]}")
         lying = [(a["text"], b["text"]) for i, a in enumerate(words) for b in words[:i] if a["sheet"] == b["sheet"] and abs(a["y"] - b["y"]) < 0.7 * a["line"] and a["x"] < b["x"] + b["w"] and b["x"] < a["x"] + a["w"]]
@@ -761,16 +761,16 @@ for width, height, query in [(390, 844, ""), (400, 300, "?embed=1")]:
     js("""globalThis.drawn = []; const fill = CanvasRenderingContext2D.prototype.fillText;
       CanvasRenderingContext2D.prototype.fillText = function (text, x, y) { const w = this.measureText(text).width;
         globalThis.drawn.push({text, sheet: this.canvas.getAttribute('aria-label'), x, y, w, line: parseFloat(this.font.split(' ')[1])}); fill.apply(this, arguments); };
-      while (!document.querySelector('.caption').textContent.startsWith('The event list')) sightline.room.player.show(sightline.room.player.step + 1);""")
+      while (!document.querySelector('.caption').textContent.startsWith('The event list')) sightline.tab.player.show(sightline.tab.player.step + 1);""")
     for n in range(4):
-        words = js("globalThis.drawn = []; sightline.room.player.show(sightline.room.player.step + arguments[0]); return globalThis.drawn", min(n, 1))
+        words = js("globalThis.drawn = []; sightline.tab.player.show(sightline.tab.player.step + arguments[0]); return globalThis.drawn", min(n, 1))
         lying = [(a["text"], b["text"]) for i, a in enumerate(words) for b in words[:i] if a["sheet"] == b["sheet"] and abs(a["y"] - b["y"]) < 0.7 * a["line"] and a["x"] < b["x"] + b["w"] and b["x"] < a["x"] + a["w"]]
         check(not lying and any("viewer at" in each["text"] for each in words), f"{width} by {height}: words on each other: {lying[:3]}")
     shot(f"plantinga-{width}")
 # A projector: one window, and large enough to be read from the last row.
 resize(1920, 1080)
 go("theatre/jones/house")
-js("sightline.room.player.show(4)")
+js("sightline.tab.player.show(4)")
 check(not in_window([".player h1", ".player .controls", ".player .caption", ".player figure", ".player .legend"]), "1920 by 1080: one window")
 size = js("return parseFloat(getComputedStyle(document.querySelector('.player .caption')).fontSize)")
 check(size >= 22, f"1920 by 1080: the caption has {size} pixels")
@@ -864,15 +864,15 @@ def folder_of_examples(name):
 
 
 def offered():
-    return js("return [...(sightline.room.message ?? document.querySelector('main > .notice')).querySelectorAll('button')].map(b => b.textContent)")
+    return js("return [...(sightline.tab.message ?? document.querySelector('main > .notice')).querySelectorAll('button')].map(b => b.textContent)")
 
 
 def notice():
-    return js("return (sightline.room.message ?? document.querySelector('main > .notice')).textContent")
+    return js("return (sightline.tab.message ?? document.querySelector('main > .notice')).textContent")
 
 
 def wrong_anywhere():
-    return js("return (sightline.room.message ?? document.querySelector('main > .notice')).classList.contains('wrong')")
+    return js("return (sightline.tab.message ?? document.querySelector('main > .notice')).classList.contains('wrong')")
 
 
 def opened(name, content, seconds=30):
@@ -886,7 +886,7 @@ def link():
 
 
 def offer(label):
-    js("[...(sightline.room.message ?? document.querySelector('main > .notice')).querySelectorAll('button')].find(b => b.textContent === arguments[0]).click()", label)
+    js("[...(sightline.tab.message ?? document.querySelector('main > .notice')).querySelectorAll('button')].find(b => b.textContent === arguments[0]).click()", label)
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -940,12 +940,12 @@ for place in ["jones/turn cube.off", "skala/sinc", "bench/square.s", "theatre/ex
     for name, content, rooms in in_rooms:
         if room not in rooms:
             continue
-        before = [link(), js("return sightline.room.id ?? 0")]
+        before = [link(), js("return sightline.tab.id ?? 0")]
         opened(name, content)
         where = f"{name} in {room}"
         if rooms[room] is taken:
             check(not offered() and not wrong(), f"{where} is taken: {notice()}")
-            js("if (arguments[0] === 'jones') sightline.room.go(false)", room)  # or it says later that it has come to its halt
+            js("if (arguments[0] === 'jones') sightline.tab.go(false)", room)  # or it says later that it has come to its halt
             if not name.startswith("tape"):
                 check(name in link() and "file=1" in link(), f"{where} is in the address as a file: {link()}")
         else:
@@ -953,16 +953,16 @@ for place in ["jones/turn cube.off", "skala/sinc", "bench/square.s", "theatre/ex
             check(name in notice(), f"{where} is named: {notice()}")
             if not rooms[room] and name not in ("a.mtl", "1200 faces.off"):
                 check("expected" in notice(), f"{where}: what is expected is said: {notice()}")
-            check([link(), js("return sightline.room.id ?? 0")] == before, f"{where} leaves the room as it was: {link()}, {before}")
+            check([link(), js("return sightline.tab.id ?? 0")] == before, f"{where} leaves the room as it was: {link()}, {before}")
     if room in ("jones", "skala"):
         at = ticks()
-        js("sightline.room.options.speed = 1; if (sightline.room.ended) sightline.room.restart(); sightline.room.go(true)")
+        js("sightline.tab.options.speed = 1; if (sightline.tab.ended) sightline.tab.restart(); sightline.tab.go(true)")
         wait(lambda: ticks() != at, f"{room}: the machine runs after all files")
     if room == "bench":
         go("bench/square.s")
         press("Step")
     if room == "theatre":
-        js("sightline.room.player.show(3)")
+        js("sightline.tab.player.show(3)")
     console_is_clean(f"files in {room}")
 
 # A mesh that is too large has the same sentence in every room, with the command that draws it. Where a room cannot show a mesh, the sentence says why.
@@ -1008,7 +1008,7 @@ for place in ["jones/house", "skala/stripes boxes-5", "theatre/exact/boxes-2", "
     check(mended in notice() and not wrong_anywhere(), f"a damaged mesh in {place} is mended: {notice()}")
     if place in ("jones/house", "about"):
         offer(TURN)
-        check(js("return sightline.room.turning?.made?.edges") == 12 and mended in notice(), f"and turns as the cube that it is: {notice()}")
+        check(js("return sightline.tab.turning?.made?.edges") == 12 and mended in notice(), f"and turns as the cube that it is: {notice()}")
 
 # The offers lead to rooms that show the file, and back again.
 go("about")
@@ -1017,26 +1017,26 @@ for name, content, label, shown in [
         ("cells.json", folder_of_examples("rooms.json"), WALK, "jones/cells.json?"), ("grid.csv", folder_of_examples("crater.csv"), SKALA, "skala/grid.csv?"), ("own.s", square, BENCH, "bench/own.s?"),
         ("own.s", square, "Run it on the PDP-7", "jones/own.s?"), ("program.com", com, LOAD, "bench/program.com?"), ("lesson.json", lesson, SHOW, "theatre/lesson/lesson.json?")]:
     js("location.hash = 'about'")
-    wait(lambda: js("return sightline.room.link()") == "about", "back in About")
+    wait(lambda: js("return sightline.tab.link()") == "about", "back in About")
     opened(name, content)
     offer(label)
     check(shown in link() and "file=1" in link() and not wrong(), f"{name}, {label}: {link()} {notice()}")
 js("location.hash = 'about'")
-wait(lambda: js("return sightline.room.link()") == "about", "back in About")
+wait(lambda: js("return sightline.tab.link()") == "about", "back in About")
 opened("tape.rim", tape)
 offer(READER)
 check("tape.rim is in the reader" in said(), "a tape comes into the reader: " + said())
 go("bench/square.s")
 opened("program.com", com)
 press("Run")
-wait(lambda: "Hello" in js("return sightline.room.output.textContent"), "a program without its source runs in the workbench: " + said())
+wait(lambda: "Hello" in js("return sightline.tab.output.textContent"), "a program without its source runs in the workbench: " + said())
 # A file has a name of its own, whatever the page calls so; odd characters are kept in the link.
 for name in ["cube.off", "a b%25?#&ä.off"]:
     go("jones/turn star.off")
     opened(name, mesh["off"])
     offer(TURN)
     own = "my-" + name if name == "cube.off" else name
-    check(js("return sightline.room.options.program") == "turn " + own and js("return sightline.room.turning.made.edges") == 24, f"{name}: two boxes turn: " + notice())
+    check(js("return sightline.tab.options.program") == "turn " + own and js("return sightline.tab.turning.made.edges") == 24, f"{name}: two boxes turn: " + notice())
     there = js("return location.hash.slice(1)")
     go(there)
     check(f"{own} was a file of your computer: open it again." in notice(), f"the link to {name} says so: {notice()}")
@@ -1055,11 +1055,11 @@ def intro():
 
 
 def program():
-    return js("return [sightline.room.options.program, sightline.room.programs.select.value]")
+    return js("return [sightline.tab.options.program, sightline.tab.programs.select.value]")
 
 
 def save_to(name):
-    js("sightline.module.ask({do: 'save', id: sightline.room.id}); globalThis[arguments[0]] = new File([sightline.module.made()], arguments[0])", name)
+    js("sightline.module.ask({do: 'save', id: sightline.tab.id}); globalThis[arguments[0]] = new File([sightline.module.made()], arguments[0])", name)
 
 
 def open_saved(name, under=None):
@@ -1069,39 +1069,39 @@ def open_saved(name, under=None):
 
 
 go("jones/street4?eae=0")
-js("sightline.room.options.speed = 10")
+js("sightline.tab.options.speed = 10")
 ActionChains(driver).key_down(Keys.ARROW_UP).perform()
-wait(lambda: js("return sightline.room.view && sightline.room.view.views >= 2"), "a walk in street4")
+wait(lambda: js("return sightline.tab.view && sightline.tab.view.views >= 2"), "a walk in street4")
 ActionChains(driver).key_up(Keys.ARROW_UP).perform()
 save_to("street4.snap")
 choose("Program", "turn star.off")
 time.sleep(0.5)
 save_to("turn star.off.snap")
 choose("Program", "refresh.s")
-check(not js("return sightline.room.exact.checkVisibility()"), "a program without exact lines does not offer them")
+check(not js("return sightline.tab.exact.checkVisibility()"), "a program without exact lines does not offer them")
 choose("Program", "turning.s")
 time.sleep(0.5)
 save_to("clock.snap")
 choose("Program", "house")
-check(js("return sightline.room.exact.checkVisibility()"), "a scene offers its exact lines")
+check(js("return sightline.tab.exact.checkVisibility()"), "a scene offers its exact lines")
 open_saved("street4.snap", "walk.snap")
 check(program() == ["street4"] * 2 and "#jones/street4?eae=0" in driver.current_url and not wrong(), f"a snapshot of street4 is that of street4, whatever its name: {program()} {driver.current_url} {said()}")
-js("sightline.room.exact.box.click()")
-wait(lambda: js("return sightline.room.missing === 0 && sightline.room.extra === 0"), "the exact lines of street4 lie on the picture", 60)
+js("sightline.tab.exact.box.click()")
+wait(lambda: js("return sightline.tab.missing === 0 && sightline.tab.extra === 0"), "the exact lines of street4 lie on the picture", 60)
 choose("Program", "house")
 open_saved("clock.snap", "house.snap")
 check(program() == ["snapshot house.snap"] * 2 and not wrong(), f"a snapshot of another program is not the house, by its name: {program()} {said()}")
-check(js("const r = sightline.room; return !r.labels && !r.view && !r.lines && !r.walk.checkVisibility() && !r.exact.checkVisibility() && !r.lamp.checkVisibility()"), "it has no walk, no view, no exact lines")
+check(js("const r = sightline.tab; return !r.labels && !r.view && !r.lines && !r.walk.checkVisibility() && !r.exact.checkVisibility() && !r.lamp.checkVisibility()"), "it has no walk, no view, no exact lines")
 check("continues from a snapshot" in intro() and "snapshot%20house.snap?" in driver.current_url and "file=1" in driver.current_url, f"the sentence and the address say so: {intro()} {driver.current_url}")
 at = ticks()
 wait(lambda: ticks() > at + 1e7, "it runs on")
 choose("Program", "house")
-check(js("return Boolean(sightline.room.labels)"), "the house again")
+check(js("return Boolean(sightline.tab.labels)"), "the house again")
 choose("Program", "snapshot house.snap")
-check(not js("return sightline.room.labels") and not wrong(), "and the snapshot again: " + said())
+check(not js("return sightline.tab.labels") and not wrong(), "and the snapshot again: " + said())
 choose("Program", "house")
 open_saved("turn star.off.snap")
-check(program() == ["turn star.off"] * 2 and js("return sightline.room.turns") and not wrong(), f"a solid's snapshot is found by its name: {program()} {said()}")
+check(program() == ["turn star.off"] * 2 and js("return sightline.tab.turns") and not wrong(), f"a solid's snapshot is found by its name: {program()} {said()}")
 choose("Program", "house")
 open_saved("turn star.off.snap", "turn cube.off.snap")
 check(program() == ["house"] * 2 and wrong() and "tape" in said(), f"but not by a wrong one: {program()} {said()}")
@@ -1138,11 +1138,11 @@ with tempfile.TemporaryDirectory() as folder:
     press("Run")
     go("bench/refresh.s")
     drop("main", "plain.snap", content)
-    wait(lambda: "goes on from this snapshot" in said() and "wait," in js("return sightline.room.code.textContent"), "with the names of its source: " + said(), 10)
+    wait(lambda: "goes on from this snapshot" in said() and "wait," in js("return sightline.tab.code.textContent"), "with the names of its source: " + said(), 10)
     choose("Example", "square.s")
     drop("main", "plain.snap", content)
     wait(lambda: "another program" in said(), "without those of another: " + said(), 10)
-    check("begin" not in js("return sightline.room.code.textContent"), "no lines of the square beside it")
+    check("begin" not in js("return sightline.tab.code.textContent"), "no lines of the square beside it")
 go("bench/square.s")
 with tempfile.TemporaryDirectory() as folder:
     subprocess.run([sightline, "asm", "i8080", os.path.join(here, "boards/ef9365.asm"), "-o", "board.hex"], cwd=folder, check=True, capture_output=True)
@@ -1153,30 +1153,30 @@ for place, sentence in [("square.s", "another program"), ("greet.asm", "another 
     go("bench/" + place)
     drop("main", "board.snap", content)
     wait(lambda: sentence in said(), f"an 8080 goes on beside {place}: {said()}", 10)
-    check(js("return sightline.module.instructions(sightline.room.id)") == 2000 and js("return sightline.room.machine.select.value") == "i8080", f"after 2000 instructions, beside {place}")
+    check(js("return sightline.module.instructions(sightline.tab.id)") == 2000 and js("return sightline.tab.machine.select.value") == "i8080", f"after 2000 instructions, beside {place}")
 go("jones/turning.s")
 drop(".screen", "square.rim", tape)
 wait(lambda: "in the reader" in said(), "a tape: " + said())
 press("READ IN")
 wait(lambda: "halt" in said(), "it runs: " + said())
 check(program() == ["tape square.rim"] * 2 and "runs a tape" in intro() and "tape%20square.rim?" in driver.current_url, f"the tape is the program: {program()} {intro()} {driver.current_url}")
-check("begin" not in js("return sightline.room.facts.textContent") and ";" not in js("return sightline.room.facts.textContent"), "without the lines of the program before: " + js("return sightline.room.facts.textContent"))
+check("begin" not in js("return sightline.tab.facts.textContent") and ";" not in js("return sightline.tab.facts.textContent"), "without the lines of the program before: " + js("return sightline.tab.facts.textContent"))
 choose("Program", "square.s")
 check("START" in intro(), "the square can be drawn again: " + intro())
-wait(lambda: not js("return sightline.room.on"), "the square is drawn")
+wait(lambda: not js("return sightline.tab.on"), "the square is drawn")
 begun = ticks()
 press("START")
-wait(lambda: ticks() > begun and not js("return sightline.room.on"), "START draws it again")
+wait(lambda: ticks() > begun and not js("return sightline.tab.on"), "START draws it again")
 # What the pen sees is drawn.
 go("jones/turning.s")
 glass = driver.find_element(By.CSS_SELECTOR, ".screen")
 ActionChains(driver).move_to_element(glass).click_and_hold().perform()
-ring = js("""const c = sightline.room.glass, d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, found = [];
+ring = js("""const c = sightline.tab.glass, d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, found = [];
   for (let i = 0; i < d.length; i += 4) if (d[i + 3] > 100) found.push([i / 4 % c.width, Math.floor(i / 4 / c.width)]);
   const [x, y] = [0, 1].map(n => found.map(p => p[n])); return [c.checkVisibility(), Math.max(...x) - Math.min(...x), Math.max(...y) - Math.min(...y)];""")
 check(ring[0] and all(15 <= side <= 18 for side in ring[1:]), f"the pen's circle has a radius of 8 points: {ring}")
 ActionChains(driver).release().perform()
-check(not js("return sightline.room.glass.checkVisibility()"), "and goes with the pen")
+check(not js("return sightline.tab.glass.checkVisibility()"), "and goes with the pen")
 # A device that is not there is told, once.
 for place in ["jones/house", "bench/square.s"]:
     go(place)
@@ -1209,36 +1209,36 @@ for place in ["house", "roberts", "turn star.off", "turning.s", "echo.s", "type.
 go("bench/square.s")
 js("arguments[0].value = '\\tlac\\n\\tnonsense words here\\n'", driver.find_element(By.CSS_SELECTOR, "textarea.editor"))
 press("Assemble")
-js("sightline.room.message.say('')")
+js("sightline.tab.message.say('')")
 press("Run")
-check(said() == "The source has errors." and not js("return sightline.room.on || sightline.room.id"), "Run after errors runs nothing: " + said())
+check(said() == "The source has errors." and not js("return sightline.tab.on || sightline.tab.id"), "Run after errors runs nothing: " + said())
 for each in ["Step", "Back", "Reset"]:
     press(each)
-check(said() == "The source has errors." and js("return sightline.room.code.textContent.length") < 80, "nor do the others: " + said())
+check(said() == "The source has errors." and js("return sightline.tab.code.textContent.length") < 80, "nor do the others: " + said())
 go("bench/greet.asm")
-check(js("return sightline.room.cpm.box.checked && sightline.room.cpm.checkVisibility()"), "an example of CP/M runs under CP/M")
+check(js("return sightline.tab.cpm.box.checked && sightline.tab.cpm.checkVisibility()"), "an example of CP/M runs under CP/M")
 press("Run")
 wait(lambda: "waits for a key" in said(), "the program asks: " + said())
-check("stopped by" not in said() and js("return sightline.room.output.textContent").startswith("What is your name?"), "in good words: " + said())
+check("stopped by" not in said() and js("return sightline.tab.output.textContent").startswith("What is your name?"), "in good words: " + said())
 driver.find_element(By.XPATH, "//input[@aria-label='Keys for the program']").send_keys("Ada", Keys.ENTER)
-wait(lambda: js("return sightline.room.output.textContent").endswith("What is your name? Ada\nHello, Ada"), "what is typed is echoed, and answered: " + js("return sightline.room.output.textContent"), 10)
+wait(lambda: js("return sightline.tab.output.textContent").endswith("What is your name? Ada\nHello, Ada"), "what is typed is echoed, and answered: " + js("return sightline.tab.output.textContent"), 10)
 go("bench/square.s")
-check(not js("return sightline.room.cpm.checkVisibility()"), "the PDP-7 has no CP/M")
+check(not js("return sightline.tab.cpm.checkVisibility()"), "the PDP-7 has no CP/M")
 for name, text, cpm in [("own.asm", folder_of_examples("hello.asm"), True), ("low.asm", b"\tORG 0\n\tMVI A,5\n\tHLT\n\tEND\n", False), ("start.asm", b"\tORG 100H\n\tHLT\nGO:\tHLT\n\tEND GO\n", False)]:
     go("bench/square.s")
     drop("main", name, text)
     wait(lambda: name in driver.current_url, name + " is taken: " + said())
-    check(js("return sightline.room.cpm.box.checked") == cpm, f"{name} is a program for CP/M: {cpm}")
+    check(js("return sightline.tab.cpm.box.checked") == cpm, f"{name} is a program for CP/M: {cpm}")
     press("Run")
     if name == "own.asm":
-        wait(lambda: "Hello" in js("return sightline.room.output.textContent"), "an opened program for CP/M prints: " + said(), 10)
-        js("sightline.room.cpm.box.click()")
-        check(js("return sightline.room.output.textContent") == "", "without CP/M it is loaded again")
+        wait(lambda: "Hello" in js("return sightline.tab.output.textContent"), "an opened program for CP/M prints: " + said(), 10)
+        js("sightline.tab.cpm.box.click()")
+        check(js("return sightline.tab.output.textContent") == "", "without CP/M it is loaded again")
         press("Run")
         time.sleep(0.5)
-        press("Pause") if js("return sightline.room.on") else None
-        check("Hello" not in js("return sightline.room.output.textContent"), "and has no system")
-names = js("return [...sightline.room.shelf.select.options].map(o => o.value)")
+        press("Pause") if js("return sightline.tab.on") else None
+        check("Hello" not in js("return sightline.tab.output.textContent"), "and has no system")
+names = js("return [...sightline.tab.shelf.select.options].map(o => o.value)")
 check(len(names) == len(set(names)) and {"jones.s", "turn.s"} <= set(names), f"each example has a name of its own: {names}")
 console_is_clean("snapshots, tapes, warnings, CP/M")
 
@@ -1269,22 +1269,22 @@ places = ["jones/street4?switches=2", "skala/peaks?picture=surface&device=alt256
 go("about")
 for place in places:
     js("location.hash = arguments[0]", place)
-    wait(lambda: link() == place and js("return sightline.room.link().startsWith(arguments[0])", place.split("/")[0]), place)
+    wait(lambda: link() == place and js("return sightline.tab.link().startsWith(arguments[0])", place.split("/")[0]), place)
     check(not wrong(), f"#{place}: {notice()}")
     for bad, part, room in bad_links:
         if room != place.split("/")[0] or "/" not in bad:
             continue
-        js("sightline.room.message.say('')")
-        before = js("return sightline.room.id ?? 0")
+        js("sightline.tab.message.say('')")
+        before = js("return sightline.tab.id ?? 0")
         js("location.hash = arguments[0]", bad)
         wait(lambda: part in notice(), f"#{bad} in an open page is answered in words: {notice()}", 10)
-        check(link() == place and js("return sightline.room.id ?? 0") == before, f"#{bad} in an open page leaves the room as it was: {link()}")
+        check(link() == place and js("return sightline.tab.id ?? 0") == before, f"#{bad} in an open page leaves the room as it was: {link()}")
 # What is linked comes back: each part of a link that the page has made is known to it.
 for place in [*places, "jones/turn star.off?switches=400&eae=0&exact=1", "jones/house?eae=0&stereo=1&immediate=1&scale=300", "skala/?picture=lines&device=ef9365&rotation=30&elevation=30&f=x+%2B+z%2F6", "skala/stripes boxes-8?device=calcomp&rotation=5&elevation=6",
               "skala/flight town-9?bits=12&plan=1&pieces=100"]:
     go(place)
     check(not wrong() and js("return location.hash.slice(1)").replace("%20", " ") == place, f"#{place} comes back: {link()} {notice()}")
-check(js("return sightline.room.options.program") == "flight", "a flight by its link")
+check(js("return sightline.tab.options.program") == "flight", "a flight by its link")
 console_is_clean("links")
 
 # --- Bad days: no WebGL, a lost context, rubbish.
@@ -1292,9 +1292,9 @@ go("jones/house", "?plain")
 time.sleep(1)
 check("WebGL2" in said(), "without WebGL2 it says so")
 go("jones/house")
-js("const gl = sightline.room.canvas.getContext('webgl2'); const lose = gl.getExtension('WEBGL_lose_context'); lose.loseContext(); setTimeout(() => lose.restoreContext(), 300);")
+js("const gl = sightline.tab.canvas.getContext('webgl2'); const lose = gl.getExtension('WEBGL_lose_context'); lose.loseContext(); setTimeout(() => lose.restoreContext(), 300);")
 time.sleep(1.5)
-check(js("return !sightline.room.tube.lost"), "a lost context comes back")
+check(js("return !sightline.tab.tube.lost"), "a lost context comes back")
 drop("main", "rubbish.rim", bytes(i * 7 % 256 for i in range(300)))
 wait(lambda: "in the reader" in said(), "a tape of any content can be read by a program: " + said())
 press("READ IN")
@@ -1305,8 +1305,8 @@ driver.get_log("browser")  # a lost context is told there, too
 for query in ["?frames=150", "?coarse&frames=150"]:
     go("jones/house", query)
     wait(lambda: js("return document.documentElement.dataset.frames === 'done'"), "150 frames", 120)
-    reached = js("return sightline.module.ticks(sightline.room.id)")
-    start = js("return sightline.room.labels.start")
+    reached = js("return sightline.module.ticks(sightline.tab.id)")
+    start = js("return sightline.tab.labels.start")
     core = base64.b64decode(js("sightline.module.ask({do: 'file', name: '.jones.oct'}); let t = ''; for (const b of sightline.module.made()) t += String.fromCharCode(b); return btoa(t);"))
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "jones.oct"), "wb") as file:
@@ -1317,7 +1317,7 @@ for query in ["?frames=150", "?coarse&frames=150"]:
     difference = driver.execute_async_script("""const done = arguments[1]; const image = new Image();
       image.onload = () => { const side = 268; const read = source => { const c = document.createElement('canvas'); c.width = c.height = side;
           const x = c.getContext('2d'); x.drawImage(source, 0, 0, side, side); return x.getImageData(0, 0, side, side).data; };
-        sightline.room.tube.develop(); const a = read(sightline.room.canvas), b = read(image); let sum = 0, lit = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0; const n = side * side;
+        sightline.tab.tube.develop(); const a = read(sightline.tab.canvas), b = read(image); let sum = 0, lit = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0; const n = side * side;
         for (let i = 0; i < n; ++i) { const x = a[4 * i + 1], y = b[4 * i + 1]; sum += Math.abs(x - y); sa += x; sb += y; saa += x * x; sbb += y * y; sab += x * y; }
         done({mean: sum / n, correlation: (n * sab - sa * sb) / Math.sqrt((n * saa - sa * sa) * (n * sbb - sb * sb)), tube: sa / n, photograph: sb / n}); };
       image.src = 'data:image/png;base64,' + arguments[0];""", photograph)

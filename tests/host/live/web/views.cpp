@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "host/base/json.hpp"
+#include "host/live/web/page_state.hpp"
 #include "host/live/web/requests.hpp"
-#include "host/live/web/rooms.hpp"
 
 namespace {
 
 using sightline::base::Json;
 using sightline::live::web::MachineSession;
-using sightline::live::web::Rooms;
+using sightline::live::web::PageState;
 
 // Two sums of 32 bits, as views.mjs computes them.
 class Hash {
@@ -46,7 +46,7 @@ class Hash {
 
 Json sums(const Hash& hash) { return Json::array({hash.a(), hash.b()}); }
 
-Json fly(Rooms& rooms) {
+Json fly(PageState& page) {
   constexpr std::int64_t frame = 120'000;  // of the display, at 3 MHz
   Hash shown;
   Json states = Json::array();
@@ -54,22 +54,22 @@ Json fly(Rooms& rooms) {
   std::int64_t at = 0;
   bool more = true;
   while (more) {
-    more = rooms.flying.run(at += frame);
-    shown.add_words(rooms.flying.picture());
-    states.push_back(rooms.answer(R"({"do":"flight_state"})"));
+    more = page.flying.run(at += frame);
+    shown.add_words(page.flying.picture());
+    states.push_back(page.answer(R"({"do":"flight_state"})"));
   }
   const std::string text = states.dump();
   Hash told;
   told.add_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  result["ticks"] = rooms.flying.t_states();
+  result["ticks"] = page.flying.t_states();
   result["frames"] = *states[states.size() - 1].find("frames");
   result["shown"] = sums(shown);
   result["told"] = sums(told);
   return result;
 }
 
-Json run(Rooms& rooms, const Json& made, std::int64_t until) {
-  MachineSession* const session = sightline::live::web::session_of(rooms.workbench, made);
+Json run(PageState& page, const Json& made, std::int64_t until) {
+  MachineSession* const session = sightline::live::web::session_of(page.workbench, made);
   if (session == nullptr) return Json::object();
   const std::int64_t slice = session->machine().ticks_per_second() / 20;
   constexpr std::uint64_t no_limit = std::uint64_t{1} << 50U;
@@ -99,14 +99,14 @@ Json run(Rooms& rooms, const Json& made, std::int64_t until) {
   Hash state;
   state.add_bytes(snapshot);
   result["state"] = sums(state);
-  static_cast<void>(rooms.workbench.answer(Json{{"do", "drop"}, {"id", *made.find("id")}}));
+  static_cast<void>(page.workbench.answer(Json{{"do", "drop"}, {"id", *made.find("id")}}));
   return result;
 }
 
 }  // namespace
 
 int main() {
-  Rooms rooms;
+  PageState page;
   std::string line;
   while (std::getline(std::cin, line)) {
     const auto asked = sightline::base::parse_json(line, "a view");
@@ -116,15 +116,15 @@ int main() {
     }
     if (asked->find("put") != nullptr) {
       const std::string text = sightline::live::web::text_of(*asked, "text");
-      rooms.workbench.put_file(sightline::live::web::text_of(*asked, "put"), {text.begin(), text.end()});
+      page.workbench.put_file(sightline::live::web::text_of(*asked, "put"), {text.begin(), text.end()});
       continue;
     }
     const Json* const request = asked->find("request");
-    const Json made = rooms.answer(request->dump());
+    const Json made = page.answer(request->dump());
     Json result = made.find("error") != nullptr ? Json::object()
                   : sightline::live::web::text_of(*request, "do") == "flight"
-                      ? fly(rooms)
-                      : run(rooms, made, static_cast<std::int64_t>(sightline::live::web::number_of(*asked, "until", 0)));
+                      ? fly(page)
+                      : run(page, made, static_cast<std::int64_t>(sightline::live::web::number_of(*asked, "until", 0)));
     result["answer"] = made;
     std::cout << result.dump() << std::endl;
   }

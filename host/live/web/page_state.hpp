@@ -1,4 +1,4 @@
-// All that can be asked of the page's module: by its C interface, and by a native build that is compared with it.
+// Answers all requests to the page's module. The C interface uses it, and a native build that is compared with the module.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,11 @@
 
 namespace sightline::live::web {
 
-struct Rooms {
+struct PageState {
   Workbench workbench;
   Flying flying;
 
-  // The answer to a request in JSON, as Workbench::answer has it.
+  // See Workbench::answer.
   [[nodiscard]] Json answer(std::string_view request);
 };
 

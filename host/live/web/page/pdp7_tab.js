@@ -1,19 +1,19 @@
-// The PDP-7 with its Type 340: Jones's program and others, with the switches under one's hands.
+// The PDP-7 tab: Jones's program and others on the PDP-7 with its Type 340, controlled by the switches.
 
 import {Clock, addWarnings, button, check, choice, download, downloadPicture, element, factList, field, fileTaker, fold, group, introduction, notice, runFor, stopName, takesKeys} from './ui.js';
 import {Turning} from './turning.js';
 import {AFTERGLOWS, PHOSPHOR, POINTS, SIDE} from './phosphor.js';
 import {makeTube} from './tube.js';
-import {among, flag, named, number, octal, optionsOf} from './links.js';
-import {said} from './files.js';
+import {oneOf, flag, named, number, octal, optionsOf} from './links.js';
+import {errorText} from './files.js';
 
 const AC = 1, LINK = 2, MQ = 3, SWITCHES = 5;
 const MILLISECOND = 1e6;  // ticks
-const PEN = 8;  // points: how far the light pen sees
-const CORE = 8192;  // words of the machine that Jones's program runs on
+const PEN = 8;  // points; the radius that the light pen sees
+const CORE = 8192;  // words of core of the machine for Jones's program
 
-// Colours of the exact lines: drawn, or missing in the picture; and of what is lit where no line is. Of a pair in red and cyan the left eye's lines are red,
-// as its picture, and what is missing is yellow.
+// Colours of exact lines that are drawn, of missing ones, and of points that are lit where no line is. For a pair in red and cyan the lines of the left eye
+// are red, like its picture, and missing ones are yellow.
 const RIGHT = '#4cc9f0', MISSING = '#ff4d4d', EXTRA = '#ff4dd2', PAIR_LEFT = '#ff8080', PAIR_MISSING = '#ffd43b', PEN_COLOUR = '#ffd43b';
 
 // AC switches 0 to 7 of Jones's program (firmware/pdp7/jones/SPECIFICATION.md, section 6), with their keys.
@@ -23,7 +23,7 @@ const WALK = [
 ];
 const ARROWS = {ArrowLeft: '\u2190', ArrowRight: '\u2192', ArrowUp: '\u2191', ArrowDown: '\u2193'};
 
-// What to try of an example.
+// A suggestion for each example.
 const TRY = {
   'pen.s': 'Press the pointer on the picture: it is the light pen.',
   'echo.s': 'Under Teletype, type in the box.',
@@ -32,7 +32,7 @@ const TRY = {
 
 export const PROGRAMS = ['house', 'roberts', 'street4', 'corridor8', 'corridor32'];
 
-export class Pdp7Room {
+export class Pdp7Tab {
   // `examples`: programs of the PDP-7 and, as `solids`, models that turn.
   constructor(module, examples, solids, remember) {
     this.module = module;
@@ -42,13 +42,13 @@ export class Pdp7Room {
     this.options = {program: 'house', eae: true, stereo: false, immediate: false, redCyan: false, exact: false, glow: 'p7', scale: 512, speed: 1, switches: 0};
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
-    this.litAt = new Float64Array(65536).fill(-1e18);  // when a block of 4 by 4 points was last lit
+    this.litAt = new Float64Array(65536).fill(-1e18);  // time at which each block of 4 by 4 points was last lit
     this.lights = [];
-    this.heldKeys = new Map();  // what to do when a key that is down is let go, by its code
+    this.heldKeys = new Map();  // the action on release of each pressed key, by its code
     addEventListener('blur', () => this.releaseKeys());
     this.next = [0, 0, 0, 0];
     this.covered = new Uint8Array(65536);
-    this.own = new Set();  // programs that are files of the person's
+    this.own = new Set();  // programs that are files of the user
     this.walks = new Set(PROGRAMS);  // scenes of cells
     this.root = this.build();
     this.slow = 0;
@@ -57,7 +57,7 @@ export class Pdp7Room {
   build() {
     const o = this.options;
     this.canvas = element('canvas', {className: 'tube', 'aria-label': 'Screen of the Type 340', role: 'img'});
-    // Over the tube, only while there is something on it: a layer that is shown costs each picture.
+    // A layer over the tube, shown only while it has content, because a visible layer costs time in every frame.
     this.glass = element('canvas', {className: 'glass', width: SIDE, height: SIDE, 'aria-hidden': 'true', hidden: true});
     const address = new URLSearchParams(location.search);
     this.tube = makeTube(this.canvas, {plain: address.has('plain'), fine: address.has('frames'), coarse: address.has('coarse')});
@@ -91,7 +91,7 @@ export class Pdp7Room {
     this.lamp = element('span', {className: 'lamp', role: 'img', 'aria-label': 'computing a view'});
     this.facts = factList();
 
-    return element('div', {className: 'room'}, this.intro = introduction(),
+    return element('div', {className: 'tab'}, this.intro = introduction(),
       element('div', {className: 'stage'}, screen,
         element('p', {className: 'under'}, element('span', {}, this.lamp, ' a view is being computed '), this.running)),
       element('div', {className: 'desk'},
@@ -135,7 +135,7 @@ export class Pdp7Room {
     return pad;
   }
 
-  // The pair is switched on with its colours.
+  // Red and cyan also switch the stereo pair on.
   showRedCyan(value) {
     this.options.redCyan = value;
     if (!value || this.options.stereo) return this.drawGlass();
@@ -154,7 +154,7 @@ export class Pdp7Room {
     this.pads.forEach((b, bit) => b.classList.toggle('down', Boolean(word >> (17 - bit) & 1)));
     if (this.turns) this.turning.showSwitches();
   }
-  // What Jones's program alone takes from them is a choice of the room.
+  // The switches; those that only Jones's program uses are set by controls.
   switchWord() { return this.turns ? this.options.switches : this.options.switches | (this.options.stereo ? 1 : 0) | (this.options.immediate ? 2 : 0); }
 
   panel() {
@@ -259,7 +259,7 @@ export class Pdp7Room {
     this.sight();
     this.remember();
   }
-  // What the program that is chosen has in this room.
+  // Shows the controls of the chosen program.
   showParts() {
     const {program} = this.options;
     const jones = this.walks.has(program);
@@ -271,7 +271,7 @@ export class Pdp7Room {
     this.eae.hidden = Boolean(this.example?.snapshot);
     for (const each of [this.stereo, this.redCyan, this.immediate, this.scale, this.lamp.parentElement]) each.hidden = !jones;
   }
-  // The switches of a machine that was restored.
+  // Sets the controls to the switches of a restored machine.
   takeSwitches() {
     const o = this.options;
     const word = this.module.get(this.id, SWITCHES);
@@ -282,14 +282,14 @@ export class Pdp7Room {
     this.immediate.box.checked = o.immediate;
   }
 
-  // A snapshot: in the program that it was saved from, if that is one of Jones's or the solid that is chosen or named, and otherwise without what
-  // is known of a program. Gives a complaint, or ''.
+  // Opens a snapshot, if possible with the program from which it was saved (one of Jones's, or the solid that is chosen or named), otherwise
+  // without a known program. Returns a complaint, or ''.
   openSnapshot({name, configuration}) {
     const o = this.options;
     const eae = configuration.includes('--eae');
     const likely = [o.program, name.replace(/( ?\(\d+\))?\.snap$/, '')];
     const before = {...o}, {made: turned} = this.turning;
-    // A solid has its tape in the reader: a machine with another tape does not take the snapshot.
+    // A solid has its tape in the reader, and a machine with another tape rejects the snapshot.
     for (const program of likely.filter(each => this.turning.owns(each))) {
       Object.assign(o, {program, eae});
       const made = this.turning.make();
@@ -298,7 +298,7 @@ export class Pdp7Room {
     }
     Object.assign(o, before);
     this.turning.made = turned;
-    // The tape that was in the reader is not in a snapshot.
+    // A snapshot does not contain the tape that was in the reader.
     let given = {}, made = this.module.ask({do: 'make', snapshot: name});
     if (made.error && this.tape) made = this.module.ask({do: 'make', snapshot: name, options: given = {'--reader': this.tape}});
     if (made.error) return made.error.includes('section "reader"') ? `${made.error}\nOpen the tape first, or choose the solid that turned, and then open the snapshot.` : made.error;
@@ -316,8 +316,8 @@ export class Pdp7Room {
     this.restart(made);
     return '';
   }
-  // The labels of Jones's program with that scene, if it is what a machine has in core: all words of the scene and, but for a few that the
-  // program changes, its own.
+  // The labels of Jones's program with a scene, if the machine has them in core: all words of the scene, and those of the program except a few
+  // that it changes.
   labelsIn(id, scene) {
     const {module} = this;
     const fresh = module.ask({do: 'jones', scene, eae: this.options.eae});
@@ -333,7 +333,7 @@ export class Pdp7Room {
     return changed <= 16 ? labels : null;
   }
 
-  // A tape has been read in: what was known of the program that was chosen does not hold for that of the tape.
+  // Called after a tape was read in: the labels of the chosen program are no longer valid.
   readIn() {
     const program = `tape ${this.tape}`;
     this.keep({name: program, file: this.tape});
@@ -345,7 +345,7 @@ export class Pdp7Room {
     this.go(true);
     this.remember();
   }
-  // Another program begins: nothing of the one before is left on the screen and in the figures.
+  // Called when a program begins: clears the screen and the figures.
   begin() {
     this.tube.clear(this.time);
     this.litAt.fill(-1e18);
@@ -354,13 +354,13 @@ export class Pdp7Room {
     if (this.id) this.before = this.first = this.passes();
     this.drawGlass();
   }
-  // Of the machine, in seconds.
+  // Emulated time in seconds.
   get time() { return this.id ? this.module.ticks(this.id) / 1e9 : 0; }
   passes(state = this.module.ask({do: 'state', id: this.id})) { return {time: state.ticks / 1e9, count: state.times.passes}; }
 
   setGlow() { this.tube.afterglow = AFTERGLOWS[this.options.glow]; }
 
-  // A file (files.js); false: not one for this room. `way` of a scene: walk or turn.
+  // Takes a file (files.js); false: this tab cannot use it. `way`, for a scene: walk or turn.
   take(file, way) {
     const {name, kind} = file;
     if (file.machine !== 'pdp7' && !(kind === 'scene' && way)) return false;
@@ -381,18 +381,18 @@ export class Pdp7Room {
       this.add(name, name);
     } else if (way === 'walk') {
       const made = this.module.ask({do: 'jones', scene: name});
-      if (made.error) { file.error = said(file, made.error); return false; }
+      if (made.error) { file.error = errorText(file, made.error); return false; }
       this.module.ask({do: 'drop', id: made.id});
       this.walks.add(name);
       this.add(name, `Jones: ${name}`);
     } else {
       const error = this.turning.add(name);
-      if (error) { file.error = said(file, error); return false; }
+      if (error) { file.error = errorText(file, error); return false; }
       this.add(this.turning.programOf(name), `Turn: ${name}`);
     }
     return true;
   }
-  // A program of the person's that is neither a scene nor a solid.
+  // Keeps a program of the user that is neither a scene nor a solid.
   keep(example) {
     this.examples = [...this.examples.filter(each => each.name !== example.name), example];
     this.list(example.name, example.name);
@@ -402,16 +402,16 @@ export class Pdp7Room {
     const {select} = this.programs;
     if (![...select.options].some(each => each.value === program)) select.append(element('option', {value: program, textContent: title}));
   }
-  // A program of the person's; it runs at once.
+  // Adds a program of the user and runs it.
   add(program, title) {
     this.list(program, title);
     this.programs.select.value = this.options.program = program;
     this.options.switches = 0;
     this.restart();
   }
-  // The screen as it is seen, with the exact lines if they are over it.
+  // Saves the screen as shown, with the exact lines if they are visible.
   savePicture() {
-    this.tube.develop();  // or the browser has cleared it already
+    this.tube.develop();  // draws again, because the browser may have cleared it
     const {width, height} = this.canvas;
     const whole = element('canvas', {width, height});
     const context = whole.getContext('2d');
@@ -424,10 +424,10 @@ export class Pdp7Room {
     download(`${this.options.program.replace(/^snapshot |\.snap$/g, '')}.snap`, this.module.made());
   }
 
-  // `why`: the reason for which the machine stands still.
+  // `why`: the reason for which the machine stops.
   go(on, why = 'paused') {
     this.on = on;
-    this.lamp.parentElement.style.visibility = on ? '' : 'hidden';  // its place stays free
+    this.lamp.parentElement.style.visibility = on ? '' : 'hidden';  // keeps its space
     this.running.textContent = on ? 'Pause' : 'Run';
     this.stopped.textContent = on ? '' : why;
     this.stopped.hidden = on;
@@ -447,7 +447,7 @@ export class Pdp7Room {
     const bit = WALK.findIndex(([, key]) => key === event.key || key === event.key.toLowerCase());
     return bit >= 0 && Boolean(this.labels) && this.holdKey(event, down => this.hold(bit, down));
   }
-  // A key that acts as long as it is down. It is known by its code: the character of a key may be another one when it is let go.
+  // A key that acts while it is pressed. It is identified by its code, because its character may differ on release.
   holdKey(event, act) {
     if (event.repeat || this.heldKeys.has(event.code)) return true;
     this.heldKeys.set(event.code, () => act(false));
@@ -460,7 +460,7 @@ export class Pdp7Room {
     release?.();
     return Boolean(release);
   }
-  // The window that loses the focus is not told of the keys that are let go.
+  // A window without the focus receives no keyup events.
   releaseKeys() { for (const code of [...this.heldKeys.keys()]) this.releaseKey(code); }
 
   // --- Pictures
@@ -484,7 +484,7 @@ export class Pdp7Room {
     this.tube.show(flashes, this.time, !this.on);
     const printed = this.module.printed(this.id);
     if (printed) this.paper.textContent = (this.paper.textContent + [...printed].map(c => String.fromCharCode(c.charCodeAt(0) & 127)).join('').replace(/\r|\0|\x7f/g, '')).slice(-8000);
-    // Fifteen times a second is more than an eye can read from lamps.
+    // Fifteen times a second is fast enough for lamps.
     this.sinceLights = (this.sinceLights ?? 1) + seconds;
     if (this.sinceLights > 0.06 || !this.on) { this.sinceLights = 0; this.showLights(); }
     this.watchViews();
@@ -496,7 +496,7 @@ export class Pdp7Room {
       if (this.turns && this.options.exact) this.sight();
       else if (this.lines) this.drawGlass();
     }
-    // Pictures that come too slowly are drawn with fewer pixels.
+    // If the frame rate is too low, pictures are drawn with fewer pixels.
     this.slow = seconds > 0.15 ? this.slow + 3 : seconds > 0.036 ? this.slow + 1 : Math.max(0, this.slow - 0.25);
     if (this.slow > 6 && !this.clock.frames && this.on && this.tube.coarser()) this.slow = 0;
   }
@@ -516,16 +516,16 @@ export class Pdp7Room {
     }
   }
 
-  // Which view is shown, and from where it was seen: the program counts complete views.
+  // Finds the view that is shown and its eye; the program counts complete views.
   watchViews() {
     if (!this.labels) return;
     const {module, id, labels} = this;
     const views = module.word(id, labels.views);
-    // The program computes without a pause; the lamp goes out for a moment when a view is complete.
+    // The program computes without a pause; the lamp is off for a moment after each complete view.
     if (views !== this.lastViews) this.viewAt = performance.now();
     this.lamp.classList.toggle('on', this.on && performance.now() - this.viewAt > 120);
     if (views !== this.lastViews) {
-      // The program has set out for the next view: this one was seen from where it was a picture ago.
+      // The program has begun the next view: the eye of this one is that of the last frame.
       this.view = {eye: (this.begun ? this.next : this.where()).slice(0, 3), scale: this.begun ? this.next[3] : this.where()[3], views};
       this.lastViews = views;
       this.sight();
@@ -534,7 +534,7 @@ export class Pdp7Room {
     this.begun = true;
   }
 
-  // The eye and the scale that the program computes with, in `next`.
+  // The eye and the scale of the view that is being computed.
   where() {
     const {module, id, labels, next} = this;
     const signed = at => { const word = module.word(id, at); return word & 0o400000 ? word - 0o1000000 : word; };
@@ -572,9 +572,9 @@ export class Pdp7Room {
     }
   }
   drawLines(context) {
-    // By blocks of 4 by 4 points: what a line should light and nothing did, and what is lit where no line is.
-    // Of what moves, other places were lit a moment ago than are to be lit now: there the lines alone are drawn.
-    // What was lit before the lines were asked for is not known.
+    // In blocks of 4 by 4 points: blocks that a line should light and that are dark, and lit blocks without a line.
+    // While the picture moves, the lit blocks are those of a moment ago; only the lines are then drawn.
+    // Blocks lit before the lines were requested are unknown.
     const span = this.turns ? 0.1 : 0.3;
     const now = 1e9 * (this.time - span);
     const compared = this.compared = !(this.turns && this.turning.moves) && this.time >= this.watchedFrom + span;
@@ -589,7 +589,7 @@ export class Pdp7Room {
     const covered = this.covered.fill(0);
     const {pair} = this.tube;
     const quarter = POINTS / 4;
-    // Of a pair in red and cyan either half lies in the middle, where the tube shows it.
+    // For a pair in red and cyan, both halves are in the middle, where the tube shows them.
     const X = (x, left) => x + PHOSPHOR.margin + (!pair ? 0 : left ? quarter : -quarter), Y = y => SIDE - (y + PHOSPHOR.margin);
     context.lineWidth = 2;
     this.missing = this.extra = compared ? 0 : null;
@@ -598,7 +598,7 @@ export class Pdp7Room {
       const colour = pair && left ? PAIR_LEFT : RIGHT, wrong = pair ? PAIR_MISSING : MISSING;
       const parts = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 4));
       const at = t => [x0 + (x1 - x0) * t, y0 + (y1 - y0) * t];
-      // A point of the screen has its place in its middle.
+      // The centre of a point.
       const spot = ([x, y]) => [X(x + 0.5, left), Y(y + 0.5)];
       for (let i = 0; i < parts; ++i) {
         const [x, y] = at((i + 0.5) / parts);
@@ -640,7 +640,7 @@ export class Pdp7Room {
     this.facts.show(rows);
   }
 
-  // What the exact lines say of the picture.
+  // The differences between the picture and the exact lines.
   differences() {
     if (!this.compared) return this.turns && this.turning.moves ? 'of this angle; they are compared with the picture when the solid stands still' : 'compared with the picture when the machine has run for a moment';
     const {missing, extra} = this;
@@ -668,7 +668,7 @@ export class Pdp7Room {
   open(part, query) {
     const o = this.options;
     const program = part ? named('program', part, [...this.programs.select.options].map(each => each.value), query) : o.program;
-    const given = optionsOf(query, {switches: octal(6), eae: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: among(Object.keys(AFTERGLOWS))});
+    const given = optionsOf(query, {switches: octal(6), eae: flag, stereo: flag, immediate: flag, exact: flag, scale: number(64, 4096), glow: oneOf(Object.keys(AFTERGLOWS))});
     Object.assign(o, {switches: 0, eae: true, stereo: false, immediate: false, exact: false, scale: 512, glow: 'p7', ...given, program});
     this.scale.input.value = o.scale;
     this.programs.select.value = o.program;

@@ -1,18 +1,18 @@
-#include "host/live/web/rooms.hpp"
+#include "host/live/web/page_state.hpp"
 
 #include "host/live/web/kinds.hpp"
+#include "host/live/web/pictures.hpp"
 #include "host/live/web/stripes.hpp"
-#include "host/live/web/studio.hpp"
 #include "host/live/web/turning.hpp"
 
 namespace sightline::live::web {
 
-Json Rooms::answer(std::string_view text) {
+Json PageState::answer(std::string_view text) {
   const auto request = base::parse_json(text, "request");
-  if (!request) return refusal(request.error().message());
+  if (!request) return error_answer(request.error().message());
   const Json* const what = request->find("do");
   if (what != nullptr && what->text() != nullptr) {
-    for (const auto answers : {studio_answer, stripes_answer, turning_answer, kinds_answer}) {
+    for (const auto answers : {pictures_answer, stripes_answer, turning_answer, kinds_answer}) {
       Json answer = answers(workbench, *what->text(), *request);
       if (!answer.is_null()) return answer;
     }

@@ -1,19 +1,19 @@
-// Programs of the 8080: Skala's pictures of functions, scenes in the stripes of Montani and Re, a flight with Willis's priorities. A picture grows
-// on the raster board, under a pen, or is shown by the priority display, at the machine's own speed.
+// The 8080 tab: Skala's pictures of functions, scenes in the stripes of Montani and Re, a flight with Willis's priorities. A raster board, a
+// plotter or the priority display draws the picture at the machine's own speed.
 
 import {Clock, button, check, choice, download, downloadPicture, element, factList, field, fileTaker, fold, group, introduction, notice, runFor} from './ui.js';
 import {sampled} from './expression.js';
 import {camera} from './camera.js';
 import {Flight} from './flight.js';
-import {among, anything, named, number as numeric, optionsOf} from './links.js';
+import {oneOf, anyText, named, number as numeric, optionsOf} from './links.js';
 import {COLOURS, GREYS, RasterImage} from './raster.js';
-import {said} from './files.js';
+import {errorText} from './files.js';
 
-const CLOCK = 3e6;  // T-states a second
+const CLOCK = 3e6;  // T-states per second
 const PENS = {calcomp: 'CalComp 565', minigraf: 'Minigraf 0507'};
 const SCENES = [['boxes-5', 'five boxes'], ['boxes-8', 'eight boxes'], ['house', 'house'], ['roberts', 'notched block'], ['town-2', 'two houses of a town'], ['star.off', 'star'], ['crossed.off', 'two bars that interlock']];
 
-export class I8080Room {
+export class I8080Tab {
   constructor(module, functions, remember) {
     this.module = module;
     this.functions = functions;
@@ -21,7 +21,7 @@ export class I8080Room {
     this.options = {program: 'skala', scene: 'boxes-5', function: functions[0]?.name ?? 'sinc', text: '', picture: 'lines', device: 'ef9365', rotation: 30, elevation: 30, zoom: 1,
       points: 33, slices: 33, levels: 8, visibility: true, speed: 1};
     this.flight = new Flight(module, () => this.restart());
-    this.own = new Set();  // grids and scenes that are files of the person's
+    this.own = new Set();  // grids and scenes that are files of the user
     this.id = 0;
     this.clock = new Clock(seconds => this.picture(seconds));
     this.root = this.build();
@@ -51,7 +51,7 @@ export class I8080Room {
     this.running = button('Pause', () => this.go(!this.on), 'Run or pause');
     const screen = this.screen = element('div', {className: 'screen board'}, this.canvas);
     this.drag();
-    const room = element('div', {className: 'room'}, this.intro = introduction(),
+    const tab = element('div', {className: 'tab'}, this.intro = introduction(),
       element('div', {className: 'stage'}, screen, element('p', {className: 'under'}, this.hint = element('span', {className: 'wide', textContent: 'Drag the picture to turn it.'}), this.running, ' ', button('Again', () => this.restart(), 'Draw it again'))),
       element('div', {className: 'desk'}, this.message,
         group('Program', this.program, this.scene, this.pick, this.words, this.flight.scene),
@@ -69,9 +69,9 @@ export class I8080Room {
           element('p', {}, button('Save picture', () => downloadPicture(this.name, this.canvas), 'Save the picture as PNG'), ' ',
             this.saver = button('Save state', () => this.saveState(), 'Save a snapshot, the whole state of the machine, as a file'), ' ',
             fileTaker('Open a file')))));
-    // The arrows turn the picture when something has been chosen from a list, too.
-    room.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement && document.activeElement !== event.target) this.canvas.focus({preventScroll: true}); });
-    return room;
+    // After a choice from a list, the arrow keys turn the picture again.
+    tab.addEventListener('change', event => { if (event.target instanceof HTMLSelectElement && document.activeElement !== event.target) this.canvas.focus({preventScroll: true}); });
+    return tab;
   }
 
   drag() {
@@ -108,12 +108,12 @@ export class I8080Room {
   }
 
   get flies() { return this.options.program === 'flight'; }
-  // Of what is drawn, for files.
+  // The name of the picture, for files.
   get name() {
     const o = this.options;
     return o.program === 'skala' ? o.function || 'expression' : this.flies ? this.flight.options.scene : o.scene;
   }
-  // Which controls belong to the program.
+  // Shows the controls of the program.
   offer() {
     const {program} = this.options;
     const skala = program === 'skala';
@@ -131,7 +131,7 @@ export class I8080Room {
     if (program === 'stripes' && !['ef9365', 'calcomp'].includes(this.options.device)) this.device.select.value = this.options.device = 'ef9365';
   }
 
-  // `name`: of a function or a file; empty: the expression, which may be wrong: that is thrown.
+  // `name`: of a function or a file; empty: the expression. Throws if the expression is wrong.
   request(what, name = this.options.function) {
     const o = this.options;
     if (what === 'stripes') return {do: what, scene: o.scene, device: o.device, camera: camera(o.rotation, Math.max(0, Math.min(80, o.elevation)))};
@@ -163,7 +163,7 @@ export class I8080Room {
     if (done.error) return this.message.say(done.error, true);
     download(`${this.name}.snap`, this.module.made());
   }
-  // A file (files.js); false: not one for this room. `way` of a scene: stripes.
+  // Takes a file (files.js); false: this tab cannot use it. `way`, for a scene: stripes.
   take(file, way) {
     const o = this.options;
     const {name, kind} = file;
@@ -181,10 +181,10 @@ export class I8080Room {
     }
     if (kind !== 'grid' && kind !== 'scene') return false;
     const program = kind === 'grid' ? 'skala' : this.flies && !way ? 'flight' : 'stripes';
-    // Asked for before anything changes: a flight that cannot be made leaves the one before, too.
+    // Tried before anything changes: if a flight cannot be made, the previous one stays.
     const tried = this.module.ask({skala: () => this.request(program, name), stripes: () => ({...this.request(program), scene: name}),
       flight: () => this.flight.request(name)}[program]());
-    if (tried.error) { file.error = said(file, tried.error); return false; }
+    if (tried.error) { file.error = errorText(file, tried.error); return false; }
     if (tried.id) this.module.ask({do: 'drop', id: tried.id});
     const [box, options, option] = program === 'skala' ? [this.pick, o, 'function'] : program === 'stripes' ? [this.scene, o, 'scene'] : [this.flight.scene, this.flight.options, 'scene'];
     this.own.add(name);
@@ -290,11 +290,11 @@ export class I8080Room {
       this.flight.open(scene, query);
       o.program = program;
     } else {
-      const look = {device: among(program === 'stripes' ? ['ef9365', 'calcomp'] : has(this.device)), rotation: numeric(-1e6, 1e6), elevation: numeric(-90, 90)};
+      const look = {device: oneOf(program === 'stripes' ? ['ef9365', 'calcomp'] : has(this.device)), rotation: numeric(-1e6, 1e6), elevation: numeric(-90, 90)};
       const stripes = program === 'stripes';
       const changes = stripes ? (scene ? {scene: named('scene', scene, has(this.scene), query)} : {})
         : part ? {function: named('function', part, has(this.pick).filter(Boolean), query)} : query.has('f') ? {function: ''} : {};
-      const {f, ...given} = optionsOf(query, stripes ? look : {picture: among(has(this.kind)), ...look, ...(part ? {} : {f: anything})});
+      const {f, ...given} = optionsOf(query, stripes ? look : {picture: oneOf(has(this.kind)), ...look, ...(part ? {} : {f: anyText})});
       if (f !== undefined) {
         try { sampled(f, 6, 2, 2); } catch (error) { throw new Error(`The link has f=${f}: ${error.message}.`); }
         changes.text = f;

@@ -1,5 +1,5 @@
 // See apart.hpp.
-#include "host/base/apart.hpp"
+#include "host/base/child_process.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -29,7 +29,7 @@ constexpr bool addresses_can_be_limited = true;
 constexpr bool addresses_can_be_limited = true;
 #endif
 
-// The answer begins with one of these; an error's fields are separated by zeros.
+// The first byte that the child sends; the fields of an error are separated by zero bytes.
 constexpr char value_mark = 'V';
 constexpr char error_mark = 'E';
 
@@ -46,7 +46,7 @@ void send(int pipe, std::string_view bytes) {
   }
 }
 
-std::string answer_of(const std::function<Result<std::string>()>& work, const ApartLimits& limits) {
+std::string answer_of(const std::function<Result<std::string>()>& work, const ChildLimits& limits) {
   Error error;
   try {
     Result<std::string> result = work();
@@ -67,7 +67,7 @@ std::string answer_of(const std::function<Result<std::string>()>& work, const Ap
   return text;
 }
 
-[[noreturn]] void work_in_child(int pipe, const std::function<Result<std::string>()>& work, const ApartLimits& limits) {
+[[noreturn]] void work_in_child(int pipe, const std::function<Result<std::string>()>& work, const ChildLimits& limits) {
   const rlimit seconds{limits.seconds, limits.seconds + 1};
   static_cast<void>(::setrlimit(RLIMIT_CPU, &seconds));
   const rlimit none{0, 0};
@@ -83,7 +83,7 @@ std::string answer_of(const std::function<Result<std::string>()>& work, const Ap
     ::dup2(nowhere, STDERR_FILENO);
   }
   send(pipe, answer_of(work, limits));
-  ::_exit(0);  // nothing that was buffered before is written twice
+  ::_exit(0);  // without flushing stdio: the parent writes what was buffered before the fork
 }
 
 Error error_in(std::string_view fields) {
@@ -98,7 +98,7 @@ Error error_in(std::string_view fields) {
 
 }  // namespace
 
-Result<std::string> run_apart(const std::function<Result<std::string>()>& work, const ApartLimits& limits) {
+Result<std::string> run_in_child(const std::function<Result<std::string>()>& work, const ChildLimits& limits) {
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) return bad_input(std::string("cannot make a pipe: ") + std::strerror(errno));
   const pid_t child = ::fork();

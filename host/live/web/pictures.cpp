@@ -1,4 +1,4 @@
-#include "host/live/web/studio.hpp"
+#include "host/live/web/pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ Json scene_json(const scene::LoadedScene& loaded) {
                 {"up", vector_json(scene.camera.up)}}}};
 }
 
-// Exact: an edge by its vertices, then the two ends of the piece as fractions; what two builds are compared by.
+// An edge by its vertices, then the two ends of the piece as fractions. Exact, so that two builds can be compared.
 Json pieces_json(const picture::LinePicture& picture) {
   Json pieces = Json::array();
   for (const auto& piece : picture.pieces) {
@@ -67,11 +67,11 @@ Json pieces_json(const picture::LinePicture& picture) {
 
 Json draw(Workbench& workbench, const Json& request) {
   auto loaded = scene_named(workbench, text_of(request, "scene"));
-  if (!loaded) return refusal(loaded.error().message());
+  if (!loaded) return error_answer(loaded.error().message());
   const auto camera = camera_of(loaded->scene, request);
-  if (!camera) return refusal(camera.error().message());
+  if (!camera) return error_answer(camera.error().message());
   const auto view = hidden_lines::visible_edges(loaded->scene, *camera, text_of(request, "algorithm"));
-  if (!view) return refusal(view.error().message());
+  if (!view) return error_answer(view.error().message());
   Json counts = Json::object();
   for (const auto& count : view->counts) counts[std::string(count.name)] = count.value;
   return Json{{"pieces", pieces_json(view->picture)}, {"counts", std::move(counts)}};
@@ -82,8 +82,8 @@ std::string grid_text(const Workbench& workbench, const std::string& name) {
   return bytes != nullptr ? std::string(bytes->begin(), bytes->end()) : std::string();
 }
 
-// By the name of a function, a file of the page, or "heights": the values of an expression that the page has worked out on
-// "points" by "slices" places, and on 65 by 65 for their range.
+// The grid of a function by name, of a file of the page, or of "heights": values of an expression that the page has computed at
+// "points" by "slices" places, and at 65 by 65 places for their range.
 base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& request) {
   const std::string name = text_of(request, "function");
   const auto size = [&](std::string_view key, double usual) {
@@ -94,7 +94,7 @@ base::Result<scene::HeightGrid> grid_of(const Workbench& workbench, const Json& 
     const Json* const range = request.find("range");
     const double half = number_of(request, "domain", 1);
     scene::HeightGrid grid{scene::even_positions(wanted.points), scene::even_positions(wanted.slices), {}, {-half, half}, {-half, half}, {}};
-    if (heights->size() != wanted.points * wanted.slices) return base::bad_input("found another number of heights than points times slices");
+    if (heights->size() != wanted.points * wanted.slices) return base::bad_input("the number of heights is not points times slices");
     for (const Json& each : heights->elements()) grid.heights.push_back(each.number().value_or(std::nan("")));
     if (!scene::anywhere_finite(grid.heights)) return base::bad_input("the expression has no value anywhere in its domain");
     grid.range = scene::finite_range(grid.heights);
@@ -128,10 +128,10 @@ skala::Device device_of(const Json& request) {
   return device == "alt256" ? skala::Device::alt256 : device == "calcomp" ? skala::Device::calcomp : device == "minigraf" ? skala::Device::minigraf : skala::Device::ef9365;
 }
 
-// Skala's program on an 8080 whose host computer sends the picture.
+// Makes an 8080 with Skala's program, to which a host computer sends the picture.
 Json make_skala(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
-  if (!grid) return refusal(grid.error().message());
+  if (!grid) return error_answer(grid.error().message());
   const skala::Device device = device_of(request);
   const skala::Program& program = skala::resident_program();
   workbench.put_file(".skala.stream", skala::stream_of(*grid, view_of(request), {device}));
@@ -147,14 +147,14 @@ Json make_skala(Workbench& workbench, const Json& request) {
   return made;
 }
 
-// What hiding costs: the drawing time of the picture with its hidden lines removed, and of all its lines, on the same machine.
+// The cost of the visibility test: the drawing times with hidden lines removed and with all lines, on the same machine.
 Json cost(Workbench& workbench, const Json& request) {
   const auto grid = grid_of(workbench, request);
-  if (!grid) return refusal(grid.error().message());
+  if (!grid) return error_answer(grid.error().message());
   skala::View view = view_of(request);
   view.visibility = true;
   const auto run = skala::run({.grid = *grid, .view = view, .device = device_of(request), .time_plain = true});
-  if (!run) return refusal(run.error().message());
+  if (!run) return error_answer(run.error().message());
   return Json{{"with", run->picture.drawing.count()}, {"without", run->plain_drawing->count()}};
 }
 
@@ -169,10 +169,10 @@ base::Result<scene::CellScene> jones_scene(const Workbench& workbench, const std
 
 Json make_jones(Workbench& workbench, const Json& request) {
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
-  if (!scene) return refusal(scene.error().message());
+  if (!scene) return error_answer(scene.error().message());
   const bool eae = flag_of(request, "eae", true);
   const auto program = programs::jones::assemble_program(*scene, {.eae = eae}, point_of(request.find("eye")));
-  if (!program) return refusal(program.error().message());
+  if (!program) return error_answer(program.error().message());
   machines::Program image{{}, program->labels.start};
   for (std::uint32_t at = 0; at < program->core.size(); ++at) image.words.emplace_back(at, program->core[at].value());
   std::uint32_t switches = (flag_of(request, "stereo") ? 1U : 0U) | (flag_of(request, "immediate") ? 2U : 0U);
@@ -197,24 +197,24 @@ Json make_jones(Workbench& workbench, const Json& request) {
   return made;
 }
 
-// What an eye at "eye" sees of a scene of cells at scale "scale", exactly, as `compare` has it: the visible lines of the
-// scene's matter in the program's own windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" the pair.
+// The exact picture of a scene of cells from "eye" at scale "scale", as in `compare`: the visible lines of the scene's matter in
+// the program's windows, in points of the Type 340, [x0, y0, x1, y1]; with "stereo" those of both eyes.
 Json sight(Workbench& workbench, const Json& request) {
   namespace jones = programs::jones;
   const auto scene = jones_scene(workbench, text_of(request, "scene"));
-  if (!scene) return refusal(scene.error().message());
+  if (!scene) return error_answer(scene.error().message());
   const auto given = point_of(request.find("eye"));
-  if (!given) return refusal("eye: expected three whole numbers");
+  if (!given) return error_answer("eye: expected three whole numbers");
   const auto place = jones::viewpoint(*scene, *given);
-  if (!place) return refusal(place.error().message());
+  if (!place) return error_answer(place.error().message());
   const auto matter = oracle::Matter::of(*scene);
-  if (!matter) return refusal("the scene is too large for exact lines");
+  if (!matter) return error_answer("the scene is too large for exact lines");
   const auto scale = static_cast<std::int32_t>(std::clamp(number_of(request, "scale", 512), 64.0, 4096.0));
   const auto real_lines = matter->real_lines();
   Json lines = Json::array();
   const auto add = [&](jones::Pass pass, std::int32_t shift) {
     geometry::Point eye = *given;
-    // The eyes of a pair stay in the box in which the program moves.
+    // Both eyes of a pair stay in the box in which the program moves.
     if (shift != 0) eye[0] = std::clamp(eye[0] + shift, place->limits.low[0], place->limits.high[0]);
     const jones::Window shown = jones::window_of(pass, scale, 0);
     oracle::Window window;
@@ -237,28 +237,28 @@ Json sight(Workbench& workbench, const Json& request) {
 
 Json explain(Workbench& workbench, const Json& request) {
   const explain::Explainer* const explainer = explain::find_explainer(text_of(request, "algorithm"));
-  if (explainer == nullptr) return refusal("there is no lesson of that name");
+  if (explainer == nullptr) return error_answer("there is no lesson of that name");
   base::Result<explain::Lesson> lesson = base::bad_input("");
   std::string name = text_of(request, "scene");
   if (explainer->heights != nullptr) {
     const auto grid = grid_of(workbench, request);
-    if (!grid) return refusal(grid.error().message());
+    if (!grid) return error_answer(grid.error().message());
     name = text_of(request, "function");
     lesson = explainer->heights(*grid, number_of(request, "rotation", 30), number_of(request, "elevation", 30));
   } else {
     auto loaded = scene_named(workbench, name);
-    if (!loaded) return refusal(loaded.error().message());
+    if (!loaded) return error_answer(loaded.error().message());
     const auto camera = camera_of(loaded->scene, request);
-    if (!camera) return refusal(camera.error().message());
+    if (!camera) return error_answer(camera.error().message());
     lesson = explain::explain_scene(*explainer, *loaded, *camera);
   }
-  if (!lesson) return refusal(lesson.error().message());
+  if (!lesson) return error_answer(lesson.error().message());
   lesson->scene = name;
   const auto text = explain::json_of(*lesson);
   return *base::parse_json(text, "lesson");
 }
 
-// The sources of the programs that are built in, by folder and file: "jones/tape1-control.s".
+// The sources of the built-in programs, by folder and file: "jones/tape1-control.s".
 Json firmware() {
   Json sources = Json::object();
   const auto add = [&sources](std::string_view folder, auto files) {
@@ -287,12 +287,12 @@ Json lists() {
 
 }  // namespace
 
-Json studio_answer(Workbench& workbench, std::string_view what, const Json& request) {
+Json pictures_answer(Workbench& workbench, std::string_view what, const Json& request) {
   if (what == "lists") return lists();
   if (what == "firmware") return firmware();
   if (what == "scene") {
     const auto loaded = scene_named(workbench, text_of(request, "scene"));
-    return loaded ? scene_json(*loaded) : refusal(loaded.error().message());
+    return loaded ? scene_json(*loaded) : error_answer(loaded.error().message());
   }
   if (what == "draw") return draw(workbench, request);
   if (what == "explain") return explain(workbench, request);
