@@ -19,10 +19,10 @@ namespace {
 namespace jones = programs::jones;
 namespace oracle = algorithms::oracle;
 
-constexpr double forgiven = 1;  // points
+constexpr double forgiven = 1;  // points; smaller errors are ignored
 constexpr double usual_eyes = 4000;
 
-// The middle of step `number` of `steps` from low to high.
+// The centre of step `number` of `steps` from low to high.
 std::int32_t middle_of(geometry::Span span, int number, int steps) {
   return static_cast<std::int32_t>(span.low + span.length() * (2 * number + 1) / (2 * std::int64_t{steps}));
 }
@@ -54,7 +54,7 @@ std::string names_of(const std::array<bool, jones::roundings>& finer) {
   return text;
 }
 
-// Every view's first view of its cluster.
+// A union-find structure: each view links to the first view of its cluster.
 class Connected {
  public:
   explicit Connected(std::size_t count) : before_(count) {

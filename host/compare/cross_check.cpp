@@ -85,7 +85,7 @@ const auto* find_in(const Table& table, std::string_view name) {
   return found != table.end() ? &*found : nullptr;
 }
 
-// What the PDP-7 shows of the views, before all others: those with lines draw theirs at its angles, too.
+// The PDP-7's picture of the views, drawn before all others: participants with lines draw theirs at its angles, too.
 struct TurnedView {
   std::optional<ScreenPicture> screen;
   std::string problem;
@@ -95,10 +95,10 @@ struct TurnedViews {
   std::vector<TurnedView> views;
 };
 
-// The machine's lines in the pixels of a view.
+// The machine's lines in pixels of a view.
 std::vector<picture::PixelSegment> lines_in_view(const Turning& turning, const CommonScene& scene, const CrossCheckView& view,
                                                  const TurnPicture& shown) {
-  // The scene was moved to the axis, by as much as any of its vertices.
+  // The scene was moved to the axis; every vertex by the same amount.
   scene::PolyPoint moved = scene.scene.vertices.front();
   for (std::size_t a = 0; a < 3; ++a) moved[a] -= turning.standing().vertices.front()[a];
   const picture::PixelPoint on_axis = view.place(moved);
@@ -108,11 +108,11 @@ std::vector<picture::PixelSegment> lines_in_view(const Turning& turning, const C
     lowest = std::min<double>(lowest, v[1]);
     highest = std::max<double>(highest, v[1]);
   }
-  // A view may have to its left what the machine's screen has to its right.
+  // The machine's screen may show the scene's left side at the right.
   const double turn = shown.angle * 2 * std::numbers::pi / (1 << 18);
   const auto& right = view.camera.right;
   const double sign = right[0] * std::cos(turn) - right[2] * std::sin(turn) < 0 ? -1 : 1;
-  const double pixels = view.window().scale / turning.scale();  // in a point of the display
+  const double pixels = view.window().scale / turning.scale();  // per point of the display
   const auto placed = [&](const picture::PixelPoint& p) {
     return picture::PixelPoint{on_axis.x + sign * (p.x - 512) * pixels,
                                on_axis.y + (p.y - 512) * pixels + (lowest + highest) / 2 * turning.scale() * pixels};
@@ -155,7 +155,7 @@ TurnedViews turned_views(const CommonScene& scene) {
   return turned;
 }
 
-// The views of one participant that are not listed as not applicable.
+// Draws the views of one participant that are not listed as not applicable.
 class Drawing {
  public:
   Drawing(const CommonScene& scene, const Participant& who, const CrossCheckTables& tables, const TurnedViews& turned)
@@ -210,8 +210,8 @@ class Drawing {
     });
   }
 
-  // The real lines of a scene of cells: of its own cells, by a method that takes cells, or of its matter; the edges of faces, by one that
-  // knows no other lines.
+  // The real lines of a scene of cells: by a method that takes cells, of its own cells; by others, of its matter; by
+  // a method without other lines, the edges of faces.
   void draw_matter(const registry::LineAlgorithm& algorithm) {
     const bool of_faces = algorithm.prepare_cells == nullptr && !algorithm.draws_crossings;
     const scene::PolyScene& scene = of_faces ? scene_.matter->with_box() : scene_.scene;
@@ -225,7 +225,7 @@ class Drawing {
         picture.problem = seen.error().message();
         return;
       }
-      picture.same_by_image = true;  // edges of other names may lie on each other
+      picture.same_by_image = true;  // edges with different names may coincide
       picture.lines = of_faces ? scene_.matter->on_lines(seen->picture, eye) : std::move(seen->picture);
     });
   }
@@ -249,7 +249,7 @@ class Drawing {
     });
   }
 
-  // The lines again, at the angle of the machine that turns the scene.
+  // Draws the lines again, at the angle of the machine that turns the scene.
   void draw_on_screen(const registry::LineAlgorithm& algorithm, const registry::PreparedScene& prepared, const CrossCheckView& view,
                       CrossCheckPicture& picture) {
     const TurnedView& turned = turned_.views[static_cast<std::size_t>(&view - scene_.views.data())];
@@ -322,7 +322,7 @@ class Drawing {
   std::vector<CrossCheckPicture> pictures_;
 };
 
-// Everything that two participants can be compared by, of one view.
+// All comparisons of two participants for one view.
 std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView& view, const Participant& a,
                                   const CrossCheckPicture& of_a, const Participant& b,
                                   const CrossCheckPicture& of_b) {
@@ -356,7 +356,7 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView
   return all;
 }
 
-// Of scenes of cells nobody has faces.
+// No participant has faces of scenes of cells.
 bool is_complete(const CommonScene& scene, const Participant& who, const CrossCheckPicture& picture) {
   return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || scene.matter || picture.faces) &&
          (!who.screen || picture.screen) && (!who.jones || picture.builds) && (!who.ink || picture.ink);

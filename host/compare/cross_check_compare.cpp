@@ -45,7 +45,7 @@ std::string first_difference(const NamedLines& a, const NamedLines& b) {
                      drawn(j, q.end()));
 }
 
-// The first piece of a whose image is not wholly in the other's.
+// The first piece of a whose image is not completely in the other's.
 std::optional<std::string> first_outside(const NamedLines& a, const picture::ImageSet& other,
                                          std::string_view other_name, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera) {
@@ -93,7 +93,7 @@ std::string pixel_difference(const CommonScene& scene, const NamedFaces& a, cons
                      face_name(scene, b.faces->values[index]));
 }
 
-// A boundary pixel, as pixel_metrics.hpp has it.
+// Whether this is a boundary pixel as defined in pixel_metrics.hpp.
 bool at_edge(const std::vector<PixelSegment>& edges, const PixelGrid& grid, std::size_t index) {
   const auto width = static_cast<std::size_t>(grid.width);
   const PixelPoint p{static_cast<double>(index % width), static_cast<double>(index / width)};
@@ -106,7 +106,7 @@ bool at_edge(const std::vector<PixelSegment>& edges, const PixelGrid& grid, std:
   });
 }
 
-// Points along the lines of a view, to be found by place.
+// Points along the lines of a view, indexed by place.
 class DrawnPoints {
  public:
   struct Point {
@@ -114,7 +114,7 @@ class DrawnPoints {
     std::uint32_t piece = 0;
   };
 
-  // Lines are drawn to within `error` pixels.
+  // Lines are accurate to within `error` pixels.
   DrawnPoints(int size, const std::vector<PixelSegment>& lines, double error = 0)
       : size_(size), reach_(1 + error), buckets_(static_cast<std::size_t>(size_ * size_)) {
     std::uint32_t number = 0;
@@ -122,7 +122,7 @@ class DrawnPoints {
   }
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  // How far a line may be from a change of face, in pixels.
+  // The greatest distance, in pixels, of a line from a change of face.
   [[nodiscard]] double reach() const { return reach_; }
   template <class Test>
   [[nodiscard]] bool any_near(const PixelPoint& p, double distance, Test&& test) const {
@@ -136,7 +136,7 @@ class DrawnPoints {
             return true;
     return false;
   }
-  // Away from the border, and no other line within twice the reach.
+  // Whether a point is away from the border, with no other line within twice the reach.
   [[nodiscard]] bool alone(const Point& point) const {
     const double border = 2 * reach_;
     const auto& [x, y] = point.place;
@@ -166,7 +166,7 @@ class DrawnPoints {
   std::vector<Point> points_;
 };
 
-// Distance of a point from the way between the middles of two neighbours.
+// The distance of a point from the segment between the centres of two adjacent pixels.
 double from_step(const PixelPoint& p, int column, int row, bool upwards) {
   const double along = upwards ? p.y - row : p.x - column;
   const double aside = upwards ? p.x - column : p.y - row;
@@ -186,7 +186,7 @@ bool changes_near(const PixelGrid& faces, const PixelPoint& p, double distance) 
   return false;
 }
 
-// Of some number of things how many fail, and the first.
+// Counts checks and failures, and stores the first failure.
 struct Failures {
   std::uint64_t all = 0;
   std::uint64_t failed = 0;

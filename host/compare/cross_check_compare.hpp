@@ -1,8 +1,5 @@
-// Two pictures of one view compared: lines piece by piece or as images, faces pixel by pixel,
-// and lines against faces: where the face changes there is a line, and where a line is by itself the face
-// changes.
-//
-// Source: the suite's cross-check of algorithms, sections 2 (line picture against filled picture) and 4.
+// Compares two pictures of one view: lines piece by piece or as images, faces pixel by pixel, and lines with faces:
+// there is a line where the face changes, and the face changes at an isolated line.
 #pragma once
 
 #include <string>
@@ -16,14 +13,15 @@
 
 namespace sightline::compare {
 
-// How far a machine's picture is from another one, in points of its device, and how far its words let it be.
+// The distance of a machine's picture from another one, in points of its device, and the bound that follows from its
+// words.
 struct MachineDistance {
-  std::string what;  // the build, or picture and device; and what is measured from there
+  std::string what;  // the build, or picture and device; and which lines are measured from which
   double found = 0;
   double bound = 0;
 };
 
-// What came out, in words: of a difference, where it is first.
+// The result in words; of a difference, the first place.
 struct ViewVerdict {
   bool agrees = false;
   std::string_view how;  // "pieces", "image", "pixels", "lines on pixels", "points", "words"

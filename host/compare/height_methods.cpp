@@ -66,7 +66,7 @@ std::optional<std::string> why_no_native(const HeightGrid&, const View& view) {
   return std::nullopt;
 }
 
-// One point a column, or a row if it is steep: the nearest to the line.
+// One point per column, or per row for a steep line: the nearest to the line.
 void put_line(PixelGrid& grid, picture::DrawingPoint from, picture::DrawingPoint to) {
   const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
   picture::PixelPoint a{steep ? from.y : from.x, steep ? from.x : from.y};

@@ -20,19 +20,19 @@ namespace {
 namespace jones = programs::jones;
 using picture::PixelPoint;
 
-constexpr double half = 0.5;                        // a unit rounded
-constexpr double corner = 1 / std::numbers::sqrt2;  // a point with both coordinates rounded
-constexpr double on_line = 1e-6;                    // units: a distance of nothing
+constexpr double half = 0.5;                        // the error of a rounded unit
+constexpr double corner = 1 / std::numbers::sqrt2;  // the error of a point with both coordinates rounded
+constexpr double on_line = 1e-6;                    // units: shorter distances count as 0
 constexpr double no_area = 1e-6;
 
-// A straight line of the image, from one end to the other, and how far the computed ends can be from it.
+// A straight line of the image, from one end to the other, and the greatest error of its computed ends.
 struct Side {
   PixelPoint along;              // its direction, of length 1
-  std::array<double, 2> away{};  // at its beginning and its end, in units
+  std::array<double, 2> away{};  // the errors at its beginning and its end, in units
   bool of_window = false;
 
   [[nodiscard]] bool is_sloped() const { return along.x != 0 && along.y != 0; }
-  // Of a rounding by half a unit in these coordinates, the part at right angles to the line.
+  // The component at right angles to the line of a rounding by half a unit in these coordinates.
   [[nodiscard]] double across(bool x, bool y) const { return half * ((x ? std::abs(along.y) : 0) + (y ? std::abs(along.x) : 0)); }
   [[nodiscard]] double away_at(double share) const { return std::abs(1 - share) * away[0] + std::abs(share) * away[1]; }
 };
@@ -47,7 +47,7 @@ double cosine_of(const Side& a, const Side& b) {
   return std::abs(a.along.x * b.along.x + a.along.y * b.along.y);
 }
 
-// Projected, both ends.
+// A projected line: both ends are rounded.
 Side projected(const PixelPoint& a, const PixelPoint& b) {
   const double length = length_of(a, b);
   Side side{{(b.x - a.x) / length, (b.y - a.y) / length}, {}, false};
@@ -61,21 +61,21 @@ struct ClipCorner {
 };
 using Polygon = std::vector<ClipCorner>;  // counter-clockwise
 
-// What cuts: the left of a line.
+// A clip line; its left side is kept.
 struct ClipLine {
   PixelPoint at;
   Side side;
-  double length = 0;  // of the side; 0: a side of a box
+  double length = 0;  // of the side; 0: a side of the bounding box
 
   [[nodiscard]] double distance(const PixelPoint& p) const { return side.along.x * (p.y - at.y) - side.along.y * (p.x - at.x); }
   [[nodiscard]] bool holds(const PixelPoint& p) const { return distance(p) >= -on_line; }
-  // How far the computed one is off there.
+  // The error of the computed clip line at p.
   [[nodiscard]] double away(const PixelPoint& p) const {
     return length > 0 ? side.away_at((side.along.x * (p.x - at.x) + side.along.y * (p.y - at.y)) / length) : side.away[0];
   }
 };
 
-// The box first, then the sloped sides, as the program has them.
+// The bounding box first, then the sloped sides, as in the program.
 std::vector<ClipLine> clip_lines(const Polygon& mask) {
   std::vector<ClipLine> lines;
   constexpr std::array<PixelPoint, 4> ways{{{0, -1}, {0, 1}, {1, 0}, {-1, 0}}};  // x >= xlo, x <= xhi, y >= ylo, y <= yhi
@@ -83,7 +83,7 @@ std::vector<ClipLine> clip_lines(const Polygon& mask) {
     ClipLine line{mask.front().place, {way, {}, false}, 0};
     for (const ClipCorner& c : mask)
       if (line.distance(c.place) < 0) line.at = c.place;
-    // As far off as a side that lies on it, or else a corner.
+    // The error of a collinear side, or else that of a corner.
     double away = corner;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const Side& side = mask[i].next;
@@ -158,7 +158,7 @@ class Bound {
     }
   }
 
-  // The ring on the screen, drawn back into the bound.
+  // The ring on the screen, clipped to the box.
   [[nodiscard]] Polygon outline(const scene::Opening& opening, std::int32_t ahead) const {
     const jones::RingBound bound(jones::Axis{static_cast<std::uint8_t>(opening.place.axis + 1)}, ahead, window_.bound_factor);
     std::vector<PixelPoint> places;
@@ -191,11 +191,11 @@ class Bound {
     return doubled / 2;
   }
 
-  // Where a line from p to q is cut, and how far the computed place can be off.
+  // The point where a line from p to q is cut, and the bounds of its error.
   struct Cut {
     PixelPoint place;
-    double of_line = 0;  // from the line that is cut
-    double of_clip = 0;  // from the exact line that cuts
+    double of_line = 0;  // distance from the line that is cut
+    double of_clip = 0;  // distance from the exact clip line
     double along = 0;    // along the line that is cut
   };
   [[nodiscard]] Cut cut_at(const ClipLine& clip, const Side& side, const PixelPoint& p, const PixelPoint& q) const {
@@ -204,7 +204,7 @@ class Bound {
     Cut cut;
     cut.place = {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
     const bool box = clip.length == 0;
-    // A coordinate that both ends have stays, and one of a side of the box is its value.
+    // A coordinate that both ends share is kept; one of a side of the box is its value.
     const bool x = side.along.x != 0 && (!box || clip.side.along.y == 0);
     const bool y = side.along.y != 0 && (!box || clip.side.along.x == 0);
     const double lost = box ? 0 : share_ * length_of(p, q);
@@ -239,7 +239,7 @@ class Bound {
         entered = at.of_clip;
       }
     }
-    // What lies on a side of the box stays there.
+    // A point on a side of the box stays there.
     if (closing && clip.length > 0) left[*closing].next.away[1] = entered;
     if (closing && clip.length == 0) left[*closing].next.away = clip.side.away;
     polygon = std::move(left);

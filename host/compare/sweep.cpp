@@ -23,7 +23,7 @@ namespace {
 
 using base::Json;
 
-// FNV-1a over all that a method is given of the scene: a file that has changed is noticed.
+// FNV-1a over the scene's data that methods use, to detect a changed file.
 class Fingerprint {
  public:
   void add(std::uint64_t value) {
@@ -91,7 +91,7 @@ Json counts_of(const Counts& counts) {
   return document;
 }
 
-// What the measures do not say of a picture of lines.
+// The properties of a line picture that the measures do not contain.
 void add_lines(const ComparedPicture& row, Json& result) {
   if (row.pieces) {
     result["pieces"] = *row.pieces;
@@ -101,7 +101,7 @@ void add_lines(const ComparedPicture& row, Json& result) {
   if (!row.counts.empty()) result["counts"] = counts_of(row.counts);
 }
 
-// A method that draws faces, too, has two results.
+// A method that also draws faces has two results, so the second needs another name.
 std::string unused_name(const Json& results, const std::string& method) {
   return results.find(method) == nullptr ? method : method + " faces";
 }
@@ -110,7 +110,7 @@ bool is_asked(const SweepOptions& options, std::string_view method) {
   return std::find(options.methods.begin(), options.methods.end(), method) != options.methods.end();
 }
 
-// Those of method_names() that are among the one or the other.
+// The names of method_names() that are in one of the two lists.
 std::vector<std::string> with(const std::vector<std::string>& methods, const std::vector<std::string>& added) {
   std::vector<std::string> both;
   for (const std::string& name : method_names())
@@ -238,7 +238,7 @@ Json Sweep::scene_results(std::uint64_t number) const {
   }
   for (const auto& [method, reason] : comparison->not_applicable)
     if (is_asked(options_, method)) results[unused_name(results, method)] = {{"not_applicable", reason}};
-  // A display file that is not the twin's has no lines to measure, and is a defect.
+  // If the display file differs from the twin's, there are no lines to measure; that is a defect.
   if (comparison->guest && !comparison->guest->difference.empty())
     for (const std::string_view method : {jones_pdp7_name, jones_twin_name})
       if (is_asked(options_, method)) results[std::string(method)]["defect"] = comparison->guest->difference;

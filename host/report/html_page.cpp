@@ -15,15 +15,15 @@ namespace sightline::report {
 
 namespace {
 
-// Tables and galleries of more rows or pictures are folded within their chapter.
+// Longer tables and larger galleries are collapsed within their chapter.
 constexpr std::size_t most_unfolded = 12;
 
-// Columns that fit on paper at a readable size.
+// The number of columns that fit on paper at a readable size.
 constexpr std::size_t most_printed = 14;
 
 constexpr std::string_view replacement = "\uFFFD";
 
-// Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none. Unicode 15, table 3-7.
+// The bytes of the UTF-8 character at the beginning of `text`; 0 if there is none. Unicode 15, table 3-7.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
@@ -62,7 +62,7 @@ class HtmlWriter {
       add(section);
       html_ += "</section>\n";
     }
-    // Written first: it is known then what does not hold.
+    // Written first, to count the statements that do not hold.
     const std::string sections = std::exchange(html_, {});
     head();
     html_ += "<main>\n";
@@ -75,7 +75,7 @@ class HtmlWriter {
   }
 
  private:
-  // The header stays in sight and leads to the parts.
+  // The header stays visible and links to the parts.
   void head() {
     const std::string title = html_escaped(report_.title);
     html_ += fmt::format(
@@ -89,7 +89,7 @@ class HtmlWriter {
     html_ += "</nav></header>\n";
   }
 
-  // The filter of cards works without script: a choice hides the cards of the other tables.
+  // The filter of cards works without scripts: a choice hides the cards of the other tables.
   [[nodiscard]] std::string filter_style() const {
     std::string style;
     for (const Section& section : report_.sections)
@@ -132,7 +132,7 @@ class HtmlWriter {
     html_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_escaped(id), html_escaped(title));
   }
 
-  // Figures that follow each other stand side by side where the page is wide enough. Chapters are folded.
+  // Consecutive figures are side by side where the page is wide enough. Chapters are collapsed.
   void add(const Section& section) {
     bool in_row = false;
     bool in_chapter = false;
@@ -158,14 +158,14 @@ class HtmlWriter {
   }
 
   void add(const Paragraph& paragraph) { add(paragraph.text, ""); }
-  // And what does not hold in this run.
+  // Adds the text and the statements that do not hold in this run.
   void add(const Said& said, std::string_view look) {
     if (!said.text.empty() || said.failed.empty()) html_ += fmt::format("<p{}>{}</p>\n", look, html_escaped(said.text));
     for (const std::string& failed : said.failed)
       html_ += fmt::format("<p class=\"bad\">Not in this run: {}</p>\n", html_escaped(failed));
     failed_ += said.failed.size();
   }
-  void add(const Heading&) {}  // see add(Section)
+  void add(const Heading&) {}  // written by add(Section)
 
   void add(const Opening& opening) {
     html_ += "<div class=\"answers\">\n";
@@ -195,7 +195,7 @@ class HtmlWriter {
     html_ += "</div>\n</article>\n";
   }
 
-  // Choices of cards: which table's, and with which outcome.
+  // Choices of cards: by table, and by outcome.
   void add_filter(const Section& section) {
     constexpr std::string_view choice = "<label><input type=\"radio\" name=\"{}-{}\" {}> {}</label>\n";
     const std::string name = html_escaped(section.id);
@@ -210,7 +210,7 @@ class HtmlWriter {
     html_ += "</fieldset>\n</form>\n";
   }
 
-  // The first cell is the card's name; judgements stand below the rest.
+  // The first cell is the card's name; verdicts are below the rest.
   void add_cards(const Table& table) {
     html_ += "<div class=\"deck\">\n";
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -276,7 +276,7 @@ class HtmlWriter {
     if (folded) html_ += "</details>\n";
   }
 
-  // A title that can be linked to; folded: what follows is shown when it is opened.
+  // A title with an anchor. If folded, the following content is in a closed `details`.
   void begin(const std::string& id, const std::string& title, bool folded) {
     const std::string heading = fmt::format("<h4 id=\"{}\">{}</h4>", id, html_escaped(title));
     html_ += folded ? "<details><summary>" + heading + "</summary>\n" : heading + "\n";
@@ -287,7 +287,7 @@ class HtmlWriter {
                        [at](const auto& row) { return at < row.size() && is_number(row[at]); });
   }
 
-  // Over numbers a heading stands to the right as they do, and so does what stands for a missing one.
+  // The heading of a column of numbers is right-aligned, and so are its texts for missing numbers.
   void heading(const Column& column, bool numbers) {
     html_ += fmt::format("<th scope=\"col\"{}>{}", numbers ? " class=\"n\"" : "", html_escaped(column.title));
     if (!column.unit.empty()) html_ += "<small>" + html_escaped(column.unit) + "</small>";
@@ -296,7 +296,7 @@ class HtmlWriter {
 
   static std::string_view look_of(const Verdict& verdict) { return verdict.good ? " class=\"good\"" : " class=\"bad\""; }
 
-  // The first cell names the row and stays in sight.
+  // The first cell names the row and stays visible.
   void add(const Cell& cell, bool among_numbers, bool first) {
     std::string_view look;
     if (is_number(cell) || (among_numbers && std::holds_alternative<std::monostate>(cell)))
@@ -317,7 +317,7 @@ class HtmlWriter {
     html_ += "</figcaption></figure>\n";
   }
 
-  // Drawings on white are shown light on dark where the reader prefers that.
+  // Drawings on white are inverted if the reader prefers dark pages.
   static std::string_view look_of(const Figure& figure) {
     if (figure.media_type == "image/svg+xml") return " class=\"drawing\"";
     return figure.pixelated ? " class=\"pixelated\"" : "";
@@ -344,7 +344,7 @@ class HtmlWriter {
 
   const Report& report_;
   std::string html_;
-  std::size_t failed_ = 0;  // statements that do not hold
+  std::size_t failed_ = 0;  // number of statements that do not hold
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The program `sightline-report`, which `sightline report` becomes: the measurements and comparisons of all
-// algorithms as one page, with its tables beside it. It reads the command line that `sightline` was given.
+// The program `sightline-report`, which `sightline report` executes: writes the measurements and comparisons of all
+// algorithms as one page and its tables. It reads the command line that was given to `sightline`.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -38,7 +38,7 @@ void check_parts(const std::vector<int>& numbers) {
   }
 }
 
-// One line on a terminal, rewritten; nothing elsewhere.
+// Shows progress in one line on a terminal, rewritten for each step; shows nothing elsewhere.
 class StepLine {
  public:
   explicit StepLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}

@@ -13,7 +13,7 @@ namespace sightline::report {
 
 namespace {
 
-// What the work gives, or the failure that it throws.
+// The result of the work, or the error that it throws.
 template <class Work>
 auto caught(const Work& work) -> base::Result<decltype(work())> {
   try {
@@ -38,7 +38,7 @@ std::vector<Experiment> experiments_of(std::span<const int> parts) {
   return chosen;
 }
 
-// On `jobs` processors.
+// Runs the experiments on `jobs` processors.
 void run(std::span<const Experiment> experiments, unsigned jobs, const Context& context, Results& results) {
   base::OrderedWork<std::shared_ptr<void>> work;
   work.last = experiments.size();
@@ -50,7 +50,7 @@ void run(std::span<const Experiment> experiments, unsigned jobs, const Context& 
 }
 
 Results run_all(std::vector<Experiment> experiments, const Context& told) {
-  // Several experiments may tell of their progress and leave work at once.
+  // Several experiments may report progress and schedule work at the same time.
   std::mutex mutex;
   std::vector<std::function<void()>> left;
   Context context = told;

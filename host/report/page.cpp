@@ -27,7 +27,7 @@ Figure drawn(const Plot& plot) {
   return *std::move(figure);
 }
 
-// With so many places behind the point; counts as numbers, if places are asked for.
+// Numbers with `places` decimals; counts, too, if `places` is given.
 Cell with_places(const Cell& cell, int places) {
   if (places == Real::as_needed) return cell;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) return Real{static_cast<double>(*count), places};
@@ -35,7 +35,7 @@ Cell with_places(const Cell& cell, int places) {
   return cell;
 }
 
-// Nothing, if one of them is missing.
+// Empty if one of them is missing.
 Cell ratio_of(const Cell& here, double figure) {
   if (figure == 0) return {};
   if (const auto* const count = std::get_if<std::int64_t>(&here)) return Real{static_cast<double>(*count) / figure};

@@ -52,7 +52,7 @@ Json json_value(const Cell& cell) {
                     cell);
 }
 
-// 1048576.5 as 1 048 576.5, with narrow spaces that do not break.
+// Formats 1048576.5 as 1 048 576.5, with narrow no-break spaces.
 std::string grouped(std::string digits) {
   const std::size_t first = digits.front() == '-' ? 1 : 0;
   const std::size_t end = std::min(digits.find('.'), digits.size());
@@ -69,7 +69,7 @@ std::string shown_number(const Real& real) {
                                         : grouped(fmt::format("{:.{}f}", real.value, real.places));
 }
 
-// What is left out is said behind the rest.
+// Appends the statements that were left out.
 std::string with_failures(const Said& said) {
   std::string text = said.text;
   for (const std::string& failed : said.failed) text += (text.empty() ? "Not in this run: " : " Not in this run: ") + failed;

@@ -93,8 +93,8 @@ InputResult load_commands(std::string_view text, const HardCase& hard) {
   return input;
 }
 
-// All lines of up to 16 steps in both directions, each from either end, without the visibility test: 49 a
-// screen, none near another.
+// All lines of up to 16 steps in both directions, each from either end, without the visibility test: 49 per screen,
+// far apart.
 CaseInput all_octants() {
   constexpr int reach = 16;
   constexpr int pitch = 36;

@@ -21,7 +21,7 @@ using base::JsonReader;
 
 constexpr std::size_t longest_text = 400;
 
-// Reads the members of an object by name, each once, and refuses others.
+// Reads the members of an object by name, each once, and rejects unknown ones.
 class Members {
  public:
   Members(JsonReader& reader, const Json& object, std::string place)
@@ -151,7 +151,7 @@ class Members {
     Members members(reader_, json, place);
     members.read_options(options);
   }
-  // Points at one depth, in pieces; a gap between each two.
+  // Points at one depth, in pieces with gaps between them.
   void read(const Json& json, const std::string& place, algorithms::oracle::Chain& chain) {
     using algorithms::oracle::SegmentRole;
     std::vector<std::vector<std::array<int, 2>>> pieces;
@@ -208,7 +208,7 @@ class Members {
         .need("search", search)
         .need("builds", family.builds);
   }
-  // A case begins as its group says.
+  // A case inherits the members of its group.
   void read(const Json& json, const std::string& place, HardCaseGroup& group) {
     HardCase common;
     std::vector<const Json*> cases;

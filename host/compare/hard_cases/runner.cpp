@@ -47,7 +47,7 @@ Finding not_applicable(const std::string& why) {
   return {std::nullopt, "not applicable: " + why};
 }
 
-// What is wrong, one after the other; empty: nothing.
+// A list of errors; empty if there are none.
 class Complaints {
  public:
   void add(const std::string& text) { text_ += (text_.empty() ? "" : "; ") + text; }
@@ -85,7 +85,7 @@ void check_segments(const Expectation& expect, const LinePicture& picture, const
     complaints.add(fmt::format("{} lines not hidden", count));
 }
 
-// Whether faces that pass through each other are refused by name iff there are any.
+// Checks that bodies that intersect, and only these, are rejected with their names.
 Finding refused_by_name(const Expectation& expect, const std::string& error) {
   const bool named =
       expect.through && std::all_of(expect.through->begin(), expect.through->end(), [&](auto body) {
@@ -108,7 +108,7 @@ double area_of(const registry::FaceRegion& region) {
   return twice / 2;
 }
 
-// By body, whose faces are numbered over all bodies from 1.
+// By body; faces are numbered over all bodies from 1.
 class AreasByBody {
  public:
   explicit AreasByBody(const PolyScene& scene) : areas_(scene.bodies.size()) {
@@ -174,7 +174,7 @@ std::vector<oracle::RasterDot> dots_that_must_be_lit(const LitDots& lit, const s
   return dots;
 }
 
-// reach: of vectors, which may be a dot away from where a raster rounds them to.
+// reach: tolerance of vectors, which may be a dot away from a raster's rounded dots.
 void check_dots(const Expectation& expect, const scene::HeightGrid& grid, const algorithms::skala::View& view,
                 const PixelGrid& dots, int reach, Complaints& complaints) {
   const auto lit_dots = std::count(dots.values.begin(), dots.values.end(), 1U);
@@ -204,8 +204,8 @@ void compare_dots(const PixelGrid& truth, const PixelGrid& drawn, Complaints& co
     complaints.add(fmt::format("{} dots missing, {} too many", metrics.missing, metrics.extra));
 }
 
-// Straight on, rims are in one column with the ends of all slices. The raster's order, slices first, hides
-// one of the two there; vectors show both.
+// At a rotation of 0, the grid's side edges are in one column with the ends of all slices. The raster's order, slices
+// first, hides one of the two there; vectors show both.
 PixelGrid without_outer_columns(PixelGrid grid) {
   for (int y = 0; y < skala::raster_side; ++y)
     for (const int x : {0, skala::raster_side - 1}) grid.set(x, y, 0);
@@ -224,7 +224,7 @@ void compare_vectors(const PixelGrid& truth, const PixelGrid& drawn, bool straig
 
 // --- programs with cells
 
-// Why a scene of polyhedra cannot be one of Jones's program's.
+// Why a scene of polyhedra cannot be a scene for Jones's program.
 std::string why_no_cells(const PolyScene& scene) {
   if (const auto error = scene::why_no_grid(scene)) return error->message();
   for (const scene::PolyPoint& vertex : scene.vertices) {
@@ -315,7 +315,7 @@ bool is_method(std::string_view name) {
 
 std::vector<PolyCamera> CaseRun::cameras() const {
   if (!hard_.turn) return hard_.cameras.empty() ? std::vector{input_->scene->camera} : hard_.cameras;
-  // Directions of small whole numbers, fixed ones and any.
+  // Some fixed directions of small integers, and random ones.
   std::vector<std::array<std::int32_t, 2>> sights{{0, 1}, {1, 0}, {0, -1}, {-1, 0}, {1, 1}, {4, -3}, {3, 4}};
   std::mt19937 random(1990);
   const auto part = [&random] { return static_cast<std::int32_t>(random() % 20001) - 10000; };
@@ -370,8 +370,8 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
   Complaints complaints;
   const auto all = cameras();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    // Jones's cells are asked for the side looked into where the eye is on a face; others have no answer
-    // there.
+    // If the eye is on a face, Jones's cells are tested on the side of the direction of view; other methods have no
+    // answer there.
     const auto no_eye = scene::eye_error(scene, all[i]);
     if (no_eye && method != "jones") return not_applicable(no_eye->message());
     if (const auto reason = algorithm->why_not_seen(scene, all[i])) return not_applicable(*reason);
@@ -403,8 +403,8 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
   return complaints.finding();
 }
 
-// From the scene's own camera and from four sides, 90 degrees wide: within 0.75 points of an edge rounding
-// may choose either face.
+// From the scene's own camera and from four sides, 90 degrees wide. Within 0.75 points of an edge rounding may choose
+// either face.
 Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   constexpr int size = 128;
   const PolyScene& scene = *input_->scene;
@@ -450,7 +450,7 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   return {finding.good, fmt::format("{}: {}", finding.text, base::joined(found, ", "))};
 }
 
-// With corners on lines between stripes every pixel must be right; elsewhere those not on an edge.
+// With corners on lines between stripes every pixel must be right; otherwise only those not on an edge.
 Finding CaseRun::run_stripes(const MethodOptions& options) {
   namespace pixels = sightline::compare;
   const PolyScene& scene = *input_->scene;
@@ -488,7 +488,7 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
   return complaints.finding(on_edges);
 }
 
-// Farther than a point from what is seen is wrong.
+// Points of the display farther than one point from the reference are wrong.
 Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& options) {
   constexpr double wrong_from = 1;
   if (!input_->cells) return not_applicable(why_no_cells(*input_->scene));

@@ -28,7 +28,7 @@ constexpr std::uint64_t seed = 1971;
 constexpr std::uint64_t views = 100;
 constexpr std::uint64_t full_views = 1000;
 constexpr std::uint64_t level_views =
-    20;  // of each 100 of polyhedra: in parallel projection, as Plantinga's method needs it
+    20;  // of each 100 views of polyhedra: in parallel projection, as Plantinga's method needs
 constexpr std::uint64_t views_by_programs = 20;
 constexpr std::uint64_t views_of_faces = 2;
 
@@ -158,7 +158,7 @@ class Comparing {
   compare::Answer by_method_;
 };
 
-constexpr double microseconds = 1e6;  // of a second
+constexpr double microseconds = 1e6;  // per second
 
 std::optional<double> median(const std::optional<Spread>& spread, double unit = 1) {
   return spread ? std::optional(spread->median * unit) : std::nullopt;
@@ -203,7 +203,7 @@ std::vector<Pair> pairs_of(const Chosen<ComparisonScene>& rooms, std::optional<d
   return pairs;
 }
 
-// Where the advantage over `other` ends on this computer.
+// The openness up to which Jones's method is faster than `other` on this computer.
 std::string advantage(const std::vector<Pair>& pairs, std::string_view other) {
   const auto [last, first] = crossing_of(pairs);
   const auto ratio = [](const Pair& pair) {

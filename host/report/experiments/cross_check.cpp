@@ -34,14 +34,15 @@ Cell verdict_of(const CrossCheckCell& cell) {
   return {};
 }
 
-// Degrees in perspective, else scene units.
+// In perspective degrees, otherwise scene units.
 double extent_of(const compare::CrossCheckView& view) {
   const auto window = view.window();
   const double half = window.width / 2.0 / window.scale;
   return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
-// What Jones's and Skala's programs are measured against; other pairs of theirs say the same.
+// Whether the pair is one by which Jones's and Skala's programs are measured; their other pairs give no more
+// information.
 bool is_measured(const CrossCheckCell& cell) {
   return cell.first == "exact" || cell.second == compare::skala_8080_name;
 }

@@ -83,7 +83,7 @@ std::string listing_id(std::string_view file) {
   return id;
 }
 
-// Every file of a case once, in the order of the cases; a model is one of the program's own scenes.
+// Every file of a case once, in the order of the cases. A model is one of the program's own scenes.
 std::vector<InputFile> inputs_of(const Manifest& manifest) {
   std::vector<InputFile> inputs;
   for (const HardCaseGroup& group : manifest.groups) {
@@ -115,7 +115,7 @@ void case_table(Page& page, const HardCases& hard, CaseTable of) {
                                        {"expected", "Expected", &Case::expected},
                                        {"checked", "Checked", &Case::checked},
                                        {"commands", "Commands", &Case::commands}};
-  // Turns take no options.
+  // Cases of turns have no options.
   if (of.paper == "plantinga") std::erase_if(columns, [](const auto& column) { return column.column.key == "options"; });
   Table table{"hard-cases-" + of.paper, of.title, {}, {}, std::move(of.notes)};
   table.notes.emplace_back(
@@ -176,7 +176,7 @@ void first_failures_table(Page& page, const HardCases& hard) {
                "angles between events that scenes can have reach 2^-104."}});
 }
 
-// How many of those that are right or wrong are wrong, of a paper or of all.
+// Counts how many verdicts of a paper, or of all, are wrong.
 struct Tally {
   std::size_t wrong = 0;
   std::size_t all = 0;

@@ -27,7 +27,7 @@ namespace jones_precision = compare::jones_precision;
 constexpr int most_machine_fraction = 3;  // fraction bits
 constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
 
-// An error below this is numerical noise: the measure is computed in double precision.
+// A smaller error is numerical noise: the measure is computed in double precision.
 constexpr double noise_floor = 1e-9;
 
 double without_noise(double error) {
@@ -45,7 +45,7 @@ std::string place_of(const geometry::Point& p) {
   return fmt::format("({}, {}, {})", p[0], p[1], p[2]);
 }
 
-// The most fraction bits with which every view is complete; 0 if none are.
+// The most fraction bits with which every view is complete; 0 if there is no such number.
 int most_complete(const SceneViews& views, int word_bits) {
   for (int f = jones_precision::most_fraction_bits; f > 0; --f) {
     const jones_precision::Precision precision{jones_precision::NumberKind::fixed_point, word_bits, f, false};
@@ -57,7 +57,7 @@ int most_complete(const SceneViews& views, int word_bits) {
   return 0;
 }
 
-// What draws a scene exactly.
+// Draws a scene exactly.
 struct ExactScene {
   scene::PolyScene polyhedra;
   scene::CellComplex complex;
@@ -78,7 +78,7 @@ struct ExactScene {
     }
   }
 
-  // Nothing for an eye in a solid.
+  // Empty for an eye in a solid.
   [[nodiscard]] std::optional<picture::LinePicture> by_jones(std::size_t view) {
     auto seen = walker.visible_edges(cameras[view]);
     if (!seen) return std::nullopt;
@@ -101,7 +101,7 @@ struct ExactScene {
   }
 };
 
-// One scene in C++: rows, and the jobs that time them. `numbers` outlives it.
+// One scene in C++: rows, and the jobs that time them. `numbers` outlives this object.
 class Numbers {
  public:
   Numbers(const jones_precision::SixViews& six, std::vector<JonesNumber>& numbers) : views_(six), exact_(views_), numbers_(numbers) {
@@ -119,7 +119,7 @@ class Numbers {
   Numbers(const Numbers&) = delete;
   Numbers& operator=(const Numbers&) = delete;
 
-  // Interleaved over all arithmetic of the scene, six views a job.
+  // Interleaved over all arithmetics of the scene, six views per job.
   void take_times(int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
     for (std::size_t i = 0; i < times.size(); ++i)
@@ -158,7 +158,7 @@ class Numbers {
 
 void add_wrong_pieces(std::vector<JonesWrongPiece>& pieces, const SceneViews& views, const jones_precision::PrecisionStudy& study,
                       const jones_precision::Precision& precision) {
-  // The twin's pieces are the machine's, word for word.
+  // The twin's pieces equal the machine's, word for word.
   for (const jones_precision::NamedStretch& piece : study.measure(precision).clipped.named)
     pieces.push_back({views.name(), name(precision), place_of(views.eye(piece.view)), piece.stretch.extra, piece.stretch.length,
                       place_of(piece.stretch.line.from), place_of(piece.stretch.line.to)});
@@ -183,7 +183,7 @@ using Build = JonesBuild;
 using Number = JonesNumber;
 using ErrorOf = double (*)(const PictureError&);
 
-// An error that plots show.
+// An error shown in plots.
 struct Measure {
   std::string key;
   std::string title;
@@ -203,17 +203,17 @@ std::string_view points_of(bool rounded) {
   return rounded ? "rounded" : "truncated";
 }
 
-// Fraction bits are named at the points of one scene.
+// The number of fraction bits labels the points of one scene.
 CurveParts<Build> fraction_labels() {
   return {[](const Build& build) { return build.scene == "street4" ? fmt::format("f={}", build.fraction_bits) : std::string(); }};
 }
 
-// How many times the wrong length of one build is that of another.
+// The ratio of the wrong lengths of two builds.
 double times_wrong(const Build& of, const Build& to, PictureError Build::*which = &Build::computed) {
   return wrong_per_cent(of.*which) / wrong_per_cent(to.*which);
 }
 
-// "7.5 (house), ...": how many times the wrong length of each scene is with no fraction bits that with the most.
+// "7.5 (house), ...": for each scene, the ratio of the wrong length without fraction bits to that with the most.
 std::string gains_by_scene(const JonesAccuracy& machine, PictureError Build::*which) {
   std::vector<std::string> gains;
   for (const jones_precision::SixViews& six : jones_precision::six_views) {
@@ -223,7 +223,7 @@ std::string gains_by_scene(const JonesAccuracy& machine, PictureError Build::*wh
   return base::joined(gains, ", ");
 }
 
-// Of one fraction bit more, over all scenes.
+// The gains of one more fraction bit, over all scenes.
 std::vector<double> gains_of_a_bit(const JonesAccuracy& machine) {
   std::vector<double> gains;
   for (const jones_precision::SixViews& six : jones_precision::six_views)

@@ -1,10 +1,10 @@
-// The buildings are generate_big_rooms: n by n rooms, between which walls, doors and hatches are drawn by
-// lot, so that a building of another size is another building. From within, what can be compared is the time
-// of a visit to a cell, and the mean view over many eyes, which stand in the middle of rooms spread evenly
-// over the building. The very same view is had from a closed house of 64 rooms beside each.
+// The buildings are generate_big_rooms: n by n rooms between which walls, doors and hatches are random, so a building
+// of another size is another building. From inside, comparable are the time of a visit to a cell, and the mean view
+// from many eyes in the centres of rooms that are evenly distributed over the building. The view from a closed house
+// of 64 rooms beside each building is exactly the same.
 //
-// Only the smallest building and one other are in memory at a time. A round looks at each of the two some
-// times over, so that a computer that changes its speed does so for both; of the rounds the median counts.
+// Only the smallest building and one other are in memory at a time. A round draws views of both several times, so
+// that a computer whose speed changes affects both. The result is the median of the rounds.
 #include "host/report/experiments/jones_unseen.hpp"
 
 #include <fmt/core.h>
@@ -39,7 +39,7 @@ scene::CellComplex decomposed(const scene::PolyScene& scene) {
   return *std::move(cut);
 }
 
-// A house beside a building, ready for views. Stays where it is, since views point into it.
+// A house beside a building, ready for views. It must not be moved, because views point into it.
 struct Building {
   explicit Building(std::size_t rooms_a_side)
       : Building(rooms_a_side, scene::generate_house_beside(rooms_a_side)) {}
@@ -70,7 +70,7 @@ struct Building {
   double load_s;
 };
 
-// The rooms at which eyes stand: all of a small building, and evenly spread ones of a large one.
+// The rooms that contain eyes: all of a small building, evenly distributed ones of a large one.
 std::vector<std::int32_t> rooms_with_eyes(std::size_t side) {
   std::vector<std::int32_t> rooms;
   const std::size_t count = std::min(side, eyes_a_side);
@@ -82,7 +82,7 @@ std::vector<std::int32_t> rooms_with_eyes(std::size_t side) {
 JonesBuilding seen_from_within(Building& building, bool host_times) {
   JonesBuilding made;
   std::uint64_t visits = 0;
-  double views_s = 0;  // each the quickest of its repetitions
+  double views_s = 0;  // each the fastest of its repetitions
   for (const std::int32_t i : rooms_with_eyes(building.side)) {
     for (const std::int32_t j : rooms_with_eyes(building.side)) {
       scene::PolyCamera here = building.camera;
@@ -112,7 +112,7 @@ JonesBuilding seen_from_within(Building& building, bool host_times) {
   return made;
 }
 
-// The mean of a round; the first view, which finds another building in the caches, does not count.
+// The mean of a round without the first view, which finds another building in the caches.
 double round_of(Building& building) {
   static_cast<void>(building.walker.visible_edges(building.camera));
   const auto begun = Clock::now();
@@ -150,7 +150,7 @@ JonesHouse seen_from_house(Building& smallest, const View& first, Building& buil
 JonesUnseen jones_unseen(const Context& context) {
   JonesUnseen made;
   std::vector<std::size_t> sides{3, 10, 32, 100};
-  // What larger ones add is their times; the largest takes 1.5 GB.
+  // Larger buildings add times only; the largest takes 1.5 GB.
   if (context.host_times) sides.insert(sides.end(), {316, 500});
   if (context.host_times && context.full) sides.push_back(1000);
   Building smallest(sides.front());

@@ -49,7 +49,7 @@ JonesView view_of(const JonesOrder& order, const JonesRun& run) {
   return made;
 }
 
-// Fig. 6 gives six words an opening-element, and one for each vector.
+// Fig. 6 has six words per opening element, and one for each vector.
 JonesElements elements_of(const JonesOrder& order, const JonesRun& run) {
   constexpr std::size_t opening_head = 6;
   std::size_t of_openings = 0;
@@ -57,7 +57,7 @@ JonesElements elements_of(const JonesOrder& order, const JonesRun& run) {
   return {order.scene, run.program.program().scene.opening_words, of_openings, run.program.program().scene.cell_words};
 }
 
-// Of the scene with the EAE and without.
+// The times of a scene with and without the EAE.
 std::string both_times(const JonesViews& jones, const JonesView& view) {
   return fmt::format("{} s, without EAE {} s", shown(view.second_view_s, 3),
                      shown(jones.view(view.scene, false).second_view_s, 3));
@@ -196,7 +196,7 @@ void jones_timing(Page& page, const JonesViews& jones) {
                "place of the old. During the first view the display is dark; during the second it shows the first and takes "
                "cycles from the processor. The report ends with an error where a display file is not, word for word, the one "
                "the native twin makes."}});
-  // What is not seen changes nothing: the photograph of corridor32 is that of corridor8.
+  // The hidden part changes nothing: the photograph of corridor32 is that of corridor8.
   const auto drawing = [](const View& view) {
     return fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines", view.scene, shown(view.pieces));
   };

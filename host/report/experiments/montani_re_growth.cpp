@@ -27,9 +27,9 @@ namespace {
 namespace native = algorithms::montani_re;
 
 constexpr std::int32_t raster = 1024;
-constexpr std::size_t long_scene = 10000;  // one view of it takes seconds
+constexpr std::size_t long_scene = 10000;  // one view takes seconds
 
-// All of the faces.
+// A frame around all faces.
 native::StripeFrame frame_of(const native::FaceSet& set, const scene::PolyCamera& camera) {
   std::array<double, 2> low{1e300, 1e300};
   std::array<double, 2> high{-1e300, -1e300};

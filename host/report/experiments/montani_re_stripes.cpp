@@ -1,5 +1,5 @@
-// Stripes are drawn as the boundaries of what is seen of every face: their sides do not say whose edge they are, so that
-// lines are compared as sets of points, and what is within a pixel of the other set counts as found.
+// Stripes are drawn as the boundaries of the visible parts of every face. Their sides do not belong to an edge, so
+// lines are compared as sets of points, and a point within a pixel of the other set counts as found.
 #include "host/report/experiments/montani_re_stripes.hpp"
 
 #include <fmt/core.h>
@@ -33,14 +33,14 @@ using compare::PixelPlane;
 using compare::PixelView;
 using scene::PolyScene;
 
-// In 1/(16 * 65536) pixel, the ends of what a band covers at an ordinate.
+// The ends of the covered parts of a band at an ordinate, in 1/(16 * 65536) pixel.
 std::vector<std::int64_t> ends_at(const native::StripeBand& band, std::int32_t sixteenths) {
   std::vector<std::int64_t> ends;
   for (const native::StripeSide& side : band.sides) ends.push_back(side.at(sixteenths));
   return ends;
 }
 
-// Front to back, each face less the silhouette.
+// Front to back, each face without the silhouette.
 std::vector<PixelSegment> drawn_in_stripes(const native::FaceSet& set, const native::ListedFaces& listed,
                                            const native::StripeFrame& frame, std::int32_t units) {
   std::vector<PixelSegment> segments;
@@ -66,7 +66,7 @@ std::vector<PixelSegment> segments_of(const picture::LinePicture& lines, const P
   return segments;
 }
 
-// Exact regions at the middles of pixels.
+// Exact regions at the centres of pixels.
 PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set, const std::vector<native::TrapezoidPcs>& regions,
                           const native::StripeFrame& frame) {
   native::StripeRaster raster{frame.width, frame.height, {}, 0, 0};
@@ -91,13 +91,13 @@ PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set, co
   return compare::grid_of(scene, set, raster);
 }
 
-// What is true of a view.
+// The reference of a view.
 struct Truth {
   PixelView pixels;
   std::vector<picture::ReferenceLine> lines;
 };
 
-// Below this, distances are those of floating point in the measure itself.
+// Smaller distances are floating-point noise of the measure.
 double without_noise(double distance) {
   return distance < 1e-9 ? 0 : distance;
 }
@@ -110,7 +110,7 @@ Truth truth_of(const PolyScene& scene, const native::FaceSet& set, std::int32_t 
   return truth;
 }
 
-// Scenes and their pictures.
+// The scenes and their pictures.
 class Stripes {
  public:
   Stripes(const StripesOptions& options, std::vector<StripesPicture>& pictures) : options_(options), pictures_(pictures) {}
@@ -173,7 +173,8 @@ class Stripes {
   void add_picture(const std::string& family, const native::FaceSet& set, const Truth& truth, std::optional<double> thickness,
                    const PixelGrid& grid, const std::vector<PixelSegment>& drawn, std::uint64_t sides) {
     const auto pixels = picture::pixel_metrics(truth.pixels.truth, grid, truth.pixels.edges);
-    // Of no line of the truth: all is missing and extra, and what is far of both is what is asked for.
+    // The pieces belong to no line of the reference, so all of both is missing or extra, and only the far part is
+    // used.
     std::vector<picture::DrawnPiece> pieces;
     for (const PixelSegment& segment : drawn) pieces.push_back({static_cast<picture::LineId>(truth.lines.size()), segment});
     const auto lines = picture::line_metrics(truth.lines, pieces, {.points = 1, .seed = 1});
@@ -202,7 +203,7 @@ class Stripes {
   std::list<native::StripeFrame> frames_;
 };
 
-// What a plot has along x.
+// The x axis of a plot.
 struct ErrorMeasure {
   std::string key;
   double StripesPicture::*value;
@@ -210,7 +211,7 @@ struct ErrorMeasure {
   std::string unit;
 };
 
-// A curve for each scene; points of the exact build. Points of the first curve are labelled with their thickness.
+// A curve for each scene, and points of the exact build. The thickness labels the points of the first curve.
 template <class Y>
 void add_error_curves(Plot& plot, const std::vector<StripesPicture>& pictures, const ErrorMeasure& error, Y y) {
   const std::string first = pictures.front().scene;

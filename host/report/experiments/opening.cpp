@@ -40,7 +40,7 @@ Value done(base::Result<Value> result, base::ErrorKind kind = base::ErrorKind::p
   return std::move(*result);
 }
 
-// The rows of scenes and of methods, as comparisons are added.
+// Collects the rows of scenes and of methods from comparisons.
 class Gathering {
  public:
   void add(const std::string& scene, std::vector<compare::MethodView> views) {
@@ -85,7 +85,7 @@ void add_polyhedra(const compare::CompareOptions& options, Gathering& gathering,
       done(compare::compare_poly_scene(turned, parallel_camera(turned), options));
   gathering.add(fmt::format("boxes-{}, parallel", turned_boxes), method_views(comparison));
   answer.scenes += 2;
-  // The other methods are in the plot with the scene of cells.
+  // The other methods are in the plot by the scene of cells.
   for (compare::PlotPoint& point : compare::variants_of(turned, options, comparison))
     if (point.series.starts_with("plantinga") || point.series == compare::turn_name)
       answer.plotted.push_back(std::move(point));
@@ -109,8 +109,8 @@ void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer)
   }
 }
 
-// Who had the idea, and on what it runs. Methods that are not here, twins and other devices, are in the whole
-// table alone.
+// The author of a method, and its machine. Methods that are not listed here, twins and other devices, are only in the
+// whole table.
 struct KnownMethod {
   std::string_view method;
   std::string_view picture;
@@ -150,9 +150,9 @@ std::optional<double> most(const std::optional<Spread>& spread, double unit = 1)
   return spread ? std::optional(spread->greatest * unit) : std::nullopt;
 }
 
-constexpr double microseconds = 1e6;  // of a second
+constexpr double microseconds = 1e6;  // per second
 
-// "0.06 to 0.96 s" of the scenes of a method.
+// "0.06 to 0.96 s" over the scenes of a method.
 std::string emulated_range(const OpeningAnswer& answer, std::string_view method) {
   const auto range = range_of(where(answer.rows, is(&AnswerRow::method, method)),
                               [](const AnswerRow& row) { return most(row.emulated_seconds); });

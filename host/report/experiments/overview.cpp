@@ -10,7 +10,7 @@ namespace sightline::report {
 
 namespace {
 
-// Of two values, as "0.06 to 0.98".
+// A range as "0.06 to 0.98".
 template <class T>
 std::string span(const Range<T>& range, int places) {
   return fmt::format("{} to {}", shown(range.least, places), shown(range.greatest, places));
@@ -274,7 +274,7 @@ void finding_visibility_cost(Page& page, const SkalaPictures& skala) {
   panel.facts = {{"Here, 30 slices of 256 points", here(long_slices)},
                  {"Here, 60 slices of 33 points, rotated", here(short_slices)},
                  page.paper_says("skala.cost")};
-  // T-states of a point without the test, and what the test adds.
+  // T-states of a point without the test, and those that the test adds.
   const auto plain = [](const auto& rows) { return shown(ratio(sum(rows, &Row::plain_t_states), sum(rows, &Row::walked)), 0); };
   const auto test = [](const auto& rows) {
     return shown(ratio(sum(rows, &Row::drawing_t_states) - sum(rows, &Row::plain_t_states), sum(rows, &Row::walked)), 0);
@@ -398,7 +398,7 @@ void finding_normals(Page& page, const WillisOrder& willis) {
   panel.facts = {{"Greatest angle here, one surface hiding the other",
                   shown(greatest(willis.normals, &WillisNormals::greatest_degrees), 0) + " degrees"},
                  page.paper_says("willis.normals")};
-  // Where no pair that needs a cut is left.
+  // Wrong lines in models in which no pair is left over.
   const auto wrong = [&](bool rule) {
     return sum(where(willis.models, [rule](const Model& model) { return model.left_over == 0 && model.rule90 == rule; }),
                &Model::lines_wrong);

@@ -1,4 +1,4 @@
-// Reference: hidden-line removal from scratch, exact, at random angles of which the list of events knows nothing.
+// Reference: exact hidden-line removal from scratch, at random angles that are independent of the list of events.
 #include "host/report/experiments/plantinga_accuracy.hpp"
 
 #include <fmt/core.h>
@@ -45,24 +45,24 @@ double hidden_percent(const std::vector<compare::ExactFrame>& views) {
   return 100 * (1 - seen / all);
 }
 
-// Groups of events spread evenly and independently: the share of angles with one between them and the last
-// multiple of an angle.
+// The share of angles with an event group between them and the previous multiple of `degrees`, for groups that are
+// distributed evenly and independently.
 double expected_percent(std::size_t groups, double degrees) {
   const double each = static_cast<double>(groups) * degrees / 360;
   return each > 0 ? 100 * (1 - (1 - std::exp(-each)) / each) : 0;
 }
 
-// shown: the frame that is shown at an angle is that of which angle.
+// shown: gives the angle of the frame that is shown at an angle.
 TurnErrors errors_of(const StudiedModel& studied, const native::EventList& list, const std::vector<compare::ExactFrame>& views,
                      double degrees, const std::function<double(double)>& shown) {
   const compare::TurnError error = compare::turn_error(studied.model, list, views, shown);
-  // Equal places from different sums differ in their last bits.
+  // Equal positions computed in different ways differ in their last bits.
   const double share = error.wrong_length / error.all_length;
   return {studied.name, degrees, 100 * static_cast<double>(error.wrong_frames) / static_cast<double>(views.size()),
           expected_percent(studied.list.events.size(), degrees), share < 1e-12 ? 0 : 100 * share};
 }
 
-// What a plot has along x, and how wrong the wire frame of a model is by it.
+// The x axis of a plot, and the error of a model's wire frame on it.
 struct ErrorMeasure {
   std::string key;
   double TurnErrors::*value;

@@ -33,7 +33,7 @@ constexpr int frames_in_a_turn = 360;
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t side = 1024;  // pixels
 
-// The cheapest display: a pixel a step of a line's longer side.
+// The cheapest display: one pixel per step along a line's longer side.
 class Canvas {
  public:
   explicit Canvas(const native::RotationModel& model) : pixels_(side * side) {
@@ -62,7 +62,7 @@ class Canvas {
   double scale_ = 1;
 };
 
-// What all jobs on one model share. A list that was just made or read fits its graph: no step fails.
+// The common data of all jobs on one model. A list that was just made or read fits its graph, so no step fails.
 class Turntable {
  public:
   Turntable(const native::RotationModel& model, const native::EventList& list) : graph_(list), frame_(model), canvas_(model) {}
@@ -87,7 +87,7 @@ class Turntable {
   }
   void step_forward() { static_cast<void>(graph_.step_forward()); }
 
-  // 360 times.
+  // 360 frames.
   [[nodiscard]] Job rotation(double step, void (Turntable::*frame)()) {
     return [this, step, frame] {
       for (int i = 0; i < frames_in_a_turn; ++i) {
@@ -192,7 +192,7 @@ struct PrintedModel {
   double construction_s = 0;
 
   [[nodiscard]] double events_an_edge() const { return static_cast<double>(events) / static_cast<double>(edges); }
-  // But for rounding.
+  // Except for rounding.
   [[nodiscard]] bool agrees_with_itself() const { return std::abs(events_an_edge() - per_edge) <= 0.0501; }
   [[nodiscard]] bool has_numbers_of(const TurnModel& here) const {
     return vertices == here.vertices && edges == here.edges && faces == here.faces;
@@ -209,7 +209,7 @@ struct PrintedTable1 {
     }
   }
   [[nodiscard]] const PrintedModel& of(const std::string& model) const { return the(rows, is(&PrintedModel::model, model)); }
-  // A column of the row of the same model.
+  // A column with the value from the row of the same model.
   template <class T>
   [[nodiscard]] auto column(T PrintedModel::*member) const {
     return [this, member](const TurnModel& here) { return of(here.model).*member; };
@@ -272,7 +272,7 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
              {.notes = std::move(notes)});
 }
 
-// The row of a model in the paper's Table 2, frames a second.
+// The row of a model in the paper's Table 2, in frames per second.
 std::size_t row_of(const PrintedTable& table_2, std::string_view model) {
   for (std::size_t i = 0; i < table_2.rows.size(); ++i)
     if (table_2.text(i, "model") == model) return i;
@@ -303,7 +303,7 @@ void add_table_2(Page& page, const std::vector<TurnFrames>& frames) {
                  "RS/6000 model 320; here it is one core of this computer, medians of repeated rotations."}});
 }
 
-// Ratios of a frame to that of the wire frame: whether the claim that they are about as fast holds.
+// Checks the claim that a frame is about as fast as the wire frame, from ratios of both.
 std::string within_limit(const std::vector<TurnFrames>& frames, double (TurnFrames::*ratio)() const) {
   const std::size_t dear = count(frames, [ratio](const TurnFrames& f) { return (f.*ratio)() > 1.5; });
   return dear == 0 ? "the claim holds"

@@ -1,6 +1,6 @@
-// Reference: the native program with 16384 columns of masks, 64 to a dot of the 8080's raster: for the raster on
-// the same grid, for grids on slices of 1024 points, for contours on a grid four times as fine. The column oracle
-// cannot serve: it knows pictures of 256 by 256 rounded points only, and so has the very errors that are measured.
+// Reference: the native program with 16384 columns of masks, 64 per dot of the 8080's raster: for rasters on the same
+// grid, for grids on slices of 1024 points, for contours on a grid four times as fine. The column oracle cannot be
+// the reference: it has pictures of 256 by 256 rounded points only, with the very errors that are measured.
 #include "host/report/experiments/skala_accuracy.hpp"
 
 #include <fmt/core.h>
@@ -32,8 +32,8 @@ constexpr std::array<int, 5> raster_sizes{64, 128, 256, 512, 1024};
 constexpr std::array<int, 6> grid_points{8, 16, 32, 64, 128, 256};
 constexpr std::array<int, 6> level_counts{1, 2, 4, 8, 16, 32};
 constexpr std::size_t slices = 33;
-// So few points that they are more than two columns apart on 64 dots too: of nearer ones the host makes
-// curves of dots, which the program draws in another way.
+// So few points that they are more than two columns apart even on 64 dots. Of nearer points the host makes curves of
+// dots, which the program draws in another way.
 constexpr scene::GridSize raster_grid{17, slices};
 constexpr scene::GridSize board_grid{65, slices};
 constexpr std::size_t finest_slice = 1024;  // points
@@ -41,7 +41,7 @@ constexpr scene::GridSize contour_grid{33, 33};
 constexpr scene::GridSize finest_contour_grid{129, 129};  // all points of contour_grid are in it
 constexpr double rotation = 30;
 
-// Of 1024 a side in dots of a raster.
+// Converts pixels of a raster of 1024 to dots.
 double dots_of_pixels(double pixels, int raster) {
   return pixels * raster / 1024;
 }
@@ -50,7 +50,7 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
   return scene::sample(*scene::height_function(function), size);
 }
 
-// One picture in both programs' words.
+// One picture in the terms of both programs.
 struct Order {
   skala::Subject picture = skala::Subject::lines;
   int levels = 8;
@@ -96,7 +96,7 @@ skala::MachinePicture checked_picture(const scene::HeightGrid& grid, const Order
   return base::value_of(skala::run({.grid = grid, .view = view_of(order), .device = order.device, .link = order.link, .check = true})).picture;
 }
 
-// Measures pictures, and keeps what is to be timed when all are measured.
+// Measures pictures, and schedules the timing that follows when all are measured.
 class Study {
  public:
   Study(std::vector<SkalaPoint>& points, bool host_times) : points_(points), host_times_(host_times) {}
@@ -131,7 +131,7 @@ class Study {
     }
   }
 
-  // All at once, interleaved.
+  // Interleaves all of them.
   void take_times(int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
     for (std::size_t i = 0; i < times.size(); ++i) points_[timed_[i]].host_us = times[i] / 1000;
@@ -143,7 +143,7 @@ class Study {
     function_ = function;
   }
 
-  // drawing: of the program on the 8080; none: a picture of the native program.
+  // `drawing`: of the program on the 8080; empty: a picture of the native program.
   void add(int setting, int raster, const SurfaceError& error, std::optional<core::TStates> drawing) {
     SkalaPoint point{study_, function_, drawing ? "8080 and its twin" : "native", setting, raster, error, {}, {}, {}};
     if (drawing) {
@@ -159,7 +159,7 @@ class Study {
     later([stream = skala::stream_of(grid, view_of(order))] { (void)twin_of(stream); });
   }
 
-  // And the native program's picture as vectors.
+  // Adds the native program's picture as vectors, too.
   void add_both(int setting, const scene::HeightGrid& grid, const Order& order, const FinePicture& fine) {
     add_program(setting, grid, order, fine);
     const native::View view = native_view(order, native::View{}.columns);
@@ -206,7 +206,7 @@ double pixels_off(const Point& point) {
   return point.error.hausdorff;
 }
 
-// An error that plots show.
+// An error shown in plots.
 struct Measure {
   std::string key;
   std::string title;
@@ -225,7 +225,7 @@ Chosen<Point> of_study(const SkalaAccuracy& skala, std::string_view study, bool 
   return where(skala.points, [=](const Point& point) { return point.study == study && !(emulated_only && point.native()); });
 }
 
-// Settings are named at the points of one function.
+// The setting labels the points of one function.
 CurveParts<Point> labels_at(std::string function) {
   return {[function = std::move(function)](const Point& point) {
     return point.function == function ? fmt::format("{}", point.setting) : std::string();

@@ -39,7 +39,7 @@ std::string_view name_of(Subject subject) {
   return "";
 }
 
-// The program on the 8080 makes every dot of the EF9365 with a command of its own.
+// The program on the 8080 draws every dot of the EF9365 with a separate command.
 core::TStates dot_time() {
   return core::ClockRate{}.t_states_in(devices::ef9365::clocks(devices::ef9365::start_up_clocks + 1));
 }
@@ -93,7 +93,7 @@ std::vector<SkalaMemory> memory_of(const skala::Program& program) {
           same("capacity", 65536)};
 }
 
-// Seconds of a kind of picture beside the paper's.
+// The time of a kind of picture, and the paper's.
 ClaimRow time_row(const Page& page, const SkalaPictures& skala, std::string_view picture, std::string condition,
                   const std::string& more = {}) {
   const auto here = range_of(skala.of(picture), &SkalaPicture::drawing_s);

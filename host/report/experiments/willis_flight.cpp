@@ -43,12 +43,12 @@ picture::Image greys_of(std::span<const std::uint32_t> shown) {
   return image;
 }
 
-// 25 frames a second, but for the rounding of a frame.
+// 25 frames per second, except for rounding.
 bool reaches_25(const WillisFlight& flight) {
   return flight.worst_frames_a_second >= 24.9;
 }
 
-// Nothing, if no flight keeps up.
+// Empty if no flight reaches 25 frames per second.
 std::optional<std::uint32_t> most_pieces(const std::vector<WillisFlight>& flights,
                                          const std::function<bool(const WillisFlight&)>& holds) {
   const auto chosen = where(flights, [&](const WillisFlight& f) { return reaches_25(f) && holds(f); });

@@ -35,10 +35,10 @@ struct Measured {
 };
 
 void add_models(std::vector<WillisModel>& models, const WillisScene& scene, const TrueFaces& truth, bool full) {
-  // In space there are few lines that meet two surfaces, and finding them takes longer.
+  // In space few lines meet two surfaces, and finding them takes longer.
   const std::uint64_t lines = (full ? 40'000 : 4'000) / (scene.plan ? 1 : 4);
-  constexpr std::uint64_t more = 5;  // of balls of which nothing is left over: few are wrong, if any
-  std::optional<Measured> whole;     // of a model of which nothing is left over: the next ones are the same
+  constexpr std::uint64_t more = 5;  // for balls without pairs left over, where few lines are wrong, if any
+  std::optional<Measured> whole;     // of a model without pairs left over: further cuts do not change it
   for (const WillisModelKind& kind : willis_model_kinds()) {
     const willis::Model model = scene.model(kind.options());
     const bool left_over = !model.residual.empty();
@@ -91,9 +91,9 @@ WillisNormals normals_of(const WillisScene& scene) {
   return {scene.title(), pairs, over_90, greatest};
 }
 
-// What the boundaries of walls along x cover, as a share of the square of `length`, by counting.
+// The area inside the boundaries of walls along x, divided by the square of `length`, by counting.
 double counted_area(const std::vector<std::array<std::int32_t, 2>>& walls, std::int32_t length, willis::BoundaryShape shape) {
-  constexpr int steps = 600;  // of a square of three lengths around the first
+  constexpr int steps = 600;  // across a square of three lengths around the first wall
   std::vector<willis::Surface> surfaces;
   for (const auto& [from, to] : walls) {
     willis::Surface wall;
@@ -125,7 +125,7 @@ std::vector<WillisArea> boundary_areas() {
                counted_area({{0, length / 2}, {length / 2, length}}, length, BoundaryShape::oval))};
 }
 
-// Greys by face; points at which the order is wrong in red.
+// Greys by face; points with wrong order in red.
 picture::Image marked(const picture::PixelGrid& drawn, const picture::PixelGrid& truth) {
   picture::Image image(drawn.width, drawn.height, 3);
   for (int row = 0; row < drawn.height; ++row) {
@@ -141,7 +141,7 @@ picture::Image marked(const picture::PixelGrid& drawn, const picture::PixelGrid&
   return image;
 }
 
-// The view of the uncut model in which most is wrong; of several, the one in which most is seen.
+// The view with most errors in the uncut model; of several, the one in which most is visible.
 std::size_t worst_view(const TrueFaces& views, const willis::Model& uncut) {
   std::size_t worst = 0;
   std::pair<std::uint64_t, std::ptrdiff_t> most;
@@ -184,7 +184,7 @@ Said with_rule(const Page& page, const std::vector<WillisModel>& models) {
                     fmt::format("With the 90-degree rule, lines are wrong in {} of {} such models.", wrong, whole.size()));
 }
 
-// A curve for each scene and rule, boundaries being balls.
+// A curve for each scene and rule; boundaries are balls.
 template <class Y>
 void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, Said caption,
                     Axis y, Y value) {
@@ -213,7 +213,7 @@ WillisOrder willis_order(const Context& context) {
   for (const WillisScene& scene : willis_order_scenes()) {
     context.progress(fmt::format("{} by distance, cut to every depth", scene.title()));
     measured.normals.push_back(normals_of(scene));
-    // From among the solids, where the order is hardest. In plan the eye is between feet and tops, as it is
+    // The eye is among the solids, where ordering is hardest. In plan it must be between feet and tops, as it is
     // here.
     const TrueFaces truth(scene.scene, compare::cameras_within(scene.scene, WillisOrder::eyes), WillisOrder::points_a_side);
     add_models(measured.models, scene, truth, context.full);

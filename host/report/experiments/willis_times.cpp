@@ -22,7 +22,7 @@ namespace {
 namespace willis = algorithms::willis;
 namespace display = devices::priority_display;
 
-// Stays where it is: frames point into the model.
+// Must not be moved: frames point into the model.
 struct Flight {
   explicit Flight(WillisScene of)
       : scene(std::move(of)),
@@ -91,7 +91,7 @@ std::vector<WillisModelTime> model_times(int rounds) {
   return of_models;
 }
 
-// The figures of a frame's times; nothing without host times.
+// The time of a frame; empty without host times.
 std::optional<double> frame_ms(const WillisFrame& frame) {
   return frame.times ? std::optional(frame.times->frame_ms) : std::nullopt;
 }

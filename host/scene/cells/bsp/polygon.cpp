@@ -15,7 +15,8 @@ void find_corner(const Planes& planes, PlanePolygon& polygon, std::size_t i) {
                       planes[polygon.sides[i].half.plane]);
 }
 
-// Of a polygon with corners on both sides of `plane`, the part in front (sign 1) or behind (-1).
+// The part of a polygon with corners on both sides of `plane` that is in front of it (sign 1) or behind it
+// (-1).
 PlanePolygon part_of(const Planes& planes, const PlanePolygon& polygon, const std::vector<int>& corners,
                      std::uint32_t plane, int sign) {
   std::size_t i = 0;
@@ -90,8 +91,8 @@ PlanePolygon intersection(const Planes& planes, PlanePolygon a, const PlanePolyg
   return a;
 }
 
-// The axis along which the plane faces most is left out: along it the plane passes through whatever is
-// between the four planes of the box that bound the other two.
+// The axis along which the plane's normal is longest is left out. The plane crosses the prism between the
+// four box planes of the other two axes in a parallelogram.
 PlanePolygon widest_polygon(CellComplexBuilder& builder, std::uint32_t plane) {
   const geometry::Box outer = builder.complex().outer;
   const geometry::Vector3 normal = builder.complex().planes[plane].normal;
@@ -100,7 +101,7 @@ PlanePolygon widest_polygon(CellComplexBuilder& builder, std::uint32_t plane) {
   const std::size_t v = (axis + 2) % 3;
   PlanePolygon polygon;
   polygon.plane = plane;
-  // From the positive end of the axis u, v turn counterclockwise; from the other end, clockwise.
+  // From the positive end of the axis, u to v is counterclockwise; from the other end, clockwise.
   const HalfSpace low_v = builder.at_least(v, outer.low[v]);
   const HalfSpace high_v = builder.at_most(v, outer.high[v]);
   const bool same_end = normal[axis] > 0;

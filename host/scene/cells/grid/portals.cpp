@@ -53,7 +53,7 @@ std::optional<std::span<const Rectangle>> GridOpenings::between(const GridCell& 
   return openings_;
 }
 
-// Parts are cut at their unit's borders, so that one that crosses many units is not painted whole in each.
+// Covers are cut at their unit's borders, so that one across many units is not painted whole for each unit.
 void GridOpenings::gather_covers(const Meeting& meeting) {
   const GridPlanes& planes = space_.planes();
   covers_.clear();
