@@ -118,7 +118,7 @@ MethodView method_view(const TurnCheck& turn) {
 }
 
 // Dots lie within a point of unrounded lines, so only dots farther away are wrong.
-void tell_unrounded(const picture::DotsAndLines& unrounded, MethodView& view) {
+void set_unrounded(const picture::DotsAndLines& unrounded, MethodView& view) {
   view.unit = "px";
   view.all = unrounded.length;
   view.far = static_cast<double>(unrounded.dots_beyond_1) + unrounded.length_beyond_1;
@@ -132,7 +132,7 @@ MethodView method_view(const ComparedRaster& row) {
   view.rounding = "dots";
   view.raster = row.from_native;
   if (row.unrounded) {
-    tell_unrounded(*row.unrounded, view);
+    set_unrounded(*row.unrounded, view);
     return view;
   }
   view.unit = "dots";
@@ -151,7 +151,7 @@ MethodView method_view(const ComparedDevice& row) {
   view.defect = row.difference;
   view.emulated_seconds = core::in_seconds(row.time);
   if (row.unrounded) {
-    tell_unrounded(*row.unrounded, view);
+    set_unrounded(*row.unrounded, view);
   } else {
     view.unit = "dots";
     view.all = static_cast<double>(row.raster.lit_in_truth);

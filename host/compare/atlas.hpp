@@ -34,7 +34,7 @@ struct AtlasLattice {
 };
 inline constexpr int most_lattice_steps = 1000;
 // About 4,000 eyes in squares, no two of them equal.
-[[nodiscard]] AtlasLattice usual_lattice(const scene::CellScene& scene);
+[[nodiscard]] AtlasLattice default_lattice(const scene::CellScene& scene);
 // The centres of equal rectangles over the plan of the scene, row by row from the least z, without repetition.
 [[nodiscard]] std::vector<geometry::Point> lattice_eyes(const scene::CellScene& scene,
                                                         const AtlasLattice& lattice);
@@ -50,7 +50,7 @@ struct WrongCause {
   bool fraction_bits = false;
   // Otherwise: the view is right without the corners at which rounding made a mask concave. The line through two
   // corners that are close together then has another direction and cuts off parts far away from them.
-  bool hollow_mask = false;
+  bool concave_mask = false;
   // Otherwise: each entry makes the view right if these roundings of the program, in the order of `Rounding`, become
   // 32 times finer or more. All entries have the same, least number of roundings. Empty if none helps.
   std::vector<std::array<bool, programs::jones::roundings>> finer;
@@ -133,7 +133,7 @@ struct AtlasSummary {
   std::size_t worst = 0;        // view with the greatest wrong length; the slowest of equal ones
   std::size_t slowest = 0;
   std::vector<AtlasCluster> clusters;       // by wrong length, descending
-  std::optional<std::size_t> not_its_twin;  // a view where the guest differs from its twin
+  std::optional<std::size_t> differs_from_twin;  // a view where the guest differs from its twin
 };
 // At least one view is free (precondition).
 [[nodiscard]] AtlasSummary summary_of(const std::vector<AtlasView>& views);

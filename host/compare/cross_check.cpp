@@ -100,11 +100,11 @@ std::vector<picture::PixelSegment> lines_in_view(const Turning& turning, const C
                                                  const TurnPicture& shown) {
   // The scene was moved to the axis; every vertex by the same amount.
   scene::PolyPoint moved = scene.scene.vertices.front();
-  for (std::size_t a = 0; a < 3; ++a) moved[a] -= turning.standing().vertices.front()[a];
+  for (std::size_t a = 0; a < 3; ++a) moved[a] -= turning.scene_on_axis().vertices.front()[a];
   const picture::PixelPoint on_axis = view.place(moved);
-  double lowest = turning.standing().vertices.front()[1];
+  double lowest = turning.scene_on_axis().vertices.front()[1];
   double highest = lowest;
-  for (const scene::PolyPoint& v : turning.standing().vertices) {
+  for (const scene::PolyPoint& v : turning.scene_on_axis().vertices) {
     lowest = std::min<double>(lowest, v[1]);
     highest = std::max<double>(highest, v[1]);
   }
@@ -369,7 +369,7 @@ CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
   const auto add = [&cell](std::size_t view, const std::string& text) {
     cell.text += fmt::format("{}view {}: {}", cell.text.empty() ? "" : "; ", view + 1, text);
   };
-  if (const auto reason = nothing_in_common(a.name, b.name)) {
+  if (const auto reason = why_incomparable(a.name, b.name)) {
     cell.text = *reason;
     return cell;
   }
@@ -424,7 +424,7 @@ std::optional<std::string_view> listed_reason(std::string_view who, std::string_
   return std::nullopt;
 }
 
-std::optional<std::string_view> nothing_in_common(std::string_view a, std::string_view b) {
+std::optional<std::string_view> why_incomparable(std::string_view a, std::string_view b) {
   if (a != skala_8080_name && b != skala_8080_name) return std::nullopt;
   const std::string_view other = a == skala_8080_name ? b : a;
   if (other == oracle_name || registry::find_height_algorithm(other) != nullptr) return std::nullopt;
@@ -435,7 +435,7 @@ std::size_t listed_cells(const CommonScene& scene) {
   std::size_t cells = 0;
   for (const Participant& a : participants()) {
     for (const Participant& b : participants()) {
-      if (&a >= &b || nothing_in_common(a.name, b.name)) continue;
+      if (&a >= &b || why_incomparable(a.name, b.name)) continue;
       cells += std::any_of(scene.views.begin(), scene.views.end(), [&](const CrossCheckView& view) {
         return !listed_reason(a.name, scene.name, view.camera.perspective) &&
                !listed_reason(b.name, scene.name, view.camera.perspective);

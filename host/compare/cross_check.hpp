@@ -50,7 +50,7 @@ struct NotApplicable {
                                                             bool perspective);
 
 // Why the pictures of two participants cannot be compared, although both draw the scene.
-[[nodiscard]] std::optional<std::string_view> nothing_in_common(std::string_view a, std::string_view b);
+[[nodiscard]] std::optional<std::string_view> why_incomparable(std::string_view a, std::string_view b);
 
 // The registries that are cross-checked.
 struct CrossCheckTables {

@@ -38,11 +38,11 @@ std::string first_difference(const NamedLines& a, const NamedLines& b) {
   const auto [i, j] = std::mismatch(p.begin(), p.end(), q.begin(), q.end());
   const bool only_b = i == p.end() || (j != q.end() && j->edge < i->edge);
   const picture::LineEdge edge = only_b ? j->edge : i->edge;
-  const auto drawn = [&edge](auto piece, auto end) {
+  const auto piece_text = [&edge](auto piece, auto end) {
     return piece != end && piece->edge == edge ? "s = " + span_of(*piece) : std::string("nothing more");
   };
-  return fmt::format("edge {}-{}: {} draws {}, {} {}", edge.from, edge.to, a.name, drawn(i, p.end()), b.name,
-                     drawn(j, q.end()));
+  return fmt::format("edge {}-{}: {} draws {}, {} {}", edge.from, edge.to, a.name, piece_text(i, p.end()), b.name,
+                     piece_text(j, q.end()));
 }
 
 // The first piece of a whose image is not completely in the other's.
@@ -137,7 +137,7 @@ class DrawnPoints {
     return false;
   }
   // Whether a point is away from the border, with no other line within twice the reach.
-  [[nodiscard]] bool alone(const Point& point) const {
+  [[nodiscard]] bool is_isolated(const Point& point) const {
     const double border = 2 * reach_;
     const auto& [x, y] = point.place;
     if (x < border || y < border || x > size_ - 1 - border || y > size_ - 1 - border) return false;
@@ -201,7 +201,7 @@ struct Failures {
 Failures lines_without_change(const DrawnPoints& points, const PixelGrid& faces) {
   Failures failures;
   for (const DrawnPoints::Point& point : points.points())
-    if (points.alone(point)) failures.count(changes_near(faces, point.place, points.reach()), point.place);
+    if (points.is_isolated(point)) failures.count(changes_near(faces, point.place, points.reach()), point.place);
   return failures;
 }
 

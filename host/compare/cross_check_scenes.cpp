@@ -23,16 +23,16 @@ using scene::PolyPoint;
 using scene::PolyScene;
 
 // 38 times the rotation of the quaternion (6, 1, 0, 1): 13 degrees about x and y each.
-PolyPoint tilted(const PolyPoint& p) {
+PolyPoint tilt(const PolyPoint& p) {
   return {36 * p[0] - 12 * p[1] + 2 * p[2], 12 * p[0] + 34 * p[1] - 12 * p[2],
           2 * p[0] + 12 * p[1] + 36 * p[2]};
 }
 
 void tilt(PolyScene& scene) {
-  for (PolyPoint& p : scene.vertices) p = tilted(p);
+  for (PolyPoint& p : scene.vertices) p = tilt(p);
   PolyCamera& camera = scene.camera;
-  camera = {camera.perspective, tilted(camera.eye), tilted(camera.forward), tilted(camera.right),
-            tilted(camera.up)};
+  camera = {camera.perspective, tilt(camera.eye), tilt(camera.forward), tilt(camera.right),
+            tilt(camera.up)};
 }
 
 void enlarge(PolyScene& scene, std::int32_t times) {
@@ -173,7 +173,7 @@ CommonScene parallel_scene(std::string_view name, std::string_view title, PolySc
 CommonScene street() {
   CommonScene common = tilted_scene("C3", "street of 8 houses", poly_scene_of(built_in("street4")));
   common.views.push_back(common.views.back());
-  common.views.back().camera.eye = tilted({37, 160, 600});
+  common.views.back().camera.eye = tilt({37, 160, 600});
   return common;
 }
 

@@ -107,13 +107,13 @@ double distance_from_line(const PixelSegment& line, const PixelPoint& point) {
 // Visits every dot of a line of Skala's program with its position on the unrounded line.
 template <class Visit>
 void for_dots(const PixelSegment& image, const Visit& visit) {
-  const auto rounded = [](const PixelPoint& p) {
+  const auto nearest_point = [](const PixelPoint& p) {
     constexpr int last = programs::skala::raster_side - 1;
     return GridPoint{std::clamp(programs::skala::raster_coordinate(p.x), 0, last),
                      std::clamp(programs::skala::raster_coordinate(p.y), 0, last)};
   };
-  GridPoint at = rounded(image.a);
-  const GridPoint end = rounded(image.b);
+  GridPoint at = nearest_point(image.a);
+  const GridPoint end = nearest_point(image.b);
   const int u = std::abs(end.x - at.x);
   const int v = std::abs(end.y - at.y);
   const bool along_x = u >= v;
@@ -171,12 +171,12 @@ PixelGrid points_of(std::span<const picture::PenPath> paths, int side) {
 
 PixelGrid type340_points(std::span<const PixelSegment> lines, LongLines program) {
   PixelGrid grid(picture::screen_points, picture::screen_points);
-  const auto rounded = [](double value) {
+  const auto round_half_up = [](double value) {
     return static_cast<int>(std::clamp(std::floor(value + 0.5), 0.0, picture::screen_points - 1.0));
   };
   for (const PixelSegment& line : lines) {
-    const GridPoint from{rounded(line.a.x), rounded(line.a.y)};
-    const GridPoint to{rounded(line.b.x), rounded(line.b.y)};
+    const GridPoint from{round_half_up(line.a.x), round_half_up(line.a.y)};
+    const GridPoint to{round_half_up(line.b.x), round_half_up(line.b.y)};
     const int dx = std::abs(to.x - from.x);
     const int dy = std::abs(to.y - from.y);
     if (program == LongLines::jones && from == to) continue;
@@ -186,7 +186,7 @@ PixelGrid type340_points(std::span<const PixelSegment> lines, LongLines program)
   return grid;
 }
 
-std::vector<PixelSegment> divided_as(std::span<const PixelSegment> lines, std::span<const PixelSegment> pieces,
+std::vector<PixelSegment> divide_like(std::span<const PixelSegment> lines, std::span<const PixelSegment> pieces,
                                      double near) {
   std::vector<PixelSegment> divided;
   for (const PixelSegment& line : lines) {
@@ -218,7 +218,7 @@ std::vector<PixelSegment> divided_as(std::span<const PixelSegment> lines, std::s
 
 ComparedFlashes compare_flashes(std::span<const PixelSegment> exact, std::span<const PixelSegment> pieces,
                                 std::span<const core::Stroke> pass) {
-  ComparedFlashes compared{type340_points(divided_as(exact, pieces)), points_of(pass), {}};
+  ComparedFlashes compared{type340_points(divide_like(exact, pieces)), points_of(pass), {}};
   compared.difference = picture::raster_difference(compared.truth, compared.shown);
   return compared;
 }

@@ -12,7 +12,7 @@
 //              two sides in one step leave their corner out. On the raster board a dot shows its face; the faces of
 //              a picture (host/compare/faces.hpp) are its lit points.
 // On the Type 340, a line in two pieces lights other points than in one, and programs divide lines at cells.
-// divided_as() divides the exact lines at the same places.
+// divide_like() divides the exact lines at the same places.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ enum class LongLines : std::uint8_t { jones, turn };
                                                 LongLines program = LongLines::jones);
 
 // Divides the lines where pieces of a program's drawing that lie on them, within `near` points, begin and end.
-[[nodiscard]] std::vector<picture::PixelSegment> divided_as(std::span<const picture::PixelSegment> lines,
+[[nodiscard]] std::vector<picture::PixelSegment> divide_like(std::span<const picture::PixelSegment> lines,
                                                             std::span<const picture::PixelSegment> pieces, double near = 1);
 
 struct ComparedFlashes {

@@ -72,7 +72,7 @@ std::int32_t enlargement(const PolyScene& scene) {
 }
 
 // The scene for sight_in_parallel, enlarged about its centre.
-PolyScene enlarged(PolyScene scene) {
+PolyScene enlarge(PolyScene scene) {
   const PolyPoint middle = scene::bounds_of(scene).middle();
   const std::int32_t times = enlargement(scene);
   for (PolyPoint& v : scene.vertices)
@@ -129,7 +129,7 @@ FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const reg
       camera_(camera),
       window_(window),
       edges_(image_of_edges(scene, camera, window)) {
-  Sights sights{camera.perspective ? scene : enlarged(scene),
+  Sights sights{camera.perspective ? scene : enlarge(scene),
                 camera.perspective ? sight_in_perspective(camera, window) : sight_in_parallel(scene, camera, window),
                 {}};
   for (std::size_t body = 0; body < scene.bodies.size(); ++body)
@@ -149,7 +149,7 @@ base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& 
   return FaceTruth(scene, camera, window);
 }
 
-base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& algorithm, bool host_times) const {
+base::Result<ComparedFaces> FaceTruth::compare(const registry::FaceAlgorithm& algorithm, bool host_times) const {
   registry::FaceOptions options;
   options.vertical = scene::frame_of(camera_).vertical;
   options.most_pairs = most_willis_pairs;
@@ -158,7 +158,7 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
   const auto& faces = *prepared;
   auto view = faces.view(camera_, window_);
   if (!view) return std::move(view.error());
-  ComparedFaces result = compared(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
+  ComparedFaces result = compare(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
   result.counts = faces.counts;
   result.counts.insert(result.counts.end(), view->counts.begin(), view->counts.end());
   for (const registry::FaceCount& count : result.counts)
@@ -171,7 +171,7 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
   return result;
 }
 
-ComparedFaces FaceTruth::compared(std::string name, PixelGrid drawn, std::size_t not_solved) const {
+ComparedFaces FaceTruth::compare(std::string name, PixelGrid drawn, std::size_t not_solved) const {
   PixelGrid truth = faces_;
   for (int row = 0; row < window_.height; ++row) {
     for (int column = 0; column < window_.width; ++column) {

@@ -46,10 +46,10 @@ class FaceTruth {
                                                   const scene::PolyCamera& camera);
 
   // An error says why the algorithm does not apply.
-  [[nodiscard]] base::Result<ComparedFaces> compared(const registry::FaceAlgorithm& algorithm, bool host_times = false) const;
+  [[nodiscard]] base::Result<ComparedFaces> compare(const registry::FaceAlgorithm& algorithm, bool host_times = false) const;
 
   // Compares a picture that was made elsewhere in the same window.
-  [[nodiscard]] ComparedFaces compared(std::string name, picture::PixelGrid drawn, std::size_t not_solved) const;
+  [[nodiscard]] ComparedFaces compare(std::string name, picture::PixelGrid drawn, std::size_t not_solved) const;
 
   [[nodiscard]] const picture::PixelGrid& faces() const { return faces_; }
   [[nodiscard]] const registry::FaceWindow& window() const { return window_; }

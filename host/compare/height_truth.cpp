@@ -285,7 +285,7 @@ class HeightLines::Hidden {
     }
   }
 
-  [[nodiscard]] picture::LineParts seen() && {
+  [[nodiscard]] picture::LineParts visible_parts() && {
     return picture::without(
         {{0, 1}}, picture::common(picture::united(std::move(below_)), picture::united(std::move(above_))));
   }
@@ -329,7 +329,7 @@ std::vector<LinePart> HeightLines::seen_of(const Edge& line) const {
         hidden.hide_behind(edge);
     }
   }
-  return std::move(hidden).seen();
+  return std::move(hidden).visible_parts();
 }
 
 LineId HeightLines::line_at(const PixelSegment& piece, std::uint32_t level) const {

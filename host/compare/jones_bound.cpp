@@ -48,7 +48,7 @@ double cosine_of(const Side& a, const Side& b) {
 }
 
 // A projected line: both ends are rounded.
-Side projected(const PixelPoint& a, const PixelPoint& b) {
+Side project_side(const PixelPoint& a, const PixelPoint& b) {
   const double length = length_of(a, b);
   Side side{{(b.x - a.x) / length, (b.y - a.y) / length}, {}, false};
   side.away.fill(side.across(true, true));
@@ -115,7 +115,7 @@ class Bound {
                  {at(window_.xhi, window_.yhi), {}},
                  {at(window_.xlo, window_.yhi), {}}};
     for (std::size_t i = 0; i < 4; ++i) {
-      mask[i].next = projected(mask[i].place, mask[(i + 1) % 4].place);
+      mask[i].next = project_side(mask[i].place, mask[(i + 1) % 4].place);
       mask[i].next.away = {0, 0};
       mask[i].next.of_window = true;
     }
@@ -126,7 +126,7 @@ class Bound {
   [[nodiscard]] double units() const { return greatest_; }
 
  private:
-  [[nodiscard]] jones::SpacePoint seen(const geometry::Point& p) const {
+  [[nodiscard]] jones::SpacePoint to_camera(const geometry::Point& p) const {
     return {p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
   }
   [[nodiscard]] PixelPoint project(const jones::SpacePoint& p) const {
@@ -136,7 +136,7 @@ class Bound {
   void visit(std::size_t number, const Polygon& mask, std::size_t entry, std::size_t depth) {
     const scene::Cell& cell = scene_.cells[number];
     const std::vector<ClipLine> clip = clip_lines(mask);
-    for (const scene::Line& line : cell.lines) draw(seen(line.from), seen(line.to), clip);
+    for (const scene::Line& line : cell.lines) draw(to_camera(line.from), to_camera(line.to), clip);
     for (std::size_t o = 0; o < scene_.openings.size(); ++o) {
       const scene::Opening& opening = scene_.openings[o];
       if (o == entry || (opening.cells[0] != number && opening.cells[1] != number)) continue;
@@ -145,7 +145,7 @@ class Bound {
       for (const scene::RingVector& vector : opening.vectors) {
         geometry::Point to = at;
         to[vector.axis] += vector.magnitude;
-        if (vector.actual) draw(seen(at), seen(to), clip);
+        if (vector.actual) draw(to_camera(at), to_camera(to), clip);
         at = to;
       }
       const std::size_t axis = opening.place.axis;
@@ -167,8 +167,8 @@ class Bound {
     for (const scene::RingVector& vector : opening.vectors) {
       geometry::Point to = at;
       to[vector.axis] += vector.magnitude;
-      add(bound.into_bound(seen(at)));
-      const auto bend = vector.axis == 2 ? bound.bend({seen(at), seen(to)}) : std::nullopt;
+      add(bound.into_bound(to_camera(at)));
+      const auto bend = vector.axis == 2 ? bound.bend({to_camera(at), to_camera(to)}) : std::nullopt;
       if (bend) add(*bend);
       at = to;
     }
@@ -177,7 +177,7 @@ class Bound {
       if (length_of(places[i], places[(i + 1) % places.size()]) > on_line) polygon.push_back({places[i], {}});
     if (area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
     for (std::size_t i = 0; i < polygon.size(); ++i)
-      polygon[i].next = projected(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
+      polygon[i].next = project_side(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
     return polygon;
   }
 
@@ -251,7 +251,7 @@ class Bound {
     if (!inside) return;
     std::array<PixelPoint, 2> ends{project(inside->p), project(inside->q)};
     if (length_of(ends[0], ends[1]) <= on_line) return;
-    Side side = projected(ends[0], ends[1]);
+    Side side = project_side(ends[0], ends[1]);
     std::array<double, 2> end_away{corner, corner};
     for (const ClipLine& line : clip) {
       const std::array<bool, 2> holds{line.holds(ends[0]), line.holds(ends[1])};

@@ -55,7 +55,7 @@ picture::LineMetrics metrics_of(const std::vector<ReferenceLine>& truth, const s
   return picture::line_metrics(truth, drawn, measured);
 }
 
-ComparedPicture compared(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
+ComparedPicture compare_picture(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
                          const std::vector<DrawnPiece>& drawn, const CompareOptions& options, bool identical = false) {
   ComparedPicture row{std::string(name), std::move(rounding), std::nullopt, metrics_of(truth, drawn, options, identical), {}};
   if (!options.for_table) row.difference = picture::line_difference(truth, drawn, least_stretch);
@@ -85,7 +85,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
       continue;
     }
     progress(name);
-    auto compared = truth->compared(*algorithm, options.host_times);
+    auto compared = truth->compare(*algorithm, options.host_times);
     if (!compared)
       comparison.not_applicable.emplace_back(name, compared.error().message());
     else
@@ -104,7 +104,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
     return;
   }
   comparison.stripes_difference = drawn->difference;
-  comparison.faces.push_back(truth->compared(name, std::move(drawn->faces), drawn->not_solved));
+  comparison.faces.push_back(truth->compare(name, std::move(drawn->faces), drawn->not_solved));
   comparison.faces.back().counts = {{"faces", drawn->faces_listed}};
   comparison.faces.back().emulated_seconds = drawn->seconds;
   auto pen = stripes_pen(scene, comparison.camera, truth->window(), truth->faces());
@@ -246,7 +246,7 @@ class SceneMethods::Parts {
       const bool identical = matter_ ? picture::image_set(drawn->picture, truth.scene, comparison.camera) ==
                                     picture::image_set(all, truth.scene, comparison.camera)
                               : registry::agrees(algorithm, drawn->picture, all, truth.scene, comparison.camera);
-      auto row = compared(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture), options_,
+      auto row = compare_picture(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture), options_,
                           identical);
       row.identical = identical;
       row.pieces = drawn->picture.pieces.size();
@@ -323,7 +323,7 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_pdp7_name)) {
       if (comparison.guest->difference.empty()) {
         const auto drawn = display_pieces(*twin, lines, static_cast<int>(options_.fraction_bits));
-        auto row = compared(jones_pdp7_name, "points", truth.lines.lines(), drawn, options_);
+        auto row = compare_picture(jones_pdp7_name, "points", truth.lines.lines(), drawn, options_);
         const auto seen = visible_segments(truth.lines.lines());
         row.metrics.hausdorff = picture::hausdorff_distance(seen, picture::dot_segments(points_of(outcome->pass)));
         row.emulated = view.time;
@@ -343,7 +343,7 @@ class SceneMethods::Parts {
     }
     if (chosen(options_, jones_twin_name)) {
       const int parts = 1 << options_.fraction_bits;
-      auto row = compared(jones_twin_name, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
+      auto row = compare_picture(jones_twin_name, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
                           twin_pieces(*twin, lines, static_cast<int>(options_.fraction_bits)), options_);
       const programs::jones::TwinCounts& c = twin->counts;
       row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
@@ -416,7 +416,7 @@ const std::vector<std::pair<std::string, std::string>>& SceneMethods::not_applic
   return parts_->not_applicable();
 }
 
-std::optional<std::string> why_never(std::string_view method, SceneKind kind) {
+std::optional<std::string> why_not_applicable(std::string_view method, SceneKind kind) {
   const bool skala = method.starts_with("skala");
   if (kind == SceneKind::function)
     return skala ? std::nullopt : std::optional<std::string>("it draws scenes, not functions of two variables");

@@ -108,7 +108,7 @@ struct CompareOptions {
 // Why a method of method_names() never draws scenes of this kind; empty if it may. Reasons of a single scene or view
 // are in not_applicable.
 enum class SceneKind { cells, polyhedra, function };
-[[nodiscard]] std::optional<std::string> why_never(std::string_view method, SceneKind kind);
+[[nodiscard]] std::optional<std::string> why_not_applicable(std::string_view method, SceneKind kind);
 
 // All methods of a scene. Line methods are prepared once for any number of views. Thread-safe.
 class SceneMethods {

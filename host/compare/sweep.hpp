@@ -63,7 +63,7 @@ class Sweep {
  private:
   Sweep() = default;
   // Whether faces are compared.
-  [[nodiscard]] bool with_faces() const;
+  [[nodiscard]] bool compares_faces() const;
   [[nodiscard]] std::string head(std::uint64_t number) const;
   [[nodiscard]] scene::PolyCamera camera(std::uint64_t number) const;
   [[nodiscard]] algorithms::skala::View height_view(std::uint64_t number) const;

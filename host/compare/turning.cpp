@@ -121,7 +121,7 @@ picture::LineMetrics metrics_on_lines(const Turning& turning, const TurnPicture&
   };
   std::map<std::array<std::int64_t, 4>, Line> lines;
   const auto line_of = [&](const picture::LineEdge& edge) -> Line& {
-    const auto plane = picture::in_lowest_terms(picture::image_plane(edge, turning.standing(), shown.camera));
+    const auto plane = picture::in_lowest_terms(picture::image_plane(edge, turning.scene_on_axis(), shown.camera));
     const auto [line, is_new] = lines.try_emplace(plane);
     if (is_new) line->second.id = static_cast<picture::LineId>(lines.size() - 1);
     return line->second;
@@ -193,7 +193,7 @@ base::Result<Turning> Turning::of(const scene::PolyScene& scene) {
   return Turning(std::make_unique<Parts>(Parts{*standing, model, *events, *tape, program, turn::ScreenView(*standing)}));
 }
 
-const scene::PolyScene& Turning::standing() const { return parts_->standing; }
+const scene::PolyScene& Turning::scene_on_axis() const { return parts_->standing; }
 
 double Turning::scale() const { return turn::points_per_unit(parts_->model); }
 
@@ -306,7 +306,7 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
 base::Result<TurnCheck> check_turn(const Turning& turning, std::uint32_t angle) {
   const auto shown = turning.draw(angle);
   if (!shown) return shown.error();
-  const auto view = hidden_lines::visible_edges(turning.standing(), shown->camera);
+  const auto view = hidden_lines::visible_edges(turning.scene_on_axis(), shown->camera);
   if (!view) return view.error();
   TurnCheck check{angle, shown->words, shown->time, shown->flashes, {}, shown->flash_bound, {}, shown->difference};
   if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);

@@ -66,7 +66,7 @@ class Turning {
   // that angle, to the nearest word.
   [[nodiscard]] base::Result<TurnPicture> draw(std::uint32_t angle, const scene::PolyCamera* view = nullptr) const;
   // The scene on the axis; its vertices keep their numbers.
-  [[nodiscard]] const scene::PolyScene& standing() const;
+  [[nodiscard]] const scene::PolyScene& scene_on_axis() const;
   // The positions of the scene's lines on the screen at an angle.
   [[nodiscard]] std::vector<picture::PixelSegment> on_screen(const picture::LinePicture& lines, std::uint32_t angle) const;
   // Points of the display per unit of the scene.

@@ -95,7 +95,7 @@ void add_stripes(const scene::PolyScene& scene, const CompareOptions& options, c
     auto view = faces->view(camera, truth->window());
     if (!view) continue;
     const double seconds = median_seconds([&] { static_cast<void>(faces->view(camera, truth->window())); });
-    const picture::PixelMetrics metrics = truth->compared(std::string(montani_re), std::move(view->faces), 0).metrics;
+    const picture::PixelMetrics metrics = truth->compare(std::string(montani_re), std::move(view->faces), 0).metrics;
     points.push_back({PlotPanel::host, "montani-re stripes", fmt::format("{} px", thickness), seconds, 100 * metrics.mismatch()});
   }
 }

@@ -30,12 +30,12 @@ class ViewChains {
 
   // The greatest difference of depth between two points of slices of the same exact depth once their columns are
   // rounded: the depth of a column along a direction that is at most 45 degrees from the image plane.
-  [[nodiscard]] std::int64_t slice_tolerance() const { return quantised(column_width()); }
+  [[nodiscard]] std::int64_t slice_tolerance() const { return quantise(column_width()); }
   // The same for cells, whose edges may be seen end-on; at most the depth of a cell.
   [[nodiscard]] std::int64_t cell_tolerance() const {
     const double flat = std::min(std::abs(sine_), std::abs(cosine_));
     const double cell = 2.0 / std::max({points() - 1, slice_count() - 1, 1});
-    return quantised(flat * cell > column_width() ? column_width() / flat : cell);
+    return quantise(flat * cell > column_width() ? column_width() / flat : cell);
   }
 
   // Slices along the axis that is less end-on. The nearest chain is the nearest slice with the grid's side edge on
@@ -45,7 +45,7 @@ class ViewChains {
     const auto nearest = line(row_place(0, 0), row_place(0, columns() - 1), slice_role);
     const auto leading = rim(leading_is_right, rim_role);
     std::vector<Chain> chains{
-        {0, leading_is_right ? joined(nearest, leading) : joined(turned(leading), nearest)}};
+        {0, leading_is_right ? join(nearest, leading) : join(reverse(leading), nearest)}};
     for (int row = 1; row < rows(); ++row)
       chains.push_back({row, line(row_place(row, 0), row_place(row, columns() - 1), slice_role)});
     chains.push_back({rows(), rim(!leading_is_right, slice_role)});
@@ -82,14 +82,14 @@ class ViewChains {
     bool last_along_z = false;
   };
 
-  [[nodiscard]] static std::int64_t quantised(double depth) {
+  [[nodiscard]] static std::int64_t quantise(double depth) {
     return static_cast<std::int64_t>(std::llround(std::ldexp(depth, 24)));
   }
   [[nodiscard]] const programs::skala::Vertex& at(programs::skala::GridIndex index) const {
     return projection_.at(index.point, index.slice);
   }
   [[nodiscard]] static ChainVertex vertex(const programs::skala::Vertex& point, SegmentRole role) {
-    return {point.column, point.row, quantised(point.depth), role};
+    return {point.column, point.row, quantise(point.depth), role};
   }
   [[nodiscard]] ChainVertex vertex(programs::skala::GridIndex index, SegmentRole role) const {
     return vertex(at(index), role);
@@ -140,12 +140,12 @@ class ViewChains {
     }
     return vertices;
   }
-  [[nodiscard]] static std::vector<ChainVertex> turned(std::vector<ChainVertex> vertices) {
+  [[nodiscard]] static std::vector<ChainVertex> reverse(std::vector<ChainVertex> vertices) {
     std::reverse(vertices.begin(), vertices.end());
     if (vertices.size() > 1) std::swap(vertices.front().role, vertices.back().role);
     return vertices;
   }
-  [[nodiscard]] static std::vector<ChainVertex> joined(std::vector<ChainVertex> first,
+  [[nodiscard]] static std::vector<ChainVertex> join(std::vector<ChainVertex> first,
                                                        const std::vector<ChainVertex>& second) {
     first.insert(first.end(), second.begin() + 1, second.end());
     return first;
@@ -153,7 +153,7 @@ class ViewChains {
 
   [[nodiscard]] Chain near_margins() const {
     const programs::skala::GridIndex corner = from_eye(0, 0);
-    return {-1, joined(turned(line(corner, from_eye(points() - 1, 0), SegmentRole::draw)),
+    return {-1, join(reverse(line(corner, from_eye(points() - 1, 0), SegmentRole::draw)),
                        line(corner, from_eye(0, slice_count() - 1), SegmentRole::draw))};
   }
 

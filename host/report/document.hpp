@@ -43,16 +43,16 @@ struct Picture {
 using Cell = std::variant<std::monostate, std::string, std::int64_t, Real, Verdict>;
 
 // A text, and the statements that were left out of it because they do not hold in this run.
-struct Said {
+struct CheckedText {
   std::string text = {};
   std::vector<std::string> failed = {};
 
-  Said() = default;
-  Said(std::string said) : text(std::move(said)) {}
-  Said(const char* said) : text(said) {}
-  Said(std::string said, std::vector<std::string> not_held) : text(std::move(said)), failed(std::move(not_held)) {}
-  friend bool operator==(const Said&, const Said&) = default;
-  friend Said operator+(Said left, const Said& right) {
+  CheckedText() = default;
+  CheckedText(std::string said) : text(std::move(said)) {}
+  CheckedText(const char* said) : text(said) {}
+  CheckedText(std::string said, std::vector<std::string> not_held) : text(std::move(said)), failed(std::move(not_held)) {}
+  friend bool operator==(const CheckedText&, const CheckedText&) = default;
+  friend CheckedText operator+(CheckedText left, const CheckedText& right) {
     left.text += right.text;
     left.failed.insert(left.failed.end(), right.failed.begin(), right.failed.end());
     return left;
@@ -68,7 +68,7 @@ struct Column {
 struct Figure {
   std::string id;  // as a table's
   std::string title;
-  Said caption;
+  CheckedText caption;
   std::string alternative;  // a description of the picture for readers who cannot see it
   std::string media_type;   // "image/png", "image/svg+xml"
   base::Bytes bytes;
@@ -80,7 +80,7 @@ struct Table {
   std::string title;
   std::vector<Column> columns = {};
   std::vector<std::vector<Cell>> rows = {};  // each as long as columns
-  std::vector<Said> notes = {};              // paragraphs under the table
+  std::vector<CheckedText> notes = {};              // paragraphs under the table
   bool folded = false;                       // collapsed in the page
   // Figures of each row; if there are any, the page shows the rows as cards. Readers filter cards by this name, and
   // by whether a verdict in the row is bad.
@@ -91,13 +91,13 @@ struct Table {
 // The first screen: questions with their answers, and drawings in SVG, which are part of the page and have colours
 // for light and dark backgrounds.
 struct Opening {
-  std::vector<std::pair<std::string, Said>> answers;
+  std::vector<std::pair<std::string, CheckedText>> answers;
   std::vector<std::string> drawings;
   std::string caption;
 };
 
 struct Paragraph {
-  Said text;
+  CheckedText text;
 };
 
 // Begins a chapter: the blocks up to the next heading are collapsed under it.
@@ -109,10 +109,10 @@ struct Heading {
 // A method or a finding: its statement, facts side by side ("Here", "0.06 to 0.98 s"), text, figures.
 struct Panel {
   std::string id;
-  Said title;
+  CheckedText title;
   std::string source = {};  // the paper; empty: none
   std::vector<std::pair<std::string, std::string>> facts = {};
-  std::vector<Said> text = {};
+  std::vector<CheckedText> text = {};
   std::vector<Figure> figures = {};
 };
 

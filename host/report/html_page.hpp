@@ -15,7 +15,7 @@ namespace sightline::report {
 
 // Replaces & < > " ' by references. Characters that HTML does not allow (controls except tab and line ends) and
 // invalid UTF-8 become U+FFFD.
-[[nodiscard]] std::string html_escaped(std::string_view text);
+[[nodiscard]] std::string escape_html(std::string_view text);
 
 // "data:TYPE;base64,...".
 [[nodiscard]] std::string data_uri(std::string_view media_type, const base::Bytes& bytes);

@@ -44,7 +44,7 @@ void run(std::span<const Experiment> experiments, unsigned jobs, const Context& 
   work.last = experiments.size();
   work.jobs = jobs;
   work.make = [&](std::uint64_t i) { return experiments[i].run(context); };
-  work.take = [&](std::uint64_t i, std::shared_ptr<void> data) { results.keep(experiments[i].gives, std::move(data)); };
+  work.take = [&](std::uint64_t i, std::shared_ptr<void> data) { results.store(experiments[i].gives, std::move(data)); };
   work.go_on = [] { return true; };
   base::run_in_order(work);
 }
@@ -93,7 +93,7 @@ Report written(std::span<const int> parts, const Results& results, const Context
       if (is_chosen(chapter.part, parts)) chapters.push_back({report.sections.size(), &chapter});
     if (chapters.size() == first) continue;
     Section& section = report.sections.emplace_back(Section{plan.id, plan.title, {}});
-    if (!plan.paper.empty()) section.blocks.emplace_back(Paragraph{Papers::of_program().paper(plan.paper).citation() + "."});
+    if (!plan.paper.empty()) section.blocks.emplace_back(Paragraph{Papers::built_in().paper(plan.paper).citation() + "."});
   }
   // Plots are drawn by another program, which takes most of the time.
   base::OrderedWork<std::vector<Block>> work;
@@ -106,7 +106,7 @@ Report written(std::span<const int> parts, const Results& results, const Context
     // Chapters of one part follow each other under its title.
     const bool begins = i == 0 || chapters[i - 1].section != section || chapters[i - 1].chapter->part != chapter->part;
     if (begins && chapter->part != 0)
-      all.emplace_back(Heading{the(report_parts(), is(&Part::number, chapter->part)).title, chapter->id});
+      all.emplace_back(Heading{only(report_parts(), equals(&Part::number, chapter->part)).title, chapter->id});
     all.insert(all.end(), std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
   };
   work.go_on = [] { return true; };

@@ -2,7 +2,7 @@
 // function writes them to the page:
 //
 //   void jones_timing(Page& page, const JonesViews& jones) {
-//     page.paragraph("Times are " + shown(least(jones.views, &View::view_s), 2) + " s and more.");
+//     page.paragraph("Times are " + text_of(least(jones.views, &View::view_s), 2) + " s and more.");
 //     page.table("jones-views", "Computing time", jones.views,            // id: of the files in tables/
 //                {{"scene", "Scene", &View::scene},                       // key, title, value
 //                 {"view_s", "View", "s", &View::view_s, 3},              // key, title, unit, value, places
@@ -20,7 +20,7 @@
 //   }
 //
 // rows.hpp has where, least and sum; everything of document.hpp can be added as a block. A number in a text is
-// written by shown(value, places). claim(condition, text) is the text; if the condition does not hold, the page says
+// written by text_of(value, places). claim(condition, text) is the text; if the condition does not hold, the page says
 // so in red. sections.cpp lists experiments and chapters: the parameters of a chapter select the experiments to run.
 #pragma once
 
@@ -68,8 +68,8 @@ template <class T>
 
 // A value as text.
 template <class T>
-[[nodiscard]] std::string shown(const T& value, int places = Real::as_needed) {
-  return shown_text(as_cell(value, places));
+[[nodiscard]] std::string text_of(const T& value, int places = Real::as_needed) {
+  return cell_text(as_cell(value, places));
 }
 
 // A column of a table of rows: Row -> value.
@@ -100,7 +100,7 @@ struct Pivot {
 };
 
 struct TableParts {
-  std::vector<Said> notes = {};
+  std::vector<CheckedText> notes = {};
   bool folded = false;
 };
 
@@ -125,7 +125,7 @@ struct ClaimRow {
   Figures here = {};
   int places = Real::as_needed;
   std::string condition = {};
-  Said comparison = {};
+  CheckedText comparison = {};
   std::string unit = {};  // empty: the claim's
 };
 
@@ -158,11 +158,11 @@ void add_curves(Plot& plot, const Rows& rows, const Name& name, X x, Y y,
   }
 }
 
-[[nodiscard]] Figure figure(const Picture& picture, std::string id, std::string title, Said caption, std::string alternative);
+[[nodiscard]] Figure figure(const Picture& picture, std::string id, std::string title, CheckedText caption, std::string alternative);
 
 class Page {
  public:
-  explicit Page(bool host_times, const Papers& papers = Papers::of_program()) : host_times_(host_times), papers_(papers) {}
+  explicit Page(bool host_times, const Papers& papers = Papers::built_in()) : host_times_(host_times), papers_(papers) {}
 
   [[nodiscard]] bool host_times() const { return host_times_; }
   [[nodiscard]] const Papers& papers() const { return papers_; }
@@ -170,10 +170,10 @@ class Page {
   [[nodiscard]] Range<double> paper_figure(std::string_view claim) const;
 
   // The sentence, if it holds. `found`: what was measured instead.
-  [[nodiscard]] static Said claim(bool holds, std::string sentence, const std::string& found = {});
+  [[nodiscard]] static CheckedText claim(bool holds, std::string sentence, const std::string& found = {});
 
   void add(Block block) { blocks_.push_back(std::move(block)); }
-  void paragraph(Said text) { add(Paragraph{std::move(text)}); }
+  void paragraph(CheckedText text) { add(Paragraph{std::move(text)}); }
 
   template <class Rows, class Row = typename RowOf<Rows>::Row>
   void table(std::string id, std::string title, const Rows& rows,

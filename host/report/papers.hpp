@@ -46,7 +46,7 @@ class Papers {
   // Throws base::Error (bad_input) with the place if the text is not such a document.
   explicit Papers(std::string_view json);
   // The papers built into the program.
-  [[nodiscard]] static const Papers& of_program();
+  [[nodiscard]] static const Papers& built_in();
 
   [[nodiscard]] const std::vector<Paper>& all() const { return papers_; }
   // These throw base::Error (bad_input) for an unknown name.

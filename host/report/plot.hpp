@@ -39,7 +39,7 @@ struct Curve {
 struct Plot {
   std::string id;  // these four as in the Figure made from it
   std::string title;
-  Said caption;
+  CheckedText caption;
   std::string alternative;
   Axis x;
   Axis y;

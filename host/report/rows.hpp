@@ -43,15 +43,15 @@ std::size_t count(const Rows& rows, Holds holds) {
   return where(rows, holds).size();
 }
 
-// A condition on rows: is(&View::scene, "house").
+// A condition on rows: equals(&View::scene, "house").
 template <class Member, class Wanted>
-auto is(Member member, Wanted wanted) {
+auto equals(Member member, Wanted wanted) {
   return [member, wanted = std::move(wanted)](const auto& row) { return std::invoke(member, row) == wanted; };
 }
 
 // The row for which `holds` is true. Throws std::logic_error, a defect of the chapter, unless there is exactly one.
 template <class Rows, class Holds>
-const auto& the(const Rows& rows, Holds holds) {
+const auto& only(const Rows& rows, Holds holds) {
   const auto chosen = where(rows, holds);
   if (chosen.size() != 1) throw std::logic_error("a chapter asks for one row, and found " + std::to_string(chosen.size()));
   return chosen.front().get();

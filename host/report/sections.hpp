@@ -26,7 +26,7 @@ class Results {
   [[nodiscard]] const Data& of() const {
     return *static_cast<const Data*>(find(typeid(Data)));
   }
-  void keep(std::type_index type, std::shared_ptr<void> data) { data_[type] = std::move(data); }
+  void store(std::type_index type, std::shared_ptr<void> data) { data_[type] = std::move(data); }
 
  private:
   [[nodiscard]] const void* find(std::type_index type) const;

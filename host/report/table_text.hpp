@@ -18,6 +18,6 @@ namespace sightline::report {
 [[nodiscard]] std::string json_text(const Table& table);
 
 // A cell as plain text for the page.
-[[nodiscard]] std::string shown_text(const Cell& cell);
+[[nodiscard]] std::string cell_text(const Cell& cell);
 
 }  // namespace sightline::report

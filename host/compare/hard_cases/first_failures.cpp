@@ -95,7 +95,7 @@ CaseRun corridor(const std::vector<Portal>& portals, std::int32_t end, std::int3
   input.scene = scene::poly_scene_of(scene);
   input.cells = std::move(scene);
   CaseRun run(std::move(hard), std::move(input));
-  run.without_pictures();
+  run.disable_pictures();
   return run;
 }
 
@@ -156,7 +156,7 @@ CaseRun long_beside_small(double value) {
   add_upright(0, length, 0);
   add_upright(length / 2, length / 2 + 1, 1);
   CaseRun run = run_of(std::move(scene));
-  run.without_pictures();
+  run.disable_pictures();
   return run;
 }
 

@@ -113,7 +113,7 @@ struct Manifest {
 [[nodiscard]] base::Result<Manifest> read_manifest(std::string_view text, std::string_view file);
 
 // What a case checks, in a few words: "cells 2; mask sides 4; lines seen whole 1".
-[[nodiscard]] std::string checked(const HardCase& hard);
+[[nodiscard]] std::string checks_of(const HardCase& hard);
 
 // The manifest and the inputs that are built into the program: (file name, text).
 [[nodiscard]] std::span<const std::pair<std::string_view, std::string_view>> hard_case_files();

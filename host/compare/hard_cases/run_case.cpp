@@ -76,7 +76,7 @@ CaseOutcome run_case(const HardCase& hard, int image_side) {
   CaseOutcome outcome;
   if (hard.run.empty()) return outcome;
   CaseRun run(hard, load_input(hard));
-  run.with_images(image_side);
+  run.enable_images(image_side);
   std::vector<Drawn> drawn;
   for (const std::string& method : hard.run) {
     Finding finding = run.run(method);

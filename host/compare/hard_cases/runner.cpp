@@ -378,7 +378,7 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
     const auto drawn = made->view(all[i]);
     if (!drawn) return refused_by_name(expect, drawn.error().message());
     const auto& view = *drawn;
-    keep(image_, [&] { return lines_image(view.picture, scene, all[i], {}, image_side_); });
+    keep_image(image_, [&] { return lines_image(view.picture, scene, all[i], {}, image_side_); });
     if (!no_eye && method != hard_.baseline &&
         !registry::agrees(*algorithm, view.picture, baseline(i), scene, all[i]))
       complaints.add(fmt::format("not the picture of {}", hard_.baseline));
@@ -440,8 +440,8 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
     const auto view = prepared.view(truth.cameras()[i], window);
     if (!view) return {false, "refused: " + view.error().message()};
     errors.add(truth.errors_of(view->faces, i));
-    keep(image_, [&] { return faces_image(view->faces, image_side_); });
-    keep(truth_, [&] { return faces_image(truth.truth(i), image_side_); });
+    keep_image(image_, [&] { return faces_image(view->faces, image_side_); });
+    keep_image(truth_, [&] { return faces_image(truth.truth(i), image_side_); });
   }
   found.push_back(fmt::format("{} of {} points wrong in {} views, {} more next to edges", errors.wrong_inside,
                               errors.points, truth.cameras().size(), errors.wrong_on_edges));
@@ -464,8 +464,8 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
     const auto drawn = prepared->view(scene.camera, window_of(view.frame));
     if (!drawn) return refused_by_name(hard_.expect, drawn.error().message());
     judge(picture::pixel_metrics(view.truth, drawn->faces, view.edges));
-    keep(image_, [&] { return faces_image(drawn->faces, image_side_); });
-    keep(truth_, [&] { return faces_image(view.truth, image_side_); });
+    keep_image(image_, [&] { return faces_image(drawn->faces, image_side_); });
+    keep_image(truth_, [&] { return faces_image(view.truth, image_side_); });
     return std::nullopt;
   };
   const auto on = pixels::pixels_along_z(scene, pixels::on_lines);
@@ -528,8 +528,8 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
                                         type340_frame(options.scale), &chosen);
     const auto vectors = compare::lines_of_vectors(program.scene, *matter, reference);
     const auto pieces = method == "guest" ? compare::display_pieces(*twin, vectors) : compare::twin_pieces(*twin, vectors);
-        keep(image_, [&] { return screen_image(pieces, image_side_); });
-    keep(truth_, [&] {
+        keep_image(image_, [&] { return screen_image(pieces, image_side_); });
+    keep_image(truth_, [&] {
       std::vector<picture::DrawnPiece> seen;
       for (const picture::ReferenceLine& line : reference.lines())
         for (const picture::LinePart& part : line.visible)
@@ -555,7 +555,7 @@ Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options
   const HeightPicture picture = method->draw(grid, view);
   Complaints complaints;
   if (!picture.fault.empty()) complaints.add(picture.fault);
-  keep(image_, [&] { return dots_image(picture.dots); });
+  keep_image(image_, [&] { return dots_image(picture.dots); });
   const bool vectors = picture.drawing.has_value();
   check_dots(hard_.expect, grid, view, picture.dots, vectors ? 1 : 0, complaints);
   const HeightMethod& truth = *find_height_method("oracle");
@@ -574,7 +574,7 @@ Finding CaseRun::run_commands(std::string_view method) {
   Complaints complaints;
   for (const CommandScreen& screen : input_->screens) {
     if (method == "oracle") {
-      keep(image_, [&] { return dots_image(screen.truth); });
+      keep_image(image_, [&] { return dots_image(screen.truth); });
       const auto lit = std::count(screen.truth.values.begin(), screen.truth.values.end(), 1U);
       if (hard_.expect.dots && static_cast<std::size_t>(lit) != *hard_.expect.dots)
         complaints.add(fmt::format("{} dots, not {}", lit, *hard_.expect.dots));
@@ -591,7 +591,7 @@ Finding CaseRun::run_commands(std::string_view method) {
     } else {
       dots = points_of(skala::run_twin(screen.stream).raster(skala::Device::ef9365));
     }
-    keep(image_, [&] { return dots_image(dots); });
+    keep_image(image_, [&] { return dots_image(dots); });
     compare_dots(screen.truth, dots, complaints);
   }
   return complaints.finding();

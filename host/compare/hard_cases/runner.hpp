@@ -34,9 +34,9 @@ class CaseRun {
       : hard_(std::move(hard)), input_(std::move(input)) {}
 
   // Programs are then judged by their own report only, without a picture.
-  void without_pictures() { pictures_ = false; }
+  void disable_pictures() { pictures_ = false; }
   // Findings then have images, `side` pixels a side; dots are one pixel each.
-  void with_images(int side) { image_side_ = side; }
+  void enable_images(int side) { image_side_ = side; }
   // `options` replace those of the case.
   [[nodiscard]] Finding run(std::string_view method, const MethodOptions& options);
   [[nodiscard]] Finding run(std::string_view method) { return run(method, hard_.options); }
@@ -61,7 +61,7 @@ class CaseRun {
   base::Result<CaseInput, std::string> input_;
   // Stores the image that `draw` returns, if images are requested.
   template <class Draw>
-  void keep(std::optional<picture::Image>& image, Draw draw) {
+  void keep_image(std::optional<picture::Image>& image, Draw draw) {
     if (image_side_ > 0 && !image) image = draw();
   }
 

@@ -134,11 +134,11 @@ FaceErrors TrueFaces::errors_of(const PixelGrid& drawn, std::size_t view) const 
 
 FaceErrors TrueFaces::errors_of(const willis::Model& model) const {
   FaceErrors errors;
-  for (std::size_t view = 0; view < cameras_.size(); ++view) errors.add(errors_of(drawn(model, view), view));
+  for (std::size_t view = 0; view < cameras_.size(); ++view) errors.add(errors_of(draw(model, view), view));
   return errors;
 }
 
-PixelGrid TrueFaces::drawn(const willis::Model& model, std::size_t view) const {
+PixelGrid TrueFaces::draw(const willis::Model& model, std::size_t view) const {
   const auto corners = random_corners(model, static_cast<std::uint32_t>(view) + 1);
   return ordered_faces(model, cameras_[view], size_, corners);
 }

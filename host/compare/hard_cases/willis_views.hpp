@@ -47,7 +47,7 @@ class TrueFaces {
   [[nodiscard]] int size() const { return size_; }
   // Each view uses other representatives of the pieces.
   [[nodiscard]] FaceErrors errors_of(const algorithms::willis::Model& model) const;
-  [[nodiscard]] picture::PixelGrid drawn(const algorithms::willis::Model& model, std::size_t view) const;
+  [[nodiscard]] picture::PixelGrid draw(const algorithms::willis::Model& model, std::size_t view) const;
   [[nodiscard]] FaceErrors errors_of(const picture::PixelGrid& drawn, std::size_t view) const;
 
  private:

@@ -34,7 +34,7 @@ struct Precision {
 inline constexpr int shortest_word = 12;
 inline constexpr int longest_word = 36;
 inline constexpr int most_fraction_bits = 8;
-[[nodiscard]] bool possible(const Precision& precision);
+[[nodiscard]] bool is_possible(const Precision& precision);
 // "18 bits, f=1", "18 bits, f=1, truncated", "float", "double"
 [[nodiscard]] std::string name(const Precision& precision);
 
@@ -61,7 +61,7 @@ struct PreciseView {
 };
 
 // core, scene_header: as for the twin's run; fraction_bits and truncate of the parameters are ignored. precision:
-// possible().
+// is_possible().
 [[nodiscard]] PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scene_header,
                                         const programs::jones::Parameters& parameters, const Precision& precision);
 

@@ -114,7 +114,7 @@ class PrecisionStudy {
   [[nodiscard]] static base::Result<PrecisionStudy> of(const scene::CellScene& scene,
                                                        std::span<const geometry::Point> eyes);
 
-  // precision: possible(). A view that ends with another status counts with the lines drawn until then.
+  // precision: is_possible(). A view that ends with another status counts with the lines drawn until then.
   [[nodiscard]] Measured measure(const Precision& precision) const;
   // The program itself, assembled with these fraction bits (0..3), on a PDP-7 with or without the EAE. Error: the
   // program and the scene do not fit into core.

@@ -192,7 +192,7 @@ std::vector<RowColumn<AnswerRow>> answer_columns() {
 }
 
 std::string doors(double count) {
-  return fmt::format("{} portal{} a wall", shown(count), count == 1 ? "" : "s");
+  return fmt::format("{} portal{} a wall", text_of(count), count == 1 ? "" : "s");
 }
 
 std::vector<Pair> pairs_of(const Chosen<ComparisonScene>& rooms, std::optional<double> ComparisonScene::*one,
@@ -208,7 +208,7 @@ std::string advantage(const std::vector<Pair>& pairs, std::string_view other) {
   const auto [last, first] = crossing_of(pairs);
   const auto ratio = [](const Pair& pair) {
     const double times = std::max(pair.other / pair.one, pair.one / pair.other);
-    return shown(times, times < 10 ? 1 : 0);
+    return text_of(times, times < 10 ? 1 : 0);
   };
   if (!last)
     return fmt::format(
@@ -233,8 +233,8 @@ void openness(Page& page, const Comparison& comparison) {
   const auto against_exact = pairs_of(rooms, &Scene::jones_s, &Scene::exact_s);
   Panel panel{"comparison-openness",
               fmt::format("From {} to {} portals a wall a view of {} rooms enters {} to {} cells",
-                          shown(*closed.openness()), shown(*open.openness()), rooms_a_side * rooms_a_side,
-                          shown(visits.front(), 0), shown(visits.back(), 0))};
+                          text_of(*closed.openness()), text_of(*open.openness()), rooms_a_side * rooms_a_side,
+                          text_of(visits.front(), 0), text_of(visits.back(), 0))};
   panel.facts = {page.paper_says_dated("jones.best"), page.paper_says_dated("jones.comparison"),
                  page.paper_says_dated("jones.exhaustive")};
   if (page.host_times()) {
@@ -249,34 +249,34 @@ void openness(Page& page, const Comparison& comparison) {
           " All {} buildings have the same {} rooms and {} walls; only doors are added. A cell is entered "
           "once for every chain of "
           "portals through which it is seen, so that cells entered grow {} times while faces grow {} times.",
-          rooms.size(), rooms_a_side * rooms_a_side, shown(closed.walls),
-          shown(visits.back() / visits.front(), 0),
-          shown(static_cast<double>(open.faces) / static_cast<double>(closed.faces), 1)));
+          rooms.size(), rooms_a_side * rooms_a_side, text_of(closed.walls),
+          text_of(visits.back() / visits.front(), 0),
+          text_of(static_cast<double>(open.faces) / static_cast<double>(closed.faces), 1)));
   const auto pdp7 = where(rooms, [](const Scene& scene) { return scene.pdp7_s.has_value(); });
   const auto left_out = where(rooms, [](const Scene& scene) { return !scene.not_on_pdp7.empty(); });
   if (!pdp7.empty())
     panel.text.push_back(
         fmt::format("On the PDP-7 the median view takes {} s at {} and {} s at {}.",
-                    shown(*pdp7.front().get().pdp7_s, 2), doors(*pdp7.front().get().openness()),
-                    shown(*pdp7.back().get().pdp7_s, 2), doors(*pdp7.back().get().openness())) +
+                    text_of(*pdp7.front().get().pdp7_s, 2), doors(*pdp7.front().get().openness()),
+                    text_of(*pdp7.back().get().pdp7_s, 2), doors(*pdp7.back().get().openness())) +
         (left_out.empty()
              ? std::string()
              : fmt::format(" It does not take {}: {}.", doors(*left_out.front().get().openness()),
                            left_out.front().get().not_on_pdp7)));
-  const auto solids = where(comparison.scenes, is(&Scene::kind, "polyhedra"));
+  const auto solids = where(comparison.scenes, equals(&Scene::kind, "polyhedra"));
   std::string of_solids = fmt::format(
       "Cells of unconnected objects are found by program here. Free space around them is cut into many: a "
       "view of polyhedra of {} to "
       "{} faces enters {} to {} cells.",
-      shown(least(solids, &Scene::faces)), shown(greatest(solids, &Scene::faces)),
-      shown(least(solids, &Scene::visits), 0), shown(greatest(solids, &Scene::visits), 0));
+      text_of(least(solids, &Scene::faces)), text_of(greatest(solids, &Scene::faces)),
+      text_of(least(solids, &Scene::visits), 0), text_of(greatest(solids, &Scene::visits), 0));
   if (page.host_times()) {
     const auto slower = range_of(solids, [](const Scene& scene) { return *scene.jones_s / *scene.exact_s; });
     of_solids += fmt::format(
         " In {} of {} of these scenes Jones's method is slower than the exact one; it takes {} to {} times "
         "as long.",
         count(solids, [](const Scene& scene) { return scene.jones_s > scene.exact_s; }), solids.size(),
-        shown(slower.least, 1), shown(slower.greatest, 1));
+        text_of(slower.least, 1), text_of(slower.greatest, 1));
   }
   panel.text.emplace_back(std::move(of_solids));
   const auto at = [](const Scene& room) { return room.openness(); };

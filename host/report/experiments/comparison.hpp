@@ -55,7 +55,7 @@ struct Comparison {
 
   // The buildings of rooms, ascending by openness.
   [[nodiscard]] Chosen<ComparisonScene> rooms() const {
-    return where(scenes, is(&ComparisonScene::kind, "rooms"));
+    return where(scenes, equals(&ComparisonScene::kind, "rooms"));
   }
 };
 

@@ -162,7 +162,7 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
                         "tables say how far. words: the same display words, with every number of fraction bits. n/a: does not apply, for a "
                         "reason listed below.",
                         "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
-                        page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
+                        page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", text_of(checked.run())),
                                    fmt::format("{} do not agree or were not run", checked.failures.size()))}},
              Pivot<PairVerdict>{.key = [](const PairVerdict& cell) { return base::lower_case(cell.scene); },
                                 .title = &PairVerdict::scene,
@@ -191,7 +191,7 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
               {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
               {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
               {"reason", "Reason", &NotApplicable::reason}},
-             {.notes = {fmt::format("skala-8080 with others than oracle and skala: {}.", *compare::nothing_in_common(compare::skala_8080_name, "exact"))},
+             {.notes = {fmt::format("skala-8080 with others than oracle and skala: {}.", *compare::why_incomparable(compare::skala_8080_name, "exact"))},
               .folded = true});
   page.table("agreement-scenes", "The common scenes", checked.scenes,
              {{"scene", "Scene", &CheckedScene::scene},

@@ -35,7 +35,7 @@ Manifest manifest() {
 CaseResult result_of(const HardCaseGroup& group, const HardCase& hard) {
   const compare::CaseOutcome outcome = compare::run_case(hard, compare::case_image_side);
   CaseResult made{group.id,      hard.id,       hard.input, hard.section, hard.what, compare::options_of(hard),
-                  hard.expected, compare::checked(hard), compare::hard_command(hard), {}, {}, {}, {}};
+                  hard.expected, compare::checks_of(hard), compare::hard_command(hard), {}, {}, {}, {}};
   if (const std::string command = compare::compare_command(hard); !command.empty()) made.commands += "; " + command;
   for (const compare::MethodOutcome& method : outcome.methods) made.findings.push_back({method.method, method.text, method.right});
   if (!hard.tests.empty()) made.findings.push_back({"tests", base::joined(hard.tests, ", "), {}});
@@ -89,7 +89,7 @@ std::vector<InputFile> inputs_of(const Manifest& manifest) {
   for (const HardCaseGroup& group : manifest.groups) {
     for (const HardCase& hard : group.cases) {
       const std::string_view text = hard_case_text(hard.input);
-      if (!text.empty() && count(inputs, is(&InputFile::file, hard.input)) == 0) inputs.push_back({hard.input, std::string(text)});
+      if (!text.empty() && count(inputs, equals(&InputFile::file, hard.input)) == 0) inputs.push_back({hard.input, std::string(text)});
     }
   }
   return inputs;
@@ -101,7 +101,7 @@ struct CaseTable {
   std::string paper;
   std::string cards_name;
   std::string title;
-  std::vector<Said> notes;
+  std::vector<CheckedText> notes;
 };
 
 // Cards: a row for each case, a column for each method.
@@ -123,7 +123,7 @@ void case_table(Page& page, const HardCases& hard, CaseTable of) {
   table.cards_name = of.cards_name;
   for (const auto& column : columns) table.columns.push_back(column.column);
   std::vector<std::string> methods;
-  const auto cases = where(hard.cases, is(&Case::paper, of.paper));
+  const auto cases = where(hard.cases, equals(&Case::paper, of.paper));
   for (const Case& row : cases)
     for (const CaseFinding& finding : row.findings)
       if (std::find(methods.begin(), methods.end(), finding.method) == methods.end()) methods.push_back(finding.method);
@@ -285,15 +285,15 @@ void finding_hard_cases(Page& page, const HardCases& hard, const MontaniReTables
     return finding.method == "jones" || finding.method == "montani-re" || finding.method == "plantinga" || finding.method == "exact";
   });
   const auto is_wrong = [&](std::string_view input, std::string_view method) {
-    const CaseFinding* const finding = the(hard.cases, is(&CaseResult::input, input)).finding(method);
+    const CaseFinding* const finding = only(hard.cases, equals(&CaseResult::input, input)).finding(method);
     return finding != nullptr && finding->right == false;
   };
-  Panel panel{"finding-hard-cases", fmt::format("Of {} runs on hard cases {} are wrong", shown(all.all), shown(all.wrong)), {}, {}, {}, {}};
+  Panel panel{"finding-hard-cases", fmt::format("Of {} runs on hard cases {} are wrong", text_of(all.all), text_of(all.wrong)), {}, {}, {}, {}};
   panel.facts = {{"Jones on the PDP-7", guests_of("jones")},
                  {"Skala on the 8080", guests_of("skala")},
                  {"Exact programs of today", wrong_of(exact)},
                  page.paper_says("montani_re.figure_10")};
-  const auto uncut = where(willis.models, is(&WillisModel::depth, 0));
+  const auto uncut = where(willis.models, equals(&WillisModel::depth, 0));
   panel.text = {
       "Hard cases are inputs that break programs of this kind: a door seen edge-on, a horizon that is met exactly, surfaces that hide "
       "each other in a circle. " +
@@ -307,7 +307,7 @@ void finding_hard_cases(Page& page, const HardCases& hard, const MontaniReTables
       fmt::format("Some cases have a parameter that makes them harder until a program fails. {} of {} builds fail within the range that was "
                   "tried; the table of first failures names the first value at which each does.",
                   count(hard.first_failures, [](const FirstFailure& row) { return row.first.has_value(); }), hard.first_failures.size())};
-  const CaseResult& backwards = the(hard.cases, is(&CaseResult::input, "S8-backwards.txt"));
+  const CaseResult& backwards = only(hard.cases, equals(&CaseResult::input, "S8-backwards.txt"));
   if (backwards.correct)
     panel.figures.push_back(figure(*backwards.correct, "finding-hard-cases-correct", "Correct.",
                                    fmt::format("Case {}: {}.", backwards.id, backwards.what), "A few lines, those behind cut off"));

@@ -218,7 +218,7 @@ std::string gains_by_scene(const JonesAccuracy& machine, PictureError Build::*wh
   std::vector<std::string> gains;
   for (const jones_precision::SixViews& six : jones_precision::six_views) {
     const double gain = times_wrong(machine.build(six.scene, 0), machine.build(six.scene, most_machine_fraction), which);
-    gains.push_back(fmt::format("{} ({})", shown(gain, 1), six.scene));
+    gains.push_back(fmt::format("{} ({})", text_of(gain, 1), six.scene));
   }
   return base::joined(gains, ", ");
 }
@@ -245,8 +245,8 @@ Plot machine_plot(const std::string& id, const std::string& title, const std::st
 void machine_plots(Page& page, const JonesAccuracy& machine) {
   const Build& street0 = machine.build("street4", 0);
   const Build& street3 = machine.build("street4", 3);
-  const auto rounded = where(machine.builds, is(&Build::rounded, true));
-  const auto truncated = where(machine.builds, is(&Build::rounded, false));
+  const auto rounded = where(machine.builds, equals(&Build::rounded, true));
+  const auto truncated = where(machine.builds, equals(&Build::rounded, false));
   const auto gain = range_of(machine.builds, &Build::eae_gain);
   const std::vector<double> of_a_bit = gains_of_a_bit(machine);
   const std::string of_bits = fmt::format(
@@ -254,10 +254,10 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
       "length with 0 of them is that with 3: {}; one bit more divides it by {} to {}. A view of street4 with the EAE takes {} % "
       "longer with 3. The EAE, which multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No "
       "display on the machine; pieces as they leave the clip; six views of each scene.",
-      gains_by_scene(machine, &Build::computed), shown(*std::min_element(of_a_bit.begin(), of_a_bit.end()), 1),
-      shown(*std::max_element(of_a_bit.begin(), of_a_bit.end()), 1),
-      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1),
-      shown(gain.greatest, 1));
+      gains_by_scene(machine, &Build::computed), text_of(*std::min_element(of_a_bit.begin(), of_a_bit.end()), 1),
+      text_of(*std::max_element(of_a_bit.begin(), of_a_bit.end()), 1),
+      text_of(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), text_of(gain.least, 1),
+      text_of(gain.greatest, 1));
   for (std::size_t i = 0; i < 2; ++i) {
     const Measure& measure = measures()[i];
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
@@ -273,9 +273,9 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
       "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the wrong "
       "length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % less "
       "time. A point at the mark 0 has no error of this kind.",
-      shown(times_wrong(street_cut, street0), 1),
-      shown(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
-      shown(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
+      text_of(times_wrong(street_cut, street0), 1),
+      text_of(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
+      text_of(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
   for (const Measure& measure : measures()) {
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
     Plot plot = machine_plot("jones-rounding-" + measure.key, "Jones on the PDP-7 with the EAE: rounded or truncated",
@@ -334,7 +334,7 @@ void machine_table(Page& page, const JonesAccuracy& machine) {
                "display, which is what one saw.",
                page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: "
                                                 "extra length farther than a pixel is at most {} pixels.",
-                                                shown(far, 2)))},
+                                                text_of(far, 2)))},
               true});
 }
 
@@ -342,7 +342,7 @@ void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
   using Piece = JonesWrongPiece;
   const auto& pieces = machine.wrong_pieces;
   page.table("jones-named-pieces",
-             fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones_precision::named_from_points, 0)), pieces,
+             fmt::format("Jones: every piece wrong by more than {} pixels", text_of(jones_precision::named_from_points, 0)), pieces,
              {{"scene", "Scene", &Piece::scene},
               {"arithmetic", "Arithmetic", &Piece::arithmetic},
               {"eye", "Eye", &Piece::eye},
@@ -351,8 +351,8 @@ void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
               {"length_px", "Length", "pixels", &Piece::length_px, 1},
               {"from", "On the line from", &Piece::from},
               {"to", "to", &Piece::to}},
-             {{pieces.empty() ? Said("There is none.")
-                              : page.claim(count(pieces, is(&Piece::extra, false)) == 0,
+             {{pieces.empty() ? CheckedText("There is none.")
+                              : page.claim(count(pieces, equals(&Piece::extra, false)) == 0,
                                            "All are drawn and not visible: a line of a farther wall is hidden by a fraction of a "
                                            "pixel, and rounded it lies on the edge of the mask, which is closed.")}});
 }
@@ -383,7 +383,7 @@ void native_plots(Page& page, const JonesNumbers& native) {
                 [](const Number& number) {
                   return number.study == "fractions" ? fmt::format("f={}", *number.fraction_bits) : number.arithmetic;
                 });
-  const Number& shortest = the(native.numbers, [](const Number& number) {
+  const Number& shortest = only(native.numbers, [](const Number& number) {
     return number.study == "words" && number.scene == "street4" && number.word_bits == tried_lengths.front();
   });
   for (std::size_t i = 0; i < 2; ++i)
@@ -418,7 +418,7 @@ void native_table(Page& page, const JonesNumbers& native) {
 }  // namespace
 
 const JonesBuild& JonesAccuracy::build(std::string_view scene, int fraction_bits, bool rounded) const {
-  return the(builds, [=](const JonesBuild& build) {
+  return only(builds, [=](const JonesBuild& build) {
     return build.scene == scene && build.fraction_bits == fraction_bits && build.rounded == rounded;
   });
 }

@@ -167,19 +167,19 @@ JonesUnseen jones_unseen(const Context& context) {
 }
 
 void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
-  std::vector<Said> notes{
+  std::vector<CheckedText> notes{
       "A closed house of 64 rooms, seen from within one of them, beside a building of which nothing is seen. The report ends "
       "with an error where picture and counts are not the same in every row."};
   if (page.host_times()) {
     const auto ratio = range_of(unseen.house, &JonesHouse::ratio);
-    const std::string last = shown(unseen.house.back().ratio, 2);
+    const std::string last = text_of(unseen.house.back().ratio, 2);
     notes.push_back(
         fmt::format("Times are the median of {} rounds, in each of which a view beside the building and one beside "
                     "the smallest are computed in turn, {} times each. ",
                     rounds, views_a_round) +
         page.claim(ratio.greatest <= 1.25 && ratio.least >= 0.8,
                    fmt::format("Beside the largest building the view takes {} times as long as beside the smallest.", last),
-                   fmt::format("{} to {}", shown(ratio.least), shown(ratio.greatest))));
+                   fmt::format("{} to {}", text_of(ratio.least), text_of(ratio.greatest))));
   }
   using House = JonesHouse;
   page.table("unseen-house", "Jones today: one view beside a building that grows", unseen.house,
@@ -199,7 +199,7 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
     notes.push_back(fmt::format("Loading is cutting the building into cells and preparing them for views; a view's time is the "
                                 "least of {}.",
                                 repetitions));
-  page.table("unseen-native", fmt::format("Jones today: buildings of {} to {} rooms", shown(rooms.least), shown(rooms.greatest)),
+  page.table("unseen-native", fmt::format("Jones today: buildings of {} to {} rooms", text_of(rooms.least), text_of(rooms.greatest)),
              buildings,
              {{"rooms", "Rooms", "and 64 of the house", &Building::rooms},
               {"cells", "Cells", &Building::cells},
@@ -214,14 +214,14 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
               {"visit_ns", "Visit", "ns, mean", &Building::visit_ns, 0, host_time}},
              {std::move(notes)});
   if (!page.host_times()) return;
-  const Building& small = the(buildings, is(&Building::rooms, 100U));
+  const Building& small = only(buildings, equals(&Building::rooms, 100U));
   Plot plot{"unseen-plot",
             "Jones today: time of a view against the size of the building",
             fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times "
                         "as long, a visit {} times. Times of the computer this report was made on.",
-                        shown(small.all_rooms), shown(greatest(buildings, &Building::all_rooms)),
-                        shown(greatest(buildings, &Building::load_s) / *small.load_s, 0),
-                        shown(*buildings.back().visit_ns / *small.visit_ns, 1)),
+                        text_of(small.all_rooms), text_of(greatest(buildings, &Building::all_rooms)),
+                        text_of(greatest(buildings, &Building::load_s) / *small.load_s, 0),
+                        text_of(*buildings.back().visit_ns / *small.visit_ns, 1)),
             "Log-log plot of the time of loading, of a view and of a visit to a cell against the number of rooms.",
             {"rooms"},
             {"time", "s"}};

@@ -59,8 +59,8 @@ JonesElements elements_of(const JonesOrder& order, const JonesRun& run) {
 
 // The times of a scene with and without the EAE.
 std::string both_times(const JonesViews& jones, const JonesView& view) {
-  return fmt::format("{} s, without EAE {} s", shown(view.second_view_s, 3),
-                     shown(jones.view(view.scene, false).second_view_s, 3));
+  return fmt::format("{} s, without EAE {} s", text_of(view.second_view_s, 3),
+                     text_of(jones.view(view.scene, false).second_view_s, 3));
 }
 
 std::string equal_or_not(bool equal) {
@@ -95,12 +95,12 @@ void paper_times(Page& page, const JonesViews& jones) {
        {"jones.pair", {{}, as_cell(jones.pair_s)}, 3, "roberts as a pair, with EAE",
         fmt::format("cannot be compared: needs a time for Fig. 14, which the paper does not give. Here a pair takes {} times "
                     "one view",
-                    shown(jones.pair_s / jones.view("roberts", true).second_view_s, 2))}});
+                    text_of(jones.pair_s / jones.view("roberts", true).second_view_s, 2))}});
 }
 
 void paper_sizes(Page& page, const JonesViews& jones) {
   const auto used = range_of(jones.views, &JonesView::used_words);
-  const JonesElements& street4 = the(jones.elements, is(&JonesElements::scene, "street4"));
+  const JonesElements& street4 = only(jones.elements, equals(&JonesElements::scene, "street4"));
   const std::size_t house_cells = jones.view("house", true).cells;
   const auto paper = [&page](std::string_view claim) { return page.paper_figure(claim).greatest; };
   page.claims(
@@ -143,12 +143,12 @@ double jones_cycle_us() {
 }
 
 const JonesView& JonesViews::view(std::string_view scene, bool eae) const {
-  return the(views, [=](const JonesView& view) { return view.scene == scene && view.eae == eae; });
+  return only(views, [=](const JonesView& view) { return view.scene == scene && view.eae == eae; });
 }
 
 bool JonesViews::unseen_rooms_cost_nothing() const {
   const auto same = [this](bool eae) {
-    const auto rows = where(corridors, is(&JonesCorridor::eae, eae));
+    const auto rows = where(corridors, equals(&JonesCorridor::eae, eae));
     return distinct(rows, &JonesCorridor::instructions) == 1 && distinct(rows, &JonesCorridor::view_s) == 1;
   };
   return same(true) && same(false);
@@ -198,7 +198,7 @@ void jones_timing(Page& page, const JonesViews& jones) {
                "the native twin makes."}});
   // The hidden part changes nothing: the photograph of corridor32 is that of corridor8.
   const auto drawing = [](const View& view) {
-    return fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines", view.scene, shown(view.pieces));
+    return fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines", view.scene, text_of(view.pieces));
   };
   page.gallery("jones-phosphor", "Jones: the screen, photographed",
                where(jones.views, [](const View& view) { return view.eae && view.scene != "corridor32"; }),
@@ -252,7 +252,7 @@ void jones_needs(Page& page, const JonesViews& jones) {
                2}},
              {{"Cells read: cells any word of which the processor fetched, watched from outside. A cell seen through several "
                "portals is visited once for each. Every display word of the picture being shown costs the processor one cycle "
-               "of " + shown(jones_cycle_us()) + " us."}});
+               "of " + text_of(jones_cycle_us()) + " us."}});
   const bool nothing = jones.unseen_rooms_cost_nothing() && distinct(jones.corridors, &Corridor::cells_read) == 1 &&
                        distinct(jones.corridors, &Corridor::visits) == 1;
   page.table("unseen-guest", "Jones on the PDP-7: a corridor that grows behind what is seen", jones.corridors,

@@ -70,7 +70,7 @@ struct JonesViews {
   double pair_s = 0;  // a view of roberts as a stereoscopic pair
 
   [[nodiscard]] const JonesView& view(std::string_view scene, bool eae) const;
-  [[nodiscard]] Chosen<JonesView> of(bool eae) const { return where(views, is(&JonesView::eae, eae)); }
+  [[nodiscard]] Chosen<JonesView> of(bool eae) const { return where(views, equals(&JonesView::eae, eae)); }
   // Rooms that are not visible cost neither instructions nor time.
   [[nodiscard]] bool unseen_rooms_cost_nothing() const;
 };

@@ -108,8 +108,8 @@ GrowthExponents exponents_of(std::span<const GrowthView> views) {
 void add_claims(Page& page, const MontaniReGrowth& growth, const std::vector<FaceCycle>& cycles) {
   const GrowthView& first = growth.views.front();
   const auto sizes = range_of(growth.views, &GrowthView::size);
-  const auto largest = where(growth.views, is(&GrowthView::size, sizes.greatest));
-  const auto share = [](auto part, auto whole) { return shown(100 * static_cast<double>(part) / static_cast<double>(whole), 0); };
+  const auto largest = where(growth.views, equals(&GrowthView::size, sizes.greatest));
+  const auto share = [](auto part, auto whole) { return text_of(100 * static_cast<double>(part) / static_cast<double>(whole), 0); };
   const auto relations = sum(largest, &GrowthView::relations);
   const auto pairs = sum(largest, &GrowthView::pairs);
   const FaceCycle& cycle = cycles.front();
@@ -203,7 +203,7 @@ MontaniReGrowth montani_re_growth(const Context& context) {
 void montani_re_timing(Page& page, const MontaniReGrowth& growth, const MontaniReTables& tables) {
   add_claims(page, growth, tables.cycles);
   montani_re_printed_tables(page, tables);
-  std::vector<Said> notes{
+  std::vector<CheckedText> notes{
       "Generated scenes from their own camera, in perspective, on 1024 x 1024 pixels. Faces are those that take part: of solids, "
       "the ones that face the eye. Pairs that overlap in X are what tests 2 to 6 are for."};
   if (page.host_times())
@@ -240,7 +240,7 @@ void montani_re_timing(Page& page, const MontaniReGrowth& growth, const MontaniR
            "The paper claims work linear with N Y, which it calls almost linear with N: that is so where Y stays the same. " +
            page.claim(pairs > 1.1,
                       "In these scenes a face overlaps more others in X the more there are, so that N Y grows faster than N.",
-                      "the least exponent of N Y is " + shown(pairs)) +
+                      "the least exponent of N Y is " + text_of(pairs)) +
            " Least squares of logarithms over the sizes of the table above."}});
 }
 

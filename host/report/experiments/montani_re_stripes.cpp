@@ -217,19 +217,19 @@ void add_error_curves(Plot& plot, const std::vector<StripesPicture>& pictures, c
   const std::string first = pictures.front().scene;
   add_curves(
       plot, where(pictures, &StripesPicture::in_stripes), &StripesPicture::scene, error.value, y,
-      {.label = [first](const StripesPicture& p) { return p.scene == first ? "h " + shown(p.thickness_px) : std::string(); }});
-  add_curves(plot, where(pictures, is(&StripesPicture::in_stripes, false)), "exact build", error.value, y,
+      {.label = [first](const StripesPicture& p) { return p.scene == first ? "h " + text_of(p.thickness_px) : std::string(); }});
+  add_curves(plot, where(pictures, equals(&StripesPicture::in_stripes, false)), "exact build", error.value, y,
              {.label = &StripesPicture::scene, .line = false});
 }
 
 void add_sides_plot(Page& page, const std::vector<StripesPicture>& pictures, const ErrorMeasure& error) {
-  const double exact = greatest(where(pictures, is(&StripesPicture::in_stripes, false)), error.value);
+  const double exact = greatest(where(pictures, equals(&StripesPicture::in_stripes, false)), error.value);
   Plot plot{.id = fmt::format("montani-re-{}-sides", error.key),
             .title = "Montani and Re, stripes and exact: sides against " + error.title,
             .caption =
                 "Sides of all that is seen: what the differences work on. The exact build's are those of its own trapezoids, "
                 "which do not depend on pixels. " +
-                Page::claim(exact == 0, "The exact build has no error.", "it has " + shown(exact)),
+                Page::claim(exact == 0, "The exact build has no error.", "it has " + text_of(exact)),
             .alternative = fmt::format("Log-log plot of sides against {}, one curve for each scene.", error.title),
             .x = {error.title, error.unit},
             .y = {"sides"}};
@@ -251,10 +251,10 @@ void add_time_plot(Page& page, const std::vector<StripesPicture>& pictures, cons
 }
 
 void add_pictures_table(Page& page, const MontaniReStripes& measured) {
-  const auto town = where(measured.pictures, is(&StripesPicture::family, "town"));
-  const double of_a_pixel = the(town, is(&StripesPicture::thickness_px, 1.0)).pmr_percent;
-  const double of_half_a_pixel = the(town, is(&StripesPicture::thickness_px, 0.5)).pmr_percent;
-  const std::string rise = fmt::format("from {} to {} %", shown(of_a_pixel, 3), shown(of_half_a_pixel, 3));
+  const auto town = where(measured.pictures, equals(&StripesPicture::family, "town"));
+  const double of_a_pixel = only(town, equals(&StripesPicture::thickness_px, 1.0)).pmr_percent;
+  const double of_half_a_pixel = only(town, equals(&StripesPicture::thickness_px, 0.5)).pmr_percent;
+  const std::string rise = fmt::format("from {} to {} %", text_of(of_a_pixel, 3), text_of(of_half_a_pixel, 3));
   page.table(
       "montani-re-speed-error", "Montani and Re: stripes of every thickness", measured.pictures,
       {{"scene", "Scene", &StripesPicture::scene},
@@ -294,18 +294,18 @@ void add_exponents_table(Page& page, const MontaniReStripes& measured) {
   const double wrong =
       greatest(where(measured.pictures, [](const StripesPicture& p) { return p.in_stripes() && *p.thickness_px <= 2; }),
                &StripesPicture::l_sym_percent);
-  std::vector<Said> notes{
+  std::vector<CheckedText> notes{
       "Expected: error as h (exponent 1), sides and time as 1/h (exponent -1). " +
       page.claim(distance.least >= 0.9 && distance.greatest <= 1.1 && sides.least >= -1.1 && sides.greatest <= -0.9,
                  "Distance and sides are within a tenth of it.",
-                 fmt::format("they are {} to {} and {} to {}", shown(distance.least), shown(distance.greatest),
-                             shown(sides.least), shown(sides.greatest))) +
+                 fmt::format("they are {} to {} and {} to {}", text_of(distance.least), text_of(distance.greatest),
+                             text_of(sides.least), text_of(sides.greatest))) +
       fmt::format(" Least squares of logarithms from {} to {} pixels; errors of 0 are left out, and fewer than three others give "
                   "no exponent. ",
-                  shown(thickness.greatest), shown(thickness.least)) +
+                  text_of(thickness.greatest), text_of(thickness.least)) +
       page.claim(wrong == 0,
                  "The wrong length, which leaves out what is within a pixel, is 0 where stripes are two pixels or less.",
-                 "it is " + shown(wrong) + " %")};
+                 "it is " + text_of(wrong) + " %")};
   if (page.host_times()) notes.emplace_back("Time has a part that does not depend on h, relations and list.");
   page.table("montani-re-thickness-exponents", "Montani and Re: exponents over the thickness h of stripes", measured.exponents,
              {{"scene", "Scene", &StripesExponents::scene},
@@ -383,8 +383,8 @@ void montani_re_accuracy(Page& page, const MontaniReStripes& measured) {
       "Corners are moved to the nearest line between stripes, edges are straight between them; so nothing should be farther than "
       "half a stripe from its place. " +
       page.claim(usual <= 0.5,
-                 fmt::format("Of a thousand samples of the lines, all but one are within {} stripes.", shown(usual, 2)),
-                 "one is at " + shown(usual)) +
+                 fmt::format("Of a thousand samples of the lines, all but one are within {} stripes.", text_of(usual, 2)),
+                 "one is at " + text_of(usual)) +
       " The measures are: missing and extra length, which is farther than a pixel from the other picture, in per cent of the "
       "visible length, and wrong length, their sum; differing pixels, the share of pixels that show another face than the exact "
       "sight line through their middle meets; and the greatest distance between the lines of the pictures, also without the "

@@ -175,7 +175,7 @@ template <class Row, class Key>
 std::vector<Beside<Row>> beside(const std::vector<Row>& paper, const std::vector<Row>& here, Key Row::*key) {
   std::vector<Beside<Row>> rows;
   for (const Row& row : paper) {
-    const auto found = std::find_if(here.begin(), here.end(), is(key, row.*key));
+    const auto found = std::find_if(here.begin(), here.end(), equals(key, row.*key));
     rows.push_back({row, found == here.end() ? std::nullopt : std::optional(*found)});
   }
   return rows;

@@ -41,7 +41,7 @@ Value done(base::Result<Value> result, base::ErrorKind kind = base::ErrorKind::p
 }
 
 // Collects the rows of scenes and of methods from comparisons.
-class Gathering {
+class RowCollector {
  public:
   void add(const std::string& scene, std::vector<compare::MethodView> views) {
     by_scene_.add(scene, 0, views);
@@ -59,11 +59,11 @@ class Gathering {
   std::uint64_t number_ = 0;
 };
 
-void add_cells(const compare::CompareOptions& options, Gathering& gathering, OpeningAnswer& answer) {
+void add_cells(const compare::CompareOptions& options, RowCollector& collector, OpeningAnswer& answer) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = done(scene::load_cell_scene(std::string(name)), base::ErrorKind::bad_input);
     const compare::SceneComparison comparison = done(compare::compare_cell_scene(scene, options));
-    gathering.add(std::string(name), method_views(comparison));
+    collector.add(std::string(name), method_views(comparison));
     ++answer.scenes;
     if (name != cells_in_plot) continue;
     for (compare::PlotPoint& point : compare::variants_of(scene, options, comparison))
@@ -76,14 +76,14 @@ scene::PolyCamera parallel_camera(const scene::PolyScene& scene) {
                              turned_direction, false);
 }
 
-void add_polyhedra(const compare::CompareOptions& options, Gathering& gathering, OpeningAnswer& answer) {
+void add_polyhedra(const compare::CompareOptions& options, RowCollector& collector, OpeningAnswer& answer) {
   const scene::PolyScene many = scene::generate_boxes(boxes);
-  gathering.add(fmt::format("boxes-{}", boxes),
+  collector.add(fmt::format("boxes-{}", boxes),
                 method_views(done(compare::compare_poly_scene(many, many.camera, options))));
   const scene::PolyScene turned = scene::generate_boxes(turned_boxes);
   const compare::SceneComparison comparison =
       done(compare::compare_poly_scene(turned, parallel_camera(turned), options));
-  gathering.add(fmt::format("boxes-{}, parallel", turned_boxes), method_views(comparison));
+  collector.add(fmt::format("boxes-{}, parallel", turned_boxes), method_views(comparison));
   answer.scenes += 2;
   // The other methods are in the plot by the scene of cells.
   for (compare::PlotPoint& point : compare::variants_of(turned, options, comparison))
@@ -91,7 +91,7 @@ void add_polyhedra(const compare::CompareOptions& options, Gathering& gathering,
       answer.plotted.push_back(std::move(point));
 }
 
-void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer) {
+void add_functions(bool host_times, RowCollector& collector, OpeningAnswer& answer) {
   algorithms::skala::View view;
   view.rotation = rotation;
   for (const std::string_view name : functions) {
@@ -101,7 +101,7 @@ void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer)
     compare::HeightComparison comparison = compare::compare_heights(
         grid, view, [](std::string_view) {}, {}, host_times);
     comparison.devices = compare::compare_devices(grid, view);
-    gathering.add(std::string(name), method_views(comparison));
+    collector.add(std::string(name), method_views(comparison));
     ++answer.functions;
     if (name != function_in_plot) continue;
     for (compare::PlotPoint& point : compare::variants_of(comparison))
@@ -154,40 +154,40 @@ constexpr double microseconds = 1e6;  // per second
 
 // "0.06 to 0.96 s" over the scenes of a method.
 std::string emulated_range(const OpeningAnswer& answer, std::string_view method) {
-  const auto range = range_of(where(answer.rows, is(&AnswerRow::method, method)),
+  const auto range = range_of(where(answer.rows, equals(&AnswerRow::method, method)),
                               [](const AnswerRow& row) { return most(row.emulated_seconds); });
-  return fmt::format("{} to {} s", shown(range.least, 2), shown(range.greatest, 2));
+  return fmt::format("{} to {} s", text_of(range.least, 2), text_of(range.greatest, 2));
 }
 
 bool exact_lines(const AnswerRow& row) {
   return row.exact && row.picture == "lines";
 }
 
-Said how_fast(const Page& page, const OpeningAnswer& answer) {
+CheckedText how_fast(const Page& page, const OpeningAnswer& answer) {
   std::string text = fmt::format(
       "A view takes Jones's program {} on the PDP-7 (the paper: {}) and Skala's {} on the 8080 ({})",
       emulated_range(answer, compare::jones_pdp7_name), compare::paper_figure(compare::jones_pdp7_name, "lines"),
       emulated_range(answer, "skala-8080"), compare::paper_figure("skala-8080", "dots"));
   if (page.host_times()) {
-    const auto here = range_of(where(answer.rows, is(&AnswerRow::method, "exact")),
+    const auto here = range_of(where(answer.rows, equals(&AnswerRow::method, "exact")),
                                [](const AnswerRow& row) { return most(row.host_seconds, microseconds); });
-    text += fmt::format("; the exact method takes this computer {} to {} us", shown(here.least, 0),
-                        shown(here.greatest, 0));
+    text += fmt::format("; the exact method takes this computer {} to {} us", text_of(here.least, 0),
+                        text_of(here.greatest, 0));
   }
   return text + ".";
 }
 
-Said how_wrong(const Page& page, const OpeningAnswer& answer) {
-  const auto jones = where(answer.rows, is(&AnswerRow::method, compare::jones_pdp7_name));
+CheckedText how_wrong(const Page& page, const OpeningAnswer& answer) {
+  const auto jones = where(answer.rows, equals(&AnswerRow::method, compare::jones_pdp7_name));
   const double farthest = greatest(jones, [](const AnswerRow& row) { return most(row.greatest); });
   const auto exact = where(answer.rows, exact_lines);
   return fmt::format(
              "On the PDP-7's screen at most {} % of the visible length is wrong, at most {} points from its "
              "place; of Skala's dots "
              "at most {} %; ",
-             shown(greatest(jones, [](const AnswerRow& row) { return row.wrong_percent.greatest; }), 1),
-             shown(farthest, 1),
-             shown(greatest(where(answer.rows, is(&AnswerRow::method, "skala-8080")),
+             text_of(greatest(jones, [](const AnswerRow& row) { return row.wrong_percent.greatest; }), 1),
+             text_of(farthest, 1),
+             text_of(greatest(where(answer.rows, equals(&AnswerRow::method, "skala-8080")),
                             [](const AnswerRow& row) { return row.wrong_percent.greatest; }),
                    1)) +
          page.claim(std::all_of(exact.begin(), exact.end(),
@@ -195,7 +195,7 @@ Said how_wrong(const Page& page, const OpeningAnswer& answer) {
                     "nothing is wrong with the exact methods.");
 }
 
-Said against_what(const Page& page, const OpeningAnswer& answer) {
+CheckedText against_what(const Page& page, const OpeningAnswer& answer) {
   return page.claim(
       std::all_of(answer.rows.begin(), answer.rows.end(),
                   [](const AnswerRow& row) { return row.defect.empty(); }),
@@ -277,11 +277,11 @@ OpeningAnswer opening_answer(const Context& context) {
   OpeningAnswer answer;
   compare::CompareOptions options;
   options.host_times = context.host_times;
-  Gathering gathering;
-  add_cells(options, gathering, answer);
-  add_polyhedra(options, gathering, answer);
-  add_functions(context.host_times, gathering, answer);
-  gathering.finish(answer);
+  RowCollector collector;
+  add_cells(options, collector, answer);
+  add_polyhedra(options, collector, answer);
+  add_functions(context.host_times, collector, answer);
+  collector.finish(answer);
   answer.of_plot = fmt::format(
       "{} from its default view; Plantinga's events and turn-pdp7 of boxes-{} in parallel projection; the "
       "function {}",

@@ -102,7 +102,7 @@ void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
                                         ? "With it a frame without hidden lines is no slower than a wire frame: fewer lines are "
                                           "drawn, and that saves more than the events cost."
                                         : "")}});
-  const std::size_t dear = count(turns, [](const Pdp7Turn& t) { return t.cost > 1.5; });
+  const std::size_t slow = count(turns, [](const Pdp7Turn& t) { return t.cost > 1.5; });
   page.claims(
       "plantinga-pdp7-claims", "Two sentences, on the PDP-7",
       {{.claim = "plantinga.wire",
@@ -111,8 +111,8 @@ void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
         .condition =
             fmt::format("time of a frame without hidden lines to that of a wire frame, {} solids, with the EAE and without",
                         distinct(turns, &Pdp7Turn::model)),
-        .comparison = dear == 0 ? "the claim holds on this machine"
-                                : fmt::format("the claim does not hold for {} of {} rows (limit 1.5 times)", dear, turns.size())},
+        .comparison = slow == 0 ? "the claim holds on this machine"
+                                : fmt::format("the claim does not hold for {} of {} rows (limit 1.5 times)", slow, turns.size())},
        {.claim = "jones.frames",
         .here = least_and_greatest(turns, &Pdp7Turn::worst_frames_a_second),
         .places = 1,

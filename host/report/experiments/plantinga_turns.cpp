@@ -208,7 +208,7 @@ struct PrintedTable1 {
                       table.number(i, "kb"), table.number(i, "per_edge"), count("most"), table.number(i, "construction_s")});
     }
   }
-  [[nodiscard]] const PrintedModel& of(const std::string& model) const { return the(rows, is(&PrintedModel::model, model)); }
+  [[nodiscard]] const PrintedModel& of(const std::string& model) const { return only(rows, equals(&PrintedModel::model, model)); }
   // A column with the value from the row of the same model.
   template <class T>
   [[nodiscard]] auto column(T PrintedModel::*member) const {
@@ -222,7 +222,7 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
   const std::vector<TurnModel>& models = turns.models;
   const std::size_t same = count(models, [&](const TurnModel& m) { return printed.of(m.model).has_numbers_of(m); });
   const PrintedModel& grid = printed.of("grid");
-  std::vector<Said> notes{
+  std::vector<CheckedText> notes{
       "The paper gives the numbers of vertices, edges and faces of its models, not where the parts are nor how they are tilted; "
       "a comparison to the digit needs the coordinates of the models. The models here have the same numbers" +
           page.claim(same == models.size(), ", all of them", fmt::format("{} of {} have them", same, models.size())) +
@@ -231,8 +231,8 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
       fmt::format("The paper's events are changes of single edges: events an edge times edges gives the printed events in {} of "
                   "{} rows. In the row Grid, {} events of {} edges are {} an edge, printed {} (hard case P22). A group is all "
                   "that changes at one direction; directions are compared exactly.",
-                  count(printed.rows, &PrintedModel::agrees_with_itself), printed.rows.size(), shown(grid.events),
-                  shown(grid.edges), shown(grid.events_an_edge(), 1), shown(grid.per_edge, 1)),
+                  count(printed.rows, &PrintedModel::agrees_with_itself), printed.rows.size(), text_of(grid.events),
+                  text_of(grid.edges), text_of(grid.events_an_edge(), 1), text_of(grid.per_edge, 1)),
       fmt::format("KB are 1024 bytes. A change in the file here holds only the pieces that appear; the pieces that disappear are "
                   "known. {}",
                   models.size() < printed.rows.size()
@@ -305,9 +305,9 @@ void add_table_2(Page& page, const std::vector<TurnFrames>& frames) {
 
 // Checks the claim that a frame is about as fast as the wire frame, from ratios of both.
 std::string within_limit(const std::vector<TurnFrames>& frames, double (TurnFrames::*ratio)() const) {
-  const std::size_t dear = count(frames, [ratio](const TurnFrames& f) { return (f.*ratio)() > 1.5; });
-  return dear == 0 ? "the claim holds"
-                   : fmt::format("the claim does not hold for {} of {} models (limit 1.5 times)", dear, frames.size());
+  const std::size_t slow = count(frames, [ratio](const TurnFrames& f) { return (f.*ratio)() > 1.5; });
+  return slow == 0 ? "the claim holds"
+                   : fmt::format("the claim does not hold for {} of {} models (limit 1.5 times)", slow, frames.size());
 }
 
 void add_claims(Page& page, const PlantingaTurns& turns) {
@@ -331,7 +331,7 @@ void add_claims(Page& page, const PlantingaTurns& turns) {
                     .places = 2,
                     .condition = "a frame after 30 degrees to one after 2 degrees, image coordinates",
                     .comparison = fmt::format("by Table 2 {} times for squares, {} for tori. {}",
-                                              shown(printed_ratio("squares"), 2), shown(printed_ratio("tori"), 2),
+                                              text_of(printed_ratio("squares"), 2), text_of(printed_ratio("tori"), 2),
                                               greatest(turns.frames, &TurnFrames::step_ratio) > printed_ratio("squares")
                                                   ? "On this computer the step matters more: coordinates take a few nanoseconds "
                                                     "a line, while what an event changes is found one by one."

@@ -233,7 +233,7 @@ CurveParts<Point> labels_at(std::string function) {
 }
 
 void plot_emulated(Page& page, const SkalaAccuracy& skala, const Measure& measure, const std::string& study,
-                   const std::string& id, const std::string& what, const Said& caption, const std::string& alternative,
+                   const std::string& id, const std::string& what, const CheckedText& caption, const std::string& alternative,
                    const std::string& labelled) {
   Plot plot{id,
             fmt::format("Skala on the 8080: {}: {}", what, measure.title),
@@ -270,7 +270,7 @@ void raster_plots(Page& page, const SkalaAccuracy& skala) {
     plot_emulated(page, skala, measure, "raster", fmt::format("skala-raster-{}-emulated", measure.key), what,
                   "33 slices of 17 points. The program on the 8080 has 256 dots and is made to use fewer by zooming out. " +
                       page.claim(farthest <= 2.5, fmt::format("The greatest distance is at most {} dots of the raster at hand.",
-                                                              shown(farthest, 1))),
+                                                              text_of(farthest, 1))),
                   "Log-log plot of the time of a drawing against its error on rasters of 64, 128 and 256 dots a side", "sinc");
   plot_host(page, skala, measures()[0], "raster", "skala-raster-h-host", what, "33 slices of 17 points.",
             "Log-log plot of the time of a drawing against its error on rasters of 64 to 1024 dots a side, one curve for each "
@@ -282,20 +282,20 @@ void grid_plots(Page& page, const SkalaAccuracy& skala) {
   const std::string what = "8 to 256 points in each of 33 slices";
   const std::string alternative = "Log-log plot of the time of a drawing against its error with 8 to 256 points for each slice";
   const auto point = [&](std::string_view function, bool native, int points) -> const Point& {
-    return the(skala.points, [=](const Point& row) {
+    return only(skala.points, [=](const Point& row) {
       return row.study == "grid" && row.function == function && row.native() == native && row.setting == points;
     });
   };
   const auto gain = [&](std::string_view function, bool native) {
-    return shown(pixels_off(point(function, native, 8)) / pixels_off(point(function, native, 64)), 0);
+    return text_of(pixels_off(point(function, native, 8)) / pixels_off(point(function, native, 64)), 0);
   };
-  const Said caption = fmt::format(
+  const CheckedText caption = fmt::format(
       "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of "
       "the native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} "
       "times. From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times "
       "as long as with 64.",
       gain("sinc", true), gain("peaks", true), gain("sinc", false), gain("peaks", false),
-      shown(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
+      text_of(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
   for (const Measure& measure : measures())
     plot_emulated(page, skala, measure, "grid", fmt::format("skala-grid-{}-emulated", measure.key), what, caption, alternative,
                   "sinc");
@@ -316,7 +316,7 @@ void level_plots(Page& page, const SkalaAccuracy& skala) {
 void study_table(Page& page, const SkalaAccuracy& skala, const std::string& study, const std::string& title,
                  const std::string& setting) {
   page.table(
-      "skala-speed-error-" + study, "Skala: " + title, where(skala.points, is(&Point::study, study)),
+      "skala-speed-error-" + study, "Skala: " + title, where(skala.points, equals(&Point::study, study)),
       {{"function", "Function", &Point::function},
        {"program", "Program", &Point::program},
        {study, setting, &Point::setting},
@@ -335,7 +335,7 @@ void study_table(Page& page, const SkalaAccuracy& skala, const std::string& stud
 void boards(Page& page, const SkalaAccuracy& skala) {
   using Board = SkalaBoard;
   const auto mismatch = [](const Board& board) { return board.error.mismatch; };
-  const auto of = [&](const char* function) { return where(skala.boards, is(&Board::function, function)); };
+  const auto of = [&](const char* function) { return where(skala.boards, equals(&Board::function, function)); };
   bool same = true;
   for (const char* const function : functions) same = same && distinct(of(function), mismatch) == 1;
   const auto sinc = range_of(of("sinc"), &Board::total_s);
@@ -344,7 +344,7 @@ void boards(Page& page, const SkalaAccuracy& skala) {
             "33 slices of 65 points of three functions, from the first byte of a command to the last dot." +
                 page.claim(same, "The board does not change the picture, so the points of a function stand above one another."),
             fmt::format("Plot of the time of a picture against its error for each board and link; for sinc it takes {} to {} s.",
-                        shown(sinc.least, 1), shown(sinc.greatest, 1)),
+                        text_of(sinc.least, 1), text_of(sinc.greatest, 1)),
             {"differing pixels", "% of the raster", false},
             {"a picture, time on the emulated machine", "s"}};
   add_curves(plot, skala.boards, &Board::board, mismatch, &Board::total_s,

@@ -122,9 +122,9 @@ ClaimRow same_row(const Page& page, const std::string& claim, T here, int places
 
 void paper_claims(Page& page, const SkalaPictures& skala) {
   const auto memory = [&](std::string_view what) -> const SkalaMemory& {
-    return the(skala.memory, is(&SkalaMemory::what, what));
+    return only(skala.memory, equals(&SkalaMemory::what, what));
   };
-  const auto on_alt256 = where(skala.costs, is(&SkalaCost::board, "ALT-256"));
+  const auto on_alt256 = where(skala.costs, equals(&SkalaCost::board, "ALT-256"));
   page.claims(
       "skala-paper", "Skala 1985: every number for time and size",
       {time_row(page, skala, "lines",
@@ -219,7 +219,7 @@ SkalaPictures skala_pictures(const Context& context) {
 void skala_timing(Page& page, const SkalaPictures& skala) {
   paper_claims(page, skala);
   page.table("skala-functions", "Skala: drawing time of the eight functions", skala.pictures, drawing_columns(),
-             {{"Seconds of the emulated 8080 at " + shown(clock_mhz()) +
+             {{"Seconds of the emulated 8080 at " + text_of(clock_mhz()) +
                " MHz, from the first command in memory to the last dot. Lines and surfaces: 60 slices of 33 points, contours: 8 "
                "levels on 33 by 33, rotated 30 degrees, elevation 30. A surface costs less with the test of visibility than "
                "without, because facets that are hidden are neither shaded nor drawn: its cost is below zero. The report ends "
@@ -239,7 +239,7 @@ void skala_timing(Page& page, const SkalaPictures& skala) {
       {{"Contours without the test are drawn alone; with it the edges of all triangles are walked as well, for the masks."}});
   page.gallery("skala-rasters", "Skala: what the raster board shows", skala.pictures, [](const SkalaPicture& row) {
     return figure(row.raster, fmt::format("raster-{}-{}", row.function, row.picture),
-                  fmt::format("{}, {}", row.function, row.picture), shown(row.drawing_s, 3) + " s",
+                  fmt::format("{}, {}", row.function, row.picture), text_of(row.drawing_s, 3) + " s",
                   fmt::format("The function {} drawn by the 8080 as {} on 256 by 256 points", row.function, row.picture));
   });
 }

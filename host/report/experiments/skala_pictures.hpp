@@ -66,7 +66,7 @@ struct SkalaPictures {
   std::vector<SkalaMemory> memory;
 
   [[nodiscard]] Chosen<SkalaPicture> of(std::string_view picture) const {
-    return where(pictures, is(&SkalaPicture::picture, picture));
+    return where(pictures, equals(&SkalaPicture::picture, picture));
   }
 };
 

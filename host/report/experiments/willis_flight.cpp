@@ -59,11 +59,11 @@ void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
   const double rate = page.paper_figure("willis.rate").least;
   const double hundreds = page.paper_figure("willis.surfaces").least;
   const auto pieces = range_of(flights, &WillisFlight::pieces);
-  const auto of_8_bits = where(flights, is(&WillisFlight::bits, 8));
-  const auto of_16_bits = where(flights, is(&WillisFlight::bits, 16));
+  const auto of_8_bits = where(flights, equals(&WillisFlight::bits, 8));
+  const auto of_16_bits = where(flights, equals(&WillisFlight::bits, 16));
   const auto keeps_up = [rate](const auto& chosen) { return least(chosen, &WillisFlight::worst_frames_a_second) >= 0.99 * rate; };
   const auto most_of_16_bits = [&flights](std::size_t axes) {
-    return shown(most_pieces(flights, [axes](const WillisFlight& f) { return f.bits == 16 && f.axes == axes; }));
+    return text_of(most_pieces(flights, [axes](const WillisFlight& f) { return f.bits == 16 && f.axes == axes; }));
   };
   const auto most = most_pieces(flights, [](const WillisFlight&) { return true; });
   page.claims("willis-flight-claims", "25 frames a second, on an 8080 at 3 MHz",
@@ -90,8 +90,8 @@ void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
                 .condition = fmt::format("worst frame of the same ways flown in {} frames, {} pieces, coordinates of 8 bits",
                                          fast_frames, pieces.greatest),
                 .comparison = fmt::format("{} to {} in the mean frame",
-                                          shown(least(of_8_bits, &WillisFlight::fast_frames_a_second), 1),
-                                          shown(greatest(of_8_bits, &WillisFlight::fast_frames_a_second), 1))},
+                                          text_of(least(of_8_bits, &WillisFlight::fast_frames_a_second), 1),
+                                          text_of(greatest(of_8_bits, &WillisFlight::fast_frames_a_second), 1))},
                {.claim = "willis.surfaces",
                 .here = {as_cell(most), as_cell(most)},
                 .condition = fmt::format("most pieces at 25 frames a second, flights of {} frames", usual_frames),
@@ -162,7 +162,7 @@ std::vector<WillisFlight> willis_flight(const Context& context) {
 void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights) {
   add_claims(page, flights);
   const std::uint64_t wrong_points = greatest(flights, &WillisFlight::wrong_points);
-  const double of_100 = least(where(flights, is(&WillisFlight::pieces, 100U)), &WillisFlight::frames_a_second);
+  const double of_100 = least(where(flights, equals(&WillisFlight::pieces, 100U)), &WillisFlight::frames_a_second);
   page.table(
       "willis-flights", "Willis on an 8080 with the priority display: flights", flights,
       {{"scene", "Scene", &WillisFlight::scene},
@@ -197,7 +197,7 @@ void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights)
                wrong_points == 0
                    ? "None of them shows: pieces that overlap in these pictures differ in distance by more than the rounding."
                    : ""),
-           of_100 >= 5 ? fmt::format("100 pieces are shown at {} frames a second or more.", shown(of_100, 1)) : std::string()}});
+           of_100 >= 5 ? fmt::format("100 pieces are shown at {} frames a second or more.", text_of(of_100, 1)) : std::string()}});
   Plot plot{.id = "willis-flight-plot",
             .title = "Willis on an 8080: frames computed a second",
             .caption = "The mean of a flight; the display shows 25 a second at most.",

@@ -126,7 +126,7 @@ std::vector<WillisArea> boundary_areas() {
 }
 
 // Greys by face; points with wrong order in red.
-picture::Image marked(const picture::PixelGrid& drawn, const picture::PixelGrid& truth) {
+picture::Image mark_errors(const picture::PixelGrid& drawn, const picture::PixelGrid& truth) {
   picture::Image image(drawn.width, drawn.height, 3);
   for (int row = 0; row < drawn.height; ++row) {
     for (int column = 0; column < drawn.width; ++column) {
@@ -147,7 +147,7 @@ std::size_t worst_view(const TrueFaces& views, const willis::Model& uncut) {
   std::pair<std::uint64_t, std::ptrdiff_t> most;
   for (std::size_t view = 0; view < views.cameras().size(); ++view) {
     const auto& truth = views.truth(view).values;
-    const std::pair here{views.errors_of(views.drawn(uncut, view), view).wrong_inside,
+    const std::pair here{views.errors_of(views.draw(uncut, view), view).wrong_inside,
                          std::count_if(truth.begin(), truth.end(), [](auto face) { return face != 0; })};
     if (here <= most) continue;
     most = here;
@@ -165,11 +165,11 @@ void add_pictures(std::vector<WillisPicture>& pictures, const WillisScene& scene
     const auto drawn = compare::ordered_faces(model, truth.cameras().front(), truth.size(), corners);
     const FaceErrors errors = truth.errors_of(drawn, 0);
     pictures.push_back({scene.title(), depth, model.pieces.size(), model.residual.size(), errors.wrong_inside,
-                        errors.wrong_on_edges, png_picture(marked(drawn, truth.truth(0)), true)});
+                        errors.wrong_on_edges, png_picture(mark_errors(drawn, truth.truth(0)), true)});
   }
 }
 
-Said without_rule(const Page& page, const std::vector<WillisModel>& models) {
+CheckedText without_rule(const Page& page, const std::vector<WillisModel>& models) {
   const std::uint64_t wrong =
       sum(where(models, [](const WillisModel& m) { return m.left_over == 0 && !m.rule90; }), &WillisModel::lines_wrong);
   return page.claim(wrong == 0,
@@ -177,7 +177,7 @@ Said without_rule(const Page& page, const std::vector<WillisModel>& models) {
                     fmt::format("{} lines are wrong", wrong));
 }
 
-Said with_rule(const Page& page, const std::vector<WillisModel>& models) {
+CheckedText with_rule(const Page& page, const std::vector<WillisModel>& models) {
   const auto whole = where(models, [](const WillisModel& m) { return m.left_over == 0 && m.rule90; });
   const std::size_t wrong = count(whole, [](const WillisModel& m) { return m.lines_wrong > 0; });
   return page.claim(wrong > 0,
@@ -186,7 +186,7 @@ Said with_rule(const Page& page, const std::vector<WillisModel>& models) {
 
 // A curve for each scene and rule; boundaries are balls.
 template <class Y>
-void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, Said caption,
+void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, CheckedText caption,
                     Axis y, Y value) {
   Plot plot{.id = fmt::format("willis-lines-{}", id),
             .title = fmt::format("Willis: surfaces cut up to 0 to {} times: {}", deepest_cuts, what),
@@ -197,10 +197,10 @@ void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::str
             .x = {"sight lines in the wrong order", "%"},
             .y = std::move(y)};
   const std::string first = models.front().scene;
-  add_curves(plot, where(models, is(&WillisModel::boundary, "ball")),
+  add_curves(plot, where(models, equals(&WillisModel::boundary, "ball")),
              [](const WillisModel& m) { return m.scene + (m.rule90 ? ", 90-degree rule" : ""); },
              &WillisModel::lines_wrong_percent, value, {.label = [first](const WillisModel& m) {
-               return m.scene == first && !m.rule90 && m.left_over > 0 ? shown(m.depth) : std::string();
+               return m.scene == first && !m.rule90 && m.left_over > 0 ? text_of(m.depth) : std::string();
              }});
   page.plot(std::move(plot));
 }
@@ -224,7 +224,7 @@ WillisOrder willis_order(const Context& context) {
 
 void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& times) {
   const std::vector<WillisModel>& models = order.models;
-  const double uncut = greatest(where(models, is(&WillisModel::depth, 0)), &WillisModel::lines_wrong_percent);
+  const double uncut = greatest(where(models, equals(&WillisModel::depth, 0)), &WillisModel::lines_wrong_percent);
   const std::uint64_t cut =
       sum(where(models, [](const WillisModel& m) { return m.depth == deepest_cuts && !m.rule90; }), &WillisModel::lines_wrong);
   page.paragraph(
@@ -233,7 +233,7 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
       page.claim(uncut > 0 && cut == 0,
                  fmt::format("With nothing cut at most {} % of the sight lines are in the wrong order; cut up to {} times, and "
                              "without the 90-degree rule, none.",
-                             shown(uncut, 2), deepest_cuts),
+                             text_of(uncut, 2), deepest_cuts),
                  fmt::format("{} lines are wrong", cut)));
 
   add_lines_plot(page, models, "pieces", "pieces",
@@ -241,7 +241,7 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
                      with_rule(page, models),
                  {"pieces"}, [](const WillisModel& m) { return static_cast<double>(m.pieces); });
   if (page.host_times()) {
-    const Said caption("As above. Times are medians of interleaved repetitions, of this computer.");
+    const CheckedText caption("As above. Times are medians of interleaved repetitions, of this computer.");
     add_lines_plot(page, models, "prepare", "time of a model", caption, {"a model, time on this computer", "ms"},
                    [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; });
     add_lines_plot(page, models, "frame", "time of a frame", caption, {"distances and sort, time on this computer", "us"},
@@ -274,8 +274,8 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
             page.claim(most_wrong < 2,
                        fmt::format("Few lines are wrong, at most {} %, where {} to {} pairs are left over: a pair is left over "
                                    "if some eye could see it wrongly.",
-                                   shown(most_wrong, 2), shown(pairs.least), shown(pairs.greatest)),
-                       shown(most_wrong) + " % of the lines are wrong")},
+                                   text_of(most_wrong, 2), text_of(pairs.least), text_of(pairs.greatest)),
+                       text_of(most_wrong) + " % of the lines are wrong")},
        .folded = true});
 }
 

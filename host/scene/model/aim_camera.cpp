@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t largest = camera_vector_limit - 1;
 
-PolyPoint reduced(const geometry::Vector3& v) {
+PolyPoint reduce(const geometry::Vector3& v) {
   const std::int64_t divisor = std::gcd(std::gcd(v[0], v[1]), v[2]);
   PolyPoint p{};
   for (std::size_t a = 0; a < 3; ++a) p[a] = static_cast<std::int32_t>(v[a] / divisor);
@@ -29,7 +29,7 @@ std::optional<PolyPoint> small_vector(const geometry::Vector3& v) {
   if (divisor == 0) return std::nullopt;
   for (const std::int64_t c : v)
     if (std::abs(c / divisor) > largest) return std::nullopt;
-  return reduced(v);
+  return reduce(v);
 }
 
 constexpr double longest_direction = (1 << 20) - 1;
@@ -141,7 +141,7 @@ geometry::Vector3 up_of(const SceneFrame& frame) {
 }
 
 // The third vector of a camera: right x up is forward or its opposite.
-geometry::Vector3 completed(const SceneFrame& frame, const geometry::Vector3& a, const geometry::Vector3& b) {
+geometry::Vector3 third_vector(const SceneFrame& frame, const geometry::Vector3& a, const geometry::Vector3& b) {
   return frame.forward_is_z ? geometry::cross(a, b) : geometry::cross(b, a);
 }
 
@@ -152,16 +152,16 @@ std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint&
   const auto upwards = whole_direction(up);
   if (!forward || !upwards) return std::nullopt;
   using geometry::vector_of;
-  PolyCamera camera{perspective, eye, reduced(vector_of(*forward)), {}, {}};
+  PolyCamera camera{perspective, eye, reduce(vector_of(*forward)), {}, {}};
   const auto fits = [](const PolyPoint& p) {
     return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
   };
   if (!fits(camera.forward)) return std::nullopt;
   // Below 2^15 times 2^20, times 2 for the difference: below 2^36. The second product is below 2^31.
-  const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
+  const auto right = small_vector(third_vector(frame, vector_of(reduce(vector_of(*upwards))), vector_of(camera.forward)));
   if (!right) return std::nullopt;
   camera.right = *right;
-  const auto upright = small_vector(completed(frame, vector_of(camera.forward), vector_of(camera.right)));
+  const auto upright = small_vector(third_vector(frame, vector_of(camera.forward), vector_of(camera.right)));
   if (!upright) return std::nullopt;
   camera.up = *upright;
   return camera;
@@ -194,9 +194,9 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   if (!aim) {
     const geometry::Vector3 forward = axis_vector(frame.vertical, direction[frame.vertical] < 0 ? -1 : 1);
     const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
-    camera.forward = reduced(forward);
-    camera.right = reduced(right);
-    camera.up = reduced(completed(frame, forward, right));
+    camera.forward = reduce(forward);
+    camera.right = reduce(right);
+    camera.up = reduce(third_vector(frame, forward, right));
     return camera;
   }
   geometry::Vector3 forward = axis_vector(frame.vertical, upwards * aim->n);
@@ -205,9 +205,9 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   geometry::Vector3 up = axis_vector(frame.vertical, upwards * (aim->p * aim->p + aim->q * aim->q) * aim->m);
   up[first] = -aim->p * aim->n;
   up[second] = -aim->q * aim->n;
-  camera.forward = reduced(forward);
-  camera.right = reduced(completed(frame, up_of(frame), forward));
-  camera.up = reduced(up);
+  camera.forward = reduce(forward);
+  camera.right = reduce(third_vector(frame, up_of(frame), forward));
+  camera.up = reduce(up);
   return camera;
 }
 
@@ -215,7 +215,7 @@ PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const st
                          const std::array<double, 3>& up, bool perspective) {
   if (const auto exact = exact_camera(frame, eye, direction, up, perspective)) return *exact;
   const auto upwards = whole_direction(up);
-  if (upwards && geometry::vector_of(reduced(geometry::vector_of(*upwards))) == up_of(frame))
+  if (upwards && geometry::vector_of(reduce(geometry::vector_of(*upwards))) == up_of(frame))
     return aimed_camera(frame, eye, direction_of(direction), perspective);
   using geometry::RealVector;
   using geometry::unit;
@@ -273,9 +273,9 @@ PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const st
     }
     if (!fits) continue;
     nearest = along * along / norm;
-    camera.right = reduced(matrix[0]);
-    camera.up = reduced(matrix[1]);
-    camera.forward = reduced(frame.forward_is_z ? matrix[2] : geometry::negated(matrix[2]));
+    camera.right = reduce(matrix[0]);
+    camera.up = reduce(matrix[1]);
+    camera.forward = reduce(frame.forward_is_z ? matrix[2] : geometry::negated(matrix[2]));
     best = camera;
   }
   return best;
@@ -308,7 +308,7 @@ PolyPoint direction_of(const std::array<double, 3>& direction) {
 SceneSides sides_of(const SceneFrame& frame) {
   const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
   const geometry::Vector3 up = up_of(frame);
-  const geometry::Vector3 away = completed(frame, right, up);
+  const geometry::Vector3 away = third_vector(frame, right, up);
   SceneSides sides;
   for (std::size_t a = 0; a < 3; ++a) {
     sides.right[a] = static_cast<double>(right[a]);
@@ -341,7 +341,7 @@ PolyCamera three_quarter_camera(const SceneFrame& frame, const PolyScene& scene)
   const std::int64_t half = bounds.half_size();
   const PolyPoint centre = bounds.middle();
   const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
-  const geometry::Vector3 away = completed(frame, right, up_of(frame));
+  const geometry::Vector3 away = third_vector(frame, right, up_of(frame));
   PolyPoint direction{};
   for (std::size_t a = 0; a < 3; ++a)
     direction[a] = static_cast<std::int32_t>(20 * away[a] - 12 * right[a] - 9 * up_of(frame)[a]);

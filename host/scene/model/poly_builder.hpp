@@ -15,10 +15,10 @@ class PolyBuilder {
  public:
   PolyBuilder() : pool_(scene_.vertices) {}
   // The pool refers to the vertices of this builder's scene.
-  PolyBuilder(const PolyBuilder& other) : scene_(other.scene_), pool_(scene_.vertices) { pool_.place_as(other.pool_); }
+  PolyBuilder(const PolyBuilder& other) : scene_(other.scene_), pool_(scene_.vertices) { pool_.copy_table_of(other.pool_); }
   PolyBuilder& operator=(const PolyBuilder& other) {
     scene_ = other.scene_;
-    pool_.place_as(other.pool_);
+    pool_.copy_table_of(other.pool_);
     return *this;
   }
 

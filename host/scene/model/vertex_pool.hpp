@@ -33,7 +33,7 @@ class VertexPool {
   }
 
   // For a copy of another pool's vertices: takes over its table.
-  void place_as(const VertexPool& other) { places_ = other.places_; }
+  void copy_table_of(const VertexPool& other) { places_ = other.places_; }
 
   [[nodiscard]] std::optional<VertexIndex> find(Point point) const {
     for (Number& c : point) c += Number{0};

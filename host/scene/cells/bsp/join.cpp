@@ -38,7 +38,7 @@ class LeafJoiner {
     if (portal.polygon.empty() || behind == no_node || in_front == no_node) return false;
     if (!is_free_[behind] || !is_free_[in_front]) return false;
     const std::uint32_t plane = portal.polygon.plane;
-    if (!is_all_there(behind, plane) || !is_all_there(in_front, plane) || !is_open(portal)) return false;
+    if (!has_single_portal(behind, plane) || !has_single_portal(in_front, plane) || !is_open(portal)) return false;
     const std::vector<HalfSpace> behind_bounds = bounds_without(behind, plane);
     if (!is_within(in_front, behind_bounds)) return false;
     const std::vector<HalfSpace> front_bounds = bounds_without(in_front, plane);
@@ -49,7 +49,7 @@ class LeafJoiner {
 
   // Whether the leaf has only one portal in the plane. If it has more, its face there is larger than the
   // other leaf's.
-  [[nodiscard]] bool is_all_there(std::uint32_t node, std::uint32_t plane) const {
+  [[nodiscard]] bool has_single_portal(std::uint32_t node, std::uint32_t plane) const {
     const std::vector<std::uint32_t>& portals = tree_.portals_of[node];
     return std::count_if(portals.begin(), portals.end(), [&](std::uint32_t number) {
              return tree_.portals[number].polygon.plane == plane;
@@ -135,7 +135,7 @@ class LeafJoiner {
     PlanePolygon polygon = widest_polygon(builder_, way.plane);
     const auto clip = [&](const std::vector<HalfSpace>& halves) {
       for (const HalfSpace& half : halves) {
-        if (half.plane != way.plane) polygon = clipped(planes(), std::move(polygon), half);
+        if (half.plane != way.plane) polygon = clip_to(planes(), std::move(polygon), half);
       }
     };
     clip(bounds);

@@ -75,7 +75,7 @@ SplitPolygon split(const Planes& planes, PlanePolygon polygon, std::uint32_t pla
   return parts;
 }
 
-PlanePolygon clipped(const Planes& planes, PlanePolygon polygon, HalfSpace half) {
+PlanePolygon clip_to(const Planes& planes, PlanePolygon polygon, HalfSpace half) {
   const PolygonSides sides = sides_of(planes, polygon, half.plane);
   if (!(half.turned ? sides.in_front : sides.behind)) return {};
   if (!sides.both()) return polygon;
@@ -86,7 +86,7 @@ PlanePolygon clipped(const Planes& planes, PlanePolygon polygon, HalfSpace half)
 PlanePolygon intersection(const Planes& planes, PlanePolygon a, const PlanePolygon& b) {
   assert(a.plane == b.plane);
   for (std::size_t i = 0; i < b.sides.size() && !a.empty(); ++i) {
-    a = clipped(planes, std::move(a), b.sides[i].half);
+    a = clip_to(planes, std::move(a), b.sides[i].half);
   }
   return a;
 }

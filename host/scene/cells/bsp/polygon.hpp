@@ -59,7 +59,7 @@ struct SplitPolygon {
 [[nodiscard]] SplitPolygon split(const Planes& planes, PlanePolygon polygon, std::uint32_t plane);
 
 // The part of the polygon in the half-space.
-[[nodiscard]] PlanePolygon clipped(const Planes& planes, PlanePolygon polygon, HalfSpace half);
+[[nodiscard]] PlanePolygon clip_to(const Planes& planes, PlanePolygon polygon, HalfSpace half);
 
 // The intersection of a and b, which are in the same plane.
 [[nodiscard]] PlanePolygon intersection(const Planes& planes, PlanePolygon a, const PlanePolygon& b);

@@ -74,7 +74,7 @@ class TreeGrower {
   PlanePolygon cut_through(std::uint32_t node, std::uint32_t plane) {
     PlanePolygon cut = widest_polygon(builder_, plane);
     for (const HalfSpace& bound : bounds_of(tree_, node)) {
-      cut = clipped(planes(), std::move(cut), bound);
+      cut = clip_to(planes(), std::move(cut), bound);
     }
     assert(!cut.empty());
     return cut;

@@ -36,7 +36,7 @@ class GridOpenings {
 
   template <class Visit>
   void for_each_unit(const Meeting& meeting, Visit visit) const;
-  [[nodiscard]] geometry::Rectangle whole(const Meeting& meeting) const;
+  [[nodiscard]] geometry::Rectangle meeting_rectangle(const Meeting& meeting) const;
   void gather_covers(const Meeting& meeting);
 
   const GridSpace& space_;
