@@ -192,7 +192,7 @@ base::Result<ErrorAtlas> ErrorAtlas::of(const scene::CellScene& scene, std::vect
   const auto free = std::find_if(eyes.begin(), eyes.end(), [&](const geometry::Point& eye) {
     return jones::viewpoint(scene, eye).has_value();
   });
-  if (free == eyes.end()) return base::bad_input("found no eye in free space, a unit from every wall");
+  if (free == eyes.end()) return base::bad_input("found no eye in free space at least one unit from every wall");
   auto matter = oracle::Matter::of(scene);
   if (!matter) return base::bad_input("found too many grid units for the oracle");
   auto program = jones::Prepared::of(scene, {options.eae, static_cast<std::uint32_t>(options.fraction_bits), false});

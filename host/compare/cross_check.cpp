@@ -66,7 +66,7 @@ constexpr std::array all_not_applicable{
     NotApplicable{"plantinga", "J", NotApplicable::Views::all, "events of a turn are those of parallel projection"},
     NotApplicable{turn_name, "J", NotApplicable::Views::all, "turns in parallel projection"},
     NotApplicable{"willis", "H", NotApplicable::Views::all,
-                  "leaves facets that touch clustered: no plane on the lattice keeps them apart"},
+                  "leaves touching facets clustered: no plane with integer coefficients separates them"},
     NotApplicable{stripes_name, "C7", NotApplicable::Views::all,
                   "two faces hide each other in different places, for which the paper has no order"},
     NotApplicable{stripes_name, "C9", NotApplicable::Views::all, "65 faces are turned to the eye, the 8080 holds 64"},
@@ -139,13 +139,13 @@ TurnedViews turned_views(const CommonScene& scene) {
     }
     of.problem = problem;
     const auto angle = turn_angle_of(view.camera);
-    if (!angle) of.problem = "the view is not one of the turn";
+    if (!angle) of.problem = "the view does not look along the plane of the turn";
     if (!of.problem.empty()) continue;
     auto drawn = turned.turning->draw(*angle, &view.camera);
     if (!drawn)
       of.problem = drawn.error().message();
     else if (!drawn->difference.empty())
-      of.problem = "the program is not its twin: " + drawn->difference;
+      of.problem = "the program differs from its twin: " + drawn->difference;
     else {
       of.screen.emplace(ScreenPicture{std::move(*drawn), {}, 0});
       of.screen->in_view = lines_in_view(*turned.turning, scene, view, of.screen->turn);
@@ -188,7 +188,7 @@ class Drawing {
 
   void draw_lines() {
     const registry::LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
-    if (algorithm == nullptr) return fail("no such algorithm in the table of lines");
+    if (algorithm == nullptr) return fail("no such algorithm in the registry of lines");
     if (scene_.matter) return draw_matter(*algorithm);
     if (auto reason = algorithm->why_not(scene_.scene)) return fail(*reason);
     auto made = algorithm->prepare(scene_.scene);
@@ -296,7 +296,7 @@ class Drawing {
     }
     const registry::FaceAlgorithm* const algorithm =
         who_.name == willis_on_8080().name ? &willis_on_8080() : find_in(tables_.faces, who_.name);
-    if (algorithm == nullptr) return fail("no such algorithm in the table of faces");
+    if (algorithm == nullptr) return fail("no such algorithm in the registry of faces");
     registry::FaceOptions options;
     options.plan = scene_.plan;
     auto made = algorithm->prepare(scene_.scene, options);
@@ -428,7 +428,7 @@ std::optional<std::string_view> why_incomparable(std::string_view a, std::string
   if (a != skala_8080_name && b != skala_8080_name) return std::nullopt;
   const std::string_view other = a == skala_8080_name ? b : a;
   if (other == oracle_name || registry::find_height_algorithm(other) != nullptr) return std::nullopt;
-  return "skala-8080 draws slices, the other one triangles between them, which reach beyond the slices";
+  return "skala-8080 draws slices, the other one the triangles between them, which extend beyond the slices";
 }
 
 std::size_t listed_cells(const CommonScene& scene) {

@@ -224,7 +224,7 @@ ViewVerdict lines_on_pixels(std::string_view name, const DrawnPoints& points, co
   const Failures lines = lines_without_change(points, *b.faces);
   const Failures changes = changes_without_line(points, *b.faces);
   if (lines.all == 0 || changes.all == 0) return {false, how, "there is nothing to compare"};
-  std::string text = fmt::format("{} of {} changes of face have no line, {} of {} lone points no change",
+  std::string text = fmt::format("{} of {} changes of face have no line, {} of {} isolated points have no change",
                                  changes.failed, changes.all, lines.failed, lines.all);
   if (changes.failed > 0)
     text += fmt::format("; {} changes at pixel ({}, {}), where {} draws nothing", b.name, changes.first.x,

@@ -153,7 +153,7 @@ base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, 
     if (!twin) return twin.error();
     const jones::View& shown = outcome->view();
     if (const std::string difference = jones::difference_of(shown, *twin); !difference.empty())
-      return base::bad_input(fmt::format("{} fraction bits: the program is not its twin: {}", bits, difference));
+      return base::bad_input(fmt::format("{} fraction bits: the program differs from its twin: {}", bits, difference));
     if (shown.status != jones::Status::complete)
       return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
@@ -217,7 +217,7 @@ ViewVerdict compare_pictures(const NamedJones& a, const NamedJones& b) {
       if (of_a.display_file != of_b.display_file)
         return {false,
                 "words",
-                fmt::format("{} fraction bits: {} and {} have other display files", of_a.words.fraction_bits, a.name, b.name),
+                fmt::format("{} fraction bits: {} and {} have different display files", of_a.words.fraction_bits, a.name, b.name),
                 {}};
       words += of_a.display_file.size();
     }
@@ -240,7 +240,7 @@ ViewVerdict compare_with_oracle(const CommonScene& scene, const NamedInk& a) {
   for (const SkalaInk& ink : *a.pictures) {
     const std::string name = name_of(ink);
     if (skala::is_raster(ink.device) && ink.dots != oracle[ink.kind]) {
-      distances.fail(name + ": other dots than the column oracle");
+      distances.fail(name + ": its dots differ from the column oracle's");
       continue;
     }
     measured.add(distances, ink, unrounded[ink.kind == algorithms::skala::Subject::contours ? ink.kind : algorithms::skala::Subject::lines], 1);

@@ -140,12 +140,12 @@ FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const reg
 
 base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& camera) {
   if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
-    return base::bad_input(fmt::format("{} faces are too many for the oracle of sight lines, which takes {}",
+    return base::bad_input(fmt::format("found {} faces, expected at most {} for the oracle of sight lines",
                                   faces, most_faces));
   const registry::FaceWindow window =
       registry::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
   if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
-    return base::bad_input("the image is too small beside the scene's depth for the oracle of sight lines");
+    return base::bad_input("the scene is too deep, compared with its image, for the oracle of sight lines");
   return FaceTruth(scene, camera, window);
 }
 

@@ -55,7 +55,7 @@ std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const a
 std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
                                               const algorithms::skala::View& view) {
   if (const std::size_t points = grid.points() * grid.slices(); points > most_grid_points)
-    return fmt::format("{} points of the grid are too many for the truth of its lines, which takes {}", points, most_grid_points);
+    return fmt::format("found {} points of the grid, expected at most {}: computing the reference lines of more takes too long", points, most_grid_points);
   return find_height_method(oracle_method)->why_not(grid, view);
 }
 

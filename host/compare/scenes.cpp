@@ -338,7 +338,7 @@ class SceneMethods::Parts {
         comparison.pictures.push_back(std::move(row));
       } else {
         comparison.not_applicable.emplace_back(
-            jones_pdp7_name, "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
+            jones_pdp7_name, "its display file differs from its twin's, so its vectors cannot be assigned to lines: " + comparison.guest->difference);
       }
     }
     if (chosen(options_, jones_twin_name)) {

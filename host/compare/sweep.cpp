@@ -176,7 +176,7 @@ base::Result<Sweep> Sweep::of(const std::string& source, scene::HeightGrid grid,
   sweep.options_ = options;
   for (const std::string& method : options.methods)
     if (const auto reason = why_not_applicable(method, SceneKind::function)) return does_not_apply(source, method, *reason);
-  if (options.oracle) return does_not_apply(source, "oracle", "it is the truth of scenes of polyhedra");
+  if (options.oracle) return does_not_apply(source, "oracle", "it is the reference for scenes of polyhedra");
   if (options.all_lines) sweep.options_.methods = union_of(options.methods, {"skala-8080", "skala-twin", "skala"});
   sweep.view_ = view;
   sweep.grid_ = std::make_shared<const scene::HeightGrid>(std::move(grid));

@@ -220,7 +220,7 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   TurnPicture shown;
   shown.angle = angle;
   const auto camera = camera_between_events(parts_->model, parts_->events, angle);
-  if (!camera) return base::bad_input(fmt::format("no camera is between the events around angle {} of the machine", angle));
+  if (!camera) return base::bad_input(fmt::format("found no camera between the events around angle {} of the machine", angle));
   shown.camera = *camera;
 
   turn::Machine machine(parts_->program, tape, {.strokes = true});

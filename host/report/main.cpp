@@ -92,10 +92,10 @@ void add_report_command(const Command& app) {
   command.option("--part", arguments->parts, "Only this part: " + parts).value("N").one_at_a_time();
   command
       .option("--cache", arguments->cache,
-              "Folder where events of rotating scenes are kept for the next report; unusable files are rebuilt")
+              "Folder that stores events of rotating scenes for the next report; unusable files are replaced")
       .default_value("cache in the report's folder")
       .value("DIR");
-  command.flag("--full", arguments->full, "Measure longer, where that makes figures better");
+  command.flag("--full", arguments->full, "Measure longer, for more accurate figures");
   command.flag("--no-host-times", arguments->no_host_times,
                "Leave out times of this computer: the same bytes in every run");
   command.flag("-q,--quiet", arguments->quiet, "No progress and no summary");

@@ -81,7 +81,7 @@ std::vector<Block> blocks_of(const Chapter& chapter, const Results& results, con
 Report written(std::span<const int> parts, const Results& results, const Context& context) {
   Report report{"Sightline report", {}, {}, {}};
   if (!context.host_times)
-    report.introduction.emplace_back("Made without times of the computer it was made on: the same program makes the same bytes.");
+    report.introduction.emplace_back("Without times of this computer: the same program writes the same bytes.");
   struct Place {
     std::size_t section;
     const Chapter* chapter;

@@ -127,7 +127,7 @@ CaseInput all_octants() {
 base::Result<CaseInput, std::string> load_input(const HardCase& hard) {
   if (hard.input == "octants") return all_octants();
   const std::string_view text = hard_case_text(hard.input);
-  if (text.empty()) return "there is no file " + hard.input;
+  if (text.empty()) return "found no file " + hard.input;
   if (hard.input.ends_with(".off")) return load_model(text, hard.input);
   if (hard.input.ends_with(".csv") || hard.input.ends_with(".dat")) return load_heights(text, hard.input);
   if (hard.input.ends_with(".txt")) return load_commands(text, hard);

@@ -520,7 +520,7 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
     complaints.add(fmt::format("stops with \"{}\"", jones::name(status)));
   if (pictures_) {
     const auto matter = compare::MatterScene::of(scene);
-    if (!matter) return {false, "beyond the oracle"};
+    if (!matter) return {false, "the scene is too large for the oracle"};
     scene::PolyCamera camera;
     camera.eye = scene.default_view;
     const auto chosen = matter->lines_at(camera.eye);

@@ -250,10 +250,10 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
   const auto gain = range_of(machine.builds, &Build::eae_gain);
   const std::vector<double> of_a_bit = gains_of_a_bit(machine);
   const std::string of_bits = fmt::format(
-      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. How many times the wrong "
-      "length with 0 of them is that with 3: {}; one bit more divides it by {} to {}. A view of street4 with the EAE takes {} % "
-      "longer with 3. The EAE, which multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No "
-      "display on the machine; pieces as they leave the clip; six views of each scene.",
+      "Fraction bits of the screen's coordinates, from 3 at the left to 0 at the right, as labelled on the topmost curve. "
+      "Ratio of the wrong length with 0 bits to that with 3: {}; each additional bit divides it by {} to {}. A view of street4 "
+      "with the EAE takes {} % longer with 3 bits. The EAE, which multiplies and divides, makes a view {} to {} times as fast; "
+      "the pieces are the same. No display on the machine; pieces after clipping; six views of each scene.",
       gains_by_scene(machine, &Build::computed), text_of(*std::min_element(of_a_bit.begin(), of_a_bit.end()), 1),
       text_of(*std::max_element(of_a_bit.begin(), of_a_bit.end()), 1),
       text_of(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), text_of(gain.least, 1),
@@ -270,9 +270,9 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
   }
   const Build& street_cut = machine.build("street4", 0, false);
   const std::string of_rounding = fmt::format(
-      "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the wrong "
-      "length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % less "
-      "time. A point at the mark 0 has no error of this kind.",
+      "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the "
+      "wrong length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % "
+      "less time. A point at the mark 0 has no such error.",
       text_of(times_wrong(street_cut, street0), 1),
       text_of(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
       text_of(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
@@ -292,7 +292,7 @@ void error_table(Page& page, const JonesAccuracy& machine, std::string id, std::
   page.table(
       std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
       {{"scene", "Scene", &Build::scene}},
-      {{fmt::format("Rounded, how many times the wrong length with 0 fraction bits is that with 3: {}.",
+      {{fmt::format("Rounded: ratio of the wrong length with 0 fraction bits to that with 3: {}.",
                     gains_by_scene(machine, which))}},
       Pivot<Build>{
           [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
@@ -330,9 +330,9 @@ void machine_table(Page& page, const JonesAccuracy& machine) {
                               greatest(machine.builds, [](const Build& build) { return build.displayed.extra_far; }));
   page.table("jones-speed-error-machine", "Jones on the PDP-7: accuracy and time of every build", machine.builds, columns,
              {{"Lengths over six views of each scene, in pixels of the 1024 raster; the greatest distance is that of all six. "
-               "First after the clip, with the fraction of a point; then the same pieces between the whole points of the "
-               "display, which is what one saw.",
-               page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: "
+               "First after clipping, with the fraction of a point; then the same pieces between the points of the display, as "
+               "a user saw them.",
+               page.claim(far <= 1, fmt::format("Hidden lines that are drawn coincide, within a pixel, with visible lines: "
                                                 "extra length farther than a pixel is at most {} pixels.",
                                                 text_of(far, 2)))},
               true});
@@ -378,8 +378,8 @@ void native_plots(Page& page, const JonesNumbers& native) {
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "fractions", "0 to 8 fraction bits in 36",
                 "The same search in fixed point with 0 to 8 fraction bits in words of 36, in floating point, and in the native "
-                "program, which is exact: its error is 0, at the mark on the axis. What double leaves is below the numerical "
-                "noise floor of the measure and stands there too.",
+                "program, which is exact: its error is 0, at the mark on the axis. The error of double is below the numerical "
+                "noise floor of the measure and is plotted there, too.",
                 [](const Number& number) {
                   return number.study == "fractions" ? fmt::format("f={}", *number.fraction_bits) : number.arithmetic;
                 });
@@ -388,8 +388,8 @@ void native_plots(Page& page, const JonesNumbers& native) {
   });
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "words", "words of 12 to 36 bits",
-                fmt::format("Each word with the most fraction bits, up to 8, with which it holds every view. {} of 6 views of "
-                            "street4 do not fit 12 bits and end early.",
+                fmt::format("Each word has the most fraction bits, up to 8, with which every view is complete. {} of 6 views "
+                            "of street4 do not fit 12 bits and end early.",
                             shortest.error.incomplete),
                 [](const Number& number) {
                   if (number.word_bits && *number.word_bits > 20) return std::string();
@@ -409,9 +409,8 @@ void native_table(Page& page, const JonesNumbers& native) {
   add_error_columns(columns, [](const Number& number) -> const PictureError& { return number.error; });
   columns.emplace_back("view_us", "View", "us, mean", &Number::view_us, 1, host_time);
   page.table("jones-speed-error-numbers", "Jones in C++: accuracy and time of every kind of number", native.numbers, columns,
-             {{"A view that meets a number its word cannot hold ends there, and counts with what it drew until then. The report "
-               "ends with an error where an exact program does not draw what the oracle finds, piece for piece: an error of 0, "
-               "not a small one."},
+             {{"A view with a number that does not fit its word ends there and counts with the lines drawn until then. An "
+               "exact program must draw the oracle's picture, piece for piece, or the report ends with an error."},
               true});
 }
 
@@ -444,14 +443,14 @@ void jones_accuracy_chapter(Page& page, const JonesAccuracy& machine, const Jone
   page.paragraph(
       "Six views of each scene are compared with exact visibility. The measures are: missing length, which is visible and not "
       "drawn; extra length, which is drawn and not visible; wrong length, their sum in per cent of the visible length; extra "
-      "length farther than a pixel from every visible line, which is what a person notices; the greatest distance between what "
-      "is drawn and what is visible; and wrong visibility, the share of random points on all lines, a pixel or more from any "
+      "length farther than a pixel from every visible line, which is what a person notices; the greatest distance between the "
+      "drawn and the visible lines; and wrong visibility, the share of random points on all lines, a pixel or more from any "
       "end, that are wrongly visible or hidden. In the plots less error is to the left and less time is below. Both axes are "
-      "logarithmic; an error of exactly 0 stands at a mark named 0. Fraction bits are the bits of a word behind the point; f=2 "
-      "marks two of them. Six views are too few for rare errors: `sightline atlas street4 --views 4000` finds the views that are "
-      "wrong by more than a point, and why.");
+      "logarithmic; an error of exactly 0 is at a mark labelled 0. Fraction bits are the bits of a word after the binary "
+      "point; f=2 means two of them. Six views are too few for rare errors: `sightline atlas street4 --views 4000` finds the "
+      "views that are wrong by more than a point, and why.");
   machine_plots(page, machine);
-  error_table(page, machine, "jones-error-table", "after the clip, with the fraction of a point", &Build::computed);
+  error_table(page, machine, "jones-error-table", "after clipping, with the fraction of a point", &Build::computed);
   error_table(page, machine, "jones-error-display", "between the whole points of the display", &Build::displayed);
   machine_table(page, machine);
   wrong_pieces_table(page, machine);

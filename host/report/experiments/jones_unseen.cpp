@@ -168,8 +168,8 @@ JonesUnseen jones_unseen(const Context& context) {
 
 void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
   std::vector<CheckedText> notes{
-      "A closed house of 64 rooms, seen from within one of them, beside a building of which nothing is seen. The report ends "
-      "with an error where picture and counts are not the same in every row."};
+      "A closed house of 64 rooms, seen from inside one of them, beside a building that is not visible. Picture and counts "
+      "must be the same in every row, or the report ends with an error."};
   if (page.host_times()) {
     const auto ratio = range_of(unseen.house, &JonesHouse::ratio);
     const std::string last = text_of(unseen.house.back().ratio, 2);
@@ -182,7 +182,7 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
                    fmt::format("{} to {}", text_of(ratio.least), text_of(ratio.greatest))));
   }
   using House = JonesHouse;
-  page.table("unseen-house", "Jones today: one view beside a building that grows", unseen.house,
+  page.table("unseen-house", "Jones today: one view beside a growing building", unseen.house,
              {{"rooms", "Rooms", "of the building", &House::rooms},
               {"cells", "Cells", "in all", &House::cells},
               {"cells_seen", "Cells", "seen", &House::cells_seen},
@@ -194,14 +194,14 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
   using Building = JonesBuilding;
   const auto& buildings = unseen.buildings;
   const auto rooms = range_of(buildings, &Building::rooms);
-  notes = {"Rooms with doors, hatches or nothing between them, by lot; 256 eyes or one in every room."};
+  notes = {"Rooms with random doors, hatches or nothing between them; 256 eyes, or one in every room."};
   if (page.host_times())
-    notes.push_back(fmt::format("Loading is cutting the building into cells and preparing them for views; a view's time is the "
-                                "least of {}.",
+    notes.push_back(fmt::format("Loading cuts the building into cells and prepares them for views. The time of a view is the "
+                                "least of {} runs.",
                                 repetitions));
   page.table("unseen-native", fmt::format("Jones today: buildings of {} to {} rooms", text_of(rooms.least), text_of(rooms.greatest)),
              buildings,
-             {{"rooms", "Rooms", "and 64 of the house", &Building::rooms},
+             {{"rooms", "Rooms", "including 64 of the house", &Building::rooms},
               {"cells", "Cells", &Building::cells},
               {"openings", "Portals", &Building::openings},
               {"load_s", "Loading", "s", &Building::load_s, 3, host_time},
@@ -217,7 +217,7 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
   const Building& small = only(buildings, equals(&Building::rooms, 100U));
   Plot plot{"unseen-plot",
             "Jones today: time of a view against the size of the building",
-            fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times "
+            fmt::format("The view is from inside; nearly all rooms are invisible. From {} to {} rooms loading takes {} times "
                         "as long, a visit {} times. Times of the computer this report was made on.",
                         text_of(small.all_rooms), text_of(greatest(buildings, &Building::all_rooms)),
                         text_of(greatest(buildings, &Building::load_s) / *small.load_s, 0),

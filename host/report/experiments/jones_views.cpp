@@ -77,7 +77,7 @@ void paper_times(Page& page, const JonesViews& jones) {
   page.claims(
       "jones-paper-times", "Jones 1971: every number for time",
       {{"jones.few_seconds", all, 3, second_views,
-        fmt::format("{} of {} take a second or more. Whether his machine had the EAE is not said",
+        fmt::format("{} of {} take a second or more. The paper does not say whether its machine had the EAE",
                     count(views, [](const JonesView& view) { return view.second_view_s >= 1; }), views.size())},
        {"jones.order_of_seconds", all, 3, second_views, "as above"},
        {"jones.photographs", {}, Real::as_needed, "",
@@ -191,11 +191,12 @@ void jones_timing(Page& page, const JonesViews& jones) {
               {"lines_clipped", "Lines clipped", &View::lines_clipped},
               {"pieces", "Pieces drawn", &View::pieces},
               {"refreshes_per_s", "Refresh", "1/s", [](const View& view) { return 1 / view.refresh_s; }, 1}},
-             {{"From other places a view takes longer: `sightline atlas street4 --views 1000` gives the times from random eyes.",
+             {{"Views from other positions take longer: `sightline atlas street4 --views 1000` gives the times from random "
+               "eyes.",
                "Seconds of the emulated PDP-7, from the start of the search to the moment the new display file is put in the "
                "place of the old. During the first view the display is dark; during the second it shows the first and takes "
-               "cycles from the processor. The report ends with an error where a display file is not, word for word, the one "
-               "the native twin makes."}});
+               "cycles from the processor. A display file must equal the native twin's, word for word, or the report ends with "
+               "an error."}});
   // The hidden part changes nothing: the photograph of corridor32 is that of corridor8.
   const auto drawing = [](const View& view) {
     return fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines", view.scene, text_of(view.pieces));
@@ -231,8 +232,8 @@ void jones_needs(Page& page, const JonesViews& jones) {
               {"file_words", "Display file", "words", &View::file_words},
               {"file_room_words", "Capacity", "words", &View::file_room_words}},
              {{"In all: instructions, variables and constants, the scene, records of its openings, the mask stack and two "
-               "display files, whose room is there whether a scene needs it or not. The stack is the deepest of this view. "
-               "Present but not touched while a view is computed: the tape reader the program was loaded from."}});
+               "display files of fixed size. The stack is the deepest of this view. The tape reader, from which the program "
+               "was loaded, is not used while a view is computed."}});
   page.table("jones-work", "Jones: what a view reads", jones.views,
              {{"scene", "Scene", &View::scene},
               {"eae", "EAE", &View::eae},
@@ -250,12 +251,12 @@ void jones_needs(Page& page, const JonesViews& jones) {
                  return 100 * jones_cycle_us() * static_cast<double>(view.stolen_cycles) / (1000000 * view.second_view_s);
                },
                2}},
-             {{"Cells read: cells any word of which the processor fetched, watched from outside. A cell seen through several "
-               "portals is visited once for each. Every display word of the picture being shown costs the processor one cycle "
-               "of " + text_of(jones_cycle_us()) + " us."}});
+             {{"Cells read: cells of which the processor fetched any word, as observed by the emulator. A cell that is visible "
+               "through several portals is visited once for each. Every display word that is shown costs the processor one "
+               "cycle of " + text_of(jones_cycle_us()) + " us."}});
   const bool nothing = jones.unseen_rooms_cost_nothing() && distinct(jones.corridors, &Corridor::cells_read) == 1 &&
                        distinct(jones.corridors, &Corridor::visits) == 1;
-  page.table("unseen-guest", "Jones on the PDP-7: a corridor that grows behind what is seen", jones.corridors,
+  page.table("unseen-guest", "Jones on the PDP-7: a corridor whose invisible part grows", jones.corridors,
              {{"scene", "Scene", &Corridor::scene},
               {"eae", "EAE", &Corridor::eae},
               {"cells", "Cells", "in the scene", &Corridor::cells},
@@ -264,7 +265,7 @@ void jones_needs(Page& page, const JonesViews& jones) {
               {"instructions", "Instructions", &Corridor::instructions},
               {"view_s", "First view", "s", &Corridor::view_s, 6}},
              {{"The first view, while the display takes no cycles. " +
-               page.claim(nothing, "Rooms that are not seen cost no instruction: only the core that holds them grows.")}});
+               page.claim(nothing, "Rooms that are not visible cost no instructions; they only occupy core.")}});
 }
 
 }  // namespace sightline::report

@@ -227,8 +227,8 @@ void add_sides_plot(Page& page, const std::vector<StripesPicture>& pictures, con
   Plot plot{.id = fmt::format("montani-re-{}-sides", error.key),
             .title = "Montani and Re, stripes and exact: sides against " + error.title,
             .caption =
-                "Sides of all that is seen: what the differences work on. The exact build's are those of its own trapezoids, "
-                "which do not depend on pixels. " +
+                "Sides of all visible parts, on which the differences operate. The exact build's are those of its own "
+                "trapezoids, which do not depend on pixels. " +
                 Page::claim(exact == 0, "The exact build has no error.", "it has " + text_of(exact)),
             .alternative = fmt::format("Log-log plot of sides against {}, one curve for each scene.", error.title),
             .x = {error.title, error.unit},
@@ -272,19 +272,19 @@ void add_pictures_table(Page& page, const MontaniReStripes& measured) {
        {"sides", "Sides seen", &StripesPicture::sides},
        {"view_ms", "A view", "ms", &StripesPicture::view_ms, Real::as_needed, host_time}},
       {.notes = {fmt::format("Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as "
-                             "sets of points with those of exact: stripes are drawn as boundaries of what is seen, whose sides "
-                             "do not say whose edge they are. Differing pixels on edges are within 0.75 pixels of any edge, seen "
-                             "or hidden. The greatest distance is large where a face lower than half a stripe is lost, or a "
-                             "corner that moved past another shows or hides what it should not.",
+                             "sets of points with those of exact: stripes are drawn as boundaries of visible parts, whose "
+                             "sides do not belong to an edge. Differing pixels on edges are within 0.75 pixels of any edge, "
+                             "visible or hidden. The greatest distance is large if a face lower than half a stripe is lost, or "
+                             "if a corner that moved past another shows or hides the wrong part.",
                              measured.raster),
-                 "Lines between stripes of a pixel are lines between pixels, so that a level edge lights the right rows; those "
-                 "of thinner stripes also run through the middles of pixels, where an edge that is moved onto them takes a row "
-                 "it should not. " +
+                 "Lines between stripes of a pixel are lines between pixels, so that a level edge lights the right rows. Lines "
+                 "between thinner stripes also run through the centres of pixels, where an edge that is moved onto them lights "
+                 "a wrong row. " +
                      page.claim(of_half_a_pixel > of_a_pixel,
                                 fmt::format("That is why the share of differing pixels of the town rises {} from stripes of a "
                                             "pixel to stripes of half a pixel.",
                                             rise),
-                                "it goes " + rise)}});
+                                "it is " + rise)}});
 }
 
 void add_exponents_table(Page& page, const MontaniReStripes& measured) {
@@ -300,13 +300,13 @@ void add_exponents_table(Page& page, const MontaniReStripes& measured) {
                  "Distance and sides are within a tenth of it.",
                  fmt::format("they are {} to {} and {} to {}", text_of(distance.least), text_of(distance.greatest),
                              text_of(sides.least), text_of(sides.greatest))) +
-      fmt::format(" Least squares of logarithms from {} to {} pixels; errors of 0 are left out, and fewer than three others give "
-                  "no exponent. ",
+      fmt::format(" Least squares of logarithms from {} to {} pixels; errors of 0 are left out, and no exponent is given for "
+                  "fewer than three other values. ",
                   text_of(thickness.greatest), text_of(thickness.least)) +
       page.claim(wrong == 0,
-                 "The wrong length, which leaves out what is within a pixel, is 0 where stripes are two pixels or less.",
+                 "The wrong length farther than a pixel is 0 for stripes of two pixels or less.",
                  "it is " + text_of(wrong) + " %")};
-  if (page.host_times()) notes.emplace_back("Time has a part that does not depend on h, relations and list.");
+  if (page.host_times()) notes.emplace_back("A part of the time, that of relations and list, does not depend on h.");
   page.table("montani-re-thickness-exponents", "Montani and Re: exponents over the thickness h of stripes", measured.exponents,
              {{"scene", "Scene", &StripesExponents::scene},
               {"faces", "Faces", &StripesExponents::faces},
@@ -380,15 +380,15 @@ void montani_re_accuracy(Page& page, const MontaniReStripes& measured) {
   const std::vector<StripesPicture>& pictures = measured.pictures;
   const double usual = greatest(pictures, &StripesPicture::h_usual_stripes);
   page.paragraph(
-      "Corners are moved to the nearest line between stripes, edges are straight between them; so nothing should be farther than "
-      "half a stripe from its place. " +
+      "Corners are moved to the nearest line between stripes, edges are straight between them, so errors should be at most "
+      "half a stripe. " +
       page.claim(usual <= 0.5,
                  fmt::format("Of a thousand samples of the lines, all but one are within {} stripes.", text_of(usual, 2)),
                  "one is at " + text_of(usual)) +
-      " The measures are: missing and extra length, which is farther than a pixel from the other picture, in per cent of the "
-      "visible length, and wrong length, their sum; differing pixels, the share of pixels that show another face than the exact "
-      "sight line through their middle meets; and the greatest distance between the lines of the pictures, also without the "
-      "farthest one of a thousand samples. h is the thickness of a stripe.");
+      " The measures are: missing and extra length farther than a pixel from the other picture, in per cent of the visible "
+      "length, and wrong length, their sum; differing pixels, the share of pixels that show another face than the exact sight "
+      "line through their centre meets; and the greatest distance between the lines of the pictures, also without the farthest "
+      "one of a thousand samples. h is the thickness of a stripe.");
   const ErrorMeasure length{"l", &StripesPicture::l_sym_percent, "wrong length farther than 1 pixel", "% of the visible"};
   const ErrorMeasure pixels{"pmr", &StripesPicture::pmr_percent, "differing pixels", "% of the raster"};
   const ErrorMeasure distance{"h", &StripesPicture::h_usual_px, "distance of all but one sample in a thousand", "pixels"};

@@ -199,9 +199,9 @@ CheckedText against_what(const Page& page, const OpeningAnswer& answer) {
   return page.claim(
       std::all_of(answer.rows.begin(), answer.rows.end(),
                   [](const AnswerRow& row) { return row.defect.empty(); }),
-      fmt::format("Against what an exact program that shares no code with the methods sees in {} scenes, and "
-                  "against the "
-                  "unrounded lines of {} functions; each program on a machine gives, word for word, what the same program in C++ gives.",
+      fmt::format("Pictures of {} scenes are compared with those of an exact program that shares no code with the methods, "
+                  "pictures of {} functions with unrounded lines. Each program on a machine produces, word for word, the "
+                  "output of the same program in C++.",
                   answer.scenes, answer.functions));
 }
 
@@ -235,11 +235,9 @@ void table_of_methods(Page& page, const OpeningAnswer& answer) {
        {"views", "Views", [](const Row& row) { return row.row->views; }},
        {"right", "Right", "none beyond a point", [](const Row& row) { return row.row->right; }},
        {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.row->method, row.row->picture); }}},
-      {{"One view of each scene that the method can take. Wrong: lines that are missing and extra ones together, of what is "
-        "truly seen. A picture is right if it "
-        "is exact, or none of it is farther than a point from what is seen. The same programs in C++, other devices and the "
-        "stripes on a plotter are in the "
-        "table by scene."}});
+      {{"One view of each scene that the method can take. Wrong: missing and extra lines together, in per cent of the visible "
+        "length. A picture is right if it is exact, or if no part of it is farther than a point from the reference. The same "
+        "programs in C++, other devices and the stripes on a plotter are in the table by scene."}});
 }
 
 void table_of_scenes(Page& page, const OpeningAnswer& answer) {
@@ -263,9 +261,8 @@ void table_of_scenes(Page& page, const OpeningAnswer& answer) {
        {"of_all", "Of all", &Row::of_all},
        {"what", "Of what", &Row::what},
        {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.method, row.picture); }}},
-      {{fmt::format("Default views; boxes-{} in parallel projection along {},{},{}, as Plantinga's events "
-                    "need it; functions rotated "
-                    "{} degrees. `sightline compare` makes the same rows of any scene.",
+      {{fmt::format("Default views; boxes-{} in parallel projection along {},{},{}, as Plantinga's events need; functions "
+                    "rotated {} degrees. `sightline compare` makes the same rows for any scene.",
                     turned_boxes, turned_direction[0], turned_direction[1], turned_direction[2], rotation)},
        true});
 }
@@ -296,7 +293,8 @@ void opening(Page& page, const OpeningAnswer& answer) {
        {"Against what?", against_what(page, answer)}},
       {panel_svg(answer.plotted, compare::PlotPanel::emulated),
        panel_svg(answer.plotted, compare::PlotPanel::host)},
-      fmt::format("Time against error, each setting a mark; filled ones are not beaten in both. Of {}.",
+      fmt::format("Time against error, one mark per setting. A filled mark means that no other setting is both as fast and as "
+                  "accurate. Shown: {}.",
                   answer.of_plot)};
   page.add(std::move(block));
   table_of_methods(page, answer);

@@ -43,7 +43,7 @@ void overview_question(Page& page) {
   page.paragraph(
       "This page asks of each: how fast is it, how accurate, and what does it need? Every figure is measured or computed when "
       "the page is made, and is shown with the paper's. Times of the PDP-7 and the 8080 are emulated seconds: they follow from "
-      "the cycles of the machine and are the same in every run. A picture is correct if it is that of an oracle: an exact "
+      "the cycles of the machine and are the same in every run. A picture is correct if it equals that of an oracle: an exact "
       "program in rational numbers that shares no code with the methods.");
 }
 
@@ -139,7 +139,7 @@ void finding_pdp7_turn(Page& page, const std::vector<Pdp7Turn>& turns, const Jon
   };
   Panel panel{
       "finding-pdp7-turn",
-      fmt::format("What 1965 could have done: on the PDP-7 a notched block turns without hidden lines at {} frames a second",
+      fmt::format("On the machine of 1965: a notched block turns on the PDP-7 without hidden lines at {} frames a second",
                   text_of(turn("roberts", true).frames_a_second, 0))};
   panel.facts = {{"Notched block, slowest frame of a turn, with the EAE and without", worst("roberts")},
                  {fmt::format("Star of {} edges, slowest frame", turn("star", true).edges), worst("star")},
@@ -359,20 +359,20 @@ void finding_unseen(Page& page, const JonesViews& jones, const JonesUnseen& unse
     return std::pair(fmt::format("Corridor of {} cells, emulated", row.cells), text_of(row.view_s, 4) + " s");
   };
   Panel panel{"finding-unseen",
-              page.claim(jones.unseen_rooms_cost_nothing(), "What is not seen costs nothing:") +
+              page.claim(jones.unseen_rooms_cost_nothing(), "Invisible cells cost nothing:") +
                   fmt::format(" a view in {} rooms enters {} cells", text_of(rooms.greatest), text_of(buildings.back().visits, 0))};
   panel.facts = {corridor("corridor8"), corridor("corridor32"), page.paper_says("jones.never_considered")};
   const auto used = range_of(jones.views, &JonesView::used_words);
   panel.text = {
       page.claim(
           jones.unseen_rooms_cost_nothing(),
-          "On the PDP-7 cells that no line of sight reaches cost no instruction: only the core memory that holds them grows.") +
+          "On the PDP-7 cells that no line of sight reaches cost no instructions; they only occupy core memory.") +
           fmt::format(
               " The native program does the same: from {} to {} rooms the cells entered in a view stay between {} and {}.",
               text_of(rooms.least), text_of(rooms.greatest), text_of(least(buildings, &Building::visits), 0),
               text_of(greatest(buildings, &Building::visits), 0)),
       fmt::format("The same holds for equipment. The programs use {} to {} of the {} words of core memory, and a device that a "
-                  "program does not use is not there and takes no time.",
+                  "program does not use is not emulated and takes no time.",
                   text_of(used.least), text_of(used.greatest), text_of(page.paper_figure("jones.core").greatest, 0))};
   Plot plot{"finding-unseen-plot",
             "Cells of a building, and cells entered in a view",
@@ -468,8 +468,9 @@ void finding_agreement(Page& page, const CrossCheck& methods) {
                                : fmt::format("{} comparisons of methods do not agree", methods.failures.size())};
   panel.facts = {{"Scenes", text_of(methods.scenes.size())}, {"Comparisons", run}, {"Differences", text_of(methods.failures.size())}};
   panel.text = {
-      "The methods have nothing in common but the question. Exact methods must give the same pieces of the same edges; methods "
-      "that give faces must show the same face at every pixel away from edges. The picture shows one scene by each method."};
+      "The methods solve the same problem in different ways. Exact methods must give the same pieces of the same edges; "
+      "methods that give faces must show the same face at every pixel away from edges. The picture shows one scene by each "
+      "method."};
   for (const MethodPicture& row : where(methods.pictures, equals(&MethodPicture::scene, "C5")))
     panel.figures.push_back(
         figure(row.picture, "finding-agreement-" + row.id, row.method, "", "Three tilted boxes by " + row.method));
@@ -478,11 +479,11 @@ void finding_agreement(Page& page, const CrossCheck& methods) {
 
 void about(Page& page) {
   page.paragraph(
-      "Emulated seconds follow from machine cycles: 1.75 us for the PDP-7, T-states of a third of a microsecond for the 8080 at "
-      "3 MHz. Times of this computer are medians of repetitions that alternate between what is compared; they differ from run to "
-      "run. `sightline report --part N` makes the chapters of one kind: 1 timing against the papers, 2 accuracy against time, 3 "
-      "hard cases, 4 resource usage, 5 cross-check. `--no-host-times` leaves out all times of this computer, and gives the same "
-      "bytes in every run.");
+      "Emulated seconds follow from machine cycles: 1.75 us for the PDP-7, T-states of a third of a microsecond for the 8080 "
+      "at 3 MHz. Times of this computer are medians of repetitions that alternate between the compared programs; they differ "
+      "from run to run. `sightline report --part N` makes the chapters of one kind: 1 timing against the papers, 2 accuracy "
+      "against time, 3 hard cases, 4 resource usage, 5 cross-check. `--no-host-times` leaves out all times of this computer, "
+      "and gives the same bytes in every run.");
   page.paragraph(
       "A guest is a program on its emulated machine. Its twin is the same program in C++, which gives the same bits. A "
       "native program solves the same problem by the paper's method without the machine's limits. An oracle is an exact program "

@@ -87,8 +87,8 @@ void add_file_plot(Page& page, const std::vector<ToleranceErrors>& tolerances, c
   plot.title = "Plantinga, Seales and Dyer: angle tolerance, size of the event file: " + error.title;
   plot.caption = "Events within one multiple of the tolerance are joined, and changes that cancel are dropped. " +
                  Page::claim(kb("squares", 1) < kb("squares", 0) && kb("squares", 0.001) > kb("squares", 0),
-                             "But a multiple of the tolerance is a longer number than the own direction of most events: only "
-                             "large tolerances save room, small ones cost it.") +
+                             "But a multiple of the tolerance is a longer number than the exact direction of most events: only "
+                             "large tolerances make the file smaller, small ones make it larger.") +
                  fmt::format(
                      " The file of squares has {} KB with exact directions, {} KB at 0.001 degrees and {} KB at 1 degree; that "
                      "of grid {}, {} and {} KB.",
@@ -148,10 +148,10 @@ void add_tolerances_table(Page& page, const PlantingaAccuracy& measured, const P
                host_time},
               {"frame_ns", "A frame", "ns", [&](const ToleranceErrors& e) { return time_of(e).frame_ns; }, 0, host_time}},
              {.notes = {"A tolerance moves every event up to its next multiple: late by half of it on average. The expected "
-                        "share of wrong views follows from the number of groups alone, as if they were spread evenly: groups x "
-                        "tolerance / 720 where that is small, and never more than groups x tolerance / 360. " +
+                        "share of wrong views is computed from the number of groups, assuming an even distribution: groups x "
+                        "tolerance / 720 if that is small, and never more than groups x tolerance / 360. " +
                             page.claim(exact == 0, "At tolerance 0 no view is wrong.", text_of(exact) + " % are wrong"),
-                        "Positions are computed at the exact angle, so that a line with the right ends is in the right place."}});
+                        "Positions are computed at the exact angle, so a line with the right ends is in the right place."}});
 }
 
 void add_step_plot(Page& page, const std::vector<TurnErrors>& steps, const PlantingaTurns& times) {
@@ -162,9 +162,9 @@ void add_step_plot(Page& page, const std::vector<TurnErrors>& steps, const Plant
   plot.id = "plantinga-step-wvr-host";
   plot.title = "Plantinga, Seales and Dyer: a frame is shown until the next, time of a full turn";
   plot.caption = fmt::format(
-      "What is shown between two frames is the first of them; its lines are compared with those of hidden-line removal from "
-      "scratch, at equal places of the edges. A step of 30 degrees is wrong in {} % of the length at most, one of 0.01 degrees "
-      "in {} %.",
+      "Between two frames the first of them is shown. Its lines are compared with those of hidden-line removal from scratch, "
+      "at equal positions on the edges. A step of 30 degrees is wrong in {} % of the length at most, one of 0.01 degrees in {} "
+      "%.",
       text_of(wrong(30), 1), text_of(wrong(0.01), 3));
   plot.alternative = "Log-log plot of the time of a full turn against the error, one curve for each model.";
   plot.x = {"wrong visibility", "%"};

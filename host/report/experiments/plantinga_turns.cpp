@@ -223,24 +223,24 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
   const std::size_t same = count(models, [&](const TurnModel& m) { return printed.of(m.model).has_numbers_of(m); });
   const PrintedModel& grid = printed.of("grid");
   std::vector<CheckedText> notes{
-      "The paper gives the numbers of vertices, edges and faces of its models, not where the parts are nor how they are tilted; "
-      "a comparison to the digit needs the coordinates of the models. The models here have the same numbers" +
+      "The paper gives the numbers of vertices, edges and faces of its models, but not the positions and directions of their "
+      "parts; an exact comparison would need their coordinates. The models here have the same numbers" +
           page.claim(same == models.size(), ", all of them", fmt::format("{} of {} have them", same, models.size())) +
-          ". They are degenerate on purpose: edges of one height, parallel edges and parts that mirror one another, so that many "
-          "events coincide. Compare magnitudes, not digits. Tori and Spring leave least to choose.",
-      fmt::format("The paper's events are changes of single edges: events an edge times edges gives the printed events in {} of "
-                  "{} rows. In the row Grid, {} events of {} edges are {} an edge, printed {} (hard case P22). A group is all "
-                  "that changes at one direction; directions are compared exactly.",
+          ". They are degenerate on purpose, with edges of one height, parallel edges and mirrored parts, so that many events "
+          "coincide. Compare magnitudes, not digits. Tori and Spring are the most similar to the paper's.",
+      fmt::format("The paper's events are changes of single edges: events per edge times edges is the printed number of events "
+                  "in {} of {} rows. In the row Grid, {} events of {} edges are {} per edge, printed {} (hard case P22). A "
+                  "group is all changes at one direction; directions are compared exactly.",
                   count(printed.rows, &PrintedModel::agrees_with_itself), printed.rows.size(), text_of(grid.events),
                   text_of(grid.edges), text_of(grid.events_an_edge(), 1), text_of(grid.per_edge, 1)),
-      fmt::format("KB are 1024 bytes. A change in the file here holds only the pieces that appear; the pieces that disappear are "
+      fmt::format("KB are 1024 bytes. A change in the file here stores only the pieces that appear; those that disappear are "
                   "known. {}",
                   models.size() < printed.rows.size()
                       ? "Spring takes longer to prepare than the other models together; --full includes it."
                       : "")};
   if (page.host_times())
     notes.emplace_back(count(models, &TurnModel::from_cache) > 0
-                           ? "Events and the times of their construction were kept from an earlier report."
+                           ? "Events and the times of their construction are from an earlier report."
                            : "Times of construction are wall-clock times.");
   const auto construction = [](double StudyTimes::*member) {
     return [member](const TurnModel& m) { return m.times ? std::optional((*m.times).*member) : std::nullopt; };
@@ -333,8 +333,8 @@ void add_claims(Page& page, const PlantingaTurns& turns) {
                     .comparison = fmt::format("by Table 2 {} times for squares, {} for tori. {}",
                                               text_of(printed_ratio("squares"), 2), text_of(printed_ratio("tori"), 2),
                                               greatest(turns.frames, &TurnFrames::step_ratio) > printed_ratio("squares")
-                                                  ? "On this computer the step matters more: coordinates take a few nanoseconds "
-                                                    "a line, while what an event changes is found one by one."
+                                                  ? "On this computer the step matters more: coordinates take a few "
+                                                    "nanoseconds per line, while events are applied one by one."
                                                   : "No more here.")});
     rows.push_back({.claim = "plantinga.wire",
                     .here = least_and_greatest(turns.frames, &TurnFrames::ratio),
@@ -347,7 +347,7 @@ void add_claims(Page& page, const PlantingaTurns& turns) {
                     .condition = "the same, every line drawn pixel by pixel on 1024 by 1024",
                     .comparison = within_limit(turns.frames, &TurnFrames::ratio_drawn)});
   }
-  page.claims("plantinga-claims", "Plantinga, Seales and Dyer 1990: what they conclude", rows);
+  page.claims("plantinga-claims", "Plantinga, Seales and Dyer 1990: their conclusions", rows);
 }
 
 }  // namespace

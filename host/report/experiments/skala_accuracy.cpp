@@ -292,8 +292,8 @@ void grid_plots(Page& page, const SkalaAccuracy& skala) {
   const CheckedText caption = fmt::format(
       "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of "
       "the native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} "
-      "times. From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times "
-      "as long as with 64.",
+      "times. From 128 points on, points are closer than two dots and are sent as curves of dots: for sinc, drawing takes {} "
+      "times as long as with 64.",
       gain("sinc", true), gain("peaks", true), gain("sinc", false), gain("peaks", false),
       text_of(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
   for (const Measure& measure : measures())
@@ -306,7 +306,7 @@ void grid_plots(Page& page, const SkalaAccuracy& skala) {
 void level_plots(Page& page, const SkalaAccuracy& skala) {
   const std::string what = "1 to 32 contour levels";
   const std::string caption =
-      "33 x 33 points, compared with 129 x 129. The error is that of the grid and depends on which level happens to touch a peak.";
+      "33 x 33 points, compared with 129 x 129. The error is that of the grid; it depends on whether a level is near a peak.";
   const std::string alternative = "Log-log plot of the time of a drawing against its error with 1 to 32 levels of contours";
   plot_emulated(page, skala, measures()[1], "levels", "skala-levels-pmr-emulated", what, caption, alternative, "cosr");
   plot_host(page, skala, measures()[1], "levels", "skala-levels-pmr-host", what, caption,
@@ -342,7 +342,7 @@ void boards(Page& page, const SkalaAccuracy& skala) {
   Plot plot{"skala-boards-pmr",
             "Skala on the 8080: two boards and two links, receipt included",
             "33 slices of 65 points of three functions, from the first byte of a command to the last dot." +
-                page.claim(same, "The board does not change the picture, so the points of a function stand above one another."),
+                page.claim(same, "The board does not change the picture, so the points of a function are on one vertical."),
             fmt::format("Plot of the time of a picture against its error for each board and link; for sinc it takes {} to {} s.",
                         text_of(sinc.least, 1), text_of(sinc.greatest, 1)),
             {"differing pixels", "% of the raster", false},
@@ -366,8 +366,8 @@ void boards(Page& page, const SkalaAccuracy& skala) {
        {"total_t_states", "With the receipt of commands", "T-states", &Board::total_t_states},
        {"total_s", "With the receipt", "s at 3 MHz", &Board::total_s, 3},
        {"dots_not_shown", "Dots in rows not shown", &Board::dots_not_shown}},
-      {{"33 slices of 65 points. Both boards hold the same dots; the ALT-256 shows fewer rows than it holds. The link "
-        "takes part in the receipt only."},
+      {{"33 slices of 65 points. Both boards store the same dots; the ALT-256 shows fewer rows than it stores. The link "
+        "affects the receipt only."},
        true});
 }
 
@@ -399,8 +399,8 @@ void skala_accuracy_chapter(Page& page, const SkalaAccuracy& skala) {
       "dot of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these "
       "those without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also "
       "without the farthest one of a thousand samples. In the plots less error is to the left and less time is below. The "
-      "program's test of contours leaves a dot of slack: `sightline compare sinc --picture contours` counts the dots that are more "
-      "than a point from any visible contour.");
+      "program tests contours with a tolerance of one dot: `sightline compare sinc --picture contours` counts the dots that "
+      "are more than a point from any visible contour.");
   raster_plots(page, skala);
   grid_plots(page, skala);
   level_plots(page, skala);

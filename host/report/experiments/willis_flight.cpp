@@ -187,15 +187,16 @@ void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights)
       {.notes = {
            fmt::format("Flights of {} frames; those past the most pieces also in {}, the eye moving farther from frame to frame.",
                        usual_frames, fast_frames),
-           "A model without clusters is made by today's program. The 8080 is sent a point of each piece, and the eye of each "
-           "frame; it computes the distances, puts the pieces in order and loads their priorities into the display. Where a "
-           "piece is on the screen comes to the display from outside. Every priority is compared with that of a native program "
-           "written from the same specification (`firmware/i8080/flight`). Computed a second is what a display would show that "
-           "never lets the program wait.",
+           "A program of today makes a model without clusters. The 8080 receives a point of each piece, and the eye of each "
+           "frame. It computes the distances, puts the pieces in order and loads their priorities into the display. The "
+           "display gets the positions of the pieces on the screen from outside. Every priority is compared with that of a "
+           "native program written from the same specification (`firmware/i8080/flight`). Computed a second is the rate of a "
+           "display that never lets the program wait.",
            fmt::format(
                "Wrong orders are pairs that exact distances put in the other order. {}",
                wrong_points == 0
-                   ? "None of them shows: pieces that overlap in these pictures differ in distance by more than the rounding."
+                   ? "None of them is visible: pieces that overlap in these pictures differ in distance by more than the "
+                     "rounding."
                    : ""),
            of_100 >= 5 ? fmt::format("100 pieces are shown at {} frames a second or more.", text_of(of_100, 1)) : std::string()}});
   Plot plot{.id = "willis-flight-plot",

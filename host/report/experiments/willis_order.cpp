@@ -173,7 +173,7 @@ CheckedText without_rule(const Page& page, const std::vector<WillisModel>& model
   const std::uint64_t wrong =
       sum(where(models, [](const WillisModel& m) { return m.left_over == 0 && !m.rule90; }), &WillisModel::lines_wrong);
   return page.claim(wrong == 0,
-                    "Without the rule no line is wrong in a model of which no pair is left over: its point stands at the mark 0.",
+                    "Without the rule no line is wrong in a model of which no pair is left over: its point is at the mark 0.",
                     fmt::format("{} lines are wrong", wrong));
 }
 
@@ -231,7 +231,7 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
       "Surfaces in the order of their distances, each cut as often as the limit allows until no two are in each other's "
       "boundary, compared with the nearest face on every sight line. " +
       page.claim(uncut > 0 && cut == 0,
-                 fmt::format("With nothing cut at most {} % of the sight lines are in the wrong order; cut up to {} times, and "
+                 fmt::format("Without cuts at most {} % of the sight lines are in the wrong order; with up to {} cuts, and "
                              "without the 90-degree rule, none.",
                              text_of(uncut, 2), deepest_cuts),
                  fmt::format("{} lines are wrong", cut)));
@@ -267,9 +267,10 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
        {"order_us", "Distances and sort", "us", [&](const WillisModel& m) { return times.of(m, order).order_us; }, 1, host_time}},
       {.notes =
            {fmt::format(
-                "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random places "
-                "in and around the scene, a random corner of each piece standing for it, five times as many where boundaries are "
-                "balls and no pair is left over; points are of {0} pictures of {1} by {1} from places within it. ",
+                "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random "
+                "positions in and around the scene; each piece is represented by a random corner. There are five times as many "
+                "where boundaries are balls and no pair is left over. Points are those of {0} pictures of {1} by {1} from "
+                "positions inside the scene. ",
                 WillisOrder::eyes, WillisOrder::points_a_side) +
             page.claim(most_wrong < 2,
                        fmt::format("Few lines are wrong, at most {} %, where {} to {} pairs are left over: a pair is left over "

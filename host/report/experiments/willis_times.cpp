@@ -125,7 +125,7 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
        .here = one_figure(shows.frames_per_s),
        .places = 0,
        .condition = fmt::format("priority display, {} lines of {} us", shows.scan_lines, text_of(shows.line_us, 0)),
-       .comparison = fmt::format("{}: the rate of the display, whatever it shows",
+       .comparison = fmt::format("{}: the rate of the display, for any picture",
                                  shows.frames_per_s == figure_of("willis.rate") ? "equal" : "not equal")}};
   if (page.host_times()) {
     const bool all = least(frames, &rate) >= figure_of("willis.update");
@@ -191,7 +191,7 @@ void add_scenes_table(Page& page, const WillisTimes& times) {
       " Sheets (rooms) have two sides, and so two surfaces."};
   if (page.host_times())
     notes.emplace_back(
-        "A frame by this computer is everything: distances and sort, spans, and the display emulated point by point.");
+        "A frame on this computer includes all steps: distances and sort, spans, and the display, emulated point by point.");
   page.table("willis-scenes", "Willis: models and frames", times.frames,
              {{"scene", "Scene", &WillisFrame::scene},
               {"surfaces", "Surfaces", &WillisFrame::surfaces},
@@ -235,16 +235,16 @@ void add_rule90_table(Page& page, const WillisTimes& times, const WillisOrder& o
        {"prepare_ms", "Model made", "ms", [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; }, 2,
         host_time}},
       {.notes = {
-           "With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that should have been "
-           "are not. " +
+           "With the rule fewer pairs count as clusters, so fewer surfaces are tested and cut, including some that should be. " +
                page.claim(wrong_by_rule > 0 && left_over == 0,
                           fmt::format("{} sight lines are wrong with it though no pair is left over.", text_of(wrong_by_rule)),
                           fmt::format("{} pairs are left over", left_over)) +
                " " +
-               page.claim(wrong_lines == 0 && wrong_points == 0, "Without it nothing is wrong where no pair is left over.",
+               page.claim(wrong_lines == 0 && wrong_points == 0, "Without it no line or point is wrong if no pair is left over.",
                           fmt::format("{} lines and {} points are", wrong_lines, wrong_points)),
-           fmt::format("Sight lines start at random places in and around the scene, a random corner stands for each piece; {0} "
-                       "pictures are of {1} by {1} points from places within it, points within 0.75 of an edge left out.",
+           fmt::format("Sight lines start at random positions in and around the scene; each piece is represented by a random "
+                       "corner. {0} pictures have {1} by {1} points, from positions inside the scene, without points within "
+                       "0.75 of an edge.",
                        WillisOrder::eyes, WillisOrder::points_a_side)}});
 }
 

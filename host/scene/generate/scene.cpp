@@ -57,7 +57,7 @@ base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size
   if (found == nullptr) {
     std::string names;
     for (const Family& known : families) names += (names.empty() ? "" : ", ") + std::string(known.name);
-    return base::Error{std::string(family), "", "no such family of scenes; there are " + names};
+    return base::Error{std::string(family), "", "no such family of scenes, expected one of " + names};
   }
   if (size < found->smallest || size > found->largest) {
     return base::Error{std::string(family), "size",

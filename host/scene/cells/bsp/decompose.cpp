@@ -123,12 +123,12 @@ class ComplexMaker {
 base::Result<CellComplex> decompose_bsp(const PolyScene& scene, const BspOptions& options) {
   const bool has_face = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                     [](const PolyBody& body) { return !body.faces.empty(); });
-  if (!has_face) return base::Error{"", "", "there is no face"};
+  if (!has_face) return base::Error{"", "", "found no face", "at least one"};
   CellComplexBuilder builder(scene, outer_box_of(scene));
   std::optional<BspTree> tree = build_bsp_tree(face_pieces(scene, builder), builder, options.most_leaves);
   if (!tree) {
     return base::Error{"", "",
-                       "cut by the planes of its faces, space falls into more than " +
+                       "the planes of the faces cut space into more than " +
                            std::to_string(options.most_leaves) + " cells"};
   }
   ComplexMaker(builder, *tree).make(options.join);
