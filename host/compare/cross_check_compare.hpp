@@ -60,17 +60,17 @@ struct NamedScreenLines {
 
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedLines& b);
-// The structure in the machine's core is that of the pieces, end by end (where pieces are compared), and no line is farther from the
-// other picture's than the machine's words explain.
+// They agree if the structure in the machine's core is that of the pieces, end by end (where pieces are compared), and
+// no line is farther from the other picture than the machine's words explain.
 [[nodiscard]] ViewVerdict compare_pictures(const NamedScreen& a, const NamedScreenLines& b);
-// Away from all edges they are equal.
+// They agree if they are equal away from all edges.
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedFaces& a, const NamedFaces& b);
-// Within one pixel. A line is by itself where no other one is within two pixels: between two lines nearer to
-// each other there may be no pixel.
+// They agree if lines and changes of face match within one pixel. A line is isolated if no other one is within two
+// pixels: between two closer lines there may be no pixel.
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedFaces& b);
-// Likewise, within one pixel and the bound of the display's lines.
+// The same, within one pixel plus the bound of the display's lines.
 [[nodiscard]] ViewVerdict compare_pictures(const NamedScreen& a, const NamedFaces& b);
 
 }  // namespace sightline::compare

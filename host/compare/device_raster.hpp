@@ -1,6 +1,6 @@
 // The points that a device lights, as sets for comparison (host/picture/raster_difference.hpp): the points of a run,
 // and the points that the exact lines would light if the program drew them on that device.
-// Rounding is the program's, so that what differs is what the program saw otherwise, or where the words it calculates
+//
 // The exact lines are rounded by the program's rule. So a difference shows an error of visibility, or of a line's
 // calculated position:
 //   Type 340   ends to the nearest point, halves up. A line longer than 127 points is several vector words, divided
@@ -11,6 +11,7 @@
 //   stripes    the sides of dots between which different faces are visible, as the pen draws them, but for corners:
 //              two sides in one step leave their corner out. On the raster board a dot shows its face; the faces of
 //              a picture (host/compare/faces.hpp) are its lit points.
+//
 // On the Type 340, a line in two pieces lights other points than in one, and programs divide lines at cells.
 // divide_like() divides the exact lines at the same places.
 #pragma once

@@ -87,7 +87,7 @@ struct SceneComparison {
   [[nodiscard]] bool agrees() const;
 };
 
-using CompareProgress = std::function<void(std::string_view)>;  // is told what is being done
+using CompareProgress = std::function<void(std::string_view)>;  // called with the current step
 
 struct CompareOptions {
   std::optional<geometry::Point> eye;  // the scene's default view if not given

@@ -17,7 +17,6 @@
 // prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (more than 35:
 //   on several such squares), at least a gap of 50 apart: the town with which Willis measured splitting. The
 //   camera is at its edge, below the tops of the walls.
-//   splitting is measured. The camera is at its edge, below the tops of the walls.
 #pragma once
 
 #include <cstddef>

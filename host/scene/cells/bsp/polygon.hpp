@@ -19,7 +19,7 @@
 
 namespace sightline::scene {
 
-using Planes = std::vector<geometry::Plane>;  // all of them, by number
+using Planes = std::vector<geometry::Plane>;  // by number
 
 // Side i goes from corner i to corner i + 1, counterclockwise as seen from the side that the plane's normal
 // points to.
