@@ -22,10 +22,10 @@ enum class PlotPanel : std::uint8_t { emulated, host };
 
 struct PlotPoint {
   PlotPanel panel = PlotPanel::emulated;
-  std::string series;        // of the variant, "3 bits"; empty if the series has one point
-  std::string label;         // of the variant, "3 bits"; empty: the series has one
+  std::string series;        // "PDP-7 with EAE", "exact"
+  std::string label;         // of the variant, "3 bits"; empty if the series has one variant
   double seconds = 0;        // per view, greater than 0
-  double wrong_percent = 0;  // of what is visible
+  double wrong_percent = 0;  // of what is visible; 0: none
 };
 
 // The indices of the points on the Pareto front of one series, ascending by time. Of equal points, the first.
