@@ -16,11 +16,11 @@ namespace {
 
 using base::Json;
 
-// What a method has read of the scene, from its counts: the first of these that it has.
+// The counts of how much of the scene a method reads; the first of these that a method has is used.
 struct ReadCount {
   std::string_view count;
   std::string_view what;
-  std::string_view of_all = {};  // the count of those in the scene
+  std::string_view of_all = {};  // the name of the count of all of them in the scene
 };
 constexpr ReadCount read_counts[] = {
     {"cells_read", "cells", "cells"}, {"relations", "pairs"}, {"facing", "pieces", "pieces"}, {"distances", "distances"}, {"faces", "faces"}};
@@ -75,7 +75,7 @@ MethodView method_view(const ComparedFaces& row) {
   view.far = static_cast<double>(row.metrics.different_inside);
   view.emulated_seconds = row.emulated_seconds;
   view.host_seconds = row.host_seconds;
-  // Pairs of faces that the method itself says it cannot order.
+  // Pairs of faces that the method reports as not ordered are no defect.
   if (row.metrics.different_inside > 0 && row.not_solved == 0) view.defect = "faces are wrong away from edges";
   tell_read(row.counts, view);
   return view;
@@ -88,7 +88,8 @@ MethodView method_view(const StripesPen& pen) {
   view.rounding = "pixels";
   view.unit = "steps";
   view.all = static_cast<double>(pen.raster.lit_in_truth);
-  // Two sides in one step leave their corner out, and the rule is no nearer to the lines than a step: what is farther is wrong.
+  // Two sides in one step leave their corner out, so the rule is up to a step off the lines: only points farther away
+  // are wrong.
   view.far = static_cast<double>(pen.raster.missing.beyond_2 + pen.raster.extra.beyond_2);
   view.wrong = view.far;
   view.greatest = finite(pen.raster.hausdorff.greatest);
@@ -116,8 +117,8 @@ MethodView method_view(const TurnCheck& turn) {
   return view;
 }
 
-// Dots cannot be on unrounded lines, but within a point of them: what is farther is wrong.
-void tell_unrounded(const picture::DotsAndLines& unrounded, MethodView& view) {
+// Dots lie within a point of unrounded lines, so only dots farther away are wrong.
+void set_unrounded(const picture::DotsAndLines& unrounded, MethodView& view) {
   view.unit = "px";
   view.all = unrounded.length;
   view.far = static_cast<double>(unrounded.dots_beyond_1) + unrounded.length_beyond_1;
@@ -131,7 +132,7 @@ MethodView method_view(const ComparedRaster& row) {
   view.rounding = "dots";
   view.raster = row.from_native;
   if (row.unrounded) {
-    tell_unrounded(*row.unrounded, view);
+    set_unrounded(*row.unrounded, view);
     return view;
   }
   view.unit = "dots";
@@ -150,7 +151,7 @@ MethodView method_view(const ComparedDevice& row) {
   view.defect = row.difference;
   view.emulated_seconds = core::in_seconds(row.time);
   if (row.unrounded) {
-    tell_unrounded(*row.unrounded, view);
+    set_unrounded(*row.unrounded, view);
   } else {
     view.unit = "dots";
     view.all = static_cast<double>(row.raster.lit_in_truth);
@@ -161,7 +162,7 @@ MethodView method_view(const ComparedDevice& row) {
   return view;
 }
 
-// Of values, if there are any.
+// Empty if there are no values.
 std::optional<Spread> spread_of(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
@@ -208,10 +209,10 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
   const auto of_guest = std::find_if(comparison.devices.begin(), comparison.devices.end(),
                                      [](const ComparedDevice& row) { return row.device == programs::skala::Device::ef9365; });
   for (const ComparedRaster& row : comparison.rasters) {
-    // Of a native drawing of lines the lines are measured, not dots made of them.
+    // Of a native drawing of lines, the lines are measured, not dots made from them.
     if (row.name.starts_with("native") && !comparison.vectors.empty()) continue;
     const bool program = row.name == "guest" || row.name == "twin";
-    // The program's dots are measured against what is not its own: as on its other devices.
+    // The program's dots are measured against an independent reference, as on its other devices.
     MethodView& view = views.emplace_back(program && of_guest != comparison.devices.end() ? method_view(*of_guest) : method_view(row));
     view.method = height_method_name(row.name);
     if (row.name == "guest") {
@@ -219,7 +220,7 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
       view.emulated_seconds = core::in_seconds(comparison.guest_time);
     } else {
       view.emulated_seconds.reset();
-      view.raster.reset();  // the guest's
+      view.raster.reset();  // it is the guest's
     }
   }
   for (const ComparedVectors& row : comparison.vectors) {
@@ -313,7 +314,7 @@ void Answer::add(const std::string& scene, std::uint64_t number, const std::vect
       known = gathered_.end() - 1;
     }
     Gathered& all = *known;
-    if (all.row.of_all != view.of_all) all.row.of_all.reset();  // of views that do not have the same whole, no whole is said
+    if (all.row.of_all != view.of_all) all.row.of_all.reset();  // views with different totals have no common total
     const double percent = wrong_percent(view);
     all.wrong.push_back(view.wrong);
     all.wrong_percent.push_back(percent);

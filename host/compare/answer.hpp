@@ -1,7 +1,7 @@
-// One answer at a glance: how fast and how wrong each method is on each scene, one row a method and scene, over one view or many.
+// The table of speed and accuracy: one row per method and scene, over one view or many.
 //
-// What `compare` prints, `sweep` ends with, the report opens with and `demo` writes is this table; the measures of a view are those of
-// scenes.hpp and heights.hpp, brought to the same few numbers.
+// `compare` prints it, `sweep` and `demo` write it at the end, and the report begins with it. Its numbers come from
+// the measures of a view in scenes.hpp and heights.hpp.
 #pragma once
 
 #include <cstddef>
@@ -24,41 +24,41 @@ struct MethodView {
   std::string picture;     // "lines", "faces", "dots"
   std::string rounding;    // of the coordinates measured: "points", "dots" or "pixels" of the device, "1/8 point", "none"
   std::string unit;        // of the next three: "px", "points", "dots"
-  double all = 0;          // truly seen: length of lines, or points
+  double all = 0;          // visible in the reference: length of lines, or points
   double wrong = 0;        // missing and extra together
-  double far = 0;          // of this, farther than a point from what is right
-  std::optional<double> greatest;          // distance of the pictures as sets, in points
-  std::optional<bool> exact;               // of exact methods: whether this picture is
-  std::string defect;                      // of a program that is not its twin, or farther off than its words explain; else empty
-  std::optional<double> emulated_seconds;  // on the machine
-  std::optional<double> host_seconds;      // here
-  std::optional<std::uint64_t> read;       // of the scene: so many
-  std::optional<std::uint64_t> of_all;     // of so many
+  double far = 0;          // part of wrong farther than a point from the reference
+  std::optional<double> greatest;          // Hausdorff distance of the pictures, in points
+  std::optional<bool> exact;               // of exact methods: whether this picture is exact
+  std::string defect;                      // of a program that differs from its twin, or by more than its words explain; else empty
+  std::optional<double> emulated_seconds;  // on the emulated machine
+  std::optional<double> host_seconds;      // on this computer
+  std::optional<std::uint64_t> read;       // how much of the scene was read
+  std::optional<std::uint64_t> of_all;     // of how much
   std::string what;                        // "cells", "faces", "pairs"
-  std::optional<double> chord{};           // of a sampled function: how far its curve is from the lines between samples, in points
-  std::optional<picture::RasterDifference> raster{};  // the device's points against exact ones by the device's rule
+  std::optional<double> chord{};           // of a sampled function: distance of its curve from the lines between samples, in points
+  std::optional<picture::RasterDifference> raster{};  // lit points compared with those of the exact lines, by the device's rule
 
-  // Exact, or nothing of it is farther than a point from what is right.
+  // Exact; or, of other methods, no error farther than a point from the reference.
   [[nodiscard]] bool right() const { return defect.empty() && (exact ? *exact : far == 0); }
 };
 
 [[nodiscard]] std::vector<MethodView> method_views(const SceneComparison& comparison);
 [[nodiscard]] std::vector<MethodView> method_views(const HeightComparison& comparison);
 
-// "skala-8080" for what methods of height grids call guest, "skala-twin" for twin, "skala" for native.
+// "skala-8080" for the method of height grids called guest, "skala-twin" for twin, "skala" for native.
 [[nodiscard]] std::string height_method_name(std::string_view name);
 
-// Of what is truly seen; of a view in which nothing is, 0, or 100 if something is drawn.
+// Wrong in per cent of what is visible. If nothing is visible: 0, or 100 if something is drawn.
 [[nodiscard]] double wrong_percent(const MethodView& view);
 
-// As one object.
+// As one JSON object.
 [[nodiscard]] base::Json json_of(const picture::RasterDifference& difference);
-// As one object; without host times unless there are any. The raster difference is left out of what is read back.
+// As one JSON object, with host times if there are any. method_view_of does not read the raster difference back.
 [[nodiscard]] base::Json json_of(const MethodView& view);
-// Empty if it is no such object.
+// Empty if the object is not a method's view.
 [[nodiscard]] std::optional<MethodView> method_view_of(const base::Json& object);
 
-// Of the views of a row: half of them have no more; 90 in 100 have no more; the greatest.
+// Quantiles over the views of a row: median, 90th percentile and maximum.
 struct Spread {
   double median = 0;
   double ninety = 0;
@@ -72,34 +72,35 @@ struct AnswerRow {
   std::string rounding;
   std::string unit;
   std::size_t views = 0;
-  std::size_t right = 0;             // views
-  Spread wrong;                      // in the unit
-  Spread wrong_percent;              // of what is truly seen; of a view in which nothing is, 0, or 100 if something is drawn
-  Spread far;                        // of wrong, farther than a point
+  std::size_t right = 0;             // number of right views
+  Spread wrong;                      // in `unit`
+  Spread wrong_percent;              // of what is visible; if nothing is: 0, or 100 if something is drawn
+  Spread far;                        // part of wrong farther than a point
   std::optional<Spread> greatest;    // points
   std::optional<Spread> emulated_seconds;
   std::optional<Spread> host_seconds;
   std::optional<Spread> read;
   std::optional<std::uint64_t> of_all;
   std::string what;
-  bool exact = false;                // an exact method
+  bool exact = false;                // whether the method is exact
   std::optional<double> chord;       // the greatest
   std::string defect;                // the first
-  // The number of the view with the greatest wrong share among those that are not right, or else among all; the first of such.
+  // The number of the view with the greatest wrong share among the views that are not right, or among all if all are
+  // right. Of equal ones, the first.
   std::uint64_t worst_view = 0;
 };
 
 class Answer {
  public:
-  // A view of a scene, by its number.
+  // Adds a view of a scene by its number.
   void add(const std::string& scene, std::uint64_t number, const std::vector<MethodView>& views);
-  // In the order in which scenes, and of each its methods, came first.
+  // In the order in which scenes, and the methods of each, were added first.
   [[nodiscard]] std::vector<AnswerRow> rows() const;
 
  private:
-  // Of a row: of each view only the numbers, because sweeps have millions of views.
+  // A row under construction. It keeps only numbers of each view, because sweeps have millions of views.
   struct Gathered {
-    AnswerRow row;  // what needs no numbers of all views
+    AnswerRow row;  // the fields that are no quantiles
     std::vector<double> wrong;
     std::vector<double> wrong_percent;
     std::vector<double> far;

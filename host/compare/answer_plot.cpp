@@ -19,10 +19,11 @@ namespace {
 
 using picture::xml_text;
 
-// In the drawing's units, of which a panel is `panel_width` wide: letters of 13 are 11 pixels high at 350.
+// In the drawing's units, of which a panel is `panel_width` wide: letters of 13 are 11 pixels high at a width of 350
+// pixels.
 constexpr double panel_width = 410;
 constexpr double letter_height = 15;
-constexpr double letter_width = 7.3;  // of usual letters on average, rather too much
+constexpr double letter_width = 7.3;  // average of common letters, rounded up
 constexpr double bold_width = 8.2;
 constexpr double left_end = 62;
 constexpr double right_end = 402;
@@ -31,7 +32,8 @@ constexpr double bottom_end = 318;
 constexpr double row_height = 19;  // of the strip
 constexpr double mark_size = 5;
 
-// Okabe and Ito's colours (2008), those that would be faint as letters darker; then for dark grounds.
+// Okabe and Ito's colours (2008), with those that would be too pale for text darkened; then the ones for dark
+// backgrounds.
 struct SeriesColour {
   std::string_view light;
   std::string_view dark;
@@ -63,7 +65,7 @@ std::string style_text() {
     light += rules(colours[i].light, "#ffffff");
     dark += rules(colours[i].dark, "#17191b");
   }
-  // Of this drawing alone: a page has rules of its own.
+  // The rules apply to this drawing only: a page has its own.
   std::string text = "<style>";
   const auto add_scoped = [&text](std::string_view rules) {
     while (!rules.empty()) {
@@ -99,7 +101,7 @@ double width_of(std::string_view text, bool bold = false) {
   return (bold ? bold_width : letter_width) * static_cast<double>(text.size()) + 2;
 }
 
-// The mark of a series about (0, 0).
+// The mark of a series, centred on (0, 0).
 std::string mark_path(std::size_t series) {
   constexpr std::array<std::string_view, 8> paths{"M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0Z",               // circle
                                                   "M-4.5,-4.5H4.5V4.5H-4.5Z",                            // square
@@ -118,17 +120,17 @@ std::string number_text(double value) {
   return text;
 }
 
-// ASCII but for the sign of micro.
+// ASCII except for the micro sign.
 std::string time_text(double seconds) {
   std::string text = base::time_text(seconds);
   if (text.ends_with(" us")) text.replace(text.size() - 2, 2, "&#181;s");
   return text;
 }
 
-// A logarithmic axis between numbers that are 1, 2 or 5 times a power of 10.
+// A logarithmic axis whose ends are 1, 2 or 5 times a power of 10.
 class Axis {
  public:
-  // Of values greater than 0, at least one.
+  // There is at least one value, and all are greater than 0 (precondition).
   Axis(const std::vector<double>& values, double from, double to) : from_(from), to_(to) {
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
     low_ = step_of(*least * 0.8, false);
@@ -143,7 +145,7 @@ class Axis {
     const double part = (std::log10(value) - std::log10(step(low_))) / (std::log10(step(high_)) - std::log10(step(low_)));
     return from_ + part * (to_ - from_);
   }
-  // Few enough to be labelled.
+  // At most `most` marks, so that they can be labelled.
   [[nodiscard]] std::vector<double> marks(int most) const {
     std::vector<double> all;
     for (const int each : {1, 3, 6, 9}) {
@@ -156,7 +158,7 @@ class Axis {
   }
 
  private:
-  // Numbered: 1 is 0, 2 is 1, 5 is 2, 10 is 3.
+  // By number: step 0 is 1, step 1 is 2, step 2 is 5, step 3 is 10.
   static double step(int n) {
     const int decade = n >= 0 ? n / 3 : -((2 - n) / 3);
     constexpr std::array<double, 3> parts{1, 2, 5};
@@ -164,7 +166,7 @@ class Axis {
   }
   static int step_of(double value, bool above) {
     int n = 3 * static_cast<int>(std::floor(std::log10(value))) - 1;
-    while (step(n) < value) ++n;  // the first that is not less
+    while (step(n) < value) ++n;  // the first step >= value
     return above || step(n) == value ? n : n - 1;
   }
 
@@ -174,7 +176,7 @@ class Axis {
   int high_ = 0;
 };
 
-// Errors below it stand in the strip, with their number: a hundred-thousandth of what is seen would stretch the axis for nothing.
+// Smaller errors are in the strip, with their number: an error of a hundred-thousandth would only stretch the axis.
 constexpr double least_percent = 1e-3;
 
 bool in_strip(const PlotPoint& point) {
@@ -197,7 +199,7 @@ struct Series {
   }
 };
 
-// One panel, from its points to the text of the drawing.
+// One panel: from its points to the text of the drawing.
 class Panel {
  public:
   Panel(const std::vector<PlotPoint>& points, PlotPanel panel) : panel_(panel) {
@@ -268,7 +270,7 @@ class Panel {
     if (strip_rows_ > 0) {
       ground = fmt::format("<rect class=\"z\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", left_end,
                            strip_top, right_end - left_end, strip_bottom - strip_top);
-      // What is not 0 has its number beside its name.
+      // A point that is not 0 has its number next to its name.
       const bool all_zero = std::all_of(series_.begin(), series_.end(), [](const Series& s) {
         return std::all_of(s.points.begin(), s.points.end(), [](const PlotPoint& p) { return !in_strip(p) || p.wrong_percent == 0; });
       });
@@ -279,7 +281,7 @@ class Panel {
     height_ = strip_bottom + 26;
   }
 
-  // Rows of marks with their names on a side, where there is room.
+  // Rows of marks, with the name on the side that has room.
   std::string strip_labels(double top) {
     struct Item {
       std::size_t series = 0;
@@ -309,7 +311,7 @@ class Panel {
         if (row == rows.size()) rows.emplace_back();
         for (const bool right : {true, false}) {
           const auto [from, to] = side(right);
-          // On a row of its own a name that fits on neither side goes to the one with more room.
+          // In a separate row, a name that fits on neither side goes to the one with more room.
           const bool fits = from >= left_end && to <= right_end;
           const bool more_room = right == (right_end - place.x > place.x - left_end);
           if (!fits && !(rows[row].empty() && more_room)) continue;
@@ -358,8 +360,8 @@ class Panel {
     return text;
   }
 
-  // Names of series and variants beside marks, each where nothing else is. A variant's that has no place is left out: it is in
-  // the mark's title.
+  // Puts the names of series and variants next to their marks, where nothing else is. A variant's name that has no
+  // place is left out: it is in the mark's title.
   void place_labels(double bottom) {
     std::vector<Box> taken;
     for (const Series& series : series_) {
@@ -376,7 +378,7 @@ class Panel {
       struct Corner {
         double x;
         double y;
-        double part;  // of the width that is left of where the text is anchored
+        double part;  // the part of the text's width that is left of its anchor
       };
       const std::array<Corner, 8> corners{{{mark.x + d, mark.y - letter_height / 2, 0},
                                            {mark.x - d, mark.y - letter_height / 2, 1},
@@ -438,7 +440,7 @@ class Panel {
   PlotPanel panel_;
   std::vector<Series> series_;
   std::vector<double> seconds_;
-  std::vector<double> wrong_;  // of what is not in the strip
+  std::vector<double> wrong_;  // of points outside the strip
   int strip_rows_ = 0;
   std::string labels_;
   std::string leaders_;

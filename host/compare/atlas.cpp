@@ -19,10 +19,10 @@ namespace {
 namespace jones = programs::jones;
 namespace oracle = algorithms::oracle;
 
-constexpr double forgiven = 1;  // points
+constexpr double tolerance = 1;  // points; smaller errors are ignored
 constexpr double usual_eyes = 4000;
 
-// The middle of step `number` of `steps` from low to high.
+// The centre of step `number` of `steps` from low to high.
 std::int32_t middle_of(geometry::Span span, int number, int steps) {
   return static_cast<std::int32_t>(span.low + span.length() * (2 * number + 1) / (2 * std::int64_t{steps}));
 }
@@ -54,10 +54,10 @@ std::string names_of(const std::array<bool, jones::roundings>& finer) {
   return text;
 }
 
-// Every view's first view of its cluster.
-class Connected {
+// A union-find structure: each view links to the first view of its cluster.
+class UnionFind {
  public:
-  explicit Connected(std::size_t count) : before_(count) {
+  explicit UnionFind(std::size_t count) : before_(count) {
     for (std::size_t i = 0; i < count; ++i) before_[i] = i;
   }
   [[nodiscard]] std::size_t first(std::size_t i) const {
@@ -101,7 +101,7 @@ std::optional<AxisLine> line_of(const std::vector<std::size_t>& numbers,
 }
 
 std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
-  Connected connected(views.size());
+  UnionFind connected(views.size());
   std::map<std::tuple<std::string, std::optional<AxisLine>>, std::size_t> seen;
   for (std::size_t number = 0; number < views.size(); ++number) {
     const AtlasView& view = views[number];
@@ -145,7 +145,7 @@ std::vector<AtlasCluster> clusters_of(const std::vector<AtlasView>& views) {
 
 }  // namespace
 
-AtlasLattice usual_lattice(const scene::CellScene& scene) {
+AtlasLattice default_lattice(const scene::CellScene& scene) {
   const auto across = static_cast<double>(scene.outer.span(0).length());
   const auto along = static_cast<double>(scene.outer.span(2).length());
   const double step = std::max(1.0, std::sqrt(across * along / usual_eyes));
@@ -180,7 +180,7 @@ std::vector<geometry::Point> random_eyes(const scene::CellScene& scene, std::uin
 std::string WrongCause::name() const {
   if (status != jones::Status::complete) return std::string(jones::name(status));
   if (fraction_bits) return "fraction bits";
-  if (hollow_mask) return "mask corner";
+  if (concave_mask) return "mask corner";
   if (finer.empty()) return "not a rounding";
   std::string text;
   for (const auto& roundings : finer) text += (text.empty() ? "rounding " : " or ") + names_of(roundings);
@@ -192,7 +192,7 @@ base::Result<ErrorAtlas> ErrorAtlas::of(const scene::CellScene& scene, std::vect
   const auto free = std::find_if(eyes.begin(), eyes.end(), [&](const geometry::Point& eye) {
     return jones::viewpoint(scene, eye).has_value();
   });
-  if (free == eyes.end()) return base::bad_input("found no eye in free space, a unit from every wall");
+  if (free == eyes.end()) return base::bad_input("found no eye in free space at least one unit from every wall");
   auto matter = oracle::Matter::of(scene);
   if (!matter) return base::bad_input("found too many grid units for the oracle");
   auto program = jones::Prepared::of(scene, {options.eae, static_cast<std::uint32_t>(options.fraction_bits), false});
@@ -236,7 +236,7 @@ AtlasView ErrorAtlas::view(std::size_t number) const {
     if (line != lines_of_words_.end())
       drawn.push_back({line->second, {x(at.a.x), y(at.a.y), x(at.b.x), y(at.b.y)}});
   }
-  view.wrong = wrong_stretches(truth, drawn, forgiven, view.eye, window);
+  view.wrong = wrong_stretches(truth, drawn, tolerance, view.eye, window);
   if (twin.status != jones::Status::complete || view.wrong.length() > 0)
     view.cause = cause_of(twin.status, *core, truth, view.eye);
   return view;
@@ -261,14 +261,14 @@ WrongCause ErrorAtlas::cause_of(jones::Status status, const std::vector<core::Wo
 
   const auto is_right = [&](const jones_precision::PreciseView& view) {
     return view.status == jones::Status::complete &&
-           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), forgiven, eye, type340_window())
+           wrong_stretches(truth, pieces_of(view.pieces, lines_of_words_), tolerance, eye, type340_window())
                    .length() == 0;
   };
   cause.fraction_bits = options_.fraction_bits < jones::machine_fraction_bits &&
                         is_right(in_words(jones::machine_word_bits, jones::machine_fraction_bits));
-  cause.hollow_mask =
+  cause.concave_mask =
       !cause.fraction_bits && is_right(jones_precision::run_mixed(core, header, parameters, {true, true, true}, true));
-  for (std::size_t count = cause.fraction_bits || cause.hollow_mask ? jones::roundings + 1 : 1;
+  for (std::size_t count = cause.fraction_bits || cause.concave_mask ? jones::roundings + 1 : 1;
        count <= jones::roundings && cause.finer.empty(); ++count)
     for (unsigned chosen = 1; chosen < 1U << jones::roundings; ++chosen) {
       std::array<bool, jones::roundings> finer{};
@@ -304,7 +304,7 @@ AtlasSummary summary_of(const std::vector<AtlasView>& views) {
     summary.wrong += view.is_wrong() ? 1 : 0;
     lengths.push_back(view.wrong.length());
     times.push_back(static_cast<double>(view.emulated_ns) / 1e9);
-    if (!view.difference.empty() && !summary.not_its_twin) summary.not_its_twin = number;
+    if (!view.difference.empty() && !summary.differs_from_twin) summary.differs_from_twin = number;
   }
   summary.wrong_length = quantiles_of(std::move(lengths));
   summary.time = quantiles_of(std::move(times));

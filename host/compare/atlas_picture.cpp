@@ -31,13 +31,12 @@ constexpr double most_along = 800;
 constexpr double least_side = 120;    // of a plan, which is stretched if necessary
 constexpr double least_across = 520;  // of a panel with its legend
 constexpr std::size_t most_listed = 16;
-constexpr double mark = 3;  // half a mark of a wrong view, which is seen however small its place is
+constexpr double mark = 3;  // half a mark of a wrong view, which stays visible however small its place is
 
-constexpr Colour grey{205, 205, 205};  // no eye is possible
+constexpr Colour grey{205, 205, 205};  // invalid eye
 constexpr Colour right{190, 216, 236};
 constexpr Colour paper{255, 255, 255};
-// Of a wrong length up to so many points. The colours of Okabe and Ito (2008), and black where the machine
-// stopped.
+// For wrong lengths up to so many points. The colours of Okabe and Ito (2008), and black where the machine stopped.
 struct WrongClass {
   double up_to;
   const char* label;
@@ -87,7 +86,7 @@ class Sheet {
     line(layer, x1, y1, x0, y1);
     line(layer, x0, y1, x0, y0);
   }
-  // On its baseline; made smaller if it is wider than the room.
+  // On its baseline; shrunk to fit `room`.
   void text(double x, double y, const std::string& words, double height = text_height, double room = 1e9) {
     const double width = picture::text_width(height, words);
     picture::append_text(drawing_, ink, x, drawing_.height - y, width > room ? height * room / width : height,
@@ -122,7 +121,7 @@ class Plan {
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double height() const { return height_; }
 
-  // large_marks: those of wrong views.
+  // large_marks: of wrong views.
   void draw(Sheet& sheet, double left, double top, const std::vector<AtlasView>& views, bool large_marks,
             const std::function<Colour(const AtlasView&)>& colour) const {
     const auto x = [&](double at) { return left + (at - scene_->outer.low[0]) * scale_x_; };
@@ -134,12 +133,12 @@ class Plan {
     };
     sheet.box(left, top, left + width_, top + height_, lattice_ ? grey : paper);
     if (!lattice_) fill_solids({235, 235, 235});
-    // Wrong ones last, so that no other covers them.
+    // Wrong views last, so that no other view covers them.
     for (const bool wrong : {false, true}) {
       if (wrong && lattice_) fill_solids(grey);
       for (const AtlasView& view : views) {
         if (view.is_wrong() != wrong || !view.free) continue;
-        // Eyes are at whole units: a unit more leaves no gap between their places.
+        // Eyes are at integers: one more unit leaves no gap between their places.
         double half_x = lattice_ ? (width_ / lattice_->columns + scale_x_) / 2 : 2.2;
         double half_y = lattice_ ? (height_ / lattice_->rows + scale_z_) / 2 : 2.2;
         if (wrong && large_marks) {
@@ -185,14 +184,14 @@ class Plan {
   }
 
  private:
-  // Whether the eyes' plan cuts it; without one plan, all that is not flat does.
+  // Whether the plane of the eyes cuts the span. If the eyes have no common plane: whether it has a height.
   [[nodiscard]] bool at_height(geometry::Span span) const {
     return !lattice_ || span.contains(lattice_->height);
   }
 
   const scene::CellScene* scene_;
   std::optional<AtlasLattice> lattice_;
-  double scale_x_ = 1;  // pixels of a unit
+  double scale_x_ = 1;  // pixels per unit
   double scale_z_ = 1;
   double width_ = 0;
   double height_ = 0;
@@ -223,7 +222,7 @@ void wrong_legend(Sheet& sheet, double x, double y, const std::vector<AtlasView>
   if (!summary.clusters.empty()) sheet.text(x, y, "1, 2, ...: the worst view of each cluster below");
 }
 
-// 1, 2 or 5 times a power of ten, four to ten of which make up the whole.
+// 1, 2 or 5 times a power of ten, such that `whole` has four to ten steps.
 double tick_of(double whole) {
   double tick = 1;
   while (tick * 5 > whole) tick /= 10;
@@ -254,7 +253,7 @@ void time_legend(Sheet& sheet, double x, double y, double width, const AtlasSumm
              text_height, width);
 }
 
-// What the causes mean that there are.
+// Explains the causes that occur.
 std::vector<std::string> notes_on(const std::vector<AtlasCluster>& clusters) {
   const auto any = [&clusters](std::string_view begin) {
     return std::any_of(clusters.begin(), clusters.end(),

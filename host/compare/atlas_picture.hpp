@@ -1,7 +1,6 @@
-// The picture of an error atlas: two plans of the scene beside each other, x to the right and z, the way the
-// program looks, upwards. Every eye is a mark, coloured on the left by the length of what is wrong in its
-// view, on the right by the time the PDP-7 took; below, what the colours mean and the clusters of wrong
-// views.
+// The picture of an error atlas: two plans of the scene side by side, x to the right and z, the program's direction
+// of view, upwards. Every eye is a mark. Its colour shows the wrong length of its view on the left plan, and the
+// PDP-7's time on the right one. Below are the colour scales and the clusters of wrong views.
 #pragma once
 
 #include <optional>
@@ -19,10 +18,11 @@ namespace sightline::compare {
 
 struct AtlasCaption {
   std::string title;  // what was run
-  std::string eyes;   // which eyes, and how they look
+  std::string eyes;   // which eyes, and their direction of view
 };
 
-// lattice: how the eyes lie, if they are those of lattice_eyes. At least one view is free.
+// `lattice`: the arrangement of the eyes, if they are those of lattice_eyes. At least one view is free
+// (precondition).
 [[nodiscard]] picture::Image atlas_picture(const scene::CellScene& scene, const std::vector<AtlasView>& views,
                                            const AtlasSummary& summary,
                                            const std::optional<AtlasLattice>& lattice,

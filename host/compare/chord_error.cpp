@@ -21,10 +21,11 @@ std::size_t density(std::size_t samples, std::size_t largest) {
   return std::min(densely, (largest - 1) / (samples - 1));
 }
 
-// Points of the screen that a height of 1, of which the grid's range has 2, makes in this view.
+// The height on the screen, in points, of one unit of height in this view; the grid's range is 2 units.
 double points_of_unit_height(const scene::HeightGrid& grid, const algorithms::skala::View& view,
                              const programs::skala::Projection& projection) {
-  // Screen y is a multiple of 0.6 h cos E + depth sin E, and something added; from the lowest and the highest sample.
+  // Screen y is a linear function of 0.6 h cos E + depth sin E; its scale follows from the lowest and the highest
+  // sample.
   const auto elevation = programs::skala::sine_and_cosine(view.elevation);
   std::array<double, 2> screen{};
   std::array<double, 2> image{};

@@ -66,7 +66,7 @@ constexpr std::array all_not_applicable{
     NotApplicable{"plantinga", "J", NotApplicable::Views::all, "events of a turn are those of parallel projection"},
     NotApplicable{turn_name, "J", NotApplicable::Views::all, "turns in parallel projection"},
     NotApplicable{"willis", "H", NotApplicable::Views::all,
-                  "leaves facets that touch clustered: no plane on the lattice keeps them apart"},
+                  "leaves touching facets clustered: no plane with integer coefficients separates them"},
     NotApplicable{stripes_name, "C7", NotApplicable::Views::all,
                   "two faces hide each other in different places, for which the paper has no order"},
     NotApplicable{stripes_name, "C9", NotApplicable::Views::all, "65 faces are turned to the eye, the 8080 holds 64"},
@@ -85,7 +85,7 @@ const auto* find_in(const Table& table, std::string_view name) {
   return found != table.end() ? &*found : nullptr;
 }
 
-// What the PDP-7 shows of the views, before all others: those with lines draw theirs at its angles, too.
+// The PDP-7's picture of the views, drawn before all others: participants with lines draw theirs at its angles, too.
 struct TurnedView {
   std::optional<ScreenPicture> screen;
   std::string problem;
@@ -95,24 +95,24 @@ struct TurnedViews {
   std::vector<TurnedView> views;
 };
 
-// The machine's lines in the pixels of a view.
+// The machine's lines in pixels of a view.
 std::vector<picture::PixelSegment> lines_in_view(const Turning& turning, const CommonScene& scene, const CrossCheckView& view,
                                                  const TurnPicture& shown) {
-  // The scene was moved to the axis, by as much as any of its vertices.
+  // The scene was moved to the axis; every vertex by the same amount.
   scene::PolyPoint moved = scene.scene.vertices.front();
-  for (std::size_t a = 0; a < 3; ++a) moved[a] -= turning.standing().vertices.front()[a];
+  for (std::size_t a = 0; a < 3; ++a) moved[a] -= turning.scene_on_axis().vertices.front()[a];
   const picture::PixelPoint on_axis = view.place(moved);
-  double lowest = turning.standing().vertices.front()[1];
+  double lowest = turning.scene_on_axis().vertices.front()[1];
   double highest = lowest;
-  for (const scene::PolyPoint& v : turning.standing().vertices) {
+  for (const scene::PolyPoint& v : turning.scene_on_axis().vertices) {
     lowest = std::min<double>(lowest, v[1]);
     highest = std::max<double>(highest, v[1]);
   }
-  // A view may have to its left what the machine's screen has to its right.
+  // The machine's screen may show the scene's left side at the right.
   const double turn = shown.angle * 2 * std::numbers::pi / (1 << 18);
   const auto& right = view.camera.right;
   const double sign = right[0] * std::cos(turn) - right[2] * std::sin(turn) < 0 ? -1 : 1;
-  const double pixels = view.window().scale / turning.scale();  // in a point of the display
+  const double pixels = view.window().scale / turning.scale();  // per point of the display
   const auto placed = [&](const picture::PixelPoint& p) {
     return picture::PixelPoint{on_axis.x + sign * (p.x - 512) * pixels,
                                on_axis.y + (p.y - 512) * pixels + (lowest + highest) / 2 * turning.scale() * pixels};
@@ -139,13 +139,13 @@ TurnedViews turned_views(const CommonScene& scene) {
     }
     of.problem = problem;
     const auto angle = turn_angle_of(view.camera);
-    if (!angle) of.problem = "the view is not one of the turn";
+    if (!angle) of.problem = "the view does not look along the plane of the turn";
     if (!of.problem.empty()) continue;
     auto drawn = turned.turning->draw(*angle, &view.camera);
     if (!drawn)
       of.problem = drawn.error().message();
     else if (!drawn->difference.empty())
-      of.problem = "the program is not its twin: " + drawn->difference;
+      of.problem = "the program differs from its twin: " + drawn->difference;
     else {
       of.screen.emplace(ScreenPicture{std::move(*drawn), {}, 0});
       of.screen->in_view = lines_in_view(*turned.turning, scene, view, of.screen->turn);
@@ -155,7 +155,7 @@ TurnedViews turned_views(const CommonScene& scene) {
   return turned;
 }
 
-// The views of one participant that are not listed as not applicable.
+// Draws the views of one participant that are not listed as not applicable.
 class Drawing {
  public:
   Drawing(const CommonScene& scene, const Participant& who, const CrossCheckTables& tables, const TurnedViews& turned)
@@ -188,7 +188,7 @@ class Drawing {
 
   void draw_lines() {
     const registry::LineAlgorithm* const algorithm = find_in(tables_.lines, who_.name);
-    if (algorithm == nullptr) return fail("no such algorithm in the table of lines");
+    if (algorithm == nullptr) return fail("no such algorithm in the registry of lines");
     if (scene_.matter) return draw_matter(*algorithm);
     if (auto reason = algorithm->why_not(scene_.scene)) return fail(*reason);
     auto made = algorithm->prepare(scene_.scene);
@@ -210,8 +210,8 @@ class Drawing {
     });
   }
 
-  // The real lines of a scene of cells: of its own cells, by a method that takes cells, or of its matter; the edges of faces, by one that
-  // knows no other lines.
+  // The real lines of a scene of cells: by a method that takes cells, of its own cells; by others, of its matter; by
+  // a method without other lines, the edges of faces.
   void draw_matter(const registry::LineAlgorithm& algorithm) {
     const bool of_faces = algorithm.prepare_cells == nullptr && !algorithm.draws_crossings;
     const scene::PolyScene& scene = of_faces ? scene_.matter->with_box() : scene_.scene;
@@ -225,7 +225,7 @@ class Drawing {
         picture.problem = seen.error().message();
         return;
       }
-      picture.same_by_image = true;  // edges of other names may lie on each other
+      picture.same_by_image = true;  // edges with different names may coincide
       picture.lines = of_faces ? scene_.matter->on_lines(seen->picture, eye) : std::move(seen->picture);
     });
   }
@@ -249,7 +249,7 @@ class Drawing {
     });
   }
 
-  // The lines again, at the angle of the machine that turns the scene.
+  // Draws the lines again, at the angle of the machine that turns the scene.
   void draw_on_screen(const registry::LineAlgorithm& algorithm, const registry::PreparedScene& prepared, const CrossCheckView& view,
                       CrossCheckPicture& picture) {
     const TurnedView& turned = turned_.views[static_cast<std::size_t>(&view - scene_.views.data())];
@@ -296,7 +296,7 @@ class Drawing {
     }
     const registry::FaceAlgorithm* const algorithm =
         who_.name == willis_on_8080().name ? &willis_on_8080() : find_in(tables_.faces, who_.name);
-    if (algorithm == nullptr) return fail("no such algorithm in the table of faces");
+    if (algorithm == nullptr) return fail("no such algorithm in the registry of faces");
     registry::FaceOptions options;
     options.plan = scene_.plan;
     auto made = algorithm->prepare(scene_.scene, options);
@@ -322,7 +322,7 @@ class Drawing {
   std::vector<CrossCheckPicture> pictures_;
 };
 
-// Everything that two participants can be compared by, of one view.
+// All comparisons of two participants for one view.
 std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView& view, const Participant& a,
                                   const CrossCheckPicture& of_a, const Participant& b,
                                   const CrossCheckPicture& of_b) {
@@ -356,7 +356,7 @@ std::vector<ViewVerdict> verdicts(const CommonScene& scene, const CrossCheckView
   return all;
 }
 
-// Of scenes of cells nobody has faces.
+// No participant has faces of scenes of cells.
 bool is_complete(const CommonScene& scene, const Participant& who, const CrossCheckPicture& picture) {
   return picture.problem.empty() && (!who.lines || picture.lines) && (!who.faces || scene.matter || picture.faces) &&
          (!who.screen || picture.screen) && (!who.jones || picture.builds) && (!who.ink || picture.ink);
@@ -369,7 +369,7 @@ CrossCheckCell compare_pair(const CommonScene& scene, const Participant& a,
   const auto add = [&cell](std::size_t view, const std::string& text) {
     cell.text += fmt::format("{}view {}: {}", cell.text.empty() ? "" : "; ", view + 1, text);
   };
-  if (const auto reason = nothing_in_common(a.name, b.name)) {
+  if (const auto reason = why_incomparable(a.name, b.name)) {
     cell.text = *reason;
     return cell;
   }
@@ -424,18 +424,18 @@ std::optional<std::string_view> listed_reason(std::string_view who, std::string_
   return std::nullopt;
 }
 
-std::optional<std::string_view> nothing_in_common(std::string_view a, std::string_view b) {
+std::optional<std::string_view> why_incomparable(std::string_view a, std::string_view b) {
   if (a != skala_8080_name && b != skala_8080_name) return std::nullopt;
   const std::string_view other = a == skala_8080_name ? b : a;
   if (other == oracle_name || registry::find_height_algorithm(other) != nullptr) return std::nullopt;
-  return "skala-8080 draws slices, the other one triangles between them, which reach beyond the slices";
+  return "skala-8080 draws slices, the other one the triangles between them, which extend beyond the slices";
 }
 
 std::size_t listed_cells(const CommonScene& scene) {
   std::size_t cells = 0;
   for (const Participant& a : participants()) {
     for (const Participant& b : participants()) {
-      if (&a >= &b || nothing_in_common(a.name, b.name)) continue;
+      if (&a >= &b || why_incomparable(a.name, b.name)) continue;
       cells += std::any_of(scene.views.begin(), scene.views.end(), [&](const CrossCheckView& view) {
         return !listed_reason(a.name, scene.name, view.camera.perspective) &&
                !listed_reason(b.name, scene.name, view.camera.perspective);

@@ -1,10 +1,8 @@
-// All algorithms compared with each other on the common scenes: one cell for each pair and scene.
+// Cross-check: compares all algorithms with each other on the common scenes; one cell for each pair and scene.
 //
-// Every algorithm of the registries takes part. Exceptions are listed here, with their reasons. Everything
-// else is run, and a cell that is not listed but cannot be run is a failure: an algorithm that begins to refuse
-// scenes does not go unnoticed. The exact edges and the oracle take part like the algorithms they are to check.
-//
-// Source: the suite's cross-check of algorithms, sections 2 to 4.
+// Every algorithm of the registries takes part. The exceptions are listed here, with their reasons. A pair that is
+// not listed but cannot be run is a failure, so an algorithm that begins to reject scenes is noticed. The exact edges
+// and the oracle take part like the algorithms that they check.
 #pragma once
 
 #include <cstddef>
@@ -29,50 +27,51 @@ struct Participant {
   std::string_view name;  // of the algorithm in the registries
   bool lines = false;
   bool faces = false;
-  bool screen = false;  // lines as a machine's display shows them, to its points
-  bool jones = false;   // builds of Jones's program
+  bool screen = false;  // lines on a machine's display, in its points
+  bool jones = false;   // several builds of Jones's program
   bool ink = false;     // pictures of Skala's program on its devices
 };
-// In the order of the registries: lines, faces, heights; then the 8080's stripes (stripes.hpp). The oracle has faces, too: nearest_faces().
-// Then Willis's priorities from an 8080 (willis_8080.hpp), the solid turning on the PDP-7 (turning.hpp), and Jones's and Skala's programs
-// (cross_check_machines.hpp).
+// In the order of the registries: lines, faces, heights. Then the 8080's stripes (stripes.hpp), Willis's priorities
+// from an 8080 (willis_8080.hpp), the solid turning on the PDP-7 (turning.hpp), and Jones's and Skala's programs
+// (cross_check_machines.hpp). The oracle has faces, too: nearest_faces().
 [[nodiscard]] std::span<const Participant> participants();
 
 struct NotApplicable {
   enum class Views { all, perspective };
 
   std::string_view who;
-  std::string_view scenes;  // every one whose name begins so
+  std::string_view scenes;  // all scenes whose names begin with this
   Views views = Views::all;
   std::string_view reason;
 };
 [[nodiscard]] std::span<const NotApplicable> not_applicable();
-// Why a participant has no picture of a view, as listed.
+// The listed reason why a participant has no picture of a view.
 [[nodiscard]] std::optional<std::string_view> listed_reason(std::string_view who, std::string_view scene,
                                                             bool perspective);
 
-// Why two participants that both have pictures of a scene have nothing in common that can be compared.
-[[nodiscard]] std::optional<std::string_view> nothing_in_common(std::string_view a, std::string_view b);
+// Why the pictures of two participants cannot be compared, although both draw the scene.
+[[nodiscard]] std::optional<std::string_view> why_incomparable(std::string_view a, std::string_view b);
 
-// Where the algorithms are looked for.
+// The registries that are cross-checked.
 struct CrossCheckTables {
   std::span<const registry::LineAlgorithm> lines = registry::line_algorithms();
   std::span<const registry::FaceAlgorithm> faces = registry::face_algorithms();
 };
 
-// What one participant made of one view.
+// The picture that one participant made of one view.
 struct CrossCheckPicture {
   std::optional<picture::LinePicture> lines;
   bool same_by_image = false;
-  std::optional<picture::PixelGrid> faces;  // number + 1, 0 for none
+  std::optional<picture::PixelGrid> faces;  // face number + 1, 0 for none
   std::optional<ScreenPicture> screen;
-  // Lines again, for the participant with a screen, at the angle of its machine: the picture, and in points of the display.
+  // For the participant with a screen: the lines at the angle of its machine, as a picture and in points of the
+  // display.
   std::optional<picture::LinePicture> lines_at_angle;
   std::vector<picture::PixelSegment> lines_on_screen;
   std::optional<std::vector<JonesPicture>> builds;
   std::optional<std::vector<SkalaInk>> ink;
   std::string_view not_applicable;          // the listed reason
-  std::string problem;                      // why something listed is not there
+  std::string problem;                      // why a listed picture is missing
 };
 
 // A distance that was compared with its bound.
@@ -87,17 +86,17 @@ struct CrossCheckCell {
   std::string_view second;
   CrossCheckState state = CrossCheckState::not_applicable;
   std::size_t views = 0;  // compared
-  std::string how;        // as ViewVerdict has it, each once; no "pieces" where it took "image"
-  std::string text;       // what was found; of a failure the view and the first difference
-  std::vector<CheckedDistance> distances = {};  // of Jones's and Skala's programs
+  std::string how;        // each ViewVerdict::how once; no "pieces" where "image" was used
+  std::string text;       // the result; of a failure, the view and the first difference
+  std::vector<CheckedDistance> distances = {};  // for Jones's and Skala's programs
 };
 
 struct SceneCrossCheck {
-  std::vector<CrossCheckCell> cells;  // by participants, all pairs
+  std::vector<CrossCheckCell> cells;  // of all pairs, in the order of participants
   // By participant, then view.
   std::vector<std::vector<CrossCheckPicture>> pictures;
 
-  // Nothing differs and nothing listed is missing.
+  // Whether nothing differs and nothing listed is missing.
   [[nodiscard]] bool agrees() const;
 };
 
@@ -105,7 +104,7 @@ struct SceneCrossCheck {
     const CommonScene& scene, const CrossCheckTables& tables = {},
     const std::function<void(std::string_view)>& progress = [](std::string_view) {});
 
-// How many cells are listed to run on a scene.
+// The number of cells that are listed to run on a scene.
 [[nodiscard]] std::size_t listed_cells(const CommonScene& scene);
 
 }  // namespace sightline::compare

@@ -38,14 +38,14 @@ std::string first_difference(const NamedLines& a, const NamedLines& b) {
   const auto [i, j] = std::mismatch(p.begin(), p.end(), q.begin(), q.end());
   const bool only_b = i == p.end() || (j != q.end() && j->edge < i->edge);
   const picture::LineEdge edge = only_b ? j->edge : i->edge;
-  const auto drawn = [&edge](auto piece, auto end) {
+  const auto piece_text = [&edge](auto piece, auto end) {
     return piece != end && piece->edge == edge ? "s = " + span_of(*piece) : std::string("nothing more");
   };
-  return fmt::format("edge {}-{}: {} draws {}, {} {}", edge.from, edge.to, a.name, drawn(i, p.end()), b.name,
-                     drawn(j, q.end()));
+  return fmt::format("edge {}-{}: {} draws {}, {} {}", edge.from, edge.to, a.name, piece_text(i, p.end()), b.name,
+                     piece_text(j, q.end()));
 }
 
-// The first piece of a whose image is not wholly in the other's.
+// The first piece of a whose image is not completely in the other's.
 std::optional<std::string> first_outside(const NamedLines& a, const picture::ImageSet& other,
                                          std::string_view other_name, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera) {
@@ -93,7 +93,7 @@ std::string pixel_difference(const CommonScene& scene, const NamedFaces& a, cons
                      face_name(scene, b.faces->values[index]));
 }
 
-// A boundary pixel, as pixel_metrics.hpp has it.
+// Whether this is a boundary pixel as defined in pixel_metrics.hpp.
 bool at_edge(const std::vector<PixelSegment>& edges, const PixelGrid& grid, std::size_t index) {
   const auto width = static_cast<std::size_t>(grid.width);
   const PixelPoint p{static_cast<double>(index % width), static_cast<double>(index / width)};
@@ -106,7 +106,7 @@ bool at_edge(const std::vector<PixelSegment>& edges, const PixelGrid& grid, std:
   });
 }
 
-// Points along the lines of a view, to be found by place.
+// Points along the lines of a view, indexed by place.
 class DrawnPoints {
  public:
   struct Point {
@@ -114,7 +114,7 @@ class DrawnPoints {
     std::uint32_t piece = 0;
   };
 
-  // Lines are drawn to within `error` pixels.
+  // Lines are accurate to within `error` pixels.
   DrawnPoints(int size, const std::vector<PixelSegment>& lines, double error = 0)
       : size_(size), reach_(1 + error), buckets_(static_cast<std::size_t>(size_ * size_)) {
     std::uint32_t number = 0;
@@ -122,7 +122,7 @@ class DrawnPoints {
   }
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  // How far a line may be from a change of face, in pixels.
+  // The greatest distance, in pixels, of a line from a change of face.
   [[nodiscard]] double reach() const { return reach_; }
   template <class Test>
   [[nodiscard]] bool any_near(const PixelPoint& p, double distance, Test&& test) const {
@@ -136,8 +136,8 @@ class DrawnPoints {
             return true;
     return false;
   }
-  // Away from the border, and no other line within twice the reach.
-  [[nodiscard]] bool alone(const Point& point) const {
+  // Whether a point is away from the border, with no other line within twice the reach.
+  [[nodiscard]] bool is_isolated(const Point& point) const {
     const double border = 2 * reach_;
     const auto& [x, y] = point.place;
     if (x < border || y < border || x > size_ - 1 - border || y > size_ - 1 - border) return false;
@@ -166,7 +166,7 @@ class DrawnPoints {
   std::vector<Point> points_;
 };
 
-// Distance of a point from the way between the middles of two neighbours.
+// The distance of a point from the segment between the centres of two adjacent pixels.
 double from_step(const PixelPoint& p, int column, int row, bool upwards) {
   const double along = upwards ? p.y - row : p.x - column;
   const double aside = upwards ? p.x - column : p.y - row;
@@ -186,7 +186,7 @@ bool changes_near(const PixelGrid& faces, const PixelPoint& p, double distance) 
   return false;
 }
 
-// Of some number of things how many fail, and the first.
+// Counts checks and failures, and stores the first failure.
 struct Failures {
   std::uint64_t all = 0;
   std::uint64_t failed = 0;
@@ -201,7 +201,7 @@ struct Failures {
 Failures lines_without_change(const DrawnPoints& points, const PixelGrid& faces) {
   Failures failures;
   for (const DrawnPoints::Point& point : points.points())
-    if (points.alone(point)) failures.count(changes_near(faces, point.place, points.reach()), point.place);
+    if (points.is_isolated(point)) failures.count(changes_near(faces, point.place, points.reach()), point.place);
   return failures;
 }
 
@@ -224,7 +224,7 @@ ViewVerdict lines_on_pixels(std::string_view name, const DrawnPoints& points, co
   const Failures lines = lines_without_change(points, *b.faces);
   const Failures changes = changes_without_line(points, *b.faces);
   if (lines.all == 0 || changes.all == 0) return {false, how, "there is nothing to compare"};
-  std::string text = fmt::format("{} of {} changes of face have no line, {} of {} lone points no change",
+  std::string text = fmt::format("{} of {} changes of face have no line, {} of {} isolated points have no change",
                                  changes.failed, changes.all, lines.failed, lines.all);
   if (changes.failed > 0)
     text += fmt::format("; {} changes at pixel ({}, {}), where {} draws nothing", b.name, changes.first.x,

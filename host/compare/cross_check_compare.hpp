@@ -1,8 +1,5 @@
-// Two pictures of one view compared: lines piece by piece or as images, faces pixel by pixel,
-// and lines against faces: where the face changes there is a line, and where a line is by itself the face
-// changes.
-//
-// Source: the suite's cross-check of algorithms, sections 2 (line picture against filled picture) and 4.
+// Compares two pictures of one view: lines piece by piece or as images, faces pixel by pixel, and lines with faces:
+// there is a line where the face changes, and the face changes at an isolated line.
 #pragma once
 
 #include <string>
@@ -16,14 +13,15 @@
 
 namespace sightline::compare {
 
-// How far a machine's picture is from another one, in points of its device, and how far its words let it be.
+// The distance of a machine's picture from another one, in points of its device, and the bound that follows from its
+// words.
 struct MachineDistance {
-  std::string what;  // the build, or picture and device; and what is measured from there
+  std::string what;  // the build, or picture and device; and which lines are measured from which
   double found = 0;
   double bound = 0;
 };
 
-// What came out, in words: of a difference, where it is first.
+// The result in words; of a difference, the first place.
 struct ViewVerdict {
   bool agrees = false;
   std::string_view how;  // "pieces", "image", "pixels", "lines on pixels", "points", "words"
@@ -62,17 +60,17 @@ struct NamedScreenLines {
 
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedLines& b);
-// The structure in the machine's core is that of the pieces, end by end (where pieces are compared), and no line is farther from the
-// other picture's than the machine's words explain.
+// They agree if the structure in the machine's core is that of the pieces, end by end (where pieces are compared), and
+// no line is farther from the other picture than the machine's words explain.
 [[nodiscard]] ViewVerdict compare_pictures(const NamedScreen& a, const NamedScreenLines& b);
-// Away from all edges they are equal.
+// They agree if they are equal away from all edges.
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedFaces& a, const NamedFaces& b);
-// Within one pixel. A line is by itself where no other one is within two pixels: between two lines nearer to
-// each other there may be no pixel.
+// They agree if lines and changes of face match within one pixel. A line is isolated if no other one is within two
+// pixels: between two closer lines there may be no pixel.
 [[nodiscard]] ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view,
                                            const NamedLines& a, const NamedFaces& b);
-// Likewise, within one pixel and the bound of the display's lines.
+// The same, within one pixel plus the bound of the display's lines.
 [[nodiscard]] ViewVerdict compare_pictures(const NamedScreen& a, const NamedFaces& b);
 
 }  // namespace sightline::compare

@@ -29,11 +29,11 @@ struct PixelBounds {
   }
 };
 
-// A tile of the picture has a scene of its own: the faces that may be seen there, one a body.
+// A tile of the picture has its own scene: the faces that may be visible there, one per body.
 constexpr int tile = 16;
 constexpr double certainly_beside = 1;  // pixels: more than the rounding of a place
 
-// A face that reaches behind the eye may be seen in all of the picture.
+// A face that extends behind the eye may be visible anywhere in the picture.
 constexpr PixelPoint anywhere{std::numeric_limits<double>::infinity(),
                               std::numeric_limits<double>::infinity()};
 
@@ -58,7 +58,7 @@ std::vector<NumberedFace> faces_of(const CommonScene& scene, const CrossCheckVie
   return faces;
 }
 
-// Facets as triangles in pixels, painted over what is there.
+// Paints facets, as triangles in pixels, over the picture.
 void paint(PixelGrid& grid, const std::array<PixelPoint, 3>& corners, std::uint32_t value) {
   PixelBounds bounds;
   for (const PixelPoint& p : corners) bounds.take(p);
@@ -80,7 +80,7 @@ void paint(PixelGrid& grid, const std::array<PixelPoint, 3>& corners, std::uint3
   }
 }
 
-// A drawing of heights fills a square; the view's does not distort.
+// A drawing of heights fills a square; the view's picture is not distorted.
 class FromSquare {
  public:
   FromSquare(const CommonScene& scene, const CrossCheckView& view) {
@@ -98,7 +98,7 @@ class FromSquare {
 };
 
 bool near(const PixelPoint& a, const PixelPoint& b) {
-  constexpr double rounding = 0.01;  // pixels; Skala's lattice is finer
+  constexpr double rounding = 0.01;  // pixels; Skala's grid is finer
   return std::abs(a.x - b.x) < rounding && std::abs(a.y - b.y) < rounding;
 }
 
@@ -140,8 +140,8 @@ PixelGrid surface_faces(const registry::HeightAlgorithm& algorithm, const Common
   std::vector<PixelPoint> places;
   for (const scene::PolyPoint& p : scene.scene.vertices) places.push_back(view.place(p));
   PixelGrid grid(view.size, view.size);
-  // Facets come in the order of cells, from the last one down; those not seen are left out. A cell is one of
-  // four corners, or, folded, its far triangle and its near one.
+  // Facets come in the order of cells, from the last to the first, without those that are not visible. A cell is one
+  // facet of four corners or, if folded, its far triangle and its near one.
   const std::size_t cells = faces.size() / 2;
   std::size_t cell = cells;
   const auto corners_of_cell = [&](const std::vector<PixelPoint>& corners) {

@@ -1,4 +1,4 @@
-// What is seen at every pixel of a view of a common scene: by exact sight lines, and by surfaces of heights.
+// The visible face at every pixel of a view of a common scene: by exact sight lines, and by surfaces of heights.
 #pragma once
 
 #include "host/algorithms/registry/heights.hpp"
@@ -7,13 +7,13 @@
 
 namespace sightline::compare {
 
-// The face met first by the sight line of every pixel (oracle/sight_oracle.hpp), its number over all bodies
-// + 1; 0 for none.
+// The face that the sight line of every pixel meets first (oracle/sight_oracle.hpp): its number over all bodies + 1;
+// 0 for none.
 [[nodiscard]] picture::PixelGrid nearest_faces(const CommonScene& scene, const CrossCheckView& view);
 
-// The facets of a method's surface picture, painted far to near: number of the triangle of the scene + 1,
-// 0 outside. A facet that is a whole cell is divided where the picture allows it and the scene is. The method
-// draws vectors, and the scene has heights (preconditions). Empty if a facet is no cell of the scene.
+// The facets of a method's surface picture, painted far to near: the number of the scene's triangle + 1, 0 outside. A
+// facet that is a whole cell is divided if the picture allows it and the scene's cell is divided. The method draws
+// vectors, and the scene has heights (preconditions). Empty if a facet is no cell of the scene.
 [[nodiscard]] picture::PixelGrid surface_faces(const registry::HeightAlgorithm& algorithm, const CommonScene& scene,
                                                const CrossCheckView& view);
 

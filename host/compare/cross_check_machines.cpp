@@ -29,7 +29,7 @@ using picture::PixelGrid;
 using picture::PixelPoint;
 using picture::PixelSegment;
 
-// A verdict of distances: each within its bound.
+// Builds a verdict from distances: each must be within its bound.
 class Distances {
  public:
   void add(std::string what, double found, double bound) {
@@ -54,7 +54,7 @@ constexpr std::array bits_of_longer_words{4, 6, 8};
 constexpr int longer_word = 24;
 constexpr double screen_centre = 512;
 
-// Lines between points, from the pieces as they left the clip.
+// Lines between points, from the pieces after clipping.
 std::vector<PixelSegment> on_points(const jones::TwinView& view, int fraction_bits) {
   const jones::ShortWords number(jones::machine_word_bits, fraction_bits);
   const auto place = [&number](const jones::ScreenPoint& p) {
@@ -72,7 +72,7 @@ JonesPicture picture_of(const CommonScene& scene, const geometry::Point& eye, in
   return made;
 }
 
-// What a picture of the scene's wires shows on the screen of the Type 340.
+// The visible lines of a picture of the scene's wires on the screen of the Type 340.
 std::vector<PixelSegment> on_screen(const CommonScene& scene, const CrossCheckView& view, const picture::LinePicture& lines) {
   const auto chosen = scene.matter->lines_at(view.camera.eye);
   return visible_segments(ImageLines(lines, scene.scene, view.camera, type340_frame(), &chosen).lines());
@@ -80,7 +80,7 @@ std::vector<PixelSegment> on_screen(const CommonScene& scene, const CrossCheckVi
 
 // --- Skala
 
-// Dots with ink that have one without beside them.
+// Dots with ink that have an adjacent dot without.
 std::vector<PixelSegment> border_of(const PixelGrid& dots) {
   const auto inked = [&](int column, int row) {
     return column >= 0 && row >= 0 && column < dots.width && row < dots.height && dots.at(column, row) != 0;
@@ -97,10 +97,10 @@ std::vector<PixelSegment> border_of(const PixelGrid& dots) {
   return border;
 }
 
-// Distances of ink and lines. Devices that have the same ink are measured once.
+// Distances between ink and lines. Devices with the same ink are measured once.
 class InkDistances {
  public:
-  // The bounds are multiplied.
+  // `bounds_times` multiplies the bounds.
   void add(Distances& to, const SkalaInk& ink, const std::vector<PixelSegment>& lines, double bounds_times) {
     auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) {
       return k.lines == &lines && shows_lines(*k.ink) == shows_lines(ink) &&
@@ -153,7 +153,7 @@ base::Result<std::vector<JonesPicture>> jones_on_pdp7(const CommonScene& scene, 
     if (!twin) return twin.error();
     const jones::View& shown = outcome->view();
     if (const std::string difference = jones::difference_of(shown, *twin); !difference.empty())
-      return base::bad_input(fmt::format("{} fraction bits: the program is not its twin: {}", bits, difference));
+      return base::bad_input(fmt::format("{} fraction bits: the program differs from its twin: {}", bits, difference));
     if (shown.status != jones::Status::complete)
       return base::bad_input(fmt::format("{} fraction bits: the view ends with {}", bits, jones::name(shown.status)));
     JonesPicture& made = builds.emplace_back(picture_of(scene, view.camera.eye, bits));
@@ -196,7 +196,8 @@ base::Result<std::vector<JonesPicture>> jones_twins(const CommonScene& scene, co
 
 ViewVerdict compare_pictures(const CommonScene& scene, const CrossCheckView& view, const NamedJones& a, const NamedLines& b) {
   const auto exact = on_screen(scene, view, *b.lines);
-  // Flashes are many, and the others are compared with the first.
+  // There are many flashes, so only the first algorithm is compared with them; the others are compared with the
+  // first.
   const bool with_flashes = b.name == registry::line_algorithms().front().name;
   Distances distances;
   for (const JonesPicture& build : *a.builds) {
@@ -216,7 +217,7 @@ ViewVerdict compare_pictures(const NamedJones& a, const NamedJones& b) {
       if (of_a.display_file != of_b.display_file)
         return {false,
                 "words",
-                fmt::format("{} fraction bits: {} and {} have other display files", of_a.words.fraction_bits, a.name, b.name),
+                fmt::format("{} fraction bits: {} and {} have different display files", of_a.words.fraction_bits, a.name, b.name),
                 {}};
       words += of_a.display_file.size();
     }
@@ -239,7 +240,7 @@ ViewVerdict compare_with_oracle(const CommonScene& scene, const NamedInk& a) {
   for (const SkalaInk& ink : *a.pictures) {
     const std::string name = name_of(ink);
     if (skala::is_raster(ink.device) && ink.dots != oracle[ink.kind]) {
-      distances.fail(name + ": other dots than the column oracle");
+      distances.fail(name + ": its dots differ from the column oracle's");
       continue;
     }
     measured.add(distances, ink, unrounded[ink.kind == algorithms::skala::Subject::contours ? ink.kind : algorithms::skala::Subject::lines], 1);

@@ -23,16 +23,16 @@ using scene::PolyPoint;
 using scene::PolyScene;
 
 // 38 times the rotation of the quaternion (6, 1, 0, 1): 13 degrees about x and y each.
-PolyPoint tilted(const PolyPoint& p) {
+PolyPoint tilt(const PolyPoint& p) {
   return {36 * p[0] - 12 * p[1] + 2 * p[2], 12 * p[0] + 34 * p[1] - 12 * p[2],
           2 * p[0] + 12 * p[1] + 36 * p[2]};
 }
 
 void tilt(PolyScene& scene) {
-  for (PolyPoint& p : scene.vertices) p = tilted(p);
+  for (PolyPoint& p : scene.vertices) p = tilt(p);
   PolyCamera& camera = scene.camera;
-  camera = {camera.perspective, tilted(camera.eye), tilted(camera.forward), tilted(camera.right),
-            tilted(camera.up)};
+  camera = {camera.perspective, tilt(camera.eye), tilt(camera.forward), tilt(camera.right),
+            tilt(camera.up)};
 }
 
 void enlarge(PolyScene& scene, std::int32_t times) {
@@ -94,8 +94,8 @@ PolyScene tilted_boxes() {
   return builder.take();
 }
 
-// Three bars, each before the next, and beside them two U that reach into each other: each is before the
-// other in one place (after Montani and Re, Figure 10).
+// Three bars, each in front of the next, and two interlocked U shapes, each in front of the other in one place (after
+// Montani and Re, Figure 10).
 PolyScene cycles() {
   scene::PolyBuilder builder;
   add_brick(builder, "bar 0", {-4, -2, 0}, {{{38, 0, 10}, {0, 4, 0}, {0, 0, 2}}});
@@ -124,7 +124,7 @@ PolyScene cycles() {
   return builder.take();
 }
 
-// Through the hole of a leaning plate the hole of another one, and through that a box.
+// Through the hole of a leaning plate one sees the hole of another plate, and a box through that.
 PolyScene holes() {
   scene::PolyBuilder builder;
   const auto plate = [&builder](const char* name, const PolyPoint& o, const PolyPoint& u, const PolyPoint& v,
@@ -143,7 +143,7 @@ PolyScene holes() {
   return builder.take();
 }
 
-// The scene's own camera, which is in perspective and has vectors of one length, over a right angle.
+// The scene's own camera, with a view of 90 degrees. It is perspective and its vectors have one length.
 CrossCheckView own_view(const PolyScene& scene) {
   CrossCheckView view;
   view.camera = scene.camera;
@@ -169,15 +169,15 @@ CommonScene parallel_scene(std::string_view name, std::string_view title, PolySc
   return common;
 }
 
-// Also from between the houses, of which some reach from before the eye to behind it.
+// Includes a view from between the houses, some of which extend from before the eye to behind it.
 CommonScene street() {
   CommonScene common = tilted_scene("C3", "street of 8 houses", poly_scene_of(built_in("street4")));
   common.views.push_back(common.views.back());
-  common.views.back().camera.eye = tilted({37, 160, 600});
+  common.views.back().camera.eye = tilt({37, 160, 600});
   return common;
 }
 
-// One triangle in each of 16 cells of 27: along the rows of cells they hide each other.
+// One triangle in each of 16 of 27 cells: along the rows of cells they hide each other.
 CommonScene triangles() {
   CommonScene common = parallel_scene("C6", "16 random triangles", scene::generate_triangles(16), 8);
   common.views[2] = parallel_view(common.scene, 1, 0, 1);
@@ -196,8 +196,8 @@ CommonScene prism_town() {
   return common;
 }
 
-// A built-in scene of cells, from its own eye, and from one where the lines of Jones's program are nearly as far from the exact ones as
-// its words let them be, with any number of fraction bits.
+// A built-in scene of cells, seen from its own eye and from one where the error of Jones's program is near its bound,
+// with any number of fraction bits.
 CommonScene cell_scene(std::string_view name, std::string_view built_in_name, std::string_view title, const PolyPoint& far_off) {
   CommonScene common{name, title, {}, {}, false, {}, {}, built_in(built_in_name), {}};
   auto matter = algorithms::oracle::MatterScene::of(*common.cells);
@@ -218,7 +218,7 @@ double degrees(double sine) {
   return std::asin(sine) * 180 / std::numbers::pi;
 }
 
-// Heights to whole numbers between -highest and highest.
+// Scales heights to integers between -highest and highest.
 void quantise(scene::HeightGrid& grid) {
   const scene::Interval range = scene::finite_range(grid.heights);
   for (double& h : grid.heights) {
@@ -258,9 +258,9 @@ CommonScene common_scene(std::string_view name) {
 
 // Functions of two variables among the common scenes.
 //
-// With X, Z odd from -31 to 31, D = 7 X + 24 Z and a height k of -3720 .. 3720, a point's place on the screen
-// is 40 (24 X - 7 Z) and c k + 8 s D, its depth 8 c D - s k, s and c the sine and cosine of the elevation in
-// fifths: 31000 times Skala's projection of x = X / 31, z = Z / 31, h = k / 3720, in whole numbers.
+// With X, Z odd from -31 to 31, D = 7 X + 24 Z and an integer height k from -3720 to 3720, a point's place on the
+// screen is 40 (24 X - 7 Z) and c k + 8 s D, and its depth 8 c D - s k, where s and c are the sine and cosine of
+// the elevation in fifths: 31000 times Skala's projection of x = X / 31, z = Z / 31, h = k / 3720, in integers.
 
 CommonScene height_scene(std::string_view name, std::string_view title, std::string_view function,
                          std::int32_t sine, std::int32_t cosine) {
@@ -281,7 +281,7 @@ CommonScene height_scene(std::string_view name, std::string_view title, std::str
   scene::PolyBody body{"surface", true, {}};
   for (std::size_t j = 0; j + 1 < side; ++j) {
     for (std::size_t i = 0; i + 1 < side; ++i) {
-      // Divided between the corners at the sides, as Skala's cells are: one triangle is before the other.
+      // Divided between the corners at the sides, as Skala's cells are: one triangle is in front of the other.
       const auto near = static_cast<scene::VertexIndex>(j * side + i);
       const scene::VertexIndex beside = near + 1;
       const scene::VertexIndex behind = near + side;
@@ -307,7 +307,7 @@ registry::FaceWindow CrossCheckView::window() const {
   return {size, size, camera.perspective ? unit / 2.0 : 1 / (2.0 * unit * length), half, half};
 }
 
-// A point in lengths of right, up and forward from the eye.
+// The coordinates of a point along right, up and forward from the eye, in lengths of the vectors.
 std::array<double, 3> CrossCheckView::in_camera(const PolyPoint& point) const {
   const auto d = geometry::difference(point, camera.eye);
   const double length = std::sqrt(static_cast<double>(dot(camera.right, camera.right)));
@@ -364,7 +364,7 @@ CrossCheckView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_
       high[a] = std::max(high[a], dot(axes[a], v));
     }
   }
-  // Before everything in the middle of it, in lengths of the vectors.
+  // In front of the whole scene, level with its centre, in lengths of the vectors.
   const std::int64_t square = std::int64_t{h} * h;
   const std::array<std::int64_t, 3> eye{(low[0] + high[0]) / 2 / square, (low[1] + high[1]) / 2 / square,
                                         low[2] / square - 2};
@@ -372,7 +372,7 @@ CrossCheckView parallel_view(const PolyScene& scene, std::int32_t p, std::int32_
     view.camera.eye[a] =
         static_cast<std::int32_t>(eye[0] * axes[0][a] + eye[1] * axes[1][a] + eye[2] * axes[2][a]);
   const std::int64_t extent = std::max(high[0] - low[0], high[1] - low[1]) / square;
-  constexpr std::int64_t border = 4;  // pixels, on both sides
+  constexpr std::int64_t border = 4;  // pixels, on each side
   view.unit = static_cast<std::int32_t>(extent / (2 * (size - 2 * border)) + 1);
   return view;
 }

@@ -35,7 +35,7 @@ void light(PixelGrid& grid, const GridPoint& at) {
   if (at.x >= 0 && at.x < grid.width && at.y >= 0 && at.y < grid.height) grid.set(at.x, at.y, 1);
 }
 
-// A line of the Type 340 in the making: vector words from where the beam is.
+// Builds a line of the Type 340: vector words from the position of the beam.
 class Beam {
  public:
   Beam(PixelGrid& grid, const GridPoint& from, const GridPoint& to)
@@ -43,7 +43,7 @@ class Beam {
     light(grid_, at_);
   }
 
-  // By these magnitudes, 0 to 127.
+  // A vector word with these magnitudes, 0 to 127.
   void word(int dx, int dy) {
     const auto x = static_cast<std::uint8_t>(dx);
     const auto y = static_cast<std::uint8_t>(dy);
@@ -104,16 +104,16 @@ double distance_from_line(const PixelSegment& line, const PixelPoint& point) {
   return std::hypot(point.x - foot.x, point.y - foot.y);
 }
 
-// Every dot of a line of Skala's program with its place on the unrounded line.
+// Visits every dot of a line of Skala's program with its position on the unrounded line.
 template <class Visit>
 void for_dots(const PixelSegment& image, const Visit& visit) {
-  const auto rounded = [](const PixelPoint& p) {
+  const auto nearest_point = [](const PixelPoint& p) {
     constexpr int last = programs::skala::raster_side - 1;
     return GridPoint{std::clamp(programs::skala::raster_coordinate(p.x), 0, last),
                      std::clamp(programs::skala::raster_coordinate(p.y), 0, last)};
   };
-  GridPoint at = rounded(image.a);
-  const GridPoint end = rounded(image.b);
+  GridPoint at = nearest_point(image.a);
+  const GridPoint end = nearest_point(image.b);
   const int u = std::abs(end.x - at.x);
   const int v = std::abs(end.y - at.y);
   const bool along_x = u >= v;
@@ -171,12 +171,12 @@ PixelGrid points_of(std::span<const picture::PenPath> paths, int side) {
 
 PixelGrid type340_points(std::span<const PixelSegment> lines, LongLines program) {
   PixelGrid grid(picture::screen_points, picture::screen_points);
-  const auto rounded = [](double value) {
+  const auto round_half_up = [](double value) {
     return static_cast<int>(std::clamp(std::floor(value + 0.5), 0.0, picture::screen_points - 1.0));
   };
   for (const PixelSegment& line : lines) {
-    const GridPoint from{rounded(line.a.x), rounded(line.a.y)};
-    const GridPoint to{rounded(line.b.x), rounded(line.b.y)};
+    const GridPoint from{round_half_up(line.a.x), round_half_up(line.a.y)};
+    const GridPoint to{round_half_up(line.b.x), round_half_up(line.b.y)};
     const int dx = std::abs(to.x - from.x);
     const int dy = std::abs(to.y - from.y);
     if (program == LongLines::jones && from == to) continue;
@@ -186,7 +186,7 @@ PixelGrid type340_points(std::span<const PixelSegment> lines, LongLines program)
   return grid;
 }
 
-std::vector<PixelSegment> divided_as(std::span<const PixelSegment> lines, std::span<const PixelSegment> pieces,
+std::vector<PixelSegment> divide_like(std::span<const PixelSegment> lines, std::span<const PixelSegment> pieces,
                                      double near) {
   std::vector<PixelSegment> divided;
   for (const PixelSegment& line : lines) {
@@ -197,7 +197,7 @@ std::vector<PixelSegment> divided_as(std::span<const PixelSegment> lines, std::s
       if (distance_from_line(line, piece.a) > near || distance_from_line(line, piece.b) > near) continue;
       for (const PixelPoint& end : {piece.a, piece.b}) {
         const double place = picture::place_on(line, end);
-        // What is as near to an end of the line is that end.
+        // A place within `near` of an end counts as that end.
         if (place * length > near && (1 - place) * length > near) places.push_back(place);
       }
     }
@@ -205,7 +205,7 @@ std::vector<PixelSegment> divided_as(std::span<const PixelSegment> lines, std::s
     PixelPoint from = line.a;
     double last = 0;
     for (std::size_t i = 1; i < places.size(); ++i) {
-      // One piece ends where the next begins.
+      // Where a piece ends and the next begins, there is one place.
       if (i + 1 < places.size() && (places[i] - last) * length <= near) continue;
       last = places[i];
       const PixelPoint to = i + 1 < places.size() ? picture::point_at(line, last) : line.b;
@@ -218,7 +218,7 @@ std::vector<PixelSegment> divided_as(std::span<const PixelSegment> lines, std::s
 
 ComparedFlashes compare_flashes(std::span<const PixelSegment> exact, std::span<const PixelSegment> pieces,
                                 std::span<const core::Stroke> pass) {
-  ComparedFlashes compared{type340_points(divided_as(exact, pieces)), points_of(pass), {}};
+  ComparedFlashes compared{type340_points(divide_like(exact, pieces)), points_of(pass), {}};
   compared.difference = picture::raster_difference(compared.truth, compared.shown);
   return compared;
 }
@@ -250,7 +250,7 @@ std::vector<ReferenceLine> lines_as_drawn(std::vector<ReferenceLine> lines, std:
 }
 
 PixelGrid skala_points(std::span<const ReferenceLine> lines, SkalaDevice device) {
-  // Of places on a line and what is seen of it, both rounded.
+  // Of positions on a line and its visible parts.
   constexpr double rounding = 1e-9;
   PixelGrid grid(programs::skala::raster_side, programs::skala::raster_side);
   const std::size_t least_run = device == SkalaDevice::plotter ? 2 : 1;
@@ -266,7 +266,7 @@ PixelGrid skala_points(std::span<const ReferenceLine> lines, SkalaDevice device)
       const bool seen = std::any_of(line.visible.begin(), line.visible.end(), [&](const LinePart& part) {
         return part.low - rounding <= place && place <= part.high + rounding;
       });
-      // A line that begins where the one before it ended goes on from there.
+      // A line that begins where the previous one ended continues it.
       const bool joined = first && !run.empty() && run.back() == at;
       if (first && !joined) end_run();
       first = false;
@@ -282,7 +282,7 @@ PixelGrid skala_points(std::span<const ReferenceLine> lines, SkalaDevice device)
 
 PixelGrid stripes_pen_points(const PixelGrid& faces) {
   PixelGrid grid(faces.width + 1, faces.height + 1);
-  // Where a face reaches beyond the picture it has no side there.
+  // Clamped, so that a face that extends beyond the picture has no side at its border.
   const auto face = [&](int x, int y) { return faces.at(std::clamp(x, 0, faces.width - 1), std::clamp(y, 0, faces.height - 1)); };
   for (int y = 0; y < faces.height; ++y) {
     for (int x = 0; x < faces.width; ++x) {

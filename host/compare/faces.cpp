@@ -32,15 +32,15 @@ using scene::PolyScene;
 
 constexpr int points_a_side = 256;
 constexpr std::size_t most_faces = 1000;
-constexpr double least_steps = 16;  // a pixel, of places where sight lines start
+constexpr double least_steps = 16;  // per pixel, of the starting points of sight lines
 
-// Where the middle of a pixel is on the image plane (PolyCamera).
+// The position of a pixel's centre in the image plane (PolyCamera).
 picture::PixelPoint image_point(const registry::FaceWindow& window, int column, int row) {
   return {(column + 0.5 - window.left) / window.scale,
           (window.top - (window.height - row - 0.5)) / window.scale};
 }
 
-// The camera's, of length 1.
+// The camera's vectors, of length 1.
 struct CameraAxes {
   explicit CameraAxes(const PolyCamera& camera)
       : CameraAxes(picture::CameraView(camera)) {}
@@ -53,9 +53,9 @@ struct CameraAxes {
   explicit CameraAxes(const picture::CameraView& view) : right(view.axis(0)), up(view.axis(1)), forward(view.axis(2)) {}
 };
 
-// A point of the image as a direction of whole numbers, to less than a thousandth of a pixel.
+// A point of the image as an integer direction, accurate to less than a thousandth of a pixel.
 oracle::PixelSight sight_in_perspective(const PolyCamera& camera, const registry::FaceWindow& window) {
-  constexpr double length = 1 << 18;  // of its part ahead; directions are below 2^20
+  constexpr double length = 1 << 18;  // of its forward component; directions are below 2^20
   return [eye = camera.eye, axes = CameraAxes(camera), window](int column, int row) {
     const auto [x, y] = image_point(window, column, row);
     oracle::SightLine line{eye, {}};
@@ -65,14 +65,14 @@ oracle::PixelSight sight_in_perspective(const PolyCamera& camera, const registry
   };
 }
 
-// Sight lines without perspective start at whole points. So that these are fine ones, the scene is taken as
-// large as coordinates go.
+// Sight lines without perspective start at integer points. The scene is enlarged to the limit of coordinates, to make
+// these points dense.
 std::int32_t enlargement(const PolyScene& scene) {
   return static_cast<std::int32_t>((scene::poly_coordinate_limit - 1) / scene::bounds_of(scene).half_size());
 }
 
-// The scene that sight_in_parallel is of: everything about its middle.
-PolyScene enlarged(PolyScene scene) {
+// The scene for sight_in_parallel, enlarged about its centre.
+PolyScene enlarge(PolyScene scene) {
   const PolyPoint middle = scene::bounds_of(scene).middle();
   const std::int32_t times = enlargement(scene);
   for (PolyPoint& v : scene.vertices)
@@ -80,10 +80,10 @@ PolyScene enlarged(PolyScene scene) {
   return scene;
 }
 
-// What starts 2 half sizes before the middle is before all of the scene.
+// A sight line that starts 2 half sizes before the centre is in front of the whole scene.
 oracle::PixelSight sight_in_parallel(const PolyScene& scene, const PolyCamera& camera, const registry::FaceWindow& window) {
   const CameraAxes axes(camera);
-  std::array<double, 3> from{};  // of the middle of the image
+  std::array<double, 3> from{};  // of the centre of the image
   double ahead = -2.0 * static_cast<double>(scene::bounds_of(scene).half_size());
   for (std::size_t a = 0; a < 3; ++a) {
     from[a] = camera.eye[a] - scene::bounds_of(scene).middle()[a];
@@ -99,7 +99,7 @@ oracle::PixelSight sight_in_parallel(const PolyScene& scene, const PolyCamera& c
   };
 }
 
-// In points of the grid, whose middles are whole numbers, rows from the bottom.
+// In points of the grid, whose centres are integers, rows from the bottom.
 std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const PolyCamera& camera,
                                                   const registry::FaceWindow& window) {
   ScreenFrame frame;
@@ -119,7 +119,7 @@ std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const 
 }  // namespace
 
 struct FaceTruth::Sights {
-  PolyScene scene;  // as the sight lines meet it
+  PolyScene scene;  // as used by the sight lines
   oracle::PixelSight at;
   std::vector<oracle::MetFace> faces;  // by number, less 1
 };
@@ -129,7 +129,7 @@ FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const reg
       camera_(camera),
       window_(window),
       edges_(image_of_edges(scene, camera, window)) {
-  Sights sights{camera.perspective ? scene : enlarged(scene),
+  Sights sights{camera.perspective ? scene : enlarge(scene),
                 camera.perspective ? sight_in_perspective(camera, window) : sight_in_parallel(scene, camera, window),
                 {}};
   for (std::size_t body = 0; body < scene.bodies.size(); ++body)
@@ -140,16 +140,16 @@ FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const reg
 
 base::Result<FaceTruth> FaceTruth::of(const PolyScene& scene, const PolyCamera& camera) {
   if (const std::size_t faces = scene::face_count(scene); faces > most_faces)
-    return base::bad_input(fmt::format("{} faces are too many for the oracle of sight lines, which takes {}",
+    return base::bad_input(fmt::format("found {} faces, expected at most {} for the oracle of sight lines",
                                   faces, most_faces));
   const registry::FaceWindow window =
       registry::face_window(scene, camera, points_a_side, points_a_side, std::nullopt);
   if (!camera.perspective && enlargement(scene) / window.scale < least_steps)
-    return base::bad_input("the image is too small beside the scene's depth for the oracle of sight lines");
+    return base::bad_input("the scene is too deep, compared with its image, for the oracle of sight lines");
   return FaceTruth(scene, camera, window);
 }
 
-base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& algorithm, bool host_times) const {
+base::Result<ComparedFaces> FaceTruth::compare(const registry::FaceAlgorithm& algorithm, bool host_times) const {
   registry::FaceOptions options;
   options.vertical = scene::frame_of(camera_).vertical;
   options.most_pairs = most_willis_pairs;
@@ -158,7 +158,7 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
   const auto& faces = *prepared;
   auto view = faces.view(camera_, window_);
   if (!view) return std::move(view.error());
-  ComparedFaces result = compared(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
+  ComparedFaces result = compare(std::string(algorithm.name), std::move(view->faces), faces.not_solved.size());
   result.counts = faces.counts;
   result.counts.insert(result.counts.end(), view->counts.begin(), view->counts.end());
   for (const registry::FaceCount& count : result.counts)
@@ -171,7 +171,7 @@ base::Result<ComparedFaces> FaceTruth::compared(const registry::FaceAlgorithm& a
   return result;
 }
 
-ComparedFaces FaceTruth::compared(std::string name, PixelGrid drawn, std::size_t not_solved) const {
+ComparedFaces FaceTruth::compare(std::string name, PixelGrid drawn, std::size_t not_solved) const {
   PixelGrid truth = faces_;
   for (int row = 0; row < window_.height; ++row) {
     for (int column = 0; column < window_.width; ++column) {

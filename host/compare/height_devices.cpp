@@ -54,7 +54,7 @@ std::vector<ComparedDevice> compare_devices(const scene::HeightGrid& grid, const
     const bool filled = board && view.subject == skala::Subject::surface;
     row.truth = filled ? nearest_cells(grid, view)
                        : skala_points(lines.lines(), board ? SkalaDevice::raster : SkalaDevice::plotter);
-    // Boards show the same dots, plotters too.
+    // All boards show the same dots, and so do all plotters.
     const auto same = std::find_if(compared.begin(), compared.end(), [&](const ComparedDevice& other) {
       return other.dots == row.dots && other.truth == row.truth;
     });

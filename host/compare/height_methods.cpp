@@ -62,11 +62,11 @@ HeightPicture draw_twin(const HeightGrid& grid, const View& view) {
 // --- the native algorithm
 
 std::optional<std::string> why_no_native(const HeightGrid&, const View& view) {
-  if (view.zoom != 1) return "its drawings have any size, and are not cut";
+  if (view.zoom != 1) return "the native algorithm does not support zoom: its drawings have any size";
   return std::nullopt;
 }
 
-// One point a column, or a row if it is steep: the nearest to the line.
+// One point per column, or per row for a steep line: the nearest to the line.
 void put_line(PixelGrid& grid, picture::DrawingPoint from, picture::DrawingPoint to) {
   const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
   picture::PixelPoint a{steep ? from.y : from.x, steep ? from.x : from.y};
@@ -102,16 +102,16 @@ HeightPicture draw_native(const HeightGrid& grid, const View& view) {
 // --- the oracle
 
 std::optional<std::string> why_no_oracle(const HeightGrid& grid, const View& view) {
-  if (view.zoom != 1) return "the column oracle knows pictures without zoom only";
+  if (view.zoom != 1) return "the column oracle does not support zoom";
   if (!view.visibility) return "without the visibility test there is nothing to compare";
-  if (grid.points() < 2 || grid.slices() < 2) return "the column oracle needs a grid of at least two by two";
+  if (grid.points() < 2 || grid.slices() < 2) return "the column oracle needs a grid of at least two by two points";
   if (std::any_of(grid.heights.begin(), grid.heights.end(), [](double h) { return !std::isfinite(h); }))
-    return "the column oracle knows grids without undefined heights only";
+    return "the column oracle does not support undefined heights";
   const skala::SineCosine turn = skala::sine_and_cosine(view.rotation);
   const bool x_is_less_end_on = std::abs(turn.cosine) >= std::abs(turn.sine);
   const native::Family end_on = x_is_less_end_on ? native::Family::along_z : native::Family::along_x;
   if (view.subject != native::Subject::contours && view.family == end_on)
-    return "the column oracle draws the family that is less end-on";
+    return "the column oracle draws only the slices that are less end-on";
   return std::nullopt;
 }
 
@@ -134,7 +134,7 @@ constexpr std::array rows{
     HeightMethod{"twin", "The same program in C++, dot for dot", any_grid, draw_twin},
     HeightMethod{"native", "Skala's masks as a modern algorithm: vectors on masks finer than a dot",
                  why_no_native, draw_native},
-    HeightMethod{"oracle", "What depth alone lets be seen in each column: what the others are checked by",
+    HeightMethod{"oracle", "Visibility by depth alone in each column: the reference for the others",
                  why_no_oracle, draw_oracle},
 };
 

@@ -26,8 +26,8 @@ using picture::PixelSegment;
 
 constexpr LineId on_no_line = std::numeric_limits<LineId>::max();
 constexpr std::uint32_t first_contour_layer = 4;  // of a native drawing: host/algorithms/skala/draw.hpp
-constexpr std::size_t columns = 257;              // one more for a crossing a rounding beyond the last
-// Differences below are those of the last bits of a projection, in screen units and in depth.
+constexpr std::size_t columns = 257;              // one more for a crossing that rounding puts beyond the last
+// Smaller differences are in the last bits of a projection, in screen units and in depth.
 constexpr double rounding = 1e-9;
 
 std::size_t column_of(double x) {
@@ -43,7 +43,7 @@ ColumnRange columns_of(double x0, double x1) {
   return {column_of(std::min(x0, x1)), column_of(std::max(x0, x1))};
 }
 
-// Where two quantities that are linear along a part of a line, the second a depth, are both positive.
+// The part of a line where two linear quantities, the second a depth, are both positive.
 LinePart both_positive(const LinePart& part, const std::array<double, 2>& f,
                        const std::array<double, 2>& depth) {
   double low = 0;
@@ -81,7 +81,7 @@ double doubled_area(const PixelPoint& a, const PixelPoint& b, const PixelPoint& 
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Every point of the screen in a triangle, its sides included, with the depth there.
+// Visits every point of the screen in a triangle, its sides included, with the depth there.
 template <class Visit>
 void for_points(const Triangle& triangle, const Visit& visit) {
   const auto& [a, b, c] = triangle;
@@ -105,7 +105,7 @@ void for_points(const Triangle& triangle, const Visit& visit) {
   }
 }
 
-// The two triangles of the cell whose least corner this is.
+// The two triangles of the cell with this least corner.
 std::array<Triangle, 2> halves_of(const programs::skala::Projection& projection, bool rising, std::size_t point,
                                   std::size_t slice) {
   const auto at = [&](std::size_t p, std::size_t s) {
@@ -119,7 +119,7 @@ std::array<Triangle, 2> halves_of(const programs::skala::Projection& projection,
   return {Triangle{one, other, at(high, slice)}, Triangle{one, other, at(low, slice + 1)}};
 }
 
-// Numbers of cells by the middles of their outlines and of their halves.
+// Numbers of cells by the centres of their outlines and of their halves.
 class CellsByMiddle {
  public:
   CellsByMiddle(const programs::skala::Projection& projection, bool rising) {
@@ -255,7 +255,7 @@ void HeightLines::add_line(const LevelEdge& inked) {
   for (std::size_t column = first; column <= last; ++column) lines_in_[column].push_back(number);
 }
 
-// What of a line is below and above what is nearer, line by line.
+// Accumulates the parts of a line that are below and above nearer lines.
 class HeightLines::Hidden {
  public:
   Hidden(const Edge& line, double grazing)
@@ -285,7 +285,7 @@ class HeightLines::Hidden {
     }
   }
 
-  [[nodiscard]] picture::LineParts seen() && {
+  [[nodiscard]] picture::LineParts visible_parts() && {
     return picture::without(
         {{0, 1}}, picture::common(picture::united(std::move(below_)), picture::united(std::move(above_))));
   }
@@ -296,7 +296,8 @@ class HeightLines::Hidden {
              edge.a.point.y + place * (edge.b.point.y - edge.a.point.y)},
             edge.a.depth + place * (edge.b.depth - edge.a.depth)};
   }
-  // Something nearer, or not, that is at `begin` and `end` where `part` of the line begins and ends.
+  // Hides the part of the line behind an occluder that is at `begin` and `end` where `part` begins and ends; the
+  // occluder may not be nearer.
   void hide_behind(const LinePart& part, const Ends& begin, const Ends& end) {
     if (!(part.low < part.high)) return;
     const Ends here = on(line_, part.low);
@@ -323,12 +324,12 @@ std::vector<LinePart> HeightLines::seen_of(const Edge& line) const {
   for (std::size_t column = first; column <= last; ++column) {
     for (const std::uint32_t number : hiding_in_[column]) {
       const Edge& edge = hiding_[number];
-      // Each once: in the first column both have.
+      // Each pair once: in the first column that both have.
       if (column == std::max(first, columns_of(edge.a.point.x, edge.b.point.x).first))
         hidden.hide_behind(edge);
     }
   }
-  return std::move(hidden).seen();
+  return std::move(hidden).visible_parts();
 }
 
 LineId HeightLines::line_at(const PixelSegment& piece, std::uint32_t level) const {

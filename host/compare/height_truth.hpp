@@ -1,11 +1,11 @@
-// The truly visible parts of the lines of a height picture, as vectors: the reference for native pictures by the
-// line metrics, where the column oracle (host/algorithms/oracle/column_oracle.hpp) is the one for rasters.
+// The visible parts of the lines of a height picture, as vectors: the reference for native pictures by the line
+// metrics. The reference for rasters is the column oracle (host/algorithms/oracle/column_oracle.hpp).
 //
-// A line of the picture is a side of a cell, or a contour's way across half a cell; where it is seen is
-// found by depth alone, with no order, mask or column: at a place of the screen it is hidden iff of the
-// lines of the surface that are nearer on the same vertical one lies above it and one lies below. In between
-// everything is linear, so the hidden parts are intervals, found pair by pair. On a surface without holes
-// this is exactly the occluder; of slices it is the occluder of Skala's method.
+// A line of the picture is a side of a cell, or the part of a contour in half a cell. Its visible parts are found by
+// depth alone, with no order, mask or column: a point of the screen is hidden if, of the surface's lines that are
+// nearer on the same vertical, one is above and one is below it. Between their ends all is linear, so the hidden
+// parts are intervals, found pair by pair. For a surface without holes this is exact; for slices it is the occlusion
+// of Skala's method.
 //
 // In floating point, without rounding to dots or columns: for measuring. Left out: holes, silhouettes, nets.
 #pragma once
@@ -24,23 +24,23 @@
 
 namespace sightline::compare {
 
-// Cells are divided between the corners at their sides, as seen: from the least x and z to the greatest if
-// this is so, else across. Where two corners are as near as each other, as the native algorithm takes them.
+// How the image divides a cell, between its leftmost and rightmost corner: true if that diagonal runs from the least
+// x and z to the greatest. If two corners are equally near, as the native algorithm decides.
 [[nodiscard]] bool rising_diagonals(const programs::skala::SineCosine& turn);
 
-// The lines of a picture of lines or contours in 255 x 255 units, with what is seen of them.
+// The lines of a picture of lines or contours in 255 x 255 units, with their visible parts.
 class HeightLines {
  public:
-  // The grid is a whole one of at least two by two, the view without zoom (preconditions).
-  // What lies behind something nearer by no more than `grazing` units of the screen counts as seen.
+  // The grid has no holes and at least two by two points, the view no zoom (preconditions). A point that is behind an
+  // occluder's edge by at most `grazing` units of the screen counts as visible.
   HeightLines(const scene::HeightGrid& grid, const algorithms::skala::View& view, double grazing = 0);
 
   [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
-  // The samples that lines() join, by their numbers; none of a contour.
+  // The samples that lines() join, by their numbers; empty for a contour.
   using Side = std::array<programs::skala::GridIndex, 2>;
   [[nodiscard]] const std::vector<std::optional<Side>>& sides() const { return sides_; }
-  // Pieces of a native drawing of the same view, each with the line it is on; pieces that are on none get a
-  // number no line has.
+  // The pieces of a native drawing of the same view, each with its line. A piece on no line gets a number that no
+  // line has.
   [[nodiscard]] std::vector<picture::DrawnPiece> pieces_of(const picture::VectorDrawing& drawing) const;
 
  private:
@@ -61,8 +61,8 @@ class HeightLines {
   class Hidden;
 
   [[nodiscard]] static Ends ends_of(const programs::skala::Vertex& vertex);
-  // Sides of cells, and halves of cells with the contours on them: occluders are kept, what is inked
-  // returned.
+  // Add the sides of cells, and halves of cells with their contours. They store the occluders and return the lines to
+  // draw.
   std::vector<LevelEdge> add_sides(const programs::skala::Projection& projection,
                                    const algorithms::skala::View& view);
   std::vector<LevelEdge> add_halves(const scene::HeightGrid& grid,
@@ -81,20 +81,20 @@ class HeightLines {
   std::vector<std::vector<std::uint32_t>> lines_in_;  // by column of the screen
 };
 
-// Which cell of a height grid is seen at each of the 256 by 256 points, by comparing depths: the reference
-// for native pictures of surfaces, which are facets painted from far to near.
+// The visible cell of a height grid at each of the 256 by 256 points, by comparing depths: the reference for native
+// pictures of surfaces, which are facets painted from far to near.
 //
-// A cell is two flat triangles, divided between the corners at its sides as seen. Cells are numbered from 1,
-// x first; 0 is where there is no surface. A point on a side may be either cell's.
+// A cell is two flat triangles, divided between its leftmost and rightmost corner in the image. Cells are numbered
+// from 1, x first; 0 means no surface. On a side, either cell is right.
 
-// Places nearer than this, in dots, are one: those of a native drawing are multiples of far less.
+// Points closer than this, in dots, are equal: the coordinates of a native drawing are multiples of far less.
 inline constexpr double same_place = 0.02;
 
-// The grid is a whole one of at least two by two, the view without zoom (preconditions of both).
+// The grid has no holes and at least two by two points, the view no zoom (preconditions of both).
 [[nodiscard]] picture::PixelGrid nearest_cells(const scene::HeightGrid& grid,
                                                const algorithms::skala::View& view);
-// The topmost facet of a native drawing of the same view, by the cell it lies on; a facet that lies on none
-// is numbered behind all cells.
+// The topmost facet of a native drawing of the same view, as the number of its cell. A facet on no cell gets a number
+// above all cells.
 [[nodiscard]] picture::PixelGrid painted_cells(const scene::HeightGrid& grid, const algorithms::skala::View& view,
                                                const picture::VectorDrawing& drawing);
 

@@ -26,7 +26,7 @@ PixelGrid lit_where_painted(PixelGrid cells) {
   return cells;
 }
 
-// Dots that are only the outline's, by the oracle with it and without, are taken away.
+// Removes dots that belong to the outline only, according to the oracle's pictures with and without it.
 PixelGrid without_outline(PixelGrid dots, const PixelGrid& with, const PixelGrid& without) {
   for (std::size_t i = 0; i < dots.values.size(); ++i)
     if (with.values[i] != 0 && without.values[i] == 0) dots.values[i] = 0;
@@ -55,7 +55,7 @@ std::vector<PixelSegment> projected_edges(const scene::HeightGrid& grid, const a
 std::optional<std::string> why_not_comparable(const scene::HeightGrid& grid,
                                               const algorithms::skala::View& view) {
   if (const std::size_t points = grid.points() * grid.slices(); points > most_grid_points)
-    return fmt::format("{} points of the grid are too many for the truth of its lines, which takes {}", points, most_grid_points);
+    return fmt::format("found {} points of the grid, expected at most {}: computing the reference lines of more takes too long", points, most_grid_points);
   return find_height_method(oracle_method)->why_not(grid, view);
 }
 
@@ -120,7 +120,7 @@ HeightComparison compare_heights(const scene::HeightGrid& grid, const algorithms
   for (ComparedRaster& row : comparison.rasters) {
     const bool program = row.name == "guest" || row.name == "twin";
     row.rounding = program ? "ends of lines to the nearest dot, then a dot a step" : "to the nearest dots, to be compared";
-    if (row.truth && !contours) continue;  // numbers of cells
+    if (row.truth && !contours) continue;  // its numbers are those of cells
     if (row.name == "twin" && row.grid == comparison.rasters.front().grid) {
       row.unrounded = comparison.rasters.front().unrounded;
       row.from_native = comparison.rasters.front().from_native;

@@ -1,4 +1,4 @@
-// How long something takes on this computer.
+// Measures time on this computer.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace sightline::compare {
 
 inline constexpr double enough_seconds = 0.1;
 
-// The median, in seconds, of as many runs as take `seconds` together, at most twenty; at least three, so that one that the computer held up
-// is not the median, unless `seconds` is 0, which asks for one run.
+// The median, in seconds, of as many runs as take `seconds` together: at least three, so that one delayed run is not
+// the median, and at most twenty. If `seconds` is 0, the time of one run.
 template <class Run>
 [[nodiscard]] double median_seconds(Run&& run, double seconds = enough_seconds) {
   constexpr std::size_t most = 20;

@@ -20,19 +20,19 @@ namespace {
 namespace jones = programs::jones;
 using picture::PixelPoint;
 
-constexpr double half = 0.5;                        // a unit rounded
-constexpr double corner = 1 / std::numbers::sqrt2;  // a point with both coordinates rounded
-constexpr double on_line = 1e-6;                    // units: a distance of nothing
+constexpr double half = 0.5;                        // the error of a rounded unit
+constexpr double corner = 1 / std::numbers::sqrt2;  // the error of a point with both coordinates rounded
+constexpr double on_line = 1e-6;                    // units: shorter distances count as 0
 constexpr double no_area = 1e-6;
 
-// A straight line of the image, from one end to the other, and how far the computed ends can be from it.
+// A straight line of the image, from one end to the other, and the greatest error of its computed ends.
 struct Side {
   PixelPoint along;              // its direction, of length 1
-  std::array<double, 2> away{};  // at its beginning and its end, in units
+  std::array<double, 2> away{};  // the errors at its beginning and its end, in units
   bool of_window = false;
 
   [[nodiscard]] bool is_sloped() const { return along.x != 0 && along.y != 0; }
-  // Of a rounding by half a unit in these coordinates, the part at right angles to the line.
+  // The component at right angles to the line of a rounding by half a unit in these coordinates.
   [[nodiscard]] double across(bool x, bool y) const { return half * ((x ? std::abs(along.y) : 0) + (y ? std::abs(along.x) : 0)); }
   [[nodiscard]] double away_at(double share) const { return std::abs(1 - share) * away[0] + std::abs(share) * away[1]; }
 };
@@ -47,8 +47,8 @@ double cosine_of(const Side& a, const Side& b) {
   return std::abs(a.along.x * b.along.x + a.along.y * b.along.y);
 }
 
-// Projected, both ends.
-Side projected(const PixelPoint& a, const PixelPoint& b) {
+// A projected line: both ends are rounded.
+Side project_side(const PixelPoint& a, const PixelPoint& b) {
   const double length = length_of(a, b);
   Side side{{(b.x - a.x) / length, (b.y - a.y) / length}, {}, false};
   side.away.fill(side.across(true, true));
@@ -61,21 +61,21 @@ struct ClipCorner {
 };
 using Polygon = std::vector<ClipCorner>;  // counter-clockwise
 
-// What cuts: the left of a line.
+// A clip line; its left side is kept.
 struct ClipLine {
   PixelPoint at;
   Side side;
-  double length = 0;  // of the side; 0: a side of a box
+  double length = 0;  // of the side; 0: a side of the bounding box
 
   [[nodiscard]] double distance(const PixelPoint& p) const { return side.along.x * (p.y - at.y) - side.along.y * (p.x - at.x); }
   [[nodiscard]] bool holds(const PixelPoint& p) const { return distance(p) >= -on_line; }
-  // How far the computed one is off there.
+  // The error of the computed clip line at p.
   [[nodiscard]] double away(const PixelPoint& p) const {
     return length > 0 ? side.away_at((side.along.x * (p.x - at.x) + side.along.y * (p.y - at.y)) / length) : side.away[0];
   }
 };
 
-// The box first, then the sloped sides, as the program has them.
+// The bounding box first, then the sloped sides, as in the program.
 std::vector<ClipLine> clip_lines(const Polygon& mask) {
   std::vector<ClipLine> lines;
   constexpr std::array<PixelPoint, 4> ways{{{0, -1}, {0, 1}, {1, 0}, {-1, 0}}};  // x >= xlo, x <= xhi, y >= ylo, y <= yhi
@@ -83,7 +83,7 @@ std::vector<ClipLine> clip_lines(const Polygon& mask) {
     ClipLine line{mask.front().place, {way, {}, false}, 0};
     for (const ClipCorner& c : mask)
       if (line.distance(c.place) < 0) line.at = c.place;
-    // As far off as a side that lies on it, or else a corner.
+    // The error of a collinear side, or else that of a corner.
     double away = corner;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const Side& side = mask[i].next;
@@ -115,7 +115,7 @@ class Bound {
                  {at(window_.xhi, window_.yhi), {}},
                  {at(window_.xlo, window_.yhi), {}}};
     for (std::size_t i = 0; i < 4; ++i) {
-      mask[i].next = projected(mask[i].place, mask[(i + 1) % 4].place);
+      mask[i].next = project_side(mask[i].place, mask[(i + 1) % 4].place);
       mask[i].next.away = {0, 0};
       mask[i].next.of_window = true;
     }
@@ -126,7 +126,7 @@ class Bound {
   [[nodiscard]] double units() const { return greatest_; }
 
  private:
-  [[nodiscard]] jones::SpacePoint seen(const geometry::Point& p) const {
+  [[nodiscard]] jones::SpacePoint to_camera(const geometry::Point& p) const {
     return {p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
   }
   [[nodiscard]] PixelPoint project(const jones::SpacePoint& p) const {
@@ -136,7 +136,7 @@ class Bound {
   void visit(std::size_t number, const Polygon& mask, std::size_t entry, std::size_t depth) {
     const scene::Cell& cell = scene_.cells[number];
     const std::vector<ClipLine> clip = clip_lines(mask);
-    for (const scene::Line& line : cell.lines) draw(seen(line.from), seen(line.to), clip);
+    for (const scene::Line& line : cell.lines) draw(to_camera(line.from), to_camera(line.to), clip);
     for (std::size_t o = 0; o < scene_.openings.size(); ++o) {
       const scene::Opening& opening = scene_.openings[o];
       if (o == entry || (opening.cells[0] != number && opening.cells[1] != number)) continue;
@@ -145,7 +145,7 @@ class Bound {
       for (const scene::RingVector& vector : opening.vectors) {
         geometry::Point to = at;
         to[vector.axis] += vector.magnitude;
-        if (vector.actual) draw(seen(at), seen(to), clip);
+        if (vector.actual) draw(to_camera(at), to_camera(to), clip);
         at = to;
       }
       const std::size_t axis = opening.place.axis;
@@ -158,7 +158,7 @@ class Bound {
     }
   }
 
-  // The ring on the screen, drawn back into the bound.
+  // The ring on the screen, clipped to the box.
   [[nodiscard]] Polygon outline(const scene::Opening& opening, std::int32_t ahead) const {
     const jones::RingBound bound(jones::Axis{static_cast<std::uint8_t>(opening.place.axis + 1)}, ahead, window_.bound_factor);
     std::vector<PixelPoint> places;
@@ -167,8 +167,8 @@ class Bound {
     for (const scene::RingVector& vector : opening.vectors) {
       geometry::Point to = at;
       to[vector.axis] += vector.magnitude;
-      add(bound.into_bound(seen(at)));
-      const auto bend = vector.axis == 2 ? bound.bend({seen(at), seen(to)}) : std::nullopt;
+      add(bound.into_bound(to_camera(at)));
+      const auto bend = vector.axis == 2 ? bound.bend({to_camera(at), to_camera(to)}) : std::nullopt;
       if (bend) add(*bend);
       at = to;
     }
@@ -177,7 +177,7 @@ class Bound {
       if (length_of(places[i], places[(i + 1) % places.size()]) > on_line) polygon.push_back({places[i], {}});
     if (area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
     for (std::size_t i = 0; i < polygon.size(); ++i)
-      polygon[i].next = projected(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
+      polygon[i].next = project_side(polygon[i].place, polygon[(i + 1) % polygon.size()].place);
     return polygon;
   }
 
@@ -191,11 +191,11 @@ class Bound {
     return doubled / 2;
   }
 
-  // Where a line from p to q is cut, and how far the computed place can be off.
+  // The point where a line from p to q is cut, and the bounds of its error.
   struct Cut {
     PixelPoint place;
-    double of_line = 0;  // from the line that is cut
-    double of_clip = 0;  // from the exact line that cuts
+    double of_line = 0;  // distance from the line that is cut
+    double of_clip = 0;  // distance from the exact clip line
     double along = 0;    // along the line that is cut
   };
   [[nodiscard]] Cut cut_at(const ClipLine& clip, const Side& side, const PixelPoint& p, const PixelPoint& q) const {
@@ -204,7 +204,7 @@ class Bound {
     Cut cut;
     cut.place = {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
     const bool box = clip.length == 0;
-    // A coordinate that both ends have stays, and one of a side of the box is its value.
+    // A coordinate that both ends share is kept; one of a side of the box is its value.
     const bool x = side.along.x != 0 && (!box || clip.side.along.y == 0);
     const bool y = side.along.y != 0 && (!box || clip.side.along.x == 0);
     const double lost = box ? 0 : share_ * length_of(p, q);
@@ -239,7 +239,7 @@ class Bound {
         entered = at.of_clip;
       }
     }
-    // What lies on a side of the box stays there.
+    // A point on a side of the box stays there.
     if (closing && clip.length > 0) left[*closing].next.away[1] = entered;
     if (closing && clip.length == 0) left[*closing].next.away = clip.side.away;
     polygon = std::move(left);
@@ -251,7 +251,7 @@ class Bound {
     if (!inside) return;
     std::array<PixelPoint, 2> ends{project(inside->p), project(inside->q)};
     if (length_of(ends[0], ends[1]) <= on_line) return;
-    Side side = projected(ends[0], ends[1]);
+    Side side = project_side(ends[0], ends[1]);
     std::array<double, 2> end_away{corner, corner};
     for (const ClipLine& line : clip) {
       const std::array<bool, 2> holds{line.holds(ends[0]), line.holds(ends[1])};

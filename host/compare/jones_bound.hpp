@@ -1,19 +1,21 @@
-// How far the lines that Jones's program draws of one view can be from the exact ones: bounds from the lengths of its words.
+// Bounds the distance of the lines that Jones's program draws of a view from the exact ones, from the lengths of its
+// words.
 //
-// The search is gone through again with exact masks in floating point. Beside each side of a mask and each line goes how far the
-// computed one can be from it, at each end, at right angles:
+// The search is repeated with exact masks in floating point. Each side of a mask and each line carries the greatest
+// distance of the computed one from it, at each end, at right angles:
 //   - a projected coordinate is rounded: half a unit each;
-//   - where a line or a side of an opening is cut, the new end is rounded again, by half a unit in each coordinate that is no
-//     value of the cutting line; the share in which it is cut has lost bits to the length of a word: 2^(2 - word) of the
-//     length that is cut;
-//   - what is cut by a computed side ends as far from the exact end as the side is off, divided by the sine of the angle
-//     between them. But the end is then no farther from the cutting side's own line, which is drawn there, than side and line
-//     are off together.
+//   - where a line or a side of an opening is cut, the new end is rounded again, by half a unit in each coordinate
+//     that is no value of the cutting line; the parameter of the cut has lost bits to the length of a word:
+//     2^(2 - word) of the length that is cut;
+//   - an end made by a computed side is as far from the exact end as the side's error, divided by the sine of the
+//     angle between them; but it is no farther from the cutting side's own line, which is drawn there, than the sum
+//     of the errors of side and line.
 // A unit is 2^-f points, f the fraction bits (SPECIFICATION.md of firmware/pdp7/jones, sections 1 to 4).
 //
-// What is drawn is no farther from the exact lines. An exact line can be: where two openings meet in a side that is no line,
-// the masks are rounded each for itself, and what runs in the gap between them, at a small angle to it, is drawn through
-// neither. No length of words bounds how long such a stretch is; in the views compared at this bound there is none.
+// No drawn line is farther from the exact lines. An exact line may be farther from the drawn ones: where two openings
+// meet in a side that is no line, the masks are rounded independently, and a line in the gap between them, at a small
+// angle to it, is drawn through neither. Word lengths do not bound the length of such a stretch. The views compared
+// with this bound have none.
 #pragma once
 
 #include "host/programs/jones/specification.hpp"
@@ -28,13 +30,13 @@ struct JonesWords {
   friend bool operator==(const JonesWords&, const JonesWords&) = default;
 };
 
-// Of the pieces before they are put on points, in points of the display, at a scale of 512. The scene is a checked one, and the
-// eye in one of its cells (preconditions).
+// For pieces before they are rounded to points, in points of the display, at a scale of 512. The scene is a checked
+// one, and the eye in one of its cells (preconditions).
 [[nodiscard]] double jones_piece_bound(const scene::CellScene& scene, const geometry::Point& eye, const JonesWords& words);
 
-// The same of pieces between whole points of the display.
+// For pieces between points of the display.
 [[nodiscard]] double jones_line_bound(double piece_bound, const JonesWords& words);
-// And of the points lit, the beam's way in a vector included.
+// For the lit points, including the beam's deviation within a vector.
 [[nodiscard]] double jones_flash_bound(double line_bound);
 
 }  // namespace sightline::compare

@@ -28,7 +28,7 @@ using picture::PixelSegment;
 using picture::ReferenceLine;
 using picture::SeenPoint;
 
-constexpr double shortest_image = 1e-6;  // pixels: of what counts as a line
+constexpr double shortest_image = 1e-6;  // pixels; shorter images are no lines
 constexpr LineId no_line = std::numeric_limits<LineId>::max();
 
 SeenEdge seen_edge(const LineEdge& edge, const scene::PolyScene& scene, const scene::PolyCamera& camera) {
@@ -49,7 +49,7 @@ LinePart part_on(const PixelSegment& image, const PixelSegment& pixels) {
   return {picture::place_on(image, pixels.a), picture::place_on(image, pixels.b)};
 }
 
-constexpr double mono_window_centre = 512;  // of the one window of a mono view
+constexpr double mono_window_centre = 512;  // the centre of the single window of a mono view
 
 // Two's complement of 18 bits.
 std::int32_t number_in(std::uint32_t word) {
@@ -60,7 +60,7 @@ class VectorWalk {
  public:
   explicit VectorWalk(const programs::jones::EncodedScene& scene) : scene_(scene) {}
 
-  // `at`: the address of X, which Y Z n and the vectors follow.
+  // `at`: the address of X, followed by Y Z n and the vectors.
   void walk(std::uint32_t at) {
     geometry::Point pen{number(at), number(at + 1), number(at + 2)};
     const std::int32_t vectors = number(at + 3);
@@ -118,7 +118,7 @@ ScreenFrame type340_frame(std::int32_t scale) {
 
 ScreenFrame fitted_frame(const LinePicture& picture, const scene::PolyScene& scene,
                          const scene::PolyCamera& camera) {
-  constexpr double widest = 1.7320508075688772;  // of the image at unit focal length: 60 degrees
+  constexpr double widest = 1.7320508075688772;  // tangent of 60 degrees: the image at unit focal length
   ScreenFrame wide;
   wide.scale = 1;
   wide.centre = {0, 0};
@@ -142,7 +142,7 @@ ScreenFrame fitted_frame(const LinePicture& picture, const scene::PolyScene& sce
   constexpr double margin = 24;
   ScreenFrame frame;
   frame.near = wide.near;
-  if (!(low.x <= high.x)) return frame;  // nothing is seen
+  if (!(low.x <= high.x)) return frame;  // nothing is visible
   frame.scale = (last_place - 2 * margin) / std::max({high.x - low.x, high.y - low.y, 1e-9});
   frame.centre = {last_place / 2 - frame.scale * (low.x + high.x) / 2,
                   last_place / 2 - frame.scale * (low.y + high.y) / 2};
@@ -156,7 +156,7 @@ ImageLines::ImageLines(const LinePicture& truth, const scene::PolyScene& scene, 
   LineId next = 0;
   for (const LineEdge& edge : edges_) {
     const auto plane = picture::in_lowest_terms(picture::image_plane(edge, scene, camera));
-    // An edge whose image is a point is a line by itself, and never referred to.
+    // An edge whose image is a point is a separate line, which is never used.
     if (plane[0] == 0 && plane[1] == 0 && plane[2] == 0) {
       line_of_edge_.push_back(next++);
       continue;
@@ -180,7 +180,7 @@ ImageLines::ImageLines(const LinePicture& truth, const scene::PolyScene& scene, 
   }
   std::vector<DrawnPiece> visible = pieces(truth);
 
-  // Of each line the longest image gives the direction, and all of them the ends.
+  // The longest image of a line gives the direction, and all of its images the ends.
   std::map<LineId, PixelSegment> longest;
   for (const OnScreen& image : images) {
     const auto [line, is_new] = longest.try_emplace(image.line, image.pixels);
@@ -232,8 +232,8 @@ std::vector<DrawnPiece> ImageLines::pieces(const LinePicture& drawn) const {
   return pieces;
 }
 
-// Pieces of Jones's program as pieces of the scene's lines: which line a vector word of core is on, and where
-// on the screen a piece lies. See lines.hpp.
+// Assigns pieces of Jones's program to lines of the scene: the line of a vector word in core, and the piece's
+// position on the screen. See lines.hpp.
 
 std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const programs::jones::EncodedScene& scene) {
   VectorWalk walk(scene);
@@ -274,7 +274,7 @@ SeenPoint SeenEdge::at(double s) const {
 
 std::optional<picture::LinePart> SeenEdge::part_in(const ScreenFrame& frame) const {
   picture::LinePart part{0, 1};
-  // Keeps where a quantity that is linear along the edge is not negative.
+  // Restricts the part to where a quantity that is linear along the edge is not negative.
   const auto keep = [&](double at_from, double at_to) {
     if (at_from < 0 && at_to < 0) {
       part = {1, 0};

@@ -1,8 +1,8 @@
-// Line pictures on the screen, as the metrics want them (host/picture/line_metrics.hpp): lines of the image with what is truly seen of
-// them, and the pieces that a program or algorithm drew, each on its line.
+// Line pictures on the screen in the form of the metrics (host/picture/line_metrics.hpp): the lines of the image with
+// their visible parts, and the pieces that a program or algorithm drew, each on its line.
 //
-// A line is a line of the image: edges that lie on each other there are one line, and what is seen of it is the union of what is seen of
-// them. So pictures are compared as sets of image points, and the length of what is seen does not depend on how a method divides it.
+// Edges that coincide in the image are one line; its visible part is the union of theirs. So pictures are compared as
+// sets of image points, and the visible length does not depend on how a method divides lines.
 #pragma once
 
 #include <array>
@@ -26,35 +26,36 @@ namespace sightline::compare {
 using algorithms::oracle::AxisLine;
 using algorithms::oracle::MatterScene;
 
-// The square part of the image that is looked at, and its size: pixel = scale * image + centre, the image as
-// PolyCamera defines it.
+// The square part of the image that is shown, and its size: pixel = scale * image + centre, the image as defined by
+// PolyCamera.
 struct ScreenFrame {
   double scale = 512;
   picture::PixelPoint centre{512, 512};
-  double low = 0;  // of the square, in pixels; its ends are in it
+  double low = 0;  // bounds of the square, in pixels; inclusive
   double high = 1023;
-  double near = 1;  // perspective: nothing nearer is shown, in units along the camera's axis
+  double near = 1;  // perspective: nearer parts are not shown, in units along the camera's axis
 };
 
-// What the Type 340 shows of a scene of cells by Jones's program: for the oracle, and as a frame.
+// The Type 340's window on a scene of cells in Jones's program: for the oracle, and as a frame.
 [[nodiscard]] algorithms::oracle::Window type340_window(std::int32_t scale = 512);
 [[nodiscard]] ScreenFrame type340_frame(std::int32_t scale = 512);
 
-// All of the picture that is within 60 degrees of the camera's axis, in 1024 pixels.
+// The part of the picture within 60 degrees of the camera's axis, in 1024 pixels.
 [[nodiscard]] ScreenFrame fitted_frame(const picture::LinePicture& picture, const scene::PolyScene& scene,
                                        const scene::PolyCamera& camera);
 
-// The lines of a scene's image, and what is seen of them.
+// The lines of a scene's image, and their visible parts.
 class ImageLines {
  public:
-  // `truth` is what is seen; the lines are those of the edges `chosen`, or of all. Lines whose image in the frame is a point are left out.
+  // `truth` gives the visible parts; the lines are those of the edges `chosen`, or of all. Lines whose image in the
+  // frame is a point are left out.
   ImageLines(const picture::LinePicture& truth, const scene::PolyScene& scene, const scene::PolyCamera& camera, const ScreenFrame& frame,
              const picture::ChosenEdges* chosen = nullptr);
 
   [[nodiscard]] const std::vector<picture::ReferenceLine>& lines() const { return lines_; }
-  // Pieces of edges of the same scene, cut to the frame, on these lines.
+  // The pieces of edges of the same scene, clipped to the frame, on these lines.
   [[nodiscard]] std::vector<picture::DrawnPiece> pieces(const picture::LinePicture& drawn) const;
-  // The line that an edge lies on; one that no reference line has for an edge that is none of the scene.
+  // The line that an edge lies on. For an edge that is not in the scene, a number that no line has.
   [[nodiscard]] picture::LineId line_of(const picture::LineEdge& edge) const;
 
  private:
@@ -66,14 +67,14 @@ class ImageLines {
   std::vector<picture::ReferenceLine> lines_;
 };
 
-// Which line of space each vector word of an encoded scene of cells is on, by address: the layout of encode.hpp.
+// The line of space of each vector word of an encoded scene of cells, by address: the layout of encode.hpp.
 [[nodiscard]] std::map<std::uint32_t, AxisLine> axis_lines_of_vectors(const programs::jones::EncodedScene& scene);
-// And which line of the image; `lines` are of the wires of `matter`.
+// The line of the image of each vector word; `lines` are those of the wires of `matter`.
 [[nodiscard]] std::map<std::uint32_t, picture::LineId> lines_of_vectors(const programs::jones::EncodedScene& scene, const MatterScene& matter,
                                                                         const ImageLines& lines);
 
-// Pieces of a mono view, in pixels, before and after the rounding to points of the screen; those that become a single point then are
-// not drawn.
+// Pieces of a mono view, in pixels, before and after rounding to points of the screen. Pieces that become a single
+// point are not drawn.
 [[nodiscard]] std::vector<picture::DrawnPiece> twin_pieces(const programs::jones::TwinView& view,
                                                            const std::map<std::uint32_t, picture::LineId>& lines,
                                                            int fraction_bits = programs::jones::machine_fraction_bits);
@@ -81,8 +82,8 @@ class ImageLines {
                                                               const std::map<std::uint32_t, picture::LineId>& lines,
                                                               int fraction_bits = programs::jones::machine_fraction_bits);
 
-// Edges on the screen in floating point, cut to a frame: for measuring and drawing only, never for deciding
-// what is visible.
+// Edges on the screen in floating point, clipped to a frame. For measuring and drawing only, never for deciding
+// visibility.
 
 class SeenEdge {
  public:

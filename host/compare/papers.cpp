@@ -15,7 +15,7 @@ std::map<std::string, std::string, std::less<>> times_of_methods() {
   const auto& [name, text] = papers_file().front();
   const auto document = base::parse_json(text, name);
   const base::Json* const papers = document ? document->find("papers") : nullptr;
-  if (papers == nullptr) return times;  // the report says what is wrong with the file
+  if (papers == nullptr) return times;  // the report reports the file's error
   for (const base::Json& paper : papers->elements()) {
     const base::Json* const claims = paper.find("claims");
     const base::Json* const year = paper.find("year");

@@ -1,4 +1,4 @@
-// How two exact line pictures of one view differ: pieces that only one of them has, and the first such.
+// Compares two exact line pictures of one view: counts the pieces that only one of them has, and gives the first.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace sightline::compare {
 
 struct PieceDifference {
-  std::size_t missing = 0;  // pieces of the right picture alone
-  std::size_t extra = 0;    // pieces of the other alone
+  std::size_t missing = 0;  // pieces of the correct picture only
+  std::size_t extra = 0;    // pieces of the other only
   std::optional<picture::LinePiece> first{};  // in the order of pictures; empty: the pictures are equal
   bool first_is_missing = false;
 };

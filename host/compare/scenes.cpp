@@ -34,14 +34,14 @@ using picture::DrawnPiece;
 using picture::PixelSegment;
 using picture::ReferenceLine;
 
-constexpr double least_stretch = 1;  // pixels, in a difference
+constexpr double least_stretch = 1;  // pixels, of a difference
 constexpr std::string_view bodies_intersect = "bodies intersect";
 
 bool chosen(const CompareOptions& options, std::string_view name) {
   return options.methods.empty() || std::find(options.methods.begin(), options.methods.end(), name) != options.methods.end();
 }
 
-// Pictures known to be the same have no distance to measure, unless lengths say otherwise.
+// Pictures known to be equal have distance 0, unless their lengths differ.
 picture::LineMetrics metrics_of(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn, const CompareOptions& options,
                                 bool identical) {
   if (!options.for_table) return picture::line_metrics(truth, drawn);
@@ -55,14 +55,14 @@ picture::LineMetrics metrics_of(const std::vector<ReferenceLine>& truth, const s
   return picture::line_metrics(truth, drawn, measured);
 }
 
-ComparedPicture compared(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
+ComparedPicture compare_picture(std::string_view name, std::string rounding, const std::vector<ReferenceLine>& truth,
                          const std::vector<DrawnPiece>& drawn, const CompareOptions& options, bool identical = false) {
   ComparedPicture row{std::string(name), std::move(rounding), std::nullopt, metrics_of(truth, drawn, options, identical), {}};
   if (!options.for_table) row.difference = picture::line_difference(truth, drawn, least_stretch);
   return row;
 }
 
-// Adds the algorithms that say which face is seen at each point.
+// Adds the algorithms that give the visible face at each point.
 void compare_faces(const scene::PolyScene& scene, const CompareOptions& options, const CompareProgress& progress,
                    SceneComparison& comparison) {
   std::vector<const registry::FaceAlgorithm*> algorithms;
@@ -85,7 +85,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
       continue;
     }
     progress(name);
-    auto compared = truth->compared(*algorithm, options.host_times);
+    auto compared = truth->compare(*algorithm, options.host_times);
     if (!compared)
       comparison.not_applicable.emplace_back(name, compared.error().message());
     else
@@ -104,7 +104,7 @@ void compare_faces(const scene::PolyScene& scene, const CompareOptions& options,
     return;
   }
   comparison.stripes_difference = drawn->difference;
-  comparison.faces.push_back(truth->compared(name, std::move(drawn->faces), drawn->not_solved));
+  comparison.faces.push_back(truth->compare(name, std::move(drawn->faces), drawn->not_solved));
   comparison.faces.back().counts = {{"faces", drawn->faces_listed}};
   comparison.faces.back().emulated_seconds = drawn->seconds;
   auto pen = stripes_pen(scene, comparison.camera, truth->window(), truth->faces());
@@ -154,13 +154,13 @@ class SceneMethods::Parts {
     bool of_faces = false;  // its picture is one of MatterScene::with_box()
   };
 
-  // Everything of a view that is compared.
+  // The reference of a view.
   struct Truth {
     const scene::PolyScene& scene;
-    picture::LinePicture visible;  // as far as the window of the screen reaches, of a scene of cells
+    picture::LinePicture visible;  // for a scene of cells, only within the window of the screen
     std::optional<picture::ChosenEdges> chosen;
     ImageLines lines;
-    std::optional<registry::LineView> exact{};  // the view by `exact` that is the truth, if it is
+    std::optional<registry::LineView> exact{};  // the view by `exact`, if that is the reference
   };
 
   std::optional<Error> prepare_algorithms() {
@@ -227,7 +227,8 @@ class SceneMethods::Parts {
     const Truth& truth = *known;
     if (matter_)
       if (auto error = compare_programs(truth, comparison, progress)) return error;
-    // Of a scene of cells the truth is cut to the screen; what exact methods see of all lines is compared with the oracle of edges.
+    // For a scene of cells the reference is clipped to the screen; exact methods, which see all lines, are compared
+    // with the oracle of edges.
     const picture::LinePicture whole = matter_ && !entries_.empty()
                                            ? oracle::visible_edges(truth.scene, comparison.camera, *truth.chosen)
                                            : picture::LinePicture{};
@@ -241,11 +242,11 @@ class SceneMethods::Parts {
       auto drawn = drawn_by(entry, truth, comparison.camera);
       if (!drawn) return drawn.error();
       const picture::LinePicture& all = matter_ ? whole : truth.visible;
-      // Edges of other names may lie on each other: of a scene of cells always compared as images.
+      // Edges with different names may coincide, so a scene of cells is always compared as images.
       const bool identical = matter_ ? picture::image_set(drawn->picture, truth.scene, comparison.camera) ==
                                     picture::image_set(all, truth.scene, comparison.camera)
                               : registry::agrees(algorithm, drawn->picture, all, truth.scene, comparison.camera);
-      auto row = compared(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture), options_,
+      auto row = compare_picture(algorithm.name, std::string(not_rounded), truth.lines.lines(), truth.lines.pieces(drawn->picture), options_,
                           identical);
       row.identical = identical;
       row.pieces = drawn->picture.pieces.size();
@@ -266,7 +267,7 @@ class SceneMethods::Parts {
     return truth.chosen && !entry.of_faces ? registry::view_of(entry.prepared, camera, *truth.chosen) : entry.prepared.view(camera);
   }
 
-  // As a picture of the truth's scene.
+  // Converts to a picture of the reference's scene.
   [[nodiscard]] base::Result<registry::LineView> drawn_by(const Entry& entry, const Truth& truth, const scene::PolyCamera& camera) const {
     if (truth.exact && entry.algorithm == &registry::line_algorithms().front()) return *truth.exact;
     auto view = view_of(entry, truth, camera);
@@ -274,7 +275,7 @@ class SceneMethods::Parts {
     return view;
   }
 
-  // Jones's program on its machine, and its twin.
+  // Compares Jones's program on its machine, and its twin.
   std::optional<Error> compare_programs(const Truth& truth, SceneComparison& comparison, const CompareProgress& progress) const {
     const bool guest_row = chosen(options_, jones_pdp7_name);
     const bool twin_row = chosen(options_, jones_twin_name);
@@ -290,7 +291,7 @@ class SceneMethods::Parts {
     return compare_program(**program_, order, truth, comparison);
   }
 
-  // The truth of a scene of cells is known within its outer box.
+  // The reference of a scene of cells is known within its outer box.
   [[nodiscard]] std::optional<Error> outside_error(const geometry::Point& eye) const {
     if (cells_ == nullptr) return std::nullopt;
     for (std::size_t a = 0; a < 3; ++a)
@@ -301,7 +302,8 @@ class SceneMethods::Parts {
     return std::nullopt;
   }
 
-  // The program cannot stand at the eye, or its core cannot hold the scene; others can, from within the outer box.
+  // The program cannot use the eye, or its core cannot hold the scene. Other methods can, for an eye within the outer
+  // box.
   std::optional<Error> leave_programs_out(const Error& why, SceneComparison& comparison) const {
     for (const std::string_view name : {jones_pdp7_name, jones_twin_name})
       if (chosen(options_, name)) comparison.not_applicable.emplace_back(name, why.message());
@@ -321,7 +323,7 @@ class SceneMethods::Parts {
     if (chosen(options_, jones_pdp7_name)) {
       if (comparison.guest->difference.empty()) {
         const auto drawn = display_pieces(*twin, lines, static_cast<int>(options_.fraction_bits));
-        auto row = compared(jones_pdp7_name, "points", truth.lines.lines(), drawn, options_);
+        auto row = compare_picture(jones_pdp7_name, "points", truth.lines.lines(), drawn, options_);
         const auto seen = visible_segments(truth.lines.lines());
         row.metrics.hausdorff = picture::hausdorff_distance(seen, picture::dot_segments(points_of(outcome->pass)));
         row.emulated = view.time;
@@ -336,12 +338,12 @@ class SceneMethods::Parts {
         comparison.pictures.push_back(std::move(row));
       } else {
         comparison.not_applicable.emplace_back(
-            jones_pdp7_name, "its display file is not its twin's, so its vectors have no lines: " + comparison.guest->difference);
+            jones_pdp7_name, "its display file differs from its twin's, so its vectors cannot be assigned to lines: " + comparison.guest->difference);
       }
     }
     if (chosen(options_, jones_twin_name)) {
       const int parts = 1 << options_.fraction_bits;
-      auto row = compared(jones_twin_name, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
+      auto row = compare_picture(jones_twin_name, parts == 1 ? "points" : fmt::format("1/{} point", parts), truth.lines.lines(),
                           twin_pieces(*twin, lines, static_cast<int>(options_.fraction_bits)), options_);
       const programs::jones::TwinCounts& c = twin->counts;
       row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
@@ -370,7 +372,7 @@ class SceneMethods::Parts {
       comparison.not_applicable.emplace_back(turn_name, checked.error().message());
   }
 
-  // The scene on its machine, prepared when a view first needs it.
+  // The scene on its machine, prepared for the first view that needs it.
   const base::Result<Turning>& turning_of() const {
     const base::Lock lock(turning_mutex_);
     if (!turning_) turning_.emplace(Turning::of(polyhedra_));
@@ -380,10 +382,10 @@ class SceneMethods::Parts {
   CompareOptions options_;
   const scene::CellScene* cells_ = nullptr;
   scene::PolyScene polyhedra_;
-  std::optional<MatterScene> matter_;  // of a scene of cells
-  std::optional<base::Result<programs::jones::Prepared>> program_;  // where it is asked for
+  std::optional<MatterScene> matter_;  // for a scene of cells
+  std::optional<base::Result<programs::jones::Prepared>> program_;  // if requested
   std::vector<Entry> entries_;
-  std::optional<registry::PreparedScene> exact_;  // that the truth is by
+  std::optional<registry::PreparedScene> exact_;  // computes the reference
   mutable base::Mutex turning_mutex_;
   mutable std::optional<base::Result<Turning>> turning_;
   std::vector<std::pair<std::string, std::string>> not_applicable_;
@@ -414,7 +416,7 @@ const std::vector<std::pair<std::string, std::string>>& SceneMethods::not_applic
   return parts_->not_applicable();
 }
 
-std::optional<std::string> why_never(std::string_view method, SceneKind kind) {
+std::optional<std::string> why_not_applicable(std::string_view method, SceneKind kind) {
   const bool skala = method.starts_with("skala");
   if (kind == SceneKind::function)
     return skala ? std::nullopt : std::optional<std::string>("it draws scenes, not functions of two variables");
@@ -435,7 +437,7 @@ std::vector<std::string> method_names() {
   add(willis_on_8080().name);
   add(stripes_name);
   add(turn_name);
-  for (const char* const skala : {"skala-8080", "skala-twin", "skala"}) add(skala);  // of functions: answer.hpp
+  for (const char* const skala : {"skala-8080", "skala-twin", "skala"}) add(skala);  // for functions: answer.hpp
   return names;
 }
 

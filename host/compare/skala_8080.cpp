@@ -39,7 +39,7 @@ std::vector<PixelSegment> ink_of(const std::vector<picture::PenPath>& paths) {
   return ink;
 }
 
-// The highest and the lowest places of the surface, column by column.
+// The highest and the lowest points of the surface, column by column.
 std::vector<PixelSegment> outline_of(const skala::Projection& projection) {
   std::vector<PixelSegment> sides;
   const auto place = [&](std::size_t point, std::size_t slice) {
@@ -48,7 +48,7 @@ std::vector<PixelSegment> outline_of(const skala::Projection& projection) {
   };
   const bool rising = rising_diagonals(projection.rotation());
   std::vector<double> columns;
-  constexpr int parts = 16;  // of a dot
+  constexpr int parts = 16;  // per dot
   for (int i = 0; i <= 255 * parts; ++i) columns.push_back(static_cast<double>(i) / parts);
   for (std::size_t slice = 0; slice < projection.slices(); ++slice) {
     for (std::size_t point = 0; point < projection.points(); ++point) {

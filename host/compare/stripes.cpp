@@ -23,7 +23,7 @@ base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const sc
       moved.left -= right;
       moved.bottom -= up;
       const auto drawn = stripes::run({.scene = scene, .view = moved, .check = true});
-      // A program that fails on its machine counts as one that draws another picture than its twin.
+      // A program that fails on its machine counts as one that differs from its twin.
       if (!drawn && drawn.error().kind != base::ErrorKind::bad_input) {
         if (result.difference.empty()) result.difference = drawn.error().message();
         continue;

@@ -1,7 +1,7 @@
-// The 8080's stripes (firmware/i8080/stripes) as one more method that says which face is seen at each point.
+// The 8080's stripes (firmware/i8080/stripes) as a method that gives the visible face at each point.
 //
-// The machine's picture has 255 columns and lines; the 256 of comparisons are put together from four pictures, each a dot farther to
-// the right or up. Left out: scenes of more faces than the machine holds.
+// The machine's picture has 255 columns and lines. The 256 of comparisons are assembled from four pictures, each
+// shifted by a dot to the right or up. Left out: scenes of more faces than the machine holds.
 #pragma once
 
 #include <cstddef>
@@ -20,16 +20,17 @@ namespace sightline::compare {
 inline constexpr std::string_view stripes_name = "stripes-8080";
 
 struct StripesFaces {
-  picture::PixelGrid faces;  // number of the face over all bodies, from 1; 0 where there is none
-  // Parts of faces that hide each other in different places: the paper, and the program, have no order for them.
+  picture::PixelGrid faces;  // face number over all bodies, from 1; 0 for none
+  // Pairs of parts of faces that hide each other in different places: the paper, and the program, have no order for
+  // them.
   std::size_t not_solved = 0;
-  std::string difference;  // where the program is not its twin; empty: nowhere
-  std::size_t faces_listed = 0;  // turned to the eye, which the machine is given
-  double seconds = 0;            // on the machine, of the first of the four pictures: its list and its dots
+  std::string difference;  // how the program differs from its twin; else empty
+  std::size_t faces_listed = 0;  // faces turned to the eye, which are sent to the machine
+  double seconds = 0;            // on the machine, for the first of the four pictures: its list and its dots
 };
 
-// Stripes and priority list are made by the 8080. The window has 256 columns and lines (precondition). Error: why the machine does not
-// draw the scene.
+// The 8080 makes stripes and priority list. The window has 256 columns and lines (precondition). The error says why
+// the machine does not draw the scene.
 [[nodiscard]] base::Result<StripesFaces> stripes_faces(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                                        const registry::FaceWindow& window);
 
@@ -39,10 +40,10 @@ struct StripesPen {
   picture::PixelGrid shown;  // where the pen was down
   picture::RasterDifference raster;
   core::TStates time{};    // of priority list and drawing
-  std::string difference;  // where the program is not its twin; empty: nowhere
+  std::string difference;  // how the program differs from its twin; else empty
 };
 
-// `nearest` has the window's columns and lines (FaceTruth::faces). Preconditions and errors as of stripes_faces.
+// `nearest` has the window's columns and lines (FaceTruth::faces). Preconditions and errors as for stripes_faces.
 [[nodiscard]] base::Result<StripesPen> stripes_pen(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                                    const registry::FaceWindow& window, const picture::PixelGrid& nearest);
 

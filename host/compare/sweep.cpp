@@ -23,7 +23,7 @@ namespace {
 
 using base::Json;
 
-// FNV-1a over all that a method is given of the scene: a file that has changed is noticed.
+// FNV-1a over the scene's data that methods use, to detect a changed file.
 class Fingerprint {
  public:
   void add(std::uint64_t value) {
@@ -91,7 +91,7 @@ Json counts_of(const Counts& counts) {
   return document;
 }
 
-// What the measures do not say of a picture of lines.
+// The properties of a line picture that the measures do not contain.
 void add_lines(const ComparedPicture& row, Json& result) {
   if (row.pieces) {
     result["pieces"] = *row.pieces;
@@ -101,7 +101,7 @@ void add_lines(const ComparedPicture& row, Json& result) {
   if (!row.counts.empty()) result["counts"] = counts_of(row.counts);
 }
 
-// A method that draws faces, too, has two results.
+// A method that also draws faces has two results, so the second needs another name.
 std::string unused_name(const Json& results, const std::string& method) {
   return results.find(method) == nullptr ? method : method + " faces";
 }
@@ -110,8 +110,8 @@ bool is_asked(const SweepOptions& options, std::string_view method) {
   return std::find(options.methods.begin(), options.methods.end(), method) != options.methods.end();
 }
 
-// Those of method_names() that are among the one or the other.
-std::vector<std::string> with(const std::vector<std::string>& methods, const std::vector<std::string>& added) {
+// The names of method_names() that are in one of the two lists.
+std::vector<std::string> union_of(const std::vector<std::string>& methods, const std::vector<std::string>& added) {
   std::vector<std::string> both;
   for (const std::string& name : method_names())
     for (const std::vector<std::string>* const list : {&methods, &added})
@@ -143,14 +143,14 @@ base::Result<Sweep> Sweep::of(const std::string& source, const scene::PolyScene&
     for (const registry::LineAlgorithm& algorithm : registry::line_algorithms()) added.emplace_back(algorithm.name);
   if (options.faces)
     for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) added.emplace_back(algorithm.name);
-  sweep.options_.methods = with(options.methods, added);
+  sweep.options_.methods = union_of(options.methods, added);
   const bool as_cells = cells != nullptr && options.directions == Directions::usual;
   for (const std::string& method : options.methods)
-    if (const auto reason = why_never(method, as_cells ? SceneKind::cells : SceneKind::polyhedra)) return does_not_apply(source, method, *reason);
+    if (const auto reason = why_not_applicable(method, as_cells ? SceneKind::cells : SceneKind::polyhedra)) return does_not_apply(source, method, *reason);
   CompareOptions compared;
   compared.eae = options.eae;
   compared.methods = sweep.options_.methods;
-  compared.faces = sweep.with_faces();
+  compared.faces = sweep.compares_faces();
   compared.host_times = options.time;
   compared.host_seconds = 0;
   compared.truth_by_exact = !options.oracle;
@@ -175,15 +175,15 @@ base::Result<Sweep> Sweep::of(const std::string& source, scene::HeightGrid grid,
   sweep.truth_ = "unrounded lines between the samples";
   sweep.options_ = options;
   for (const std::string& method : options.methods)
-    if (const auto reason = why_never(method, SceneKind::function)) return does_not_apply(source, method, *reason);
-  if (options.oracle) return does_not_apply(source, "oracle", "it is the truth of scenes of polyhedra");
-  if (options.all_lines) sweep.options_.methods = with(options.methods, {"skala-8080", "skala-twin", "skala"});
+    if (const auto reason = why_not_applicable(method, SceneKind::function)) return does_not_apply(source, method, *reason);
+  if (options.oracle) return does_not_apply(source, "oracle", "it is the reference for scenes of polyhedra");
+  if (options.all_lines) sweep.options_.methods = union_of(options.methods, {"skala-8080", "skala-twin", "skala"});
   sweep.view_ = view;
   sweep.grid_ = std::make_shared<const scene::HeightGrid>(std::move(grid));
   return sweep;
 }
 
-bool Sweep::with_faces() const {
+bool Sweep::compares_faces() const {
   const auto draws_faces_only = [](const std::string& method) { return method.starts_with("willis") || method == stripes_name; };
   return options_.faces || std::any_of(options_.methods.begin(), options_.methods.end(), draws_faces_only);
 }
@@ -202,7 +202,7 @@ std::string Sweep::head(std::uint64_t number) const {
   Json document{{"schema", "sightline/sweep/2"}, {"scene", source_}, {"fingerprint", fingerprint_},
                 {"seed", options_.seed},         {"view", number},   {"methods", methods},
                 {"truth", truth_}};
-  if (with_faces()) document["faces"] = true;
+  if (compares_faces()) document["faces"] = true;
   if (is_asked(options_, jones_pdp7_name) || is_asked(options_, jones_twin_name)) document["eae"] = options_.eae;
   if (options_.directions != Directions::usual) document["directions"] = options_.directions == Directions::all ? "all" : "level";
   if (grid_) {
@@ -238,7 +238,7 @@ Json Sweep::scene_results(std::uint64_t number) const {
   }
   for (const auto& [method, reason] : comparison->not_applicable)
     if (is_asked(options_, method)) results[unused_name(results, method)] = {{"not_applicable", reason}};
-  // A display file that is not the twin's has no lines to measure, and is a defect.
+  // If the display file differs from the twin's, there are no lines to measure; that is a defect.
   if (comparison->guest && !comparison->guest->difference.empty())
     for (const std::string_view method : {jones_pdp7_name, jones_twin_name})
       if (is_asked(options_, method)) results[std::string(method)]["defect"] = comparison->guest->difference;

@@ -13,12 +13,12 @@ namespace sightline::compare {
 
 namespace {
 
-// splitmix64 (Steele, Lea and Flood 2014): neighbouring seeds give unrelated numbers.
+// splitmix64 (Steele, Lea and Flood 2014): consecutive seeds give unrelated numbers.
 class ViewRandom {
  public:
   ViewRandom(std::uint64_t seed, std::uint64_t number) : state_(seed) { state_ = next() ^ number; }
 
-  // 0 .. n - 1; n is far below 2^64, so that no number is noticeably preferred.
+  // 0 .. n - 1; n is far below 2^64, so the bias is negligible.
   std::uint64_t below(std::uint64_t n) { return next() % n; }
   // Both ends included.
   std::int32_t between(std::int64_t low, std::int64_t high) {
@@ -69,13 +69,13 @@ scene::PolyCamera poly_camera(const scene::PolyScene& scene, ViewRandom& random)
     const scene::PolyCamera camera = scene::aimed_camera(frame, eye, direction, perspective);
     if (!scene::eye_error(scene, camera)) return camera;
   }
-  // Nothing but solids as far as an eye may be.
+  // There are only solids wherever an eye may be.
   scene::PolyCamera camera = scene::three_quarter_camera(frame, scene);
   camera.perspective = camera.perspective && !scene::eye_error(scene, camera);
   return camera;
 }
 
-// Cells one unit thick have no whole point in their inside.
+// Cells one unit thick have no integer point inside.
 scene::PolyCamera cell_camera(const scene::CellScene& cells, ViewRandom& random) {
   scene::PolyCamera camera;
   camera.eye = cells.default_view;
@@ -95,7 +95,7 @@ scene::PolyCamera cell_camera(const scene::CellScene& cells, ViewRandom& random)
   return camera;
 }
 
-// The same eye, looking anywhere.
+// The same eye, looking in any direction.
 scene::PolyCamera turned_camera(const scene::PolyScene& scene, const scene::CellScene& cells,
                                 const scene::PolyPoint& eye, ViewRandom& random) {
   const bool perspective = random.below(one_orthographic_in) != 0;

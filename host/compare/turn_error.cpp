@@ -13,7 +13,7 @@ namespace {
 namespace plantinga = algorithms::plantinga;
 using plantinga::EdgeIndex;
 
-// A structure as parts, ends placed at the frame's angle.
+// A structure as parts, with ends placed at the frame's angle.
 EdgeParts parts_of(const plantinga::FrameMaker& frame, EdgeIndex edge, const plantinga::EdgeStructure& structure) {
   EdgeParts parts;
   for (const plantinga::Piece& piece : structure) {

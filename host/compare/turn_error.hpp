@@ -1,5 +1,5 @@
-// How wrong frames of a turn are that a list of events gives (Plantinga, Seales and Dyer 1990): compared, edge by edge, with hidden-line
-// removal from scratch at the same angle.
+// Measures the error of frames of a turn that are computed from a list of events (Plantinga, Seales and Dyer 1990):
+// compares them, edge by edge, with hidden-line removal from scratch at the same angle.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@ namespace sightline::compare {
 using EdgeParts = std::vector<std::pair<double, double>>;
 [[nodiscard]] double length_of(const EdgeParts& parts);
 
-// What hidden-line removal from scratch gives at one angle. By edge.
+// The result of hidden-line removal from scratch at one angle, by edge.
 struct ExactFrame {
   double angle = 0;  // radians
   std::vector<algorithms::plantinga::EdgeStructure> structures;
   std::vector<EdgeParts> parts;
   std::vector<double> lengths;  // in the image, in units of the model
 };
-// At angles that whole numbers of 21 bits can express, the nearest ones to those wanted.
+// At the angles nearest to `wanted` whose sine and cosine are ratios of 21-bit integers.
 [[nodiscard]] std::vector<ExactFrame> exact_frames(const algorithms::plantinga::RotationModel& model, const std::vector<double>& wanted);
 
 struct TurnError {
-  std::size_t wrong_frames = 0;  // in which some edge has another structure
+  std::size_t wrong_frames = 0;  // frames in which some edge has another structure
   double wrong_length = 0;       // missing and extra, in all frames
   double seen_length = 0;
   double all_length = 0;         // of all edges, hidden or not
 };
-// `shown`: the frame that is shown at an angle is that of which angle.
+// `shown` gives the angle of the frame that is shown at an angle.
 [[nodiscard]] TurnError turn_error(
     const algorithms::plantinga::RotationModel& model, const algorithms::plantinga::EventList& list, const std::vector<ExactFrame>& frames,
     const std::function<double(double)>& shown = [](double angle) { return angle; });

@@ -34,7 +34,7 @@ namespace plantinga = algorithms::plantinga;
 
 constexpr std::uint32_t angles_a_turn = 1U << 18;
 constexpr std::uint32_t largest_step = 077777;
-constexpr std::size_t most_edges = 512;  // as many slots as a tape has
+constexpr std::size_t most_edges = 512;  // the number of slots of a tape
 
 // The vector words of a display file as straight lines.
 std::vector<picture::PixelSegment> lines_of(const std::vector<core::Word18>& file) {
@@ -64,7 +64,7 @@ double radians_of(const scene::PolyCamera& camera) {
   return std::atan2(static_cast<double>(sight.x), static_cast<double>(sight.z));
 }
 
-// Whether an edge is seen end-on: exact methods draw nothing of it, the machine a piece whose ends are one point.
+// Whether an edge is seen end-on: exact methods draw nothing for it, the machine a piece whose ends are one point.
 bool sees_end_on(const plantinga::RotationModel& model, const scene::PolyCamera& camera) {
   const auto sight = *plantinga::sight_of(camera);
   return std::any_of(model.edges().begin(), model.edges().end(), [&](const picture::LineEdge& edge) {
@@ -74,7 +74,8 @@ bool sees_end_on(const plantinga::RotationModel& model, const scene::PolyCamera&
   });
 }
 
-// Between the events around an angle of the machine, with no edge seen end-on: the first of some cameras ever farther from it.
+// A camera between the events around an angle of the machine, with no edge seen end-on: the first of several at
+// increasing distance from it.
 std::optional<scene::PolyCamera> camera_between_events(const plantinga::RotationModel& model, const plantinga::EventList& list,
                                                        std::uint32_t angle) {
   if (list.events.empty()) {
@@ -84,7 +85,7 @@ std::optional<scene::PolyCamera> camera_between_events(const plantinga::Rotation
   const auto as_signed = [](std::uint32_t word) {
     return static_cast<std::int64_t>(word) - (word > angles_a_turn / 2 ? angles_a_turn : 0);
   };
-  // An event holds from its word on.
+  // An event applies from its word on.
   const auto next = std::find_if(list.events.begin(), list.events.end(), [&](const plantinga::Event& event) {
     return as_signed(turn::event_word(event.direction)) > as_signed(angle);
   });
@@ -95,12 +96,12 @@ std::optional<scene::PolyCamera> camera_between_events(const plantinga::Rotation
     const auto direction = plantinga::rational_direction(sight.x, sight.z);
     const bool behind = plantinga::less(before, direction);
     const bool ahead = plantinga::less(direction, after);
-    // Where the turn closes, `after` has the lesser angle.
+    // Where the turn closes, `after` has the smaller angle.
     return plantinga::less(before, after) ? behind && ahead : behind || ahead;
   };
   const double at = turn::radians(angle);
   const auto way = [at](const plantinga::Direction& to) { return std::remainder(to.angle - at, 2 * std::numbers::pi); };
-  // A way of nearly a whole turn is none of a half.
+  // A path of nearly a whole turn must not be taken for half a turn.
   const double forwards = way(after) > 0 ? way(after) : 0.01;
   const double backwards = way(before) < 0 ? way(before) : 0;
   for (const double part : {0.0, 0.02, 0.1, 0.25, 0.5, 0.75, 0.9})
@@ -109,7 +110,7 @@ std::optional<scene::PolyCamera> camera_between_events(const plantinga::Rotation
   return std::nullopt;
 }
 
-// The pieces of the machine's structure and the exact ones. Edges that lie on each other in the image, such as the level ones of a
+// The pieces of the machine's structure and the exact ones. Edges that coincide in the image, such as those of a
 // level face, are one line and count once, as in the pictures of all other methods (lines.hpp).
 picture::LineMetrics metrics_on_lines(const Turning& turning, const TurnPicture& shown, const picture::LinePicture& exact) {
   struct Line {
@@ -120,7 +121,7 @@ picture::LineMetrics metrics_on_lines(const Turning& turning, const TurnPicture&
   };
   std::map<std::array<std::int64_t, 4>, Line> lines;
   const auto line_of = [&](const picture::LineEdge& edge) -> Line& {
-    const auto plane = picture::in_lowest_terms(picture::image_plane(edge, turning.standing(), shown.camera));
+    const auto plane = picture::in_lowest_terms(picture::image_plane(edge, turning.scene_on_axis(), shown.camera));
     const auto [line, is_new] = lines.try_emplace(plane);
     if (is_new) line->second.id = static_cast<picture::LineId>(lines.size() - 1);
     return line->second;
@@ -180,7 +181,7 @@ base::Result<Turning> Turning::of(const scene::PolyScene& scene) {
   const auto standing = turn::stand_on_axis(scene, false);
   if (!standing) return standing.error();
   const plantinga::RotationModel model(*standing);
-  // Known before the events are, which take long.
+  // Checked before the events are computed, which takes long.
   if (model.edges().size() > most_edges)
     return base::bad_input(fmt::format("found {} edges, expected at most {}, as many as the machine can hold", model.edges().size(), most_edges));
   const auto events = plantinga::build_event_list(model);
@@ -192,7 +193,7 @@ base::Result<Turning> Turning::of(const scene::PolyScene& scene) {
   return Turning(std::make_unique<Parts>(Parts{*standing, model, *events, *tape, program, turn::ScreenView(*standing)}));
 }
 
-const scene::PolyScene& Turning::standing() const { return parts_->standing; }
+const scene::PolyScene& Turning::scene_on_axis() const { return parts_->standing; }
 
 double Turning::scale() const { return turn::points_per_unit(parts_->model); }
 
@@ -219,7 +220,7 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   TurnPicture shown;
   shown.angle = angle;
   const auto camera = camera_between_events(parts_->model, parts_->events, angle);
-  if (!camera) return base::bad_input(fmt::format("no camera is between the events around angle {} of the machine", angle));
+  if (!camera) return base::bad_input(fmt::format("found no camera between the events around angle {} of the machine", angle));
   shown.camera = *camera;
 
   turn::Machine machine(parts_->program, tape, {.strokes = true});
@@ -227,7 +228,8 @@ base::Result<TurnPicture> Turning::draw(std::uint32_t angle, const scene::PolyCa
   const base::Error none{"", "", "the program made no picture at that angle", "one"};
   turn::Picture picture;
   turn::TwinPicture twins;
-  // The first picture is at angle 0; then it turns there, and one word on until the picture has been shown.
+  // The first picture is at angle 0. Then the machine turns to the angle, and on by one word until the picture has
+  // been shown.
   std::uint32_t number = 0;
   std::uint32_t step = 0;
   for (std::uint32_t at = 0;; at += step, ++number) {
@@ -304,7 +306,7 @@ base::Result<TurnCheck> check_turn(const scene::PolyScene& scene, std::uint32_t 
 base::Result<TurnCheck> check_turn(const Turning& turning, std::uint32_t angle) {
   const auto shown = turning.draw(angle);
   if (!shown) return shown.error();
-  const auto view = hidden_lines::visible_edges(turning.standing(), shown->camera);
+  const auto view = hidden_lines::visible_edges(turning.scene_on_axis(), shown->camera);
   if (!view) return view.error();
   TurnCheck check{angle, shown->words, shown->time, shown->flashes, {}, shown->flash_bound, {}, shown->difference};
   if (check.difference.empty()) check.difference = structure_difference(*shown, view->picture);

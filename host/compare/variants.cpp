@@ -25,14 +25,14 @@ namespace plantinga = algorithms::plantinga;
 
 constexpr std::string_view montani_re = "montani-re";
 
-// A point of each time that the view has.
+// Adds a point for each time that the view has.
 void add_point(const MethodView& view, const std::string& series, const std::string& label, std::vector<PlotPoint>& points) {
   const double shown_percent = view.exact && *view.exact ? 0 : wrong_percent(view);
   if (view.emulated_seconds) points.push_back({PlotPanel::emulated, series, label, *view.emulated_seconds, shown_percent});
   if (view.host_seconds) points.push_back({PlotPanel::host, series, label, *view.host_seconds, shown_percent});
 }
 
-// Methods without a setting; those with one are drawn by the functions below.
+// Methods without a setting. Those with one are added by the functions below.
 void add_plain(const SceneComparison& comparison, std::vector<PlotPoint>& points) {
   for (const MethodView& view : method_views(comparison)) {
     if (view.method == jones_pdp7_name || view.method == jones_twin_name || (view.method == montani_re && view.picture == "faces"))
@@ -83,7 +83,8 @@ void add_stripes(const scene::PolyScene& scene, const CompareOptions& options, c
   const auto truth = FaceTruth::of(scene, camera);
   if (!truth) return;
   for (const double thickness : registry::stripe_thicknesses) {
-    // The truth is known at the middles of pixels: thinner stripes have theirs elsewhere, and would be wrong for that alone.
+    // The reference is known at the centres of pixels. Thinner stripes have theirs elsewhere and would be wrong for
+    // that alone.
     if (thickness < 1) continue;
     progress(fmt::format("montani-re, stripes of {} px", thickness));
     registry::FaceOptions of_stripe;
@@ -94,29 +95,29 @@ void add_stripes(const scene::PolyScene& scene, const CompareOptions& options, c
     auto view = faces->view(camera, truth->window());
     if (!view) continue;
     const double seconds = median_seconds([&] { static_cast<void>(faces->view(camera, truth->window())); });
-    const picture::PixelMetrics metrics = truth->compared(std::string(montani_re), std::move(view->faces), 0).metrics;
+    const picture::PixelMetrics metrics = truth->compare(std::string(montani_re), std::move(view->faces), 0).metrics;
     points.push_back({PlotPanel::host, "montani-re stripes", fmt::format("{} px", thickness), seconds, 100 * metrics.mismatch()});
   }
 }
 
 // --- Plantinga's events
 
-// A turn in even steps, that no event falls on but by chance.
+// A turn in even steps, which rarely coincide with an event.
 constexpr int turn_frames = 180;
 double angle_of(int frame) {
   return -std::numbers::pi + (frame + 0.37) * 2 * std::numbers::pi / turn_frames;
 }
 
-// Of the length that is seen in all frames.
+// In per cent of the visible length in all frames.
 double events_wrong_percent(const plantinga::RotationModel& model, const plantinga::EventList& list, const std::vector<ExactFrame>& frames) {
   const TurnError error = turn_error(model, list, frames);
-  // Equal places from different sums differ in their last bits.
+  // Equal positions computed in different ways differ in their last bits.
   return error.wrong_length > error.seen_length * 1e-12 ? 100 * error.wrong_length / error.seen_length : 0;
 }
 
 void add_events(const scene::PolyScene& scene, const CompareOptions& options, const SceneComparison& usual,
                 const CompareProgress& progress, std::vector<PlotPoint>& points) {
-  constexpr std::size_t most_edges = 400;  // events of more take seconds to find
+  constexpr std::size_t most_edges = 400;  // the events of more edges take seconds to find
   if (!options.host_times || !has_lines(usual, "plantinga")) return;
   const plantinga::RotationModel model(scene);
   if (model.edges().size() > most_edges) return;

@@ -1,5 +1,5 @@
-// The chains of a view for the column oracle, made from the projected points and their depths alone: no
-// order, chain or stream of the host's is used. Whole grids only, without holes and without zoom.
+// The chains of a view for the column oracle, made from the projected points and their depths alone, not from any
+// order, chain or stream of the host's. Grids without holes and views without zoom only.
 #pragma once
 
 #include <algorithm>
@@ -28,31 +28,31 @@ class ViewChains {
         cosine_(projection.rotation().cosine),
         slices_along_x_(std::abs(cosine_) >= std::abs(sine_)) {}
 
-  // What two points of slices of the same true depth may differ by once their columns are rounded: the depth
-  // of a column along a direction that is seen at 45 degrees or less end-on.
-  [[nodiscard]] std::int64_t slice_tolerance() const { return quantised(column_width()); }
-  // The same for cells, whose edges may be seen end-on; not more than a cell is deep.
+  // The greatest difference of depth between two points of slices of the same exact depth once their columns are
+  // rounded: the depth of a column along a direction that is at most 45 degrees from the image plane.
+  [[nodiscard]] std::int64_t slice_tolerance() const { return quantise(column_width()); }
+  // The same for cells, whose edges may be seen end-on; at most the depth of a cell.
   [[nodiscard]] std::int64_t cell_tolerance() const {
     const double flat = std::min(std::abs(sine_), std::abs(cosine_));
     const double cell = 2.0 / std::max({points() - 1, slice_count() - 1, 1});
-    return quantised(flat * cell > column_width() ? column_width() / flat : cell);
+    return quantise(flat * cell > column_width() ? column_width() / flat : cell);
   }
 
-  // Slices along the axis that is less end-on. Its nearest chain is the nearest slice with the rim on the
-  // side where farther slices reach beyond nearer ones.
+  // Slices along the axis that is less end-on. The nearest chain is the nearest slice with the grid's side edge on
+  // the side where farther slices extend beyond nearer ones.
   [[nodiscard]] std::vector<Chain> slices(SegmentRole slice_role, SegmentRole rim_role) const {
     const bool leading_is_right = right_end(rows() - 1) >= right_end(0);
     const auto nearest = line(row_place(0, 0), row_place(0, columns() - 1), slice_role);
     const auto leading = rim(leading_is_right, rim_role);
     std::vector<Chain> chains{
-        {0, leading_is_right ? joined(nearest, leading) : joined(turned(leading), nearest)}};
+        {0, leading_is_right ? join(nearest, leading) : join(reverse(leading), nearest)}};
     for (int row = 1; row < rows(); ++row)
       chains.push_back({row, line(row_place(row, 0), row_place(row, columns() - 1), slice_role)});
     chains.push_back({rows(), rim(!leading_is_right, slice_role)});
     return chains;
   }
 
-  // The far margins of all cells, each hiding what follows; the near margins of the domain first.
+  // The far margins of all cells, each hiding the chains that follow; the near margins of the domain first.
   [[nodiscard]] std::vector<Chain> cells() const {
     std::vector<Chain> chains{near_margins()};
     for_cells([&](const Cell& cell, int rank) {
@@ -61,7 +61,7 @@ class ViewChains {
     return chains;
   }
 
-  // Contour pieces triangle by triangle, the cells' diagonals and far margins; only the domain's edges are
+  // Contour pieces triangle by triangle, with the cells' diagonals and far margins. Only the domain's edges are
   // inked.
   [[nodiscard]] std::vector<Chain> contours(const scene::HeightGrid& grid, int level_count) const {
     const auto levels = programs::skala::contour_levels(grid.range, level_count);
@@ -82,20 +82,20 @@ class ViewChains {
     bool last_along_z = false;
   };
 
-  [[nodiscard]] static std::int64_t quantised(double depth) {
+  [[nodiscard]] static std::int64_t quantise(double depth) {
     return static_cast<std::int64_t>(std::llround(std::ldexp(depth, 24)));
   }
   [[nodiscard]] const programs::skala::Vertex& at(programs::skala::GridIndex index) const {
     return projection_.at(index.point, index.slice);
   }
   [[nodiscard]] static ChainVertex vertex(const programs::skala::Vertex& point, SegmentRole role) {
-    return {point.column, point.row, quantised(point.depth), role};
+    return {point.column, point.row, quantise(point.depth), role};
   }
   [[nodiscard]] ChainVertex vertex(programs::skala::GridIndex index, SegmentRole role) const {
     return vertex(at(index), role);
   }
 
-  // Of a raster column in the grid's units: the picture is 2 |cos A| + 2 |sin A| wide.
+  // The width of a raster column in the grid's units: the picture is 2 |cos A| + 2 |sin A| wide.
   [[nodiscard]] double column_width() const { return 2 * (std::abs(cosine_) + std::abs(sine_)) / 255; }
 
   // Steps away from the eye: depth is z cos A - x sin A.
@@ -127,8 +127,8 @@ class ViewChains {
     vertices.front().role = SegmentRole::none;
     return vertices;
   }
-  // All grid points from one to the other, which share a row or a column; or the segment between two corners
-  // of a cell.
+  // All grid points from one to the other, which share a row or a column; or the segment between two corners of a
+  // cell.
   [[nodiscard]] std::vector<ChainVertex> line(programs::skala::GridIndex from, programs::skala::GridIndex to,
                                               SegmentRole role) const {
     const auto towards = [](std::size_t a, std::size_t b) { return a < b ? a + 1 : a > b ? a - 1 : a; };
@@ -140,12 +140,12 @@ class ViewChains {
     }
     return vertices;
   }
-  [[nodiscard]] static std::vector<ChainVertex> turned(std::vector<ChainVertex> vertices) {
+  [[nodiscard]] static std::vector<ChainVertex> reverse(std::vector<ChainVertex> vertices) {
     std::reverse(vertices.begin(), vertices.end());
     if (vertices.size() > 1) std::swap(vertices.front().role, vertices.back().role);
     return vertices;
   }
-  [[nodiscard]] static std::vector<ChainVertex> joined(std::vector<ChainVertex> first,
+  [[nodiscard]] static std::vector<ChainVertex> join(std::vector<ChainVertex> first,
                                                        const std::vector<ChainVertex>& second) {
     first.insert(first.end(), second.begin() + 1, second.end());
     return first;
@@ -153,12 +153,12 @@ class ViewChains {
 
   [[nodiscard]] Chain near_margins() const {
     const programs::skala::GridIndex corner = from_eye(0, 0);
-    return {-1, joined(turned(line(corner, from_eye(points() - 1, 0), SegmentRole::draw)),
+    return {-1, join(reverse(line(corner, from_eye(points() - 1, 0), SegmentRole::draw)),
                        line(corner, from_eye(0, slice_count() - 1), SegmentRole::draw))};
   }
 
-  // Away from the eye in both directions; the ranks of a cell's chains are those of the call and the three
-  // after it.
+  // Visits cells away from the eye in both directions. The ranks of a cell's chains are that of the call and the
+  // three after it.
   template <class Visit>
   void for_cells(Visit&& visit) const {
     int rank = 0;

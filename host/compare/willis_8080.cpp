@@ -20,7 +20,7 @@ base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, con
   const auto model = flight::view_model(scene, options, camera);
   if (!model) return model.error();
   if (auto error = willis::plan_error(*model, camera)) return base::bad_input(*error);
-  // Shown twice, for the time: the first frame begins with the pieces sent to the machine.
+  // Drawn twice, for the time: the first frame begins with sending the pieces to the machine.
   const std::array path{camera, camera};
   const auto run = flight::run({.model = *model, .path = path, .precision = flight::Precision::bits_16, .check = true});
   if (!run) base::give_up(run.error().message());

@@ -1,16 +1,16 @@
-// Willis's priorities as an 8080 computes them (host/programs/flight), as an algorithm of faces beside those of the registry: a frame is sent to the
-// emulated machine, and the pieces are shown in the order that comes back.
+// Willis's priorities computed by an 8080 (host/programs/flight), as a face algorithm like those of the registry: a
+// frame is sent to the emulated machine, and the pieces are painted in the order that it returns.
 //
-// The machine is given the pieces that are turned to the eye, and the planes that keep apart what touches; in parallel projection the depth of each.
-// Left out: scenes of which it does not hold that. That is an error.
+// The machine receives the pieces turned to the eye and the planes that separate touching pieces; in parallel
+// projection, the depth of each. Scenes that do not fit are an error.
 #pragma once
 
 #include "host/algorithms/registry/faces.hpp"
 
 namespace sightline::compare {
 
-// Coordinates have 16 bits: pairs of pieces that they put into another order than exact distances are counted (wrong_orders), and may show a
-// wrong face.
+// Coordinates have 16 bits. Pairs of pieces that they put into another order than exact distances are counted
+// (wrong_orders) and may show a wrong face.
 [[nodiscard]] const registry::FaceAlgorithm& willis_on_8080();
 
 }  // namespace sightline::compare

@@ -16,9 +16,9 @@ namespace {
 namespace oracle = algorithms::oracle;
 using oracle::ScreenSegment;
 
-constexpr double rounding_allowed = 1e-6;  // points: pieces so near to each other touch
+constexpr double rounding_allowed = 1e-6;  // points: pieces this near to each other touch
 
-// The plane through the eye and a line, in lowest terms: lines with one plane lie on each other in the image.
+// The plane through the eye and a line, in lowest terms: lines with one plane coincide in the image.
 using SightPlane = std::array<std::int64_t, 3>;
 
 std::optional<SightPlane> plane_of(const AxisLine& line, const geometry::Point& eye) {
@@ -31,13 +31,13 @@ std::optional<SightPlane> plane_of(const AxisLine& line, const geometry::Point& 
   SightPlane plane{};
   plane[u] = -at_v / common;
   plane[v] = at_u / common;
-  // The sign of the first number that is not 0 does not depend on the axis of the line.
+  // The sign of the first nonzero number does not depend on the axis of the line.
   if (plane < SightPlane{})
     for (std::int64_t& n : plane) n = -n;
   return plane;
 }
 
-// The image of all lines of one plane.
+// The image of all lines in one plane.
 class ImageLine {
  public:
   ImageLine(const SightPlane& plane, const oracle::Window& window) {
@@ -63,7 +63,7 @@ struct Part {
   double high = 0;
 };
 
-// The part of s, from 0 to 1, that is within the distance of t; empty if low > high.
+// The part of s, from 0 to 1, within the distance of t; empty if low > high.
 Part part_near(const ScreenSegment& s, const ScreenSegment& t, double distance) {
   Part part{2, -1};
   const double sx = s.x1 - s.x0, sy = s.y1 - s.y0;
@@ -103,7 +103,7 @@ Part part_near(const ScreenSegment& s, const ScreenSegment& t, double distance) 
   return part;
 }
 
-// The parts of s that are farther than the distance from all others.
+// The parts of s farther than the distance from all others.
 std::vector<Part> parts_alone(const ScreenSegment& s, const std::vector<ImagePiece>& others,
                               double distance) {
   const double length = std::hypot(s.x1 - s.x0, s.y1 - s.y0);
@@ -140,7 +140,7 @@ struct OnLine {
 };
 using ByPlane = std::map<SightPlane, std::vector<OnLine>>;
 
-// What overlaps or touches becomes one.
+// Joins stretches that overlap or touch.
 void unite(std::vector<OnLine>& stretches) {
   std::sort(stretches.begin(), stretches.end(), [](const OnLine& a, const OnLine& b) {
     return std::tie(a.low, a.high, a.line.axis, a.line.cross) <

@@ -1,9 +1,8 @@
-// What a drawing of a scene of cells shows wrongly: stretches of the true lines that are farther than a
-// distance from everything drawn, and stretches drawn that are farther than it from everything true.
+// Finds what a drawing of a scene of cells shows wrongly: stretches of the exact lines farther than a given distance
+// from everything drawn, and drawn stretches farther than it from every exact line.
 //
-// Both pictures are sets of points of the screen: lines that lie on each other in the image count once. Ends
-// of stretches are calculated, not sampled: what is within a distance of a segment is convex, so of another
-// segment it is one interval.
+// Both pictures are sets of points of the screen: coinciding lines count once. Ends of stretches are calculated, not
+// sampled: the points within a distance of a segment are a convex set, which cuts another segment in one interval.
 #pragma once
 
 #include <vector>
@@ -15,7 +14,7 @@
 
 namespace sightline::compare {
 
-// A piece of the screen, in points, and the line of space of which it is the image.
+// A piece of the screen, in points, and its line in space.
 struct ImagePiece {
   AxisLine line;
   algorithms::oracle::ScreenSegment at;
@@ -26,10 +25,10 @@ struct ImagePiece {
     const algorithms::oracle::Window& window);
 
 struct ScreenStretch {
-  AxisLine line;       // of lines that lie on each other in the image, the first in their order
-  bool extra = false;  // drawn, and nothing true is near it; otherwise true and missing
+  AxisLine line;       // the first of lines that coincide in the image
+  bool extra = false;  // drawn, with nothing exact near it; otherwise missing
   double length = 0;   // points of the screen
-  algorithms::oracle::ScreenSegment at;  // on the true image of the line
+  algorithms::oracle::ScreenSegment at;  // on the exact image of the line
 };
 
 struct WrongStretches {
@@ -40,7 +39,7 @@ struct WrongStretches {
   [[nodiscard]] double length() const { return missing + extra; }
 };
 
-// Stretches shorter than this are left out.
+// Shorter stretches are left out.
 inline constexpr double least_wrong_stretch = 0.25;
 
 // distance: points of the screen, above 0. Pieces of lines through the eye are left out.

@@ -1,5 +1,5 @@
-// What a report is made of, as writers (html_page.hpp, table_text.hpp, write_report.hpp) turn it into files.
-// All text is plain UTF-8 and is escaped when written.
+// The parts of a report, which writers (html_page.hpp, table_text.hpp, write_report.hpp) turn into files. All text is
+// plain UTF-8 and is escaped when written.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace sightline::report {
 
-// A measured or computed number: shown with so many places behind the point, or, with as_needed, with four
-// significant digits. CSV and JSON carry the whole value. Not finite: shown in words, null in JSON.
+// A measured or computed number: shown with `places` decimals or, with as_needed, with four significant digits. CSV
+// and JSON contain the full value. If it is not finite: words in the page, null in JSON.
 struct Real {
   static constexpr int as_needed = -1;
 
@@ -23,7 +23,7 @@ struct Real {
   friend bool operator==(const Real&, const Real&) = default;
 };
 
-// Something that is right or wrong; the words alone must say it.
+// A result that is right or wrong; the text alone must say which.
 struct Verdict {
   bool good = true;
   std::string text = {};
@@ -39,20 +39,20 @@ struct Picture {
   friend bool operator==(const Picture&, const Picture&) = default;
 };
 
-// Nothing, words, a count, a number, a judgement.
+// Nothing, a text, a count, a number, or a verdict.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, Real, Verdict>;
 
-// A text, and the statements in it that do not hold in this run and were left out.
-struct Said {
+// A text, and the statements that were left out of it because they do not hold in this run.
+struct CheckedText {
   std::string text = {};
   std::vector<std::string> failed = {};
 
-  Said() = default;
-  Said(std::string said) : text(std::move(said)) {}
-  Said(const char* said) : text(said) {}
-  Said(std::string said, std::vector<std::string> not_held) : text(std::move(said)), failed(std::move(not_held)) {}
-  friend bool operator==(const Said&, const Said&) = default;
-  friend Said operator+(Said left, const Said& right) {
+  CheckedText() = default;
+  CheckedText(std::string said) : text(std::move(said)) {}
+  CheckedText(const char* said) : text(said) {}
+  CheckedText(std::string said, std::vector<std::string> not_held) : text(std::move(said)), failed(std::move(not_held)) {}
+  friend bool operator==(const CheckedText&, const CheckedText&) = default;
+  friend CheckedText operator+(CheckedText left, const CheckedText& right) {
     left.text += right.text;
     left.failed.insert(left.failed.end(), right.failed.begin(), right.failed.end());
     return left;
@@ -60,7 +60,7 @@ struct Said {
 };
 
 struct Column {
-  std::string key;         // in CSV and JSON: a-z, 0-9, _; once in a table; with its unit: "view_s"
+  std::string key;         // in CSV and JSON: a-z, 0-9, _; unique in a table; with its unit: "view_s"
   std::string title;       // in the page
   std::string unit;        // "s", "words of 18 bits"; empty: none
 };
@@ -68,55 +68,55 @@ struct Column {
 struct Figure {
   std::string id;  // as a table's
   std::string title;
-  Said caption;
-  std::string alternative;  // what is to be seen, for those who cannot
+  CheckedText caption;
+  std::string alternative;  // a description of the picture for readers who cannot see it
   std::string media_type;   // "image/png", "image/svg+xml"
   base::Bytes bytes;
   bool pixelated = false;  // enlarged without smoothing
 };
 
 struct Table {
-  std::string id;  // a-z, 0-9, -; once in a report: the file's name and the place to link to
+  std::string id;  // a-z, 0-9, -; unique in a report: the file's name and the link's target
   std::string title;
   std::vector<Column> columns = {};
-  std::vector<std::vector<Cell>> rows = {};  // each as wide as columns
-  std::vector<Said> notes = {};              // paragraphs under the table
-  bool folded = false;                       // to be opened in the page
-  // Pictures of each row: the page shows the rows as cards. Readers choose cards by this name, and by whether a
-  // judgement in the row is bad.
+  std::vector<std::vector<Cell>> rows = {};  // each as long as columns
+  std::vector<CheckedText> notes = {};              // paragraphs under the table
+  bool folded = false;                       // collapsed in the page
+  // Figures of each row; if there are any, the page shows the rows as cards. Readers filter cards by this name, and
+  // by whether a verdict in the row is bad.
   std::vector<std::vector<Figure>> cards = {};
   std::string cards_name = {};
 };
 
-// The first screen: questions with their answers, and drawings in SVG, which are part of the page and have colours for
-// light and dark grounds.
+// The first screen: questions with their answers, and drawings in SVG, which are part of the page and have colours
+// for light and dark backgrounds.
 struct Opening {
-  std::vector<std::pair<std::string, Said>> answers;
+  std::vector<std::pair<std::string, CheckedText>> answers;
   std::vector<std::string> drawings;
   std::string caption;
 };
 
 struct Paragraph {
-  Said text;
+  CheckedText text;
 };
 
-// Begins a chapter: what follows, up to the next one, is folded under it.
+// Begins a chapter: the blocks up to the next heading are collapsed under it.
 struct Heading {
   std::string text;
   std::string id;
 };
 
-// A method or a finding: its statement, figures beside each other ("Here", "0.06 to 0.98 s"), text, pictures.
+// A method or a finding: its statement, facts side by side ("Here", "0.06 to 0.98 s"), text, figures.
 struct Panel {
   std::string id;
-  Said title;
+  CheckedText title;
   std::string source = {};  // the paper; empty: none
   std::vector<std::pair<std::string, std::string>> facts = {};
-  std::vector<Said> text = {};
+  std::vector<CheckedText> text = {};
   std::vector<Figure> figures = {};
 };
 
-// A file the report is about, such as an input: folded up in the page, to be opened there or saved.
+// A file that the report describes, such as an input: collapsed in the page, to be read there or saved.
 struct Listing {
   std::string id;    // as a table's
   std::string file;  // the name it is saved by

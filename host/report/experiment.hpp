@@ -1,5 +1,5 @@
-// What an experiment is told. An experiment is a function that runs programs and returns plain structs, or throws a base::Error;
-// its chapters (page.hpp) say what the page shows of them. sections.cpp lists both.
+// The options of an experiment. An experiment is a function that runs programs and returns plain structs, or throws a
+// base::Error. Its chapters (page.hpp) write them to the page. sections.cpp lists both.
 #pragma once
 
 #include <functional>
@@ -12,15 +12,15 @@
 
 namespace sightline::report {
 
-// What an experiment is told.
+// The options of an experiment.
 struct Context {
-  bool full = false;       // take the time a thorough measurement needs; else the whole report takes a minute
+  bool full = false;       // measure thoroughly; otherwise the whole report takes a minute
   bool host_times = true;  // false: do not measure time on this computer; values of host times are missing
-  std::string cache = {};  // folder where what takes long to find is kept for the next report; empty: nowhere
+  std::string cache = {};  // folder that stores slow results for the next report; empty: none
   unsigned jobs = 1;       // processors that may be used
   std::function<void(std::string_view)> progress = [](std::string_view) {
-  };  // what is being done, in few words
-  // Work that takes times of this computer, to be done when all experiments are finished and nothing else runs.
+  };  // called with the current step, in a few words
+  // Schedules work that measures times of this computer: it runs when all experiments have finished, alone.
   std::function<void(std::function<void()>)> when_alone = {};
 };
 

@@ -15,15 +15,15 @@ namespace sightline::report {
 
 namespace {
 
-// Tables and galleries of more rows or pictures are folded within their chapter.
-constexpr std::size_t most_unfolded = 12;
+// Longer tables and larger galleries are collapsed within their chapter.
+constexpr std::size_t most_open = 12;
 
-// Columns that fit on paper at a readable size.
+// The number of columns that fit on paper at a readable size.
 constexpr std::size_t most_printed = 14;
 
 constexpr std::string_view replacement = "\uFFFD";
 
-// Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none. Unicode 15, table 3-7.
+// The bytes of the UTF-8 character at the beginning of `text`; 0 if there is none. Unicode 15, table 3-7.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
@@ -57,12 +57,12 @@ class HtmlWriter {
 
   std::string text() && {
     for (const Section& section : report_.sections) {
-      html_ += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", html_escaped(section.id),
-                           html_escaped(section.title));
+      html_ += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", escape_html(section.id),
+                           escape_html(section.title));
       add(section);
       html_ += "</section>\n";
     }
-    // Written first: it is known then what does not hold.
+    // Written first, to count the statements that do not hold.
     const std::string sections = std::exchange(html_, {});
     head();
     html_ += "<main>\n";
@@ -70,31 +70,31 @@ class HtmlWriter {
     contents();
     html_ += sections;
     html_ += fmt::format("</main>\n<footer><p>Made by sightline {}.</p></footer>\n</body>\n</html>\n",
-                         html_escaped(report_.version));
+                         escape_html(report_.version));
     return std::move(html_);
   }
 
  private:
-  // The header stays in sight and leads to the parts.
+  // The header stays visible and links to the parts.
   void head() {
-    const std::string title = html_escaped(report_.title);
+    const std::string title = escape_html(report_.title);
     html_ += fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<header><h1>{}</h1><nav aria-label=\"Sections\">",
         title, page_style, filter_style(), title);
     for (const Section& section : report_.sections)
-      html_ += fmt::format("<a href=\"#{}\">{}</a>", html_escaped(section.id),
-                           html_escaped(section.title.substr(0, section.title.find(':'))));
+      html_ += fmt::format("<a href=\"#{}\">{}</a>", escape_html(section.id),
+                           escape_html(section.title.substr(0, section.title.find(':'))));
     html_ += "</nav></header>\n";
   }
 
-  // The filter of cards works without script: a choice hides the cards of the other tables.
+  // The filter of cards works without scripts: a choice hides the cards of the other tables.
   [[nodiscard]] std::string filter_style() const {
     std::string style;
     for (const Section& section : report_.sections)
       for (const Table* const table : card_tables(section))
-        style += fmt::format("section:has(#show-{0}:checked) .cards:not(#cards-{0}) {{ display: none; }}\n", html_escaped(table->id));
+        style += fmt::format("section:has(#show-{0}:checked) .cards:not(#cards-{0}) {{ display: none; }}\n", escape_html(table->id));
     return style;
   }
   static std::vector<const Table*> card_tables(const Section& section) {
@@ -115,8 +115,8 @@ class HtmlWriter {
   void contents() {
     html_ += "<details class=\"contents\"><summary>Contents</summary>\n<ol>\n";
     for (const Section& section : report_.sections) {
-      html_ += fmt::format("<li><a href=\"#{}\">{}</a>\n<ul>\n", html_escaped(section.id),
-                           html_escaped(section.title));
+      html_ += fmt::format("<li><a href=\"#{}\">{}</a>\n<ul>\n", escape_html(section.id),
+                           escape_html(section.title));
       for (const Block& block : section.blocks) {
         if (const auto* const panel = std::get_if<Panel>(&block)) entry(panel->id, panel->title.text);
         if (const auto* const table = std::get_if<Table>(&block)) entry(table->id, table->title);
@@ -129,10 +129,10 @@ class HtmlWriter {
   }
 
   void entry(const std::string& id, const std::string& title) {
-    html_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_escaped(id), html_escaped(title));
+    html_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", escape_html(id), escape_html(title));
   }
 
-  // Figures that follow each other stand side by side where the page is wide enough. Chapters are folded.
+  // Consecutive figures are side by side where the page is wide enough. Chapters are collapsed.
   void add(const Section& section) {
     bool in_row = false;
     bool in_chapter = false;
@@ -144,8 +144,8 @@ class HtmlWriter {
       if (const auto* const heading = std::get_if<Heading>(&block)) {
         if (in_chapter) html_ += "</details>\n";
         in_chapter = true;
-        html_ += fmt::format("<details class=\"chapter\" id=\"{}\"><summary><h3>{}</h3></summary>\n", html_escaped(heading->id),
-                             html_escaped(heading->text));
+        html_ += fmt::format("<details class=\"chapter\" id=\"{}\"><summary><h3>{}</h3></summary>\n", escape_html(heading->id),
+                             escape_html(heading->text));
       }
       if (const auto* const table = std::get_if<Table>(&block); filter && table != nullptr && !table->cards_name.empty()) {
         add_filter(section);
@@ -158,51 +158,51 @@ class HtmlWriter {
   }
 
   void add(const Paragraph& paragraph) { add(paragraph.text, ""); }
-  // And what does not hold in this run.
-  void add(const Said& said, std::string_view look) {
-    if (!said.text.empty() || said.failed.empty()) html_ += fmt::format("<p{}>{}</p>\n", look, html_escaped(said.text));
+  // Adds the text and the statements that do not hold in this run.
+  void add(const CheckedText& said, std::string_view look) {
+    if (!said.text.empty() || said.failed.empty()) html_ += fmt::format("<p{}>{}</p>\n", look, escape_html(said.text));
     for (const std::string& failed : said.failed)
-      html_ += fmt::format("<p class=\"bad\">Not in this run: {}</p>\n", html_escaped(failed));
+      html_ += fmt::format("<p class=\"bad\">Not in this run: {}</p>\n", escape_html(failed));
     failed_ += said.failed.size();
   }
-  void add(const Heading&) {}  // see add(Section)
+  void add(const Heading&) {}  // written by add(Section)
 
   void add(const Opening& opening) {
     html_ += "<div class=\"answers\">\n";
     for (const auto& [question, answer] : opening.answers) {
-      html_ += fmt::format("<div><h3>{}</h3>\n", html_escaped(question));
+      html_ += fmt::format("<div><h3>{}</h3>\n", escape_html(question));
       add(answer, "");
       html_ += "</div>\n";
     }
     html_ += "</div>\n<div class=\"answer-plots\">\n";
     for (const std::string& drawing : opening.drawings) html_ += drawing;
-    html_ += fmt::format("</div>\n<p class=\"note\">{}</p>\n", html_escaped(opening.caption));
+    html_ += fmt::format("</div>\n<p class=\"note\">{}</p>\n", escape_html(opening.caption));
   }
 
   void add(const Panel& panel) {
-    html_ += fmt::format("<article class=\"panel\" id=\"{}\">\n<div>\n<h3>{}</h3>\n", html_escaped(panel.id), html_escaped(panel.title.text));
-    add(Said("", panel.title.failed), "");
-    if (!panel.source.empty()) html_ += "<p class=\"note\">" + html_escaped(panel.source) + "</p>\n";
+    html_ += fmt::format("<article class=\"panel\" id=\"{}\">\n<div>\n<h3>{}</h3>\n", escape_html(panel.id), escape_html(panel.title.text));
+    add(CheckedText("", panel.title.failed), "");
+    if (!panel.source.empty()) html_ += "<p class=\"note\">" + escape_html(panel.source) + "</p>\n";
     if (!panel.facts.empty()) {
       html_ += "<dl class=\"facts\">";
       for (const auto& [label, value] : panel.facts)
-        html_ += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", html_escaped(label), html_escaped(value));
+        html_ += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escape_html(label), escape_html(value));
       html_ += "</dl>\n";
     }
-    for (const Said& text : panel.text) add(text, "");
+    for (const CheckedText& text : panel.text) add(text, "");
     html_ += "</div>\n<div class=\"pictures\">\n";
     for (const Figure& figure : panel.figures) add(figure);
     html_ += "</div>\n</article>\n";
   }
 
-  // Choices of cards: which table's, and with which outcome.
+  // Choices of cards: by table, and by outcome.
   void add_filter(const Section& section) {
     constexpr std::string_view choice = "<label><input type=\"radio\" name=\"{}-{}\" {}> {}</label>\n";
-    const std::string name = html_escaped(section.id);
+    const std::string name = escape_html(section.id);
     html_ += "<form class=\"filter\">\n<fieldset><legend>Method</legend>\n";
     html_ += fmt::format(choice, name, "method", "checked", "all");
     for (const Table* const table : card_tables(section))
-      html_ += fmt::format(choice, name, "method", fmt::format("id=\"show-{}\"", html_escaped(table->id)), html_escaped(table->cards_name));
+      html_ += fmt::format(choice, name, "method", fmt::format("id=\"show-{}\"", escape_html(table->id)), escape_html(table->cards_name));
     html_ += "</fieldset>\n<fieldset><legend>base::Result</legend>\n";
     html_ += fmt::format(choice, name, "outcome", "checked", "all");
     html_ += fmt::format(choice, name, "outcome", "class=\"show-bad\"", "some method is wrong");
@@ -210,7 +210,7 @@ class HtmlWriter {
     html_ += "</fieldset>\n</form>\n";
   }
 
-  // The first cell is the card's name; judgements stand below the rest.
+  // The first cell is the card's name; verdicts are below the rest.
   void add_cards(const Table& table) {
     html_ += "<div class=\"deck\">\n";
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -219,7 +219,7 @@ class HtmlWriter {
         const auto* const verdict = std::get_if<Verdict>(&cell);
         return verdict != nullptr && !verdict->good;
       });
-      html_ += fmt::format("<article class=\"card {}\">\n<h4>{}</h4>\n", bad ? "wrong" : "right", html_escaped(shown_text(cells.at(0))));
+      html_ += fmt::format("<article class=\"card {}\">\n<h4>{}</h4>\n", bad ? "wrong" : "right", escape_html(cell_text(cells.at(0))));
       if (row < table.cards.size() && !table.cards[row].empty()) {
         html_ += "<div class=\"pair\">\n";
         for (const Figure& figure : table.cards[row]) add(figure);
@@ -227,11 +227,11 @@ class HtmlWriter {
       }
       html_ += "<dl>";
       for (std::size_t i = 1; i < cells.size(); ++i) {
-        const std::string text = shown_text(cells[i]);
+        const std::string text = cell_text(cells[i]);
         if (text.empty() || std::holds_alternative<std::monostate>(cells[i])) continue;
         const auto* const verdict = std::get_if<Verdict>(&cells[i]);
-        html_ += fmt::format("<dt>{}</dt><dd{}>{}</dd>", html_escaped(table.columns[i].title),
-                             verdict == nullptr ? "" : look_of(*verdict), html_escaped(text));
+        html_ += fmt::format("<dt>{}</dt><dd{}>{}</dd>", escape_html(table.columns[i].title),
+                             verdict == nullptr ? "" : look_of(*verdict), escape_html(text));
       }
       html_ += "</dl>\n</article>\n";
     }
@@ -239,14 +239,14 @@ class HtmlWriter {
   }
 
   void add_end(const Table& table) {
-    for (const Said& note : table.notes) add(note, " class=\"note\"");
+    for (const CheckedText& note : table.notes) add(note, " class=\"note\"");
     html_ += fmt::format(
         "<p class=\"files\"><a href=\"tables/{0}.csv\">CSV</a><a href=\"tables/{0}.json\">JSON</a></p>\n",
-        html_escaped(table.id));
+        escape_html(table.id));
   }
 
   void add(const Table& table) {
-    const std::string id = html_escaped(table.id);
+    const std::string id = escape_html(table.id);
     if (!table.cards_name.empty()) {
       html_ += fmt::format("<div class=\"cards\" id=\"cards-{}\">\n", id);
       begin(id, table.title, false);
@@ -255,7 +255,7 @@ class HtmlWriter {
       html_ += "</div>\n";
       return;
     }
-    const bool folded = table.folded || table.rows.size() > most_unfolded;
+    const bool folded = table.folded || table.rows.size() > most_open;
     begin(id, table.title, folded);
     html_ += fmt::format(
         "<div class=\"wide\" role=\"region\" aria-labelledby=\"{0}\" tabindex=\"0\">\n<table{1}>\n<thead><tr>", id,
@@ -276,9 +276,9 @@ class HtmlWriter {
     if (folded) html_ += "</details>\n";
   }
 
-  // A title that can be linked to; folded: what follows is shown when it is opened.
+  // A title with an anchor. If folded, the following content is in a closed `details`.
   void begin(const std::string& id, const std::string& title, bool folded) {
-    const std::string heading = fmt::format("<h4 id=\"{}\">{}</h4>", id, html_escaped(title));
+    const std::string heading = fmt::format("<h4 id=\"{}\">{}</h4>", id, escape_html(title));
     html_ += folded ? "<details><summary>" + heading + "</summary>\n" : heading + "\n";
   }
 
@@ -287,45 +287,45 @@ class HtmlWriter {
                        [at](const auto& row) { return at < row.size() && is_number(row[at]); });
   }
 
-  // Over numbers a heading stands to the right as they do, and so does what stands for a missing one.
+  // The heading of a column of numbers is right-aligned, and so are its texts for missing numbers.
   void heading(const Column& column, bool numbers) {
-    html_ += fmt::format("<th scope=\"col\"{}>{}", numbers ? " class=\"n\"" : "", html_escaped(column.title));
-    if (!column.unit.empty()) html_ += "<small>" + html_escaped(column.unit) + "</small>";
+    html_ += fmt::format("<th scope=\"col\"{}>{}", numbers ? " class=\"n\"" : "", escape_html(column.title));
+    if (!column.unit.empty()) html_ += "<small>" + escape_html(column.unit) + "</small>";
     html_ += "</th>";
   }
 
   static std::string_view look_of(const Verdict& verdict) { return verdict.good ? " class=\"good\"" : " class=\"bad\""; }
 
-  // The first cell names the row and stays in sight.
+  // The first cell names the row and stays visible.
   void add(const Cell& cell, bool among_numbers, bool first) {
     std::string_view look;
     if (is_number(cell) || (among_numbers && std::holds_alternative<std::monostate>(cell)))
       look = " class=\"n\"";
     if (const auto* const verdict = std::get_if<Verdict>(&cell)) look = look_of(*verdict);
-    html_ += fmt::format("<{0}{1}>{2}</{3}>", first ? "th scope=\"row\"" : "td", look, html_escaped(shown_text(cell)), first ? "th" : "td");
+    html_ += fmt::format("<{0}{1}>{2}</{3}>", first ? "th scope=\"row\"" : "td", look, escape_html(cell_text(cell)), first ? "th" : "td");
   }
 
   void add(const Figure& figure) {
     html_ += fmt::format(
         "<figure{}><img{} src=\"{}\" alt=\"{}\">\n<figcaption><b>{}</b> {}",
-        figure.id.empty() ? "" : fmt::format(" id=\"{}\"", html_escaped(figure.id)), look_of(figure),
-        html_escaped(data_uri(figure.media_type, figure.bytes)), html_escaped(figure.alternative),
-        html_escaped(figure.title), html_escaped(figure.caption.text));
+        figure.id.empty() ? "" : fmt::format(" id=\"{}\"", escape_html(figure.id)), look_of(figure),
+        escape_html(data_uri(figure.media_type, figure.bytes)), escape_html(figure.alternative),
+        escape_html(figure.title), escape_html(figure.caption.text));
     for (const std::string& failed : figure.caption.failed)
-      html_ += fmt::format("<br><span class=\"bad\">Not in this run: {}</span>", html_escaped(failed));
+      html_ += fmt::format("<br><span class=\"bad\">Not in this run: {}</span>", escape_html(failed));
     failed_ += figure.caption.failed.size();
     html_ += "</figcaption></figure>\n";
   }
 
-  // Drawings on white are shown light on dark where the reader prefers that.
+  // Drawings on white are inverted if the reader prefers dark pages.
   static std::string_view look_of(const Figure& figure) {
     if (figure.media_type == "image/svg+xml") return " class=\"drawing\"";
     return figure.pixelated ? " class=\"pixelated\"" : "";
   }
 
   void add(const Gallery& gallery) {
-    const bool folded = gallery.folded || gallery.figures.size() > most_unfolded;
-    begin(html_escaped(gallery.id), gallery.title, folded);
+    const bool folded = gallery.folded || gallery.figures.size() > most_open;
+    begin(escape_html(gallery.id), gallery.title, folded);
     html_ += "<div class=\"gallery\">\n";
     for (const Figure& figure : gallery.figures) add(figure);
     html_ += "</div>\n";
@@ -333,18 +333,18 @@ class HtmlWriter {
   }
 
   void add(const Listing& listing) {
-    const std::string file = html_escaped(listing.file);
+    const std::string file = escape_html(listing.file);
     const base::Bytes bytes(listing.text.begin(), listing.text.end());
     html_ += fmt::format(
         "<details id=\"{0}\"><summary>{1}</summary>\n<p class=\"files\"><a download=\"{1}\" "
         "href=\"{2}\">save "
         "{1}</a></p>\n<pre>{3}</pre></details>\n",
-        html_escaped(listing.id), file, data_uri("text/plain", bytes), html_escaped(listing.text));
+        escape_html(listing.id), file, data_uri("text/plain", bytes), escape_html(listing.text));
   }
 
   const Report& report_;
   std::string html_;
-  std::size_t failed_ = 0;  // statements that do not hold
+  std::size_t failed_ = 0;  // number of statements that do not hold
 };
 
 }  // namespace
@@ -353,7 +353,7 @@ std::string html_page(const Report& report) {
   return HtmlWriter(report).text();
 }
 
-std::string html_escaped(std::string_view text) {
+std::string escape_html(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
   while (!text.empty()) {

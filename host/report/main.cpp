@@ -1,5 +1,5 @@
-// The program `sightline-report`, which `sightline report` becomes: the measurements and comparisons of all
-// algorithms as one page, with its tables beside it. It reads the command line that `sightline` was given.
+// The program `sightline-report`, which `sightline report` executes: writes the measurements and comparisons of all
+// algorithms as one page and its tables. It reads the command line that was given to `sightline`.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -38,7 +38,7 @@ void check_parts(const std::vector<int>& numbers) {
   }
 }
 
-// One line on a terminal, rewritten; nothing elsewhere.
+// Shows progress in one line on a terminal, rewritten for each step; shows nothing elsewhere.
 class StepLine {
  public:
   explicit StepLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
@@ -92,10 +92,10 @@ void add_report_command(const Command& app) {
   command.option("--part", arguments->parts, "Only this part: " + parts).value("N").one_at_a_time();
   command
       .option("--cache", arguments->cache,
-              "Folder where events of rotating scenes are kept for the next report; unusable files are rebuilt")
+              "Folder that stores events of rotating scenes for the next report; unusable files are replaced")
       .default_value("cache in the report's folder")
       .value("DIR");
-  command.flag("--full", arguments->full, "Measure longer, where that makes figures better");
+  command.flag("--full", arguments->full, "Measure longer, for more accurate figures");
   command.flag("--no-host-times", arguments->no_host_times,
                "Leave out times of this computer: the same bytes in every run");
   command.flag("-q,--quiet", arguments->quiet, "No progress and no summary");

@@ -13,7 +13,7 @@ namespace sightline::report {
 
 namespace {
 
-// What the work gives, or the failure that it throws.
+// The result of the work, or the error that it throws.
 template <class Work>
 auto caught(const Work& work) -> base::Result<decltype(work())> {
   try {
@@ -38,19 +38,19 @@ std::vector<Experiment> experiments_of(std::span<const int> parts) {
   return chosen;
 }
 
-// On `jobs` processors.
+// Runs the experiments on `jobs` processors.
 void run(std::span<const Experiment> experiments, unsigned jobs, const Context& context, Results& results) {
   base::OrderedWork<std::shared_ptr<void>> work;
   work.last = experiments.size();
   work.jobs = jobs;
   work.make = [&](std::uint64_t i) { return experiments[i].run(context); };
-  work.take = [&](std::uint64_t i, std::shared_ptr<void> data) { results.keep(experiments[i].gives, std::move(data)); };
+  work.take = [&](std::uint64_t i, std::shared_ptr<void> data) { results.store(experiments[i].gives, std::move(data)); };
   work.go_on = [] { return true; };
   base::run_in_order(work);
 }
 
 Results run_all(std::vector<Experiment> experiments, const Context& told) {
-  // Several experiments may tell of their progress and leave work at once.
+  // Several experiments may report progress and schedule work at the same time.
   std::mutex mutex;
   std::vector<std::function<void()>> left;
   Context context = told;
@@ -81,7 +81,7 @@ std::vector<Block> blocks_of(const Chapter& chapter, const Results& results, con
 Report written(std::span<const int> parts, const Results& results, const Context& context) {
   Report report{"Sightline report", {}, {}, {}};
   if (!context.host_times)
-    report.introduction.emplace_back("Made without times of the computer it was made on: the same program makes the same bytes.");
+    report.introduction.emplace_back("Without times of this computer: the same program writes the same bytes.");
   struct Place {
     std::size_t section;
     const Chapter* chapter;
@@ -93,7 +93,7 @@ Report written(std::span<const int> parts, const Results& results, const Context
       if (is_chosen(chapter.part, parts)) chapters.push_back({report.sections.size(), &chapter});
     if (chapters.size() == first) continue;
     Section& section = report.sections.emplace_back(Section{plan.id, plan.title, {}});
-    if (!plan.paper.empty()) section.blocks.emplace_back(Paragraph{Papers::of_program().paper(plan.paper).citation() + "."});
+    if (!plan.paper.empty()) section.blocks.emplace_back(Paragraph{Papers::built_in().paper(plan.paper).citation() + "."});
   }
   // Plots are drawn by another program, which takes most of the time.
   base::OrderedWork<std::vector<Block>> work;
@@ -106,7 +106,7 @@ Report written(std::span<const int> parts, const Results& results, const Context
     // Chapters of one part follow each other under its title.
     const bool begins = i == 0 || chapters[i - 1].section != section || chapters[i - 1].chapter->part != chapter->part;
     if (begins && chapter->part != 0)
-      all.emplace_back(Heading{the(report_parts(), is(&Part::number, chapter->part)).title, chapter->id});
+      all.emplace_back(Heading{only(report_parts(), equals(&Part::number, chapter->part)).title, chapter->id});
     all.insert(all.end(), std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
   };
   work.go_on = [] { return true; };

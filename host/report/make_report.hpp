@@ -1,4 +1,4 @@
-// Runs experiments and writes the chapters that take their data.
+// Runs experiments and writes the chapters that use their data.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace sightline::report {
 
-// The data that the parts of these numbers take, or all of them if there are none. Every experiment is run once; those
-// that take times of this computer run alone, the others on all processors. An error of any ends it.
+// Runs the experiments of these parts, or all if there are none, once each. Those that measure times of this computer
+// run alone, the others on all processors. Returns the first error.
 [[nodiscard]] base::Result<Results> run_experiments(std::span<const int> parts, const Context& context);
 
-// The parts of these numbers, or the whole report, of data that are there.
+// The report of these parts, or the whole one, from the results.
 [[nodiscard]] base::Result<Report> report_of(std::span<const int> parts, const Results& results, const Context& context);
 
-// Both.
+// Runs the experiments and makes the report.
 [[nodiscard]] base::Result<Report> make_report(std::span<const int> parts, const Context& context);
 
 }  // namespace sightline::report

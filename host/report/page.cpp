@@ -21,13 +21,13 @@ bool worth_drawing(const Plot& plot) {
   return points.size() >= fewest_points;
 }
 
-Figure drawn(const Plot& plot) {
+Figure drawn_figure(const Plot& plot) {
   auto figure = draw_plot(plot);
   if (!figure) throw std::move(figure.error());
   return *std::move(figure);
 }
 
-// With so many places behind the point; counts as numbers, if places are asked for.
+// Numbers with `places` decimals; counts, too, if `places` is given.
 Cell with_places(const Cell& cell, int places) {
   if (places == Real::as_needed) return cell;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) return Real{static_cast<double>(*count), places};
@@ -35,7 +35,7 @@ Cell with_places(const Cell& cell, int places) {
   return cell;
 }
 
-// Nothing, if one of them is missing.
+// Empty if one of them is missing.
 Cell ratio_of(const Cell& here, double figure) {
   if (figure == 0) return {};
   if (const auto* const count = std::get_if<std::int64_t>(&here)) return Real{static_cast<double>(*count) / figure};
@@ -45,7 +45,7 @@ Cell ratio_of(const Cell& here, double figure) {
 
 }  // namespace
 
-Figure figure(const Picture& picture, std::string id, std::string title, Said caption, std::string alternative) {
+Figure figure(const Picture& picture, std::string id, std::string title, CheckedText caption, std::string alternative) {
   return {std::move(id), std::move(title), std::move(caption), std::move(alternative), picture.media_type, picture.bytes,
           picture.pixelated};
 }
@@ -56,7 +56,7 @@ Range<double> Page::paper_figure(std::string_view claim) const {
   return of.figure;
 }
 
-Said Page::claim(bool holds, std::string sentence, const std::string& found) {
+CheckedText Page::claim(bool holds, std::string sentence, const std::string& found) {
   if (holds) return {std::move(sentence)};
   return {"", {fmt::format("\"{}\"{}{}", sentence, found.empty() ? "" : "; here ", found)}};
 }
@@ -97,14 +97,14 @@ std::vector<Cell> Page::claim_cells(const ClaimRow& row) const {
 }
 
 void Page::plot(Plot plot) {
-  if (worth_drawing(plot)) add(drawn(plot));
+  if (worth_drawing(plot)) add(drawn_figure(plot));
 }
 
 void Page::add_plot(Panel& panel, Plot plot) {
   if (!worth_drawing(plot)) return;
   plot.width = 520;
   plot.height = 360;
-  panel.figures.push_back(drawn(plot));
+  panel.figures.push_back(drawn_figure(plot));
 }
 
 std::pair<std::string, std::string> Page::paper_says(std::string_view claim) const {

@@ -1,8 +1,8 @@
-// A chapter of the report, written by the file of its experiment. The experiment returns plain structs, and a function
-// writes what the page shows of them:
+// A chapter of the report, written by the file of its experiment. The experiment returns plain structs, and a
+// function writes them to the page:
 //
 //   void jones_timing(Page& page, const JonesViews& jones) {
-//     page.paragraph("Times are " + shown(least(jones.views, &View::view_s), 2) + " s and more.");
+//     page.paragraph("Times are " + text_of(least(jones.views, &View::view_s), 2) + " s and more.");
 //     page.table("jones-views", "Computing time", jones.views,            // id: of the files in tables/
 //                {{"scene", "Scene", &View::scene},                       // key, title, value
 //                 {"view_s", "View", "s", &View::view_s, 3},              // key, title, unit, value, places
@@ -19,9 +19,9 @@
 //     if (page.host_times()) page.paragraph("...");
 //   }
 //
-// rows.hpp has where, least and sum; everything of document.hpp can be added as a block. A number in a text
-// is written by shown(value, places). claim(condition, text) is the text; where the condition does not hold the page
-// says, in red, that it does not. sections.cpp lists experiments and chapters: what a chapter takes is what is run.
+// rows.hpp has where, least and sum; everything of document.hpp can be added as a block. A number in a text is
+// written by text_of(value, places). claim(condition, text) is the text; if the condition does not hold, the page says
+// so in red. sections.cpp lists experiments and chapters: the parameters of a chapter select the experiments to run.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +45,8 @@ namespace sightline::report {
 
 inline constexpr bool host_time = true;
 
-// A value as a cell: words, counts, numbers, yes or no, judgements, optional ones of these. Numbers, and counts if places
-// are asked for, are shown with so many.
+// A value as a cell: text, count, number, yes or no, verdict, or an optional one of these. Numbers, and counts if
+// `places` is given, are shown with so many decimals.
 template <class T>
 [[nodiscard]] Cell as_cell(const T& value, int places = Real::as_needed) {
   if constexpr (std::is_same_v<T, Cell> || std::is_same_v<T, Verdict>) {
@@ -66,10 +66,10 @@ template <class T>
   }
 }
 
-// A value in a text.
+// A value as text.
 template <class T>
-[[nodiscard]] std::string shown(const T& value, int places = Real::as_needed) {
-  return shown_text(as_cell(value, places));
+[[nodiscard]] std::string text_of(const T& value, int places = Real::as_needed) {
+  return cell_text(as_cell(value, places));
 }
 
 // A column of a table of rows: Row -> value.
@@ -90,7 +90,7 @@ struct RowColumn {
   bool host;  // left out without host times
 };
 
-// A column for each key that the rows have; rows that are equal in the columns before stand in one.
+// Adds a column for each different key of the rows. Rows that are equal in the other columns become one.
 template <class Row>
 struct Pivot {
   std::function<std::string(const Row&)> key;
@@ -100,11 +100,11 @@ struct Pivot {
 };
 
 struct TableParts {
-  std::vector<Said> notes = {};
+  std::vector<CheckedText> notes = {};
   bool folded = false;
 };
 
-// Two figures, counts or numbers; nothing: not measured.
+// A least and a greatest count or number; empty: not measured.
 struct Figures {
   Cell least = {};
   Cell greatest = {};
@@ -119,13 +119,13 @@ template <class Rows, class Value>
   return {as_cell(range.least), as_cell(range.greatest)};
 }
 
-// What is here beside a claim of a paper.
+// A claim of a paper and its counterpart here.
 struct ClaimRow {
   std::string claim;  // "jones.core"
   Figures here = {};
   int places = Real::as_needed;
   std::string condition = {};
-  Said comparison = {};
+  CheckedText comparison = {};
   std::string unit = {};  // empty: the claim's
 };
 
@@ -137,7 +137,7 @@ struct CurveParts {
   bool marks = true;
 };
 
-// `name`: words, or Row -> words, and a curve for each different one. Points without a value are left out.
+// Adds a curve for each different name. `name`: a text, or Row -> text. Points without a value are left out.
 template <class Rows, class Name, class X, class Y>
 void add_curves(Plot& plot, const Rows& rows, const Name& name, X x, Y y,
                 const CurveParts<typename RowOf<Rows>::Row>& parts = {}) {
@@ -158,22 +158,22 @@ void add_curves(Plot& plot, const Rows& rows, const Name& name, X x, Y y,
   }
 }
 
-[[nodiscard]] Figure figure(const Picture& picture, std::string id, std::string title, Said caption, std::string alternative);
+[[nodiscard]] Figure figure(const Picture& picture, std::string id, std::string title, CheckedText caption, std::string alternative);
 
 class Page {
  public:
-  explicit Page(bool host_times, const Papers& papers = Papers::of_program()) : host_times_(host_times), papers_(papers) {}
+  explicit Page(bool host_times, const Papers& papers = Papers::built_in()) : host_times_(host_times), papers_(papers) {}
 
   [[nodiscard]] bool host_times() const { return host_times_; }
   [[nodiscard]] const Papers& papers() const { return papers_; }
-  // The figure of a claim that has one; throws base::Error (bad_input).
+  // The figure of a claim; throws base::Error (bad_input) if it has none.
   [[nodiscard]] Range<double> paper_figure(std::string_view claim) const;
 
   // The sentence, if it holds. `found`: what was measured instead.
-  [[nodiscard]] static Said claim(bool holds, std::string sentence, const std::string& found = {});
+  [[nodiscard]] static CheckedText claim(bool holds, std::string sentence, const std::string& found = {});
 
   void add(Block block) { blocks_.push_back(std::move(block)); }
-  void paragraph(Said text) { add(Paragraph{std::move(text)}); }
+  void paragraph(CheckedText text) { add(Paragraph{std::move(text)}); }
 
   template <class Rows, class Row = typename RowOf<Rows>::Row>
   void table(std::string id, std::string title, const Rows& rows,
@@ -197,9 +197,9 @@ class Page {
 
   void claims(std::string id, std::string title, const std::vector<ClaimRow>& rows, TableParts parts = {});
 
-  // Fewer than three different points: left out.
+  // A plot with fewer than three different points is left out.
   void plot(Plot plot);
-  // For a panel; nothing for fewer points.
+  // The same for a panel.
   void add_plot(Panel& panel, Plot plot);
 
   template <class Rows, class FigureOf>
@@ -209,7 +209,8 @@ class Page {
     add(std::move(gallery));
   }
 
-  // The words of a claim as a fact of a panel: "The paper (abstract)", or, beside other papers, "Jones, 1971 (abstract)".
+  // The words of a claim as a fact of a panel: "The paper (abstract)" or, among other papers, "Jones, 1971
+  // (abstract)".
   [[nodiscard]] std::pair<std::string, std::string> paper_says(std::string_view claim) const;
   [[nodiscard]] std::pair<std::string, std::string> paper_says_dated(std::string_view claim) const;
 

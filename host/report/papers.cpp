@@ -147,7 +147,7 @@ Papers::Papers(std::string_view json) {
   if (reader.failed()) throw base::bad_input(reader.error().message());
 }
 
-const Papers& Papers::of_program() {
+const Papers& Papers::built_in() {
   static const Papers papers(compare::papers_file().front().second);
   return papers;
 }

@@ -1,5 +1,4 @@
-// What the papers say, as host/compare/papers.json holds it: each paper, its claims with the place where they stand, its
-// printed tables.
+// The contents of host/compare/papers.json: each paper, its claims with their places in it, its printed tables.
 #pragma once
 
 #include <map>
@@ -36,7 +35,7 @@ struct PrintedTable {
   std::vector<std::string> keys;
   std::vector<std::vector<Cell>> rows;
 
-  // Throw base::Error (bad_input) for a key that is not there, and for a cell of another kind.
+  // Throw base::Error (bad_input) for an unknown key, and for a cell of another kind.
   [[nodiscard]] const Cell& cell(std::size_t row, std::string_view key) const;
   [[nodiscard]] double number(std::size_t row, std::string_view key) const;
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view key) const;
@@ -44,13 +43,13 @@ struct PrintedTable {
 
 class Papers {
  public:
-  // Throws base::Error (bad_input) that names the place, for text that is no such document.
+  // Throws base::Error (bad_input) with the place if the text is not such a document.
   explicit Papers(std::string_view json);
-  // The one that comes with the program.
-  [[nodiscard]] static const Papers& of_program();
+  // The papers built into the program.
+  [[nodiscard]] static const Papers& built_in();
 
   [[nodiscard]] const std::vector<Paper>& all() const { return papers_; }
-  // These throw base::Error (bad_input) for a name that is not there.
+  // These throw base::Error (bad_input) for an unknown name.
   [[nodiscard]] const Paper& paper(std::string_view id) const;
   [[nodiscard]] const PaperClaim& claim(std::string_view name) const;  // "jones.core"
   [[nodiscard]] const PrintedTable& table(std::string_view name) const;

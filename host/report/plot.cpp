@@ -25,8 +25,8 @@ namespace files = std::filesystem;
 
 constexpr std::string_view missing = "gnuplot is not installed; the plots need it (Debian: gnuplot-nox)";
 
-// In single quotes nothing has a meaning of its own but the quote, which is doubled; in double quotes gnuplot
-// would run what stands between back quotes.
+// In single quotes only the quote itself is special; it is doubled. In double quotes gnuplot would execute text
+// between back quotes.
 std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
@@ -36,7 +36,7 @@ std::string in_quotes(std::string_view text) {
   return result + "'";
 }
 
-// In a data block there is no escape: a quotation mark cannot stand there.
+// A data block has no escapes, so quotation marks are replaced.
 std::string label_in_data(std::string text) {
   std::replace_if(
       text.begin(), text.end(),
@@ -44,7 +44,7 @@ std::string label_in_data(std::string text) {
   return "\"" + text + "\"";
 }
 
-// The place of 0 on a logarithmic axis; empty if no point has it.
+// The position of 0 on a logarithmic axis; empty if no point has the value 0.
 std::optional<double> place_of_zero(const Plot& plot, const Axis& axis, double PlotPoint::*value) {
   if (!axis.logarithmic) return std::nullopt;
   bool found = false;
@@ -73,11 +73,11 @@ std::optional<double> drawn_value(double value, const Axis& axis, std::optional<
   return value == 0 ? zero : std::nullopt;
 }
 
-// gnuplot's own first colours are alike to some eyes and faint on white: these are Okabe and Ito's (2008).
+// Okabe and Ito's colours (2008). gnuplot's own are hard to distinguish for some readers and faint on white.
 constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                   "#000000", "#E69F00", "#56B4E9"};
 
-// And curves are distinguished without colour: by dashes, of which gnuplot has five, and by points.
+// Curves also differ in dashes, of which gnuplot has five, and in point types.
 constexpr std::size_t dash_types = 5;
 constexpr std::size_t point_types = 13;
 constexpr std::size_t first_point_type = 4;
@@ -89,7 +89,7 @@ std::string marks_of(std::size_t curve, std::string_view with) {
   return text;
 }
 
-// Beside the plot, where long names would leave it no room: then below it. Above a small plot.
+// Beside the plot; below it if names are too long; above a small plot.
 std::string_view legend_place(const Plot& plot) {
   constexpr std::size_t long_name = 30;
   constexpr int small_plot = 600;
@@ -121,7 +121,7 @@ std::optional<base::Error> make_temporary(Temporary& folder) {
   return std::nullopt;
 }
 
-// Its exit status, or -1 and errno if there is no such program. Both outputs go to the file `said`.
+// The exit status of gnuplot, or -1 and errno if there is no such program. Both outputs go to the file `said`.
 int run_gnuplot(const std::string& argument, const std::string& said) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

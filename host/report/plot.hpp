@@ -1,7 +1,7 @@
 // Plots, drawn by gnuplot (Debian: gnuplot-nox) into SVG: this program says what is drawn, gnuplot how.
 //
-// Data and a script are written into a folder of their own under the system's folder for temporary files,
-// which is removed. Equal plots give equal bytes from one version of gnuplot.
+// Data and a script are written into a temporary folder, which is then removed. Equal plots give equal bytes with one
+// version of gnuplot.
 #pragma once
 
 #include <cmath>
@@ -16,10 +16,9 @@ namespace sightline::report {
 
 struct Axis {
   std::string title;
-  std::string unit = {};  // put behind the title in brackets; empty: none
-  // A value of 0 on a logarithmic axis, such as the error of an exact program, stands at the axis's low end,
-  // a decade below the least other value, at a mark named 0. Negative values and what is no number are not
-  // drawn.
+  std::string unit = {};  // appended to the title in brackets; empty: none
+  // On a logarithmic axis, a value of 0, such as the error of an exact program, is at the low end, a decade below the
+  // least other value, at a mark labelled 0. Negative values and NaN are not drawn.
   bool logarithmic = true;
   [[nodiscard]] bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value >= 0); }
 };
@@ -27,7 +26,7 @@ struct Axis {
 struct PlotPoint {
   double x = 0;
   double y = 0;
-  std::string label = {};  // beside the point: "18 bits"
+  std::string label = {};  // next to the point: "18 bits"
 };
 
 struct Curve {
@@ -38,9 +37,9 @@ struct Curve {
 };
 
 struct Plot {
-  std::string id;  // these four as in the Figure made of it
+  std::string id;  // these four as in the Figure made from it
   std::string title;
-  Said caption;
+  CheckedText caption;
   std::string alternative;
   Axis x;
   Axis y;
@@ -49,13 +48,14 @@ struct Plot {
   int height = 540;
 };
 
-// What gnuplot is given: data blocks and commands, without the line that names the output.
+// The input of gnuplot: data blocks and commands, without the line that names the output.
 [[nodiscard]] std::string gnuplot_script(const Plot& plot);
 
-// Error missing_tool: there is no gnuplot; file: it could not be run or did not draw, such as a plot without a point.
+// Errors: missing_tool, there is no gnuplot; file, it could not be run or drew nothing, such as for a plot without
+// points.
 [[nodiscard]] base::Result<Figure> draw_plot(const Plot& plot);
 
-// Nothing, if gnuplot can be run: ask before long measurements.
+// Empty if gnuplot can be run. To be called before long measurements.
 [[nodiscard]] std::optional<base::Error> gnuplot_missing();
 
 }  // namespace sightline::report

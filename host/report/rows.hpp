@@ -1,7 +1,7 @@
-// What chapters ask of rows: those for which something holds, the one that is meant, least and greatest values, sums.
+// Queries of chapters on rows: selected rows, a single row, least and greatest values, sums.
 //
-// Rows are a vector of structs, or what `where` chose of one. A value is a member (&View::pieces) or a function of the
-// row; an optional value that is not there is passed over.
+// Rows are a vector of structs, or the result of `where`. A value is a member (&View::pieces) or a function of the
+// row; empty optional values are skipped.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct Range {
   T greatest{};
 };
 
-// All rows of `rows`, which must outlive the choice, for which `holds`.
+// All rows for which `holds` is true. `rows` must outlive the result.
 template <class Rows, class Holds>
 auto where(const Rows& rows, Holds holds) {
   Chosen<typename RowOf<Rows>::Row> chosen;
@@ -43,21 +43,21 @@ std::size_t count(const Rows& rows, Holds holds) {
   return where(rows, holds).size();
 }
 
-// A condition on rows: is(&View::scene, "house").
+// A condition on rows: equals(&View::scene, "house").
 template <class Member, class Wanted>
-auto is(Member member, Wanted wanted) {
+auto equals(Member member, Wanted wanted) {
   return [member, wanted = std::move(wanted)](const auto& row) { return std::invoke(member, row) == wanted; };
 }
 
-// Throws std::logic_error unless there is exactly one: a defect of the chapter.
+// The row for which `holds` is true. Throws std::logic_error, a defect of the chapter, unless there is exactly one.
 template <class Rows, class Holds>
-const auto& the(const Rows& rows, Holds holds) {
+const auto& only(const Rows& rows, Holds holds) {
   const auto chosen = where(rows, holds);
   if (chosen.size() != 1) throw std::logic_error("a chapter asks for one row, and found " + std::to_string(chosen.size()));
   return chosen.front().get();
 }
 
-// The values that are there.
+// The values of all rows, without empty ones.
 template <class Rows, class Value>
 auto values(const Rows& rows, Value value) {
   using Given = std::remove_cvref_t<std::invoke_result_t<Value, const typename RowOf<Rows>::Row&>>;
@@ -73,7 +73,7 @@ auto values(const Rows& rows, Value value) {
   }
 }
 
-// Throws std::logic_error without a value, as least, greatest and mean do.
+// Throws std::logic_error if there is no value, as do least, greatest and mean.
 template <class Rows, class Value>
 auto range_of(const Rows& rows, Value value) {
   const auto all = values(rows, value);
@@ -106,7 +106,7 @@ double mean(const Rows& rows, Value value) {
   return total / static_cast<double>(all.size());
 }
 
-// How many different values there are.
+// The number of different values.
 template <class Rows, class Value>
 std::size_t distinct(const Rows& rows, Value value) {
   auto all = values(rows, value);

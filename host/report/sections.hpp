@@ -1,7 +1,7 @@
-// What the report is made of: sections, their chapters, and the experiments whose data the chapters show.
+// The contents of the report: sections, their chapters, and the experiments whose data the chapters show.
 //
-// A chapter is a function of a Page and of the data of experiments; what it takes says which experiments are run for it.
-// Chapters that take the same data share one run. sections.cpp lists them all.
+// A chapter is a function of a Page and of the data of experiments; its parameters select the experiments that are
+// run for it. Chapters with the same data share one run. sections.cpp lists them all.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 
 namespace sightline::report {
 
-// The data of experiments that were run, by their types.
+// The data of finished experiments, by their types.
 class Results {
  public:
   // Throws std::logic_error if the experiment was not run.
@@ -26,7 +26,7 @@ class Results {
   [[nodiscard]] const Data& of() const {
     return *static_cast<const Data*>(find(typeid(Data)));
   }
-  void keep(std::type_index type, std::shared_ptr<void> data) { data_[type] = std::move(data); }
+  void store(std::type_index type, std::shared_ptr<void> data) { data_[type] = std::move(data); }
 
  private:
   [[nodiscard]] const void* find(std::type_index type) const;
@@ -36,14 +36,14 @@ class Results {
 struct Experiment {
   std::type_index gives;
   std::function<std::shared_ptr<void>(const Context&)> run;
-  bool host_times;  // all of it takes times of this computer: nothing else runs meanwhile
+  bool host_times;  // measures times of this computer only: runs alone
 };
 
 template <class Data>
 Experiment experiment(Data (*run)(const Context&), bool host_times = false) {
   return {typeid(Data), [run](const Context& context) { return std::make_shared<Data>(run(context)); }, host_times};
 }
-// For those that leave times to Context::when_alone: the data stay where they are.
+// For experiments that leave times to Context::when_alone: the data keep their address.
 template <class Data>
 Experiment experiment(void (*run)(const Context&, Data&)) {
   return {typeid(Data),
@@ -69,7 +69,7 @@ Chapter chapter(std::string id, int part, void (*write)(Page&, const Data&...)) 
           }};
 }
 
-// A kind of chapters, which people ask for by its number.
+// A kind of chapters, which users request by its number.
 struct Part {
   int number;
   std::string title;

@@ -52,8 +52,8 @@ Json json_value(const Cell& cell) {
                     cell);
 }
 
-// 1048576.5 as 1 048 576.5, with narrow spaces that do not break.
-std::string grouped(std::string digits) {
+// Formats 1048576.5 as 1 048 576.5, with narrow no-break spaces.
+std::string group_digits(std::string digits) {
   const std::size_t first = digits.front() == '-' ? 1 : 0;
   const std::size_t end = std::min(digits.find('.'), digits.size());
   if (end - first < 5) return digits;
@@ -62,15 +62,15 @@ std::string grouped(std::string digits) {
   return digits;
 }
 
-std::string shown_number(const Real& real) {
+std::string number_text(const Real& real) {
   if (std::isnan(real.value)) return "not a number";
   if (std::isinf(real.value)) return real.value > 0 ? "infinite" : "-infinite";
   return real.places == Real::as_needed ? fmt::format("{:.4g}", real.value)
-                                        : grouped(fmt::format("{:.{}f}", real.value, real.places));
+                                        : group_digits(fmt::format("{:.{}f}", real.value, real.places));
 }
 
-// What is left out is said behind the rest.
-std::string with_failures(const Said& said) {
+// Appends the statements that were left out.
+std::string with_failures(const CheckedText& said) {
   std::string text = said.text;
   for (const std::string& failed : said.failed) text += (text.empty() ? "Not in this run: " : " Not in this run: ") + failed;
   return text;
@@ -110,15 +110,15 @@ std::string json_text(const Table& table) {
     document["rows"].push_back(std::move(values));
   }
   document["notes"] = Json::array();
-  for (const Said& note : table.notes) document["notes"].push_back(with_failures(note));
+  for (const CheckedText& note : table.notes) document["notes"].push_back(with_failures(note));
   return document.dump(2) + "\n";
 }
 
-std::string shown_text(const Cell& cell) {
+std::string cell_text(const Cell& cell) {
   return std::visit(Choice{[](std::monostate) { return std::string("\u2013"); },
                            [](const std::string& text) { return text; },
-                           [](std::int64_t count) { return grouped(fmt::format("{}", count)); },
-                           [](const Real& real) { return shown_number(real); },
+                           [](std::int64_t count) { return group_digits(fmt::format("{}", count)); },
+                           [](const Real& real) { return number_text(real); },
                            [](const Verdict& verdict) { return verdict.text; }},
                     cell);
 }

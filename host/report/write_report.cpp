@@ -20,7 +20,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Directories made, and gone again unless kept.
+// Creates directories, and removes them again unless they are to be kept.
 class MadeDirectories {
  public:
   MadeDirectories() = default;
@@ -111,7 +111,7 @@ class Checker {
   std::optional<base::Error> error_;
 };
 
-// Written beside their places, then put there in order.
+// Writes files next to their places, then moves them there in order.
 class FileSet {
  public:
   std::optional<base::Error> add(const files::path& path, std::string_view text) {

@@ -60,7 +60,7 @@ Eyes eyes_of(const AtlasArguments& arguments, const scene::CellScene& scene) {
     eyes.what = fmt::format("{} at random, seed {}", *arguments.views, arguments.seed);
     return eyes;
   }
-  compare::AtlasLattice lattice = compare::usual_lattice(scene);
+  compare::AtlasLattice lattice = compare::default_lattice(scene);
   if (!arguments.lattice.empty()) {
     const auto steps = base::whole_numbers<int, 2>(arguments.lattice, ',', 1, compare::most_lattice_steps);
     if (!steps)
@@ -260,8 +260,8 @@ ExitCode run_atlas(const AtlasArguments& arguments) {
     write_stdout(summary_text(arguments, eyes, views, summary));
     write_stdout(fmt::format("picture {}\n", path));
   }
-  if (!summary.not_its_twin) return ExitCode::ok;
-  const AtlasView& view = views[*summary.not_its_twin];
+  if (!summary.differs_from_twin) return ExitCode::ok;
+  const AtlasView& view = views[*summary.differs_from_twin];
   print_message(fmt::format("{}: the program on the machine and the same program in C++ differ, a defect of this program: {}; see {}",
                        arguments.scene, view.difference, jones_command(arguments, view)));
   return ExitCode::differs;

@@ -133,7 +133,7 @@ class OmittedMethods {
   // Begins with the requested methods that do not draw this kind of scene at all.
   OmittedMethods(const CompareArguments& arguments, compare::SceneKind kind) {
     for (const std::string& method : arguments.methods)
-      if (const auto reason = compare::why_never(method, kind)) reasons_.push_back({method, *reason, 0});
+      if (const auto reason = compare::why_not_applicable(method, kind)) reasons_.push_back({method, *reason, 0});
   }
   void add(const std::vector<std::pair<std::string, std::string>>& not_applicable) {
     for (const auto& [method, reason] : not_applicable) {

@@ -173,7 +173,7 @@ std::string case_text(const GroupedCase& one, const CaseOutcome& outcome, const 
   table.line(fmt::format("{} ({}{}{}): {}", hard.id, one.group, hard.input.empty() ? "" : ", ", hard.input, hard.what));
   add("options", compare::options_of(hard));
   add("expected", hard.expected);
-  add("checked", compare::checked(hard));
+  add("checked", compare::checks_of(hard));
   for (const MethodOutcome& method : outcome.methods) table.row({shown_method(method.method), verdict_of(method)});
   add("tests", base::joined(hard.tests, ", "));
   add("compare", compare::compare_command(hard));
@@ -208,7 +208,7 @@ Json case_json(const GroupedCase& one) {
   return {{"id", hard.id},           {"group", one.group},
           {"input", hard.input},     {"section", hard.section},
           {"what", hard.what},       {"options", compare::options_of(hard)},
-          {"expected", hard.expected}, {"checked", compare::checked(hard)},
+          {"expected", hard.expected}, {"checked", compare::checks_of(hard)},
           {"tests", hard.tests},     {"compare", compare::compare_command(hard)}};
 }
 

@@ -15,7 +15,7 @@ namespace sightline::compare {
 
 namespace {
 
-// One value for each pixel, the bottom row of the grid last.
+// One value per pixel; the bottom row of the grid is last.
 template <class Value>
 picture::Image greys(int width, int height, Value value) {
   picture::Image image(width, height, 1);
@@ -24,7 +24,7 @@ picture::Image greys(int width, int height, Value value) {
   return image;
 }
 
-// Black lines as greys: one byte for each pixel.
+// Black lines as greys, one byte per pixel.
 picture::Image image_of(const picture::VectorDrawing& drawing, int side) {
   const picture::Image colours = picture::image_of(drawing, {side, side, 1.1});
   picture::Image image(colours.width, colours.height, 1);
@@ -71,7 +71,7 @@ picture::Image dots_image(const picture::PixelGrid& dots) {
 
 picture::Image side_by_side(const picture::Image& expected, const picture::Image& found, const std::string& found_by) {
   constexpr int gap = 8;
-  constexpr int band = 32;  // of the text
+  constexpr int band = 32;  // height of the text's band
   const int width = expected.width;
   const int height = expected.height;
   picture::VectorDrawing text;

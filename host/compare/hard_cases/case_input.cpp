@@ -93,8 +93,8 @@ InputResult load_commands(std::string_view text, const HardCase& hard) {
   return input;
 }
 
-// All lines of up to 16 steps in both directions, each from either end, without the visibility test: 49 a
-// screen, none near another.
+// All lines of up to 16 steps in both directions, each from either end, without the visibility test: 49 per screen,
+// far apart.
 CaseInput all_octants() {
   constexpr int reach = 16;
   constexpr int pitch = 36;
@@ -127,7 +127,7 @@ CaseInput all_octants() {
 base::Result<CaseInput, std::string> load_input(const HardCase& hard) {
   if (hard.input == "octants") return all_octants();
   const std::string_view text = hard_case_text(hard.input);
-  if (text.empty()) return "there is no file " + hard.input;
+  if (text.empty()) return "found no file " + hard.input;
   if (hard.input.ends_with(".off")) return load_model(text, hard.input);
   if (hard.input.ends_with(".csv") || hard.input.ends_with(".dat")) return load_heights(text, hard.input);
   if (hard.input.ends_with(".txt")) return load_commands(text, hard);

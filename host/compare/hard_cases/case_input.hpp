@@ -1,4 +1,5 @@
-// The input of a hard case, made or read and checked: a scene, cells, a height grid, or commands of Skala's program.
+// The input of a hard case, generated or read, and checked: a scene, cells, a height grid, or commands of Skala's
+// program.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +16,13 @@
 
 namespace sightline::compare {
 
-// Commands of Skala's program and the dots that must come of them.
+// Commands of Skala's program and the dots that they must produce.
 struct CommandScreen {
   std::vector<std::uint8_t> stream;
   picture::PixelGrid truth;
 };
 
-// An input as every method wants it.
+// An input in the form that each method takes.
 struct CaseInput {
   std::optional<scene::CellScene> cells;
   std::optional<scene::PolyScene> scene;  // of cells, too
@@ -29,7 +30,7 @@ struct CaseInput {
   std::vector<CommandScreen> screens;
 };
 
-// The error is what every reader of such a file says.
+// The error is the message of the reader of such files.
 [[nodiscard]] base::Result<CaseInput, std::string> load_input(const HardCase& hard);
 
 }  // namespace sightline::compare

@@ -27,8 +27,8 @@ using scene::CellScene;
 using scene::PolyPoint;
 using scene::PolyScene;
 
-// --- corridors: rooms one behind the other along z, with a wall without thickness and a portal in it between
-// any two; from z = -100 on, the eye at the origin
+// --- corridors: rooms in a row along z, with a wall without thickness and a portal in it between any two; from z =
+// -100 on, the eye at the origin
 
 struct Portal {  // strictly inside its wall
   std::int32_t z = 0;
@@ -73,7 +73,7 @@ std::vector<scene::Line> edges_of(const geometry::Box& room) {
   return lines;
 }
 
-// All its cells must be visited, and no more; masks keep four sides.
+// Exactly its cells must be visited; masks keep four sides.
 CaseRun corridor(const std::vector<Portal>& portals, std::int32_t end, std::int32_t half = 50) {
   CellScene scene;
   scene.name = "corridor";
@@ -95,7 +95,7 @@ CaseRun corridor(const std::vector<Portal>& portals, std::int32_t end, std::int3
   input.scene = scene::poly_scene_of(scene);
   input.cells = std::move(scene);
   CaseRun run(std::move(hard), std::move(input));
-  run.without_pictures();
+  run.disable_pictures();
   return run;
 }
 
@@ -146,7 +146,7 @@ PolyScene empty_scene() {
   return scene;
 }
 
-// (0, 0)-(length, 0) and, at 1 from its middle, a wall of 1.
+// (0, 0)-(length, 0) and a wall of length 1 at distance 1 from its middle.
 CaseRun long_beside_small(double value) {
   const auto length = static_cast<std::int32_t>(value);
   PolyScene scene = empty_scene();
@@ -156,12 +156,12 @@ CaseRun long_beside_small(double value) {
   add_upright(0, length, 0);
   add_upright(length / 2, length / 2 + 1, 1);
   CaseRun run = run_of(std::move(scene));
-  run.without_pictures();
+  run.disable_pictures();
   return run;
 }
 
-// Bars along the sides of a regular polygon of n corners p, rounded to integers, four times as large: bar k
-// begins a quarter of a side before p(k), deep, and ends a quarter beyond p(k + 1), near.
+// Bars along the sides of a regular polygon of n corners p, rounded to integers, four times as large: bar k begins
+// far, a quarter of a side before p(k), and ends near, a quarter beyond p(k + 1).
 CaseRun pinwheel(double bars) {
   const int n = static_cast<int>(bars);
   PolyScene scene = empty_scene();
@@ -184,7 +184,7 @@ CaseRun pinwheel(double bars) {
   return run_of(std::move(scene), std::move(expect));
 }
 
-// A pixel has 4096 units; the triangle is 40 pixels long, its base on a line between stripes of 8.
+// A pixel has 4096 units. The triangle is 40 pixels long, its base on a line between stripes of 8.
 constexpr std::int32_t sliver_pixel = 4096;
 
 CaseRun sliver(double height) {
@@ -208,14 +208,14 @@ Trial trial_of(const Finding& finding) {
 }
 
 using Generate = CaseRun (*)(double value);
-// A build is given a case that is made once for all builds.
+// Tries a build on a case that is made once for all builds.
 using Attempt = Trial (*)(CaseRun& run, const FamilyBuild& build, double value);
 
 Trial run_method(CaseRun& run, const FamilyBuild& build, double) {
   return trial_of(run.run(build.method, build.options));
 }
 
-// Pieces of both walls; some must be left over to fail.
+// Counts the pieces of both walls. It is a failure if some are left over.
 Trial count_pieces(CaseRun& run, const FamilyBuild& build, double) {
   Trial trial = trial_of(run.run(build.method, build.options));
   const auto prepared =
@@ -225,7 +225,7 @@ Trial count_pieces(CaseRun& run, const FamilyBuild& build, double) {
   return trial;
 }
 
-// About 0.4 pixels a unit: pixels farther than 0.75 pixels from all edges.
+// About 0.4 pixels per unit: compares pixels farther than 0.75 pixels from all edges.
 Trial compare_pinwheel(CaseRun& run, const FamilyBuild& build, double value) {
   if (build.method != "stripes") return run_method(run, build, value);
   constexpr compare::PixelParts parts{4, 10, {0, 0}};
@@ -246,7 +246,7 @@ Trial compare_pinwheel(CaseRun& run, const FamilyBuild& build, double value) {
   return trial;
 }
 
-// The share of the triangle's area that its stripes cover, in %.
+// The share of the triangle's area that its stripes cover, in per cent.
 double covered_percent(const PolyScene& scene, double thickness, double height) {
   namespace native = algorithms::montani_re;
   const auto made = native::faces_of(scene, scene.camera);
@@ -276,8 +276,8 @@ Trial find_sliver(CaseRun& run, const FamilyBuild& build, double height) {
 
 constexpr double last_column = 255;
 
-// A floor, the nearer line, the farther line, and a ceiling, so that a height is a row; seen level. The lines
-// cross in column d, at slopes that differ by 1 / d.
+// A floor, the nearer line, the farther line, and a ceiling, seen level, so that a height is a row. The lines cross
+// in column d, at slopes that differ by 1 / d.
 CaseRun crossing(double d) {
   HardCase hard;
   hard.options.view.family = algorithms::skala::Family::along_x;
@@ -299,7 +299,7 @@ double near_height(double x) {
   return 100 + x / last_column;
 }
 
-// The first column where something is seen above the nearer line and below the ceiling.
+// The first column where something is visible above the nearer line and below the ceiling.
 double first_above(const HeightPicture& picture) {
   if (!picture.drawing) {
     for (int x = 0; x <= static_cast<int>(last_column); ++x) {
@@ -340,7 +340,7 @@ Trial within_d_columns(CaseRun& run, const FamilyBuild& build, double d) {
 namespace native = algorithms::plantinga;
 using native::Segment;
 
-// Two directions X : Z, the second after the first: neighbouring quotients of Fibonacci numbers, the least
+// Two directions X : Z, the second after the first: consecutive quotients of Fibonacci numbers, which have the least
 // angles between fractions of their size.
 struct TwoDirections {
   explicit TwoDirections(int n) {
@@ -350,7 +350,7 @@ struct TwoDirections {
     second = {f[1], f[2]};
     if (n % 2 == 0) std::swap(first, second);
   }
-  // -log2 of the angle between them.
+  // -log2 of the angle between the directions.
   [[nodiscard]] double separation() const {
     const auto length = [](const std::array<std::int64_t, 2>& d) {
       return std::hypot(static_cast<double>(d[0]), static_cast<double>(d[1]));
@@ -362,7 +362,7 @@ struct TwoDirections {
   std::array<std::int64_t, 2> second;
 };
 
-// The sine of the second less the first, but for positive factors.
+// The sine of the second minus the sine of the first, up to a positive factor.
 template <class Real>
 bool by_products(const TwoDirections& two) {
   const Real left = static_cast<Real>(two.second[0]) * static_cast<Real>(two.first[1]);
@@ -381,8 +381,8 @@ bool exactly(const TwoDirections& two) {
                          native::rational_direction(two.second[0], two.second[1])) < 0;
 }
 
-// Along Z an upright edge is crossed by two others, at fractions of it 2^-3j apart: the lower of denominator
-// (2^j + 1) 2^j, the upper of (2^j - 1) 2^j, numerators such that their difference is as small as can be.
+// Seen along Z, two edges cross an upright edge, at parameters that differ by 2^-3j: the lower has the denominator
+// (2^j + 1) 2^j, the upper (2^j - 1) 2^j, with numerators of the least possible difference.
 using ThreeEdges = std::array<Segment, 3>;
 ThreeEdges triple_point(int j) {
   const std::int64_t two = std::int64_t{1} << j;
@@ -395,7 +395,7 @@ ThreeEdges triple_point(int j) {
           across(two * two / 2, two - 1, 5)};
 }
 
-// N / D of equation 5a along Z: of the second edge less than of the third?
+// Whether N / D of equation 5a along Z is less for the second edge than for the third.
 template <class Real>
 bool crossings_in_order(const ThreeEdges& edges) {
   const auto crossing_with = [&](const Segment& g) {
@@ -418,7 +418,8 @@ bool crossings_exactly(const ThreeEdges& edges) {
              .zz < 0;
 }
 
-// The second and third edge as the lower sides of sheets before the first: it must end at the second.
+// Whether the first edge ends at the second, when the second and third edges are the lower sides of sheets before the
+// first. It must.
 bool ends_at_the_lower(const ThreeEdges& edges) {
   PolyScene scene = empty_scene();
   for (const Segment& edge : edges) {
@@ -467,7 +468,7 @@ constexpr std::array crossing_builds{CrossingBuild{"single precision", crossings
                                      CrossingBuild{"exact", crossings_exactly},
                                      CrossingBuild{"plantinga", ends_at_the_lower}};
 
-// Null if there is none of that name.
+// Null if there is no row of that name.
 template <class Rows>
 auto find_row(const Rows& rows, std::string_view name) {
   const auto found =
@@ -487,7 +488,7 @@ CaseRun nothing(double) {
   return {HardCase{}, CaseInput{}};
 }
 
-// --- generators by the names that the manifest gives them
+// --- generators by their names in the manifest
 
 struct Generator {
   std::string_view name;
@@ -537,7 +538,7 @@ SearchResult find_first_failure(const std::vector<double>& values, bool bisect,
     return tried.emplace(i, attempt(values[i])).first->second.fault.has_value();
   };
   std::optional<std::size_t> first;
-  std::size_t right = 0;  // values before it are right
+  std::size_t right = 0;  // the values before this one are right
   for (std::size_t step = 1; right < values.size() && !first; step = bisect ? 2 * step : 1) {
     const std::size_t i = std::min(right + step, values.size()) - 1;
     if (fails(i)) {
@@ -582,7 +583,7 @@ base::Result<std::vector<FamilyResult>> run_family(const Family& family) {
     });
     result.as_recorded = result.search.first.has_value() == build.first.has_value();
     if (result.as_recorded && build.first) {
-      // The manifest has tenths.
+      // The manifest gives tenths.
       const auto& [value, trial] = result.search.tried[*result.search.first];
       result.as_recorded = std::abs(trial.shown.value_or(value) - *build.first) <= 0.05 + 1e-9;
     }

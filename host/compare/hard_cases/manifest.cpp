@@ -21,7 +21,7 @@ using base::JsonReader;
 
 constexpr std::size_t longest_text = 400;
 
-// Reads the members of an object by name, each once, and refuses others.
+// Reads the members of an object by name, each once, and rejects unknown ones.
 class Members {
  public:
   Members(JsonReader& reader, const Json& object, std::string place)
@@ -151,7 +151,7 @@ class Members {
     Members members(reader_, json, place);
     members.read_options(options);
   }
-  // Points at one depth, in pieces; a gap between each two.
+  // Points at one depth, in pieces with gaps between them.
   void read(const Json& json, const std::string& place, algorithms::oracle::Chain& chain) {
     using algorithms::oracle::SegmentRole;
     std::vector<std::vector<std::array<int, 2>>> pieces;
@@ -208,7 +208,7 @@ class Members {
         .need("search", search)
         .need("builds", family.builds);
   }
-  // A case begins as its group says.
+  // A case inherits the members of its group.
   void read(const Json& json, const std::string& place, HardCaseGroup& group) {
     HardCase common;
     std::vector<const Json*> cases;
@@ -257,7 +257,7 @@ class Members {
   std::vector<const char*> known_;
 };
 
-std::string counted(std::size_t number, const char* what) {
+std::string count_text(std::size_t number, const char* what) {
   return fmt::format("{} {}", what, number);
 }
 
@@ -273,7 +273,7 @@ base::Result<Manifest> read_manifest(std::string_view text, std::string_view fil
   return manifest;
 }
 
-std::string checked(const HardCase& hard) {
+std::string checks_of(const HardCase& hard) {
   const Expectation& expect = hard.expect;
   std::vector<std::string> parts;
   if (expect.refused) parts.emplace_back("refused");
@@ -286,11 +286,11 @@ std::string checked(const HardCase& hard) {
     std::replace(words.begin(), words.end(), '_', ' ');
     parts.push_back(fmt::format("{} {}", words, number));
   }
-  if (!expect.seen.empty()) parts.push_back(counted(expect.seen.size(), "lines seen whole"));
-  if (!expect.hidden.empty()) parts.push_back(counted(expect.hidden.size(), "lines hidden whole"));
+  if (!expect.seen.empty()) parts.push_back(count_text(expect.seen.size(), "lines seen whole"));
+  if (!expect.hidden.empty()) parts.push_back(count_text(expect.hidden.size(), "lines hidden whole"));
   if (!expect.areas.empty()) parts.push_back(fmt::format("seen areas {}", base::joined(expect.areas, ", ")));
   if (expect.through) parts.push_back(fmt::format("bodies {} named", base::joined(*expect.through, " and ")));
-  if (expect.dots) parts.push_back(counted(*expect.dots, "dots"));
+  if (expect.dots) parts.push_back(count_text(*expect.dots, "dots"));
   if (const auto& lit = expect.lit) {
     if (lit->slices) parts.push_back(fmt::format("slices {} lit", base::joined(*lit->slices, " to ")));
     if (lit->points) parts.push_back(fmt::format("lines across {} lit", base::joined(*lit->points, " to ")));

@@ -69,7 +69,7 @@ PixelView pixels_along_z(const PolyScene& scene, const PixelParts& parts) {
   const auto pixel_of = [&](std::int32_t place, std::size_t a) {
     return static_cast<std::int32_t>(std::floor(static_cast<double>(place - parts.offset[a]) / parts.pixel));
   };
-  // Below the scene there is room for whole stripes of eight pixels.
+  // Leaves room for whole stripes of eight pixels below the scene.
   std::array<std::int32_t, 2> first{};
   for (std::size_t a = 0; a < 2; ++a)
     first[a] = 8 * static_cast<std::int32_t>(std::floor((pixel_of(low[a], a) - 1) / 8.0));

@@ -27,10 +27,11 @@ struct Drawn {
   std::string method;
   bool right = false;
   picture::Image image;
-  std::optional<picture::Image> truth;  // none: the right picture of the others
+  std::optional<picture::Image> truth;  // empty: the correct picture of the others
 };
 
-// A method without a truth of its own is shown beside the oracle's picture, or that of the first method that is right.
+// A method without its own reference is shown next to the oracle's picture, or to that of the first method that is
+// right.
 void choose_pictures(CaseOutcome& outcome, std::vector<Drawn>& drawn) {
   const auto first = [&](auto is) { return std::find_if(drawn.begin(), drawn.end(), is); };
   const auto end = drawn.end();
@@ -49,7 +50,8 @@ void choose_pictures(CaseOutcome& outcome, std::vector<Drawn>& drawn) {
   outcome.found = std::move(found->image);
 }
 
-// In the command's usual view where the oracle does not know the case's, which is without zoom; empty if it knows neither.
+// With the command's default view if the oracle cannot take the case's, which then has no zoom; empty if it can take
+// neither.
 std::string command_of_grid(const std::string& command, const HardCase& hard) {
   const auto input = load_input(hard);
   if (!input) return command;
@@ -74,7 +76,7 @@ CaseOutcome run_case(const HardCase& hard, int image_side) {
   CaseOutcome outcome;
   if (hard.run.empty()) return outcome;
   CaseRun run(hard, load_input(hard));
-  run.with_images(image_side);
+  run.enable_images(image_side);
   std::vector<Drawn> drawn;
   for (const std::string& method : hard.run) {
     Finding finding = run.run(method);

@@ -47,7 +47,7 @@ Finding not_applicable(const std::string& why) {
   return {std::nullopt, "not applicable: " + why};
 }
 
-// What is wrong, one after the other; empty: nothing.
+// A list of errors; empty if there are none.
 class Complaints {
  public:
   void add(const std::string& text) { text_ += (text_.empty() ? "" : "; ") + text; }
@@ -85,7 +85,7 @@ void check_segments(const Expectation& expect, const LinePicture& picture, const
     complaints.add(fmt::format("{} lines not hidden", count));
 }
 
-// Whether faces that pass through each other are refused by name iff there are any.
+// Checks that bodies that intersect, and only these, are rejected with their names.
 Finding refused_by_name(const Expectation& expect, const std::string& error) {
   const bool named =
       expect.through && std::all_of(expect.through->begin(), expect.through->end(), [&](auto body) {
@@ -108,7 +108,7 @@ double area_of(const registry::FaceRegion& region) {
   return twice / 2;
 }
 
-// By body, whose faces are numbered over all bodies from 1.
+// By body; faces are numbered over all bodies from 1.
 class AreasByBody {
  public:
   explicit AreasByBody(const PolyScene& scene) : areas_(scene.bodies.size()) {
@@ -174,7 +174,7 @@ std::vector<oracle::RasterDot> dots_that_must_be_lit(const LitDots& lit, const s
   return dots;
 }
 
-// reach: of vectors, which may be a dot away from where a raster rounds them to.
+// reach: tolerance of vectors, which may be a dot away from a raster's rounded dots.
 void check_dots(const Expectation& expect, const scene::HeightGrid& grid, const algorithms::skala::View& view,
                 const PixelGrid& dots, int reach, Complaints& complaints) {
   const auto lit_dots = std::count(dots.values.begin(), dots.values.end(), 1U);
@@ -204,8 +204,8 @@ void compare_dots(const PixelGrid& truth, const PixelGrid& drawn, Complaints& co
     complaints.add(fmt::format("{} dots missing, {} too many", metrics.missing, metrics.extra));
 }
 
-// Straight on, rims are in one column with the ends of all slices. The raster's order, slices first, hides
-// one of the two there; vectors show both.
+// At a rotation of 0, the grid's side edges are in one column with the ends of all slices. The raster's order, slices
+// first, hides one of the two there; vectors show both.
 PixelGrid without_outer_columns(PixelGrid grid) {
   for (int y = 0; y < skala::raster_side; ++y)
     for (const int x : {0, skala::raster_side - 1}) grid.set(x, y, 0);
@@ -224,7 +224,7 @@ void compare_vectors(const PixelGrid& truth, const PixelGrid& drawn, bool straig
 
 // --- programs with cells
 
-// Why a scene of polyhedra cannot be one of Jones's program's.
+// Why a scene of polyhedra cannot be a scene for Jones's program.
 std::string why_no_cells(const PolyScene& scene) {
   if (const auto error = scene::why_no_grid(scene)) return error->message();
   for (const scene::PolyPoint& vertex : scene.vertices) {
@@ -315,7 +315,7 @@ bool is_method(std::string_view name) {
 
 std::vector<PolyCamera> CaseRun::cameras() const {
   if (!hard_.turn) return hard_.cameras.empty() ? std::vector{input_->scene->camera} : hard_.cameras;
-  // Directions of small whole numbers, fixed ones and any.
+  // Some fixed directions of small integers, and random ones.
   std::vector<std::array<std::int32_t, 2>> sights{{0, 1}, {1, 0}, {0, -1}, {-1, 0}, {1, 1}, {4, -3}, {3, 4}};
   std::mt19937 random(1990);
   const auto part = [&random] { return static_cast<std::int32_t>(random() % 20001) - 10000; };
@@ -370,15 +370,15 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
   Complaints complaints;
   const auto all = cameras();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    // Jones's cells are asked for the side looked into where the eye is on a face; others have no answer
-    // there.
+    // If the eye is on a face, Jones's cells are tested on the side of the direction of view; other methods have no
+    // answer there.
     const auto no_eye = scene::eye_error(scene, all[i]);
     if (no_eye && method != "jones") return not_applicable(no_eye->message());
     if (const auto reason = algorithm->why_not_seen(scene, all[i])) return not_applicable(*reason);
     const auto drawn = made->view(all[i]);
     if (!drawn) return refused_by_name(expect, drawn.error().message());
     const auto& view = *drawn;
-    keep(image_, [&] { return lines_image(view.picture, scene, all[i], {}, image_side_); });
+    keep_image(image_, [&] { return lines_image(view.picture, scene, all[i], {}, image_side_); });
     if (!no_eye && method != hard_.baseline &&
         !registry::agrees(*algorithm, view.picture, baseline(i), scene, all[i]))
       complaints.add(fmt::format("not the picture of {}", hard_.baseline));
@@ -403,8 +403,8 @@ Finding CaseRun::run_lines(std::string_view method, const MethodOptions& options
   return complaints.finding();
 }
 
-// From the scene's own camera and from four sides, 90 degrees wide: within 0.75 points of an edge rounding
-// may choose either face.
+// From the scene's own camera and from four sides, 90 degrees wide. Within 0.75 points of an edge rounding may choose
+// either face.
 Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   constexpr int size = 128;
   const PolyScene& scene = *input_->scene;
@@ -440,8 +440,8 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
     const auto view = prepared.view(truth.cameras()[i], window);
     if (!view) return {false, "refused: " + view.error().message()};
     errors.add(truth.errors_of(view->faces, i));
-    keep(image_, [&] { return faces_image(view->faces, image_side_); });
-    keep(truth_, [&] { return faces_image(truth.truth(i), image_side_); });
+    keep_image(image_, [&] { return faces_image(view->faces, image_side_); });
+    keep_image(truth_, [&] { return faces_image(truth.truth(i), image_side_); });
   }
   found.push_back(fmt::format("{} of {} points wrong in {} views, {} more next to edges", errors.wrong_inside,
                               errors.points, truth.cameras().size(), errors.wrong_on_edges));
@@ -450,7 +450,7 @@ Finding CaseRun::run_ordered_faces(const MethodOptions& options) {
   return {finding.good, fmt::format("{}: {}", finding.text, base::joined(found, ", "))};
 }
 
-// With corners on lines between stripes every pixel must be right; elsewhere those not on an edge.
+// With corners on lines between stripes every pixel must be right; otherwise only those not on an edge.
 Finding CaseRun::run_stripes(const MethodOptions& options) {
   namespace pixels = sightline::compare;
   const PolyScene& scene = *input_->scene;
@@ -464,8 +464,8 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
     const auto drawn = prepared->view(scene.camera, window_of(view.frame));
     if (!drawn) return refused_by_name(hard_.expect, drawn.error().message());
     judge(picture::pixel_metrics(view.truth, drawn->faces, view.edges));
-    keep(image_, [&] { return faces_image(drawn->faces, image_side_); });
-    keep(truth_, [&] { return faces_image(view.truth, image_side_); });
+    keep_image(image_, [&] { return faces_image(drawn->faces, image_side_); });
+    keep_image(truth_, [&] { return faces_image(view.truth, image_side_); });
     return std::nullopt;
   };
   const auto on = pixels::pixels_along_z(scene, pixels::on_lines);
@@ -488,7 +488,7 @@ Finding CaseRun::run_stripes(const MethodOptions& options) {
   return complaints.finding(on_edges);
 }
 
-// Farther than a point from what is seen is wrong.
+// Points of the display farther than one point from the reference are wrong.
 Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& options) {
   constexpr double wrong_from = 1;
   if (!input_->cells) return not_applicable(why_no_cells(*input_->scene));
@@ -520,7 +520,7 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
     complaints.add(fmt::format("stops with \"{}\"", jones::name(status)));
   if (pictures_) {
     const auto matter = compare::MatterScene::of(scene);
-    if (!matter) return {false, "beyond the oracle"};
+    if (!matter) return {false, "the scene is too large for the oracle"};
     scene::PolyCamera camera;
     camera.eye = scene.default_view;
     const auto chosen = matter->lines_at(camera.eye);
@@ -528,8 +528,8 @@ Finding CaseRun::run_cell_program(std::string_view method, const MethodOptions& 
                                         type340_frame(options.scale), &chosen);
     const auto vectors = compare::lines_of_vectors(program.scene, *matter, reference);
     const auto pieces = method == "guest" ? compare::display_pieces(*twin, vectors) : compare::twin_pieces(*twin, vectors);
-        keep(image_, [&] { return screen_image(pieces, image_side_); });
-    keep(truth_, [&] {
+        keep_image(image_, [&] { return screen_image(pieces, image_side_); });
+    keep_image(truth_, [&] {
       std::vector<picture::DrawnPiece> seen;
       for (const picture::ReferenceLine& line : reference.lines())
         for (const picture::LinePart& part : line.visible)
@@ -555,7 +555,7 @@ Finding CaseRun::run_heights(std::string_view name, const MethodOptions& options
   const HeightPicture picture = method->draw(grid, view);
   Complaints complaints;
   if (!picture.fault.empty()) complaints.add(picture.fault);
-  keep(image_, [&] { return dots_image(picture.dots); });
+  keep_image(image_, [&] { return dots_image(picture.dots); });
   const bool vectors = picture.drawing.has_value();
   check_dots(hard_.expect, grid, view, picture.dots, vectors ? 1 : 0, complaints);
   const HeightMethod& truth = *find_height_method("oracle");
@@ -574,7 +574,7 @@ Finding CaseRun::run_commands(std::string_view method) {
   Complaints complaints;
   for (const CommandScreen& screen : input_->screens) {
     if (method == "oracle") {
-      keep(image_, [&] { return dots_image(screen.truth); });
+      keep_image(image_, [&] { return dots_image(screen.truth); });
       const auto lit = std::count(screen.truth.values.begin(), screen.truth.values.end(), 1U);
       if (hard_.expect.dots && static_cast<std::size_t>(lit) != *hard_.expect.dots)
         complaints.add(fmt::format("{} dots, not {}", lit, *hard_.expect.dots));
@@ -591,7 +591,7 @@ Finding CaseRun::run_commands(std::string_view method) {
     } else {
       dots = points_of(skala::run_twin(screen.stream).raster(skala::Device::ef9365));
     }
-    keep(image_, [&] { return dots_image(dots); });
+    keep_image(image_, [&] { return dots_image(dots); });
     compare_dots(screen.truth, dots, complaints);
   }
   return complaints.finding();

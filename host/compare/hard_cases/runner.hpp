@@ -1,5 +1,5 @@
-// Runs one hard case by any method: algorithms of the registries, programs on their machines, their twins,
-// the oracles. Everything a method gives is compared with the baseline and with what the case expects.
+// Runs one hard case by any method: algorithms of the registries, programs on their machines, their twins, the
+// oracles. Every result is compared with the baseline and with the expectation of the case.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@
 namespace sightline::compare {
 
 struct Finding {
-  std::optional<bool> good;  // none: the method does not apply
+  std::optional<bool> good;  // empty: the method does not apply
   std::string text;
-  // Of the first view, where they are asked for: what the method gave, and what is right if no method gives that.
+  // If requested, images of the first view: of the method's result, and of the correct result if no method gives it.
   std::optional<picture::Image> image = {};
   std::optional<picture::Image> truth = {};
 };
 
-// Whether some input can be run by a method of this name.
+// Whether a method of this name can run some input.
 [[nodiscard]] bool is_method(std::string_view name);
 
 class CaseRun {
@@ -33,11 +33,11 @@ class CaseRun {
   CaseRun(HardCase hard, base::Result<CaseInput, std::string> input)
       : hard_(std::move(hard)), input_(std::move(input)) {}
 
-  // Programs are judged by what they say of themselves alone, without a picture.
-  void without_pictures() { pictures_ = false; }
-  // Findings have images, of so many pixels a side; dots are a pixel each.
-  void with_images(int side) { image_side_ = side; }
-  // `options` in place of the case's own.
+  // Programs are then judged by their own report only, without a picture.
+  void disable_pictures() { pictures_ = false; }
+  // Findings then have images, `side` pixels a side; dots are one pixel each.
+  void enable_images(int side) { image_side_ = side; }
+  // `options` replace those of the case.
   [[nodiscard]] Finding run(std::string_view method, const MethodOptions& options);
   [[nodiscard]] Finding run(std::string_view method) { return run(method, hard_.options); }
 
@@ -47,7 +47,7 @@ class CaseRun {
  private:
   [[nodiscard]] std::vector<scene::PolyCamera> cameras() const;
   [[nodiscard]] Finding judge(std::string_view method, const MethodOptions& options);
-  // Of the case's baseline, from the camera of this number.
+  // The picture of the case's baseline, from the camera with this number.
   [[nodiscard]] const picture::LinePicture& baseline(std::size_t camera);
 
   [[nodiscard]] Finding run_lines(std::string_view method, const MethodOptions& options);
@@ -59,20 +59,20 @@ class CaseRun {
 
   HardCase hard_;
   base::Result<CaseInput, std::string> input_;
-  // Keeps the image that `draw` gives, if images are asked for.
+  // Stores the image that `draw` returns, if images are requested.
   template <class Draw>
-  void keep(std::optional<picture::Image>& image, Draw draw) {
+  void keep_image(std::optional<picture::Image>& image, Draw draw) {
     if (image_side_ > 0 && !image) image = draw();
   }
 
   bool pictures_ = true;
   int image_side_ = 0;  // 0: no images
-  std::optional<picture::Image> image_;  // of the finding being made
+  std::optional<picture::Image> image_;  // of the current finding
   std::optional<picture::Image> truth_;
   std::vector<std::optional<picture::LinePicture>> baselines_;
 };
 
-// What of a line of the scene is covered by visible pieces of edges that lie on it; decided exactly.
+// How much of a line of the scene is covered by visible pieces of edges that lie on it; decided exactly.
 enum class SegmentSeen { whole, in_part, nothing };
 [[nodiscard]] SegmentSeen seen_of(const SceneSegment& segment, const picture::LinePicture& picture,
                                   const scene::PolyScene& scene);

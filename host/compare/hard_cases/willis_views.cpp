@@ -26,14 +26,14 @@ using scene::PolyCamera;
 using scene::PolyPoint;
 using scene::PolyScene;
 
-// Along right, up and forward; in an image 90 degrees wide what is seen has |x|, |y| <= z.
+// Coordinates along right, up and forward. In an image 90 degrees wide, visible points have |x|, |y| <= z.
 std::array<double, 3> before_camera(const PolyCamera& camera, const PolyPoint& p) {
   const geometry::RealVector d = geometry::difference(geometry::real_vector(p), geometry::real_vector(camera.eye));
   const auto along = [&d](const PolyPoint& axis) { return geometry::dot(geometry::real_vector(axis), d); };
   return {along(camera.right), along(camera.up), along(camera.forward)};
 }
 
-// What of an edge is before the camera, on the raster; a little wider than the image.
+// The part of an edge before the camera, on the raster, clipped slightly outside the image.
 std::optional<PixelSegment> image_of(const std::array<double, 3>& p, const std::array<double, 3>& q,
                                      int size) {
   constexpr double wider = 1.1;
@@ -134,11 +134,11 @@ FaceErrors TrueFaces::errors_of(const PixelGrid& drawn, std::size_t view) const 
 
 FaceErrors TrueFaces::errors_of(const willis::Model& model) const {
   FaceErrors errors;
-  for (std::size_t view = 0; view < cameras_.size(); ++view) errors.add(errors_of(drawn(model, view), view));
+  for (std::size_t view = 0; view < cameras_.size(); ++view) errors.add(errors_of(draw(model, view), view));
   return errors;
 }
 
-PixelGrid TrueFaces::drawn(const willis::Model& model, std::size_t view) const {
+PixelGrid TrueFaces::draw(const willis::Model& model, std::size_t view) const {
   const auto corners = random_corners(model, static_cast<std::uint32_t>(view) + 1);
   return ordered_faces(model, cameras_[view], size_, corners);
 }

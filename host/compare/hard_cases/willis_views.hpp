@@ -1,7 +1,7 @@
-// Pictures of faces in Willis's order, compared with the nearest face of every point (host/algorithms/oracle).
+// Compares pictures of faces in Willis's order with the nearest face at every point (host/algorithms/oracle).
 //
-// Views are square, 90 degrees wide and high, of cameras whose vectors have one length, so that the sight
-// line of every point is one of integers.
+// Views are square and 90 degrees wide. The camera's vectors have one length, so that the sight line of every point
+// has integer direction.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,20 @@
 
 namespace sightline::compare {
 
-// Face over all bodies + 1, 0 where there is none. The bottom row first.
+// Face number over all bodies + 1, 0 for none. The bottom row is first.
 [[nodiscard]] picture::PixelGrid ordered_faces(const algorithms::willis::Model& model,
                                                const scene::PolyCamera& camera, int size,
                                                algorithms::willis::Representatives representatives = {});
 
-// A random corner of each piece, to stand for it.
+// A random corner of each piece as its representative.
 [[nodiscard]] std::vector<std::uint32_t> random_corners(const algorithms::willis::Model& model,
                                                         std::uint32_t seed);
 
-// Points of pictures, and those at which the order is wrong. Within 0.75 points of an edge rounding may
-// choose either side, so there they are counted apart.
+// Numbers of points, and of those at which the order is wrong. Within 0.75 points of an edge rounding may choose
+// either side, so these are counted separately.
 struct FaceErrors {
   std::uint64_t points = 0;
-  std::uint64_t inside = 0;  // farther from every edge
+  std::uint64_t inside = 0;  // farther than that from every edge
   std::uint64_t wrong_inside = 0;
   std::uint64_t wrong_on_edges = 0;
 
@@ -37,7 +37,7 @@ struct FaceErrors {
   [[nodiscard]] double inside_per_cent() const;  // PMR of the interior
 };
 
-// The correct faces of some views, found once.
+// The correct faces of some views, computed once.
 class TrueFaces {
  public:
   TrueFaces(const scene::PolyScene& scene, std::vector<scene::PolyCamera> cameras, int size);
@@ -45,9 +45,9 @@ class TrueFaces {
   [[nodiscard]] const std::vector<scene::PolyCamera>& cameras() const { return cameras_; }
   [[nodiscard]] const picture::PixelGrid& truth(std::size_t view) const { return truths_[view]; }
   [[nodiscard]] int size() const { return size_; }
-  // In every view other corners stand for the pieces.
+  // Each view uses other representatives of the pieces.
   [[nodiscard]] FaceErrors errors_of(const algorithms::willis::Model& model) const;
-  [[nodiscard]] picture::PixelGrid drawn(const algorithms::willis::Model& model, std::size_t view) const;
+  [[nodiscard]] picture::PixelGrid draw(const algorithms::willis::Model& model, std::size_t view) const;
   [[nodiscard]] FaceErrors errors_of(const picture::PixelGrid& drawn, std::size_t view) const;
 
  private:
@@ -57,13 +57,12 @@ class TrueFaces {
   int size_;
 };
 
-// Level, along the two level axes both ways, from outside the scene at the given height: four, less those
-// whose eye would be beyond the coordinates there are or not in free space.
+// Level, along the two level axes both ways, from outside the scene at the given height: four cameras, without those
+// whose eye would be out of range or not in free space.
 [[nodiscard]] std::vector<scene::PolyCamera> cameras_around(const scene::PolyScene& scene,
                                                             std::int32_t height);
 
-// Level, along the two level axes both ways in turn, from random places in free space within the scene's
-// bounds.
+// Level, along the two level axes both ways in turn, from random positions in free space within the scene's bounds.
 [[nodiscard]] std::vector<scene::PolyCamera> cameras_within(const scene::PolyScene& scene, std::size_t count);
 
 }  // namespace sightline::compare

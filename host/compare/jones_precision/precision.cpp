@@ -56,7 +56,7 @@ void add_chain(const CoreImage& core, std::uint32_t element, std::vector<std::op
 
 }  // namespace
 
-bool possible(const Precision& precision) {
+bool is_possible(const Precision& precision) {
   if (precision.kind != NumberKind::fixed_point) return true;
   return precision.word_bits >= shortest_word && precision.word_bits <= longest_word &&
          precision.fraction_bits >= 0 && precision.fraction_bits <= most_fraction_bits;
@@ -71,7 +71,7 @@ std::string name(const Precision& precision) {
 
 PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scene_header,
                           const Parameters& parameters, const Precision& precision) {
-  assert(possible(precision));
+  assert(is_possible(precision));
   const auto run_in = [&](const auto& number) { return view_of(core, scene_header, parameters, number); };
   if (precision.kind == NumberKind::single_float) return run_in(SingleFloat());
   if (precision.kind == NumberKind::double_float) return run_in(DoubleFloat());

@@ -1,10 +1,10 @@
-// Jones's program in other arithmetic: the search of the twin with words of 12 to 36 bits, 0 to 8 fraction
-// bits, rounding or truncating, or in floating point. With 18 bits it is the twin, with up to 3 fraction
-// bits also the program on the machine; so what a view loses by its arithmetic alone can be measured.
+// Jones's program in other arithmetic: the search of the twin with words of 12 to 36 bits, 0 to 8 fraction bits,
+// rounding or truncating, or in floating point. With 18 bits it equals the twin, and with up to 3 fraction bits the
+// program on the machine. So the error that arithmetic alone causes can be measured.
 //
-// What does not fit a word ends the view with "arithmetic overflow"; a scene is not scaled down to fit.
-// Source of the rules: firmware/pdp7/jones/SPECIFICATION.md; words of other lengths, its section 8. The
-// limits of the machine's core (stack, display file, 8192 words) stay as they are.
+// A value that does not fit a word ends the view with "arithmetic overflow"; a scene is not scaled down to fit.
+// Rules: firmware/pdp7/jones/SPECIFICATION.md; for words of other lengths, its section 8. The limits of the machine's
+// core (stack, display file, 8192 words) still apply.
 #pragma once
 
 #include <array>
@@ -28,17 +28,17 @@ struct Precision {
   NumberKind kind = NumberKind::fixed_point;
   int word_bits = programs::jones::machine_word_bits;          // 12..36; of fixed point
   int fraction_bits = programs::jones::machine_fraction_bits;  // 0..8; of fixed point
-  bool truncate = false;                      // of fixed point
+  bool truncate = false;                      // for fixed point
   friend bool operator==(const Precision&, const Precision&) = default;
 };
 inline constexpr int shortest_word = 12;
 inline constexpr int longest_word = 36;
 inline constexpr int most_fraction_bits = 8;
-[[nodiscard]] bool possible(const Precision& precision);
+[[nodiscard]] bool is_possible(const Precision& precision);
 // "18 bits, f=1", "18 bits, f=1, truncated", "float", "double"
 [[nodiscard]] std::string name(const Precision& precision);
 
-// A vector of a cell's or an opening's element as a line of the scene, from < to on its axis.
+// A vector of a cell or an opening as a line of the scene; from < to on its axis.
 struct SceneLine {
   std::size_t axis = 0;  // 0, 1, 2: x, y, z
   geometry::Point from{};
@@ -46,7 +46,7 @@ struct SceneLine {
   friend bool operator==(const SceneLine&, const SceneLine&) = default;
 };
 
-// A piece as it left the clip, in points of the screen with their fraction.
+// A piece after clipping, in points of the screen with their fraction.
 struct PrecisePiece {
   std::uint16_t vector_address = 0;  // in core
   programs::jones::Pass pass = programs::jones::Pass::mono;
@@ -55,31 +55,31 @@ struct PrecisePiece {
 
 struct PreciseView {
   programs::jones::Status status = programs::jones::Status::complete;
-  std::vector<PrecisePiece> pieces;  // in the order drawn, those of no length on the screen included
+  std::vector<PrecisePiece> pieces;  // in the order drawn, including those of length 0 on the screen
   std::size_t display_words = 0;
   programs::jones::TwinCounts counts;
 };
 
-// core, scene_header: as of the twin's run; fraction_bits and truncate of the parameters are not looked at.
-// precision: possible.
+// core, scene_header: as for the twin's run; fraction_bits and truncate of the parameters are ignored. precision:
+// is_possible().
 [[nodiscard]] PreciseView run_precisely(std::span<const core::Word18> core, std::uint32_t scene_header,
                                         const programs::jones::Parameters& parameters, const Precision& precision);
 
-// The same with the machine's words, or with 8 fraction bits, for each rounding: true is the machine's own, of the
-// parameters' fraction_bits and truncate.
+// The same, with each rounding by the machine's own words (true: the parameters' fraction_bits and truncate) or with
+// 8 fraction bits (false).
 [[nodiscard]] PreciseView run_mixed(std::span<const core::Word18> core, std::uint32_t scene_header,
                                     const programs::jones::Parameters& parameters,
                                     const std::array<bool, programs::jones::roundings>& of_machine, bool convex_masks = false);
 
-// A scene in core without the program, its header at 0, and which line each vector word represents.
+// A scene in core without the program, its header at 0, and the line of each vector word.
 struct SceneInCore {
   std::vector<core::Word18> core;
   std::vector<std::optional<SceneLine>> lines;  // by address
 };
-// Error: as of encode.
+// Error: as for encode.
 [[nodiscard]] base::Result<SceneInCore> scene_in_core(const scene::CellScene& scene,
                                                       const geometry::Point& eye);
-// Of an image in which the scene was encoded; core: the words by address.
+// For an image in which the scene was encoded; core: the words by address.
 [[nodiscard]] std::vector<std::optional<SceneLine>> lines_by_address(const programs::jones::EncodedScene& scene,
                                                                      std::span<const core::Word18> core);
 

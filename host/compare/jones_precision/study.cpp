@@ -45,7 +45,7 @@ std::uint64_t sum_of(const Operations& operations, std::uint64_t Work::*count) {
 
 namespace oracle = algorithms::oracle;
 
-// The straight line of space: axis, and the place on the two others.
+// A straight line of space: its axis, and its position on the two others.
 using Carrier = std::tuple<std::size_t, std::int32_t, std::int32_t>;
 
 Carrier carrier_of(const SceneLine& line) {
@@ -61,7 +61,7 @@ struct Image {
   [[nodiscard]] std::array<double, 2> at(double t) const { return {x + t * dx, y + t * dy}; }
 };
 
-// Parallels of x and y keep their direction; those of z run from the centre.
+// Parallels of x and y keep their direction; those of z start at the centre.
 std::optional<Image> image_of(const SceneLine& line, const geometry::Point& eye,
                               const oracle::Window& window) {
   const double cx = window.centre[0], cy = window.centre[1];
@@ -103,7 +103,7 @@ void add_wrong(const Intervals& line, bool extra, double from, double to, double
   error.wrong.push_back({*line.whole, extra, length, {a[0], a[1], b[0], b[1]}});
 }
 
-// Sweeps along the line: where the one covers and the other does not.
+// Sweeps along the line and finds where only one of both covers it.
 void compare(const Intervals& line, double named_from, LineError& error) {
   struct End {
     double at;
@@ -113,7 +113,7 @@ void compare(const Intervals& line, double named_from, LineError& error) {
   std::vector<End> ends;
   for (const auto& [from, to] : line.visible) ends.insert(ends.end(), {{from, false, 1}, {to, false, -1}});
   for (const auto& [from, to] : line.drawn) ends.insert(ends.end(), {{from, true, 1}, {to, true, -1}});
-  // Of ends at one place those that begin come first, so that what touches is one stretch.
+  // Of equal ends, beginnings come first, so that touching stretches are joined.
   std::sort(ends.begin(), ends.end(),
             [](const End& a, const End& b) { return std::tuple(a.at, -a.step) < std::tuple(b.at, -b.step); });
   int visible = 0, drawn = 0;

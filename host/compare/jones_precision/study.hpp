@@ -1,8 +1,8 @@
-// The errors that arithmetic causes in Jones's program: the error of every scene's six views, compared with exact
-// visibility, for the builds of the program on the emulated PDP-7 and for arithmetic of any other kind.
+// Measures the errors that arithmetic causes in Jones's program: the error of every scene's six views, compared with
+// exact visibility, for the builds of the program on the emulated PDP-7 and for any other arithmetic.
 //
-// Two measures of one run: its pieces after the clip, with their fraction of a point, which
-// fraction bits improve; and the same pieces between the whole points of the display, as a user saw them.
+// Each run has two measures: its pieces after clipping, with the fraction of a point that fraction bits improve; and
+// the same pieces between the points of the display, as a user saw them.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@
 
 namespace sightline::compare::jones_precision {
 
-// How much of a scene's lines a drawing shows wrongly, line by line: the symmetric difference of drawn and
-// visible length. Unlike an error of point sets (oracle/drawn_error.hpp) it counts a piece of a hidden line
-// as wrong even where it falls on another line that is visible.
+// The length of a scene's lines that a drawing shows wrongly, line by line: the symmetric difference of drawn and
+// visible length. Unlike an error of point sets (oracle/drawn_error.hpp), it counts a piece of a hidden line as wrong
+// even where it coincides with another, visible line.
 //
-// All pieces on one straight line of space are taken together, so that pieces drawn twice and pieces that
-// continue each other count once. A piece is measured along the true image of its line, its ends projected on
-// it at right angles. Lengths are points of the screen.
+// All pieces on one straight line of space are combined, so that pieces drawn twice and pieces that continue each
+// other count once. A piece is measured along the exact image of its line, its ends projected on it at right angles.
+// Lengths are points of the screen.
 
 // A line of the scene as drawn.
 struct DrawnLine {
@@ -38,31 +38,31 @@ struct DrawnLine {
 
 // A stretch that is drawn and not visible (extra), or visible and not drawn.
 struct WrongStretch {
-  SceneLine line;  // on the straight line where it lies: all that was drawn or visible there, from end to end
+  SceneLine line;  // the straight line, from end to end of all that was drawn or visible on it
   bool extra = false;
   double length = 0;
-  algorithms::oracle::ScreenSegment where;  // on the true image of the line
+  algorithms::oracle::ScreenSegment where;  // on the exact image of the line
 };
 
 struct LineError {
-  double visible = 0;  // true visible length
+  double visible = 0;  // exact visible length
   double missing = 0;
   double extra = 0;
   double longest = 0;               // wrong stretch
-  std::vector<WrongStretch> wrong;  // longer than asked for, by line
+  std::vector<WrongStretch> wrong;  // stretches longer than named_from, by line
   [[nodiscard]] double share() const { return visible > 0 ? (missing + extra) / visible : 0; }
 };
 
-// truth: exactly what is seen from the eye in this window (mono, centre of the window as in `window`).
-// named_from: wrong stretches longer than this are listed.
+// truth: the exact visible lines from the eye in this window (mono, centre of the window as in `window`). named_from:
+// wrong stretches longer than this are listed.
 [[nodiscard]] LineError line_error(const std::vector<algorithms::oracle::VisibleLine>& truth,
                                    const std::vector<DrawnLine>& drawn, const geometry::Point& eye,
                                    const algorithms::oracle::Window& window, double named_from);
 
-// The six views a scene from which Jones's program is measured: the scene's own view, and five near it.
+// The six views per scene with which Jones's program is measured: the scene's own view, and five near it.
 //
-// The five are those of the prototype that first measured the errors of 18-bit arithmetic: x and y up to 30
-// units from the scene's own eye, drawn at random once and written down here; z unchanged. The scale is 512.
+// The five were chosen once at random for the first measurements of 18-bit arithmetic: x and y up to 30 units from
+// the scene's own eye, z unchanged. The scale is 512.
 
 struct SixViews {
   std::string_view scene;  // a built-in scene
@@ -78,7 +78,7 @@ inline constexpr std::array<SixViews, 4> six_views{{
      {{{140, 150, 30}, {128, 146, 30}, {144, 127, 30}, {129, 155, 30}, {153, 131, 30}, {147, 156, 30}}}},
 }};
 
-inline constexpr double named_from_points = 20;  // a wrong piece longer than this is named
+inline constexpr double named_from_points = 20;  // longer wrong pieces are named
 
 struct NamedStretch {
   std::size_t view = 0;  // number of the eye
@@ -87,11 +87,11 @@ struct NamedStretch {
 
 // Sums over the views of one scene.
 struct ArithmeticError {
-  double visible = 0;  // true visible length, points
+  double visible = 0;  // exact visible length, points
   double missing = 0;
   double extra = 0;
   double longest = 0;               // wrong stretch
-  std::vector<NamedStretch> named;  // wrong by more than named_from_points
+  std::vector<NamedStretch> named;  // wrong for more than named_from_points
   std::vector<programs::jones::Status> statuses;     // by view
   [[nodiscard]] bool complete() const;
   [[nodiscard]] double share() const { return visible > 0 ? (missing + extra) / visible : 0; }
@@ -101,26 +101,26 @@ struct Measured {
   Precision precision;
   ArithmeticError clipped;
   std::optional<ArithmeticError> displayed;  // of the program on the machine
-  // Sums over the views; without those of a run on the machine, which are in GuestView.
+  // Sums over the views; zero for a run on the machine, whose counts are in GuestView.
   std::uint64_t muldivs = 0;
   std::uint64_t products = 0;
   double largest_coordinate = 0;  // magnitude, points, before clipping
 };
 
-// One scene seen from some places; the exact visibility is worked out once.
+// One scene seen from several positions; the exact visibility is computed once.
 class PrecisionStudy {
  public:
-  // Error: an eye that the program does not accept; or the scene is beyond the limits of the oracle.
+  // Errors: the program does not accept an eye; the scene is beyond the limits of the oracle.
   [[nodiscard]] static base::Result<PrecisionStudy> of(const scene::CellScene& scene,
                                                        std::span<const geometry::Point> eyes);
 
-  // precision: possible(). Every view that ends with a status counts with what it drew until then.
+  // precision: is_possible(). A view that ends with another status counts with the lines drawn until then.
   [[nodiscard]] Measured measure(const Precision& precision) const;
-  // The program itself, assembled with these fraction bits (0..3), on a PDP-7 with the EAE or without. Error:
-  // the program and the scene do not fit into core.
+  // The program itself, assembled with these fraction bits (0..3), on a PDP-7 with or without the EAE. Error: the
+  // program and the scene do not fit into core.
   [[nodiscard]] base::Result<Measured> measure_on_machine(int fraction_bits, bool truncate,
                                                           bool eae = true) const;
-  // The first length of a word, 12..36, with which every view is complete; empty if there is none.
+  // The shortest word, 12..36 bits, with which every view is complete; empty if there is none.
   [[nodiscard]] std::optional<int> shortest_complete_word(int fraction_bits, bool truncate) const;
 
  private:
@@ -136,17 +136,17 @@ class PrecisionStudy {
   std::vector<View> views_;
 };
 
-// The table of jones.md section 5, computed.
+// The table of errors by arithmetic.
 struct ErrorTableRow {
   std::string scene;
   std::vector<geometry::Point> eyes;
   std::vector<Measured> cells;  // by column
 };
 struct ErrorTable {
-  std::vector<Precision> columns;  // round f = 0..3, cut off f = 0, 2
+  std::vector<Precision> columns;  // rounded, f = 0..3; truncated, f = 0, 2
   std::vector<ErrorTableRow> rows;
 };
-// Of the four scenes of views.hpp, on the emulated machine.
+// For the four scenes of six_views, on the emulated machine.
 [[nodiscard]] ErrorTable measure_error_table(bool eae = true);
 
 }  // namespace sightline::compare::jones_precision

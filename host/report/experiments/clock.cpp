@@ -9,7 +9,7 @@ namespace sightline::report {
 
 namespace {
 
-// Of this thread alone.
+// CPU time of this thread.
 double processor_nanoseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

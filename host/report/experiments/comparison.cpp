@@ -28,7 +28,7 @@ constexpr std::uint64_t seed = 1971;
 constexpr std::uint64_t views = 100;
 constexpr std::uint64_t full_views = 1000;
 constexpr std::uint64_t level_views =
-    20;  // of each 100 of polyhedra: in parallel projection, as Plantinga's method needs it
+    20;  // of each 100 views of polyhedra: in parallel projection, as Plantinga's method needs
 constexpr std::uint64_t views_by_programs = 20;
 constexpr std::uint64_t views_of_faces = 2;
 
@@ -158,7 +158,7 @@ class Comparing {
   compare::Answer by_method_;
 };
 
-constexpr double microseconds = 1e6;  // of a second
+constexpr double microseconds = 1e6;  // per second
 
 std::optional<double> median(const std::optional<Spread>& spread, double unit = 1) {
   return spread ? std::optional(spread->median * unit) : std::nullopt;
@@ -192,7 +192,7 @@ std::vector<RowColumn<AnswerRow>> answer_columns() {
 }
 
 std::string doors(double count) {
-  return fmt::format("{} portal{} a wall", shown(count), count == 1 ? "" : "s");
+  return fmt::format("{} portal{} per wall", text_of(count), count == 1 ? "" : "s");
 }
 
 std::vector<Pair> pairs_of(const Chosen<ComparisonScene>& rooms, std::optional<double> ComparisonScene::*one,
@@ -203,24 +203,24 @@ std::vector<Pair> pairs_of(const Chosen<ComparisonScene>& rooms, std::optional<d
   return pairs;
 }
 
-// Where the advantage over `other` ends on this computer.
+// The openness up to which Jones's method is faster than `other` on this computer.
 std::string advantage(const std::vector<Pair>& pairs, std::string_view other) {
   const auto [last, first] = crossing_of(pairs);
   const auto ratio = [](const Pair& pair) {
     const double times = std::max(pair.other / pair.one, pair.one / pair.other);
-    return shown(times, times < 10 ? 1 : 0);
+    return text_of(times, times < 10 ? 1 : 0);
   };
   if (!last)
     return fmt::format(
-        "Jones's method is nowhere faster than {} on this computer: at {} it takes {} times as long.", other,
+        "Jones's method is never faster than {} on this computer: at {} it takes {} times as long.", other,
         doors(pairs.front().at), ratio(pairs.front()));
   const std::string faster = fmt::format("at {} {} times", doors(pairs.front().at), ratio(pairs.front()));
   if (!first)
     return fmt::format("Jones's method is faster than {} on this computer throughout: {}, at {} {} times.",
                        other, faster, doors(pairs.back().at), ratio(pairs.back()));
   return fmt::format(
-      "Up to {} Jones's method is faster than {} on this computer ({}), from {} on it is not: at {} it takes "
-      "{} times as long.",
+      "Up to {} Jones's method is faster than {} on this computer ({}); from {} on it is slower: at {} it takes {} times as "
+      "long.",
       doors(*last), other, faster, doors(*first), doors(pairs.back().at), ratio(pairs.back()));
 }
 
@@ -232,9 +232,9 @@ void openness(Page& page, const Comparison& comparison) {
   const Scene& open = rooms.back();
   const auto against_exact = pairs_of(rooms, &Scene::jones_s, &Scene::exact_s);
   Panel panel{"comparison-openness",
-              fmt::format("From {} to {} portals a wall a view of {} rooms enters {} to {} cells",
-                          shown(*closed.openness()), shown(*open.openness()), rooms_a_side * rooms_a_side,
-                          shown(visits.front(), 0), shown(visits.back(), 0))};
+              fmt::format("From {} to {} portals per wall, a view of {} rooms enters {} to {} cells",
+                          text_of(*closed.openness()), text_of(*open.openness()), rooms_a_side * rooms_a_side,
+                          text_of(visits.front(), 0), text_of(visits.back(), 0))};
   panel.facts = {page.paper_says_dated("jones.best"), page.paper_says_dated("jones.comparison"),
                  page.paper_says_dated("jones.exhaustive")};
   if (page.host_times()) {
@@ -246,45 +246,43 @@ void openness(Page& page, const Comparison& comparison) {
       page.claim(std::is_sorted(visits.begin(), visits.end()) && visits.front() < visits.back(),
                  "Results are best where opaque planes predominate, as the paper says.") +
       fmt::format(
-          " All {} buildings have the same {} rooms and {} walls; only doors are added. A cell is entered "
-          "once for every chain of "
-          "portals through which it is seen, so that cells entered grow {} times while faces grow {} times.",
-          rooms.size(), rooms_a_side * rooms_a_side, shown(closed.walls),
-          shown(visits.back() / visits.front(), 0),
-          shown(static_cast<double>(open.faces) / static_cast<double>(closed.faces), 1)));
+          " All {} buildings have the same {} rooms and {} walls; only doors are added. A cell is entered once for every chain "
+          "of portals through which it is visible: the number of cells entered grows {} times, that of faces {} times.",
+          rooms.size(), rooms_a_side * rooms_a_side, text_of(closed.walls),
+          text_of(visits.back() / visits.front(), 0),
+          text_of(static_cast<double>(open.faces) / static_cast<double>(closed.faces), 1)));
   const auto pdp7 = where(rooms, [](const Scene& scene) { return scene.pdp7_s.has_value(); });
   const auto left_out = where(rooms, [](const Scene& scene) { return !scene.not_on_pdp7.empty(); });
   if (!pdp7.empty())
     panel.text.push_back(
         fmt::format("On the PDP-7 the median view takes {} s at {} and {} s at {}.",
-                    shown(*pdp7.front().get().pdp7_s, 2), doors(*pdp7.front().get().openness()),
-                    shown(*pdp7.back().get().pdp7_s, 2), doors(*pdp7.back().get().openness())) +
+                    text_of(*pdp7.front().get().pdp7_s, 2), doors(*pdp7.front().get().openness()),
+                    text_of(*pdp7.back().get().pdp7_s, 2), doors(*pdp7.back().get().openness())) +
         (left_out.empty()
              ? std::string()
              : fmt::format(" It does not take {}: {}.", doors(*left_out.front().get().openness()),
                            left_out.front().get().not_on_pdp7)));
-  const auto solids = where(comparison.scenes, is(&Scene::kind, "polyhedra"));
+  const auto solids = where(comparison.scenes, equals(&Scene::kind, "polyhedra"));
   std::string of_solids = fmt::format(
-      "Cells of unconnected objects are found by program here. Free space around them is cut into many: a "
-      "view of polyhedra of {} to "
-      "{} faces enters {} to {} cells.",
-      shown(least(solids, &Scene::faces)), shown(greatest(solids, &Scene::faces)),
-      shown(least(solids, &Scene::visits), 0), shown(greatest(solids, &Scene::visits), 0));
+      "Here a program computes the cells of unconnected objects. It cuts the free space around them into many cells: a view of "
+      "polyhedra of {} to {} faces enters {} to {} cells.",
+      text_of(least(solids, &Scene::faces)), text_of(greatest(solids, &Scene::faces)),
+      text_of(least(solids, &Scene::visits), 0), text_of(greatest(solids, &Scene::visits), 0));
   if (page.host_times()) {
     const auto slower = range_of(solids, [](const Scene& scene) { return *scene.jones_s / *scene.exact_s; });
     of_solids += fmt::format(
         " In {} of {} of these scenes Jones's method is slower than the exact one; it takes {} to {} times "
         "as long.",
         count(solids, [](const Scene& scene) { return scene.jones_s > scene.exact_s; }), solids.size(),
-        shown(slower.least, 1), shown(slower.greatest, 1));
+        text_of(slower.least, 1), text_of(slower.greatest, 1));
   }
   panel.text.emplace_back(std::move(of_solids));
   const auto at = [](const Scene& room) { return room.openness(); };
   Plot work{"comparison-work",
-            "What is read against openness",
+            "Work against openness",
             "Medians of random views of the buildings. The same on every computer.",
-            "Cells entered and pairs of faces against portals a wall: cells entered rise more steeply",
-            {"portals a wall"},
+            "Cells entered and pairs of faces against portals per wall: cells entered rise more steeply",
+            {"portals per wall"},
             {"count in a view"}};
   add_curves(work, rooms, "jones: cells entered", at, &Scene::visits);
   add_curves(work, rooms, "exact: faces", at,
@@ -292,17 +290,17 @@ void openness(Page& page, const Comparison& comparison) {
   add_curves(work, rooms, "montani-re: pairs of faces", at, &Scene::pairs);
   Plot machine{"comparison-pdp7",
                "Time of a view on the PDP-7 against openness",
-               "Medians of random views of the buildings that it takes, with the EAE.",
-               "Emulated time against portals a wall: it rises steadily",
-               {"portals a wall"},
+               "Medians of random views of the buildings that fit into the machine, with the EAE.",
+               "Emulated time against portals per wall: it rises steadily",
+               {"portals per wall"},
                {"emulated time", "s"}};
   add_curves(machine, rooms, "jones-pdp7", at, &Scene::pdp7_s);
   if (page.host_times()) {
     Plot times{"comparison-times",
                "Time of a view on this computer against openness",
-               "Medians of random views of the buildings, one run a view.",
-               "Time against portals a wall: Jones's method rises steeply",
-               {"portals a wall"},
+               "Medians of random views of the buildings, one run per view.",
+               "Time against portals per wall: Jones's method rises steeply",
+               {"portals per wall"},
                {"time", "us"}};
     add_curves(times, rooms, "jones", at, in_microseconds(&Scene::jones_s));
     add_curves(times, rooms, "exact", at, in_microseconds(&Scene::exact_s));
@@ -370,11 +368,10 @@ Comparison compare_all(const Context& context) {
 void comparison_chapter(Page& page, const Comparison& comparison) {
   using Scene = ComparisonScene;
   page.paragraph(
-      fmt::format("{} scenes, {} random views of each (seed {}): the built-in scenes, ten buildings of {} "
-                  "rooms with ever more doors, seen from within as "
-                  "the program of 1971 looks, and scenes of polyhedra, one view in five in parallel "
-                  "projection as Plantinga's method needs it. Programs on "
-                  "the PDP-7 draw {} of these views, methods of faces {}.",
+      fmt::format("{} scenes, {} random views of each (seed {}): the built-in scenes, ten buildings of {} rooms with more and "
+                  "more doors, seen from inside along z as in the program of 1971; and scenes of polyhedra, one view in five "
+                  "in parallel projection, as Plantinga's method needs. Programs on the PDP-7 draw {} of these views, face "
+                  "methods {}.",
                   comparison.scenes.size(), comparison.views, seed, rooms_a_side * rooms_a_side,
                   comparison.views_by_programs, comparison.views_of_faces));
   openness(page, comparison);
@@ -394,16 +391,15 @@ void comparison_chapter(Page& page, const Comparison& comparison) {
               {"faces", "Faces", &Scene::faces},
               {"portals", "Portals", &Scene::portals},
               {"walls", "Walls", &Scene::walls},
-              {"openness", "Openness", "portals a wall", &Scene::openness, 2},
+              {"openness", "Openness", "portals per wall", &Scene::openness, 2},
               {"visits", "Cells entered", "jones", &Scene::visits, 0},
               {"pairs", "Pairs of faces", "montani-re", &Scene::pairs, 0},
               {"pdp7_s", "jones-pdp7", "s", &Scene::pdp7_s, 3},
               {"jones_us", "jones", "us", in_microseconds(&Scene::jones_s), 1, host_time},
               {"exact_us", "exact", "us", in_microseconds(&Scene::exact_s), 1, host_time},
               {"montani_re_us", "montani-re", "us", in_microseconds(&Scene::montani_re_s), 1, host_time}},
-             {{"A wall is a pair of cells that share a piece of a plane, with portals in it or none. "
-               "Polyhedra have no cells of their own: "
-               "Jones's method finds them beforehand, which these times leave out."}});
+             {{"A wall is a pair of cells that share a piece of a plane, with or without portals in it. The cells of polyhedra "
+               "are computed before the measurement, which these times do not include."}});
   columns = answer_columns();
   columns.insert(columns.begin(), {"scene", "Scene", &AnswerRow::scene});
   page.table("comparison", "All methods, scene by scene", comparison.rows, columns, {{}, true});

@@ -34,14 +34,15 @@ Cell verdict_of(const CrossCheckCell& cell) {
   return {};
 }
 
-// Degrees in perspective, else scene units.
+// In perspective degrees, otherwise scene units.
 double extent_of(const compare::CrossCheckView& view) {
   const auto window = view.window();
   const double half = window.width / 2.0 / window.scale;
   return view.camera.perspective ? 360 / std::numbers::pi * std::atan(half) : 2 * half;
 }
 
-// What Jones's and Skala's programs are measured against; other pairs of theirs say the same.
+// Whether the pair is one by which Jones's and Skala's programs are measured; their other pairs give no more
+// information.
 bool is_measured(const CrossCheckCell& cell) {
   return cell.first == "exact" || cell.second == compare::skala_8080_name;
 }
@@ -151,46 +152,50 @@ CrossCheck cross_check(const Context& context) {
 
 void cross_check_chapter(Page& page, const CrossCheck& checked) {
   page.table("agreement-matrix", "Every pair on every scene", checked.cells, {{"pair", "Pair", &PairVerdict::pair}},
-             {.notes = {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, drawn of other edges "
-                        "where edges lie on each other in the image. pixels: the same face at every pixel whose middle is more than 0.75 pixels "
-                        "from all edges, hidden ones too. lines on pixels: wherever the face changes from a pixel to its neighbour a line is "
-                        "drawn, and wherever a line is drawn with no other one within two pixels the face changes, both within one pixel (and "
-                        "what rounding can do on a machine's display). points: turn-pdp7 is the program that turns solids on the PDP-7, at the "
-                        "nearest of its 2^18 angles; the others draw for it at that angle, the visible pieces are the same, and no line is "
-                        "farther from the other picture's than the lengths of the machine's words explain; of jones-pdp7 and skala-8080 the next "
-                        "tables say how far. words: the same display words, with every number of fraction bits. n/a: does not apply, for a "
-                        "reason listed below.",
-                        "exact and oracle take part like the methods they check. Lines and faces of the oracle are found by different code.",
-                        page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", shown(checked.run())),
-                                   fmt::format("{} do not agree or were not run", checked.failures.size()))}},
+             {.notes = {"pieces: the same pieces of the same edges between the same fractions. image: the same set of points, "
+                        "possibly from other edges where edges coincide in the image. pixels: the same face at every pixel "
+                        "whose centre is more than 0.75 pixels from all edges, visible or hidden. lines on pixels: there is a "
+                        "line wherever the face changes between adjacent pixels, and the face changes at every line that has "
+                        "no other line within two pixels, both within one pixel (plus the rounding of a machine's display). "
+                        "points: turn-pdp7 is the program that turns solids on the PDP-7, at the nearest of its 2^18 angles; "
+                        "the others draw at that angle, the visible pieces are the same, and no line is farther from the other "
+                        "picture than the lengths of the machine's words explain. The next tables give the distances for "
+                        "jones-pdp7 and skala-8080. words: the same display words, with every number of fraction bits. n/a: "
+                        "not applicable, for a reason listed below.",
+                        "exact and oracle take part like the methods they check. Different code computes the oracle's lines "
+                        "and its faces.",
+                        page.claim(checked.agrees(), fmt::format("All {} cells that are listed to run were run and agree.", text_of(checked.run())),
+                                   fmt::format("{} differ or were not run", checked.failures.size()))}},
              Pivot<PairVerdict>{.key = [](const PairVerdict& cell) { return base::lower_case(cell.scene); },
                                 .title = &PairVerdict::scene,
                                 .unit = {},
                                 .cell = &PairVerdict::verdict});
   if (!checked.failures.empty())
-    page.table("agreement-failures", "What does not agree, or could not be run", checked.failures,
+    page.table("agreement-failures", "Pairs that differ or could not be run", checked.failures,
                {{"scene", "Scene", &PairFailure::scene}, {"pair", "Pair", &PairFailure::pair}, {"first", "First difference", &PairFailure::first}});
   const auto of_jones = where(checked.machines, [](const MachineFarthest& m) { return m.machine != compare::skala_8080_name; });
   const auto of_skala = where(checked.machines, [](const MachineFarthest& m) { return m.machine == compare::skala_8080_name; });
   machine_table(page, "agreement-jones", "Jones's program: its lines and the exact ones", of_jones,
-                "Of the views of a scene the one that comes nearest to its bound: how far, in points of the Type 340, a line of the program is from the exact "
-                "ones or an exact one from the program's, of how far its words let it be. f is the number of fraction bits; lit: the points of one pass of "
-                "the display, whose vector generator wanders. jones-pdp7 is the program on its machine, with the EAE and without; jones-twin the same "
-                "program in C++ with words of 24 bits, before its pieces are put on points. The bounds are worked out for each view "
-                "from the roundings on the way to each end. They hold for these views: where two openings meet in a side that is no line, "
-                "their masks are rounded each for itself, and a line that runs in the gap between them, at a small angle to it, is lost over a "
-                "length that no word bounds.");
+                "The view of each scene that comes nearest to its bound. The first number is the greatest distance, in points "
+                "of the Type 340, between the program's lines and the exact ones, the second is the bound that follows from "
+                "its words. f is the number of fraction bits; lit: the points of one pass of the display, whose vector "
+                "generator deviates from the line. jones-pdp7 is the program on its machine, with and without the EAE; "
+                "jones-twin is the same program in C++ with words of 24 bits, before its pieces are rounded to points. The "
+                "bounds are computed for each view from the roundings of each end point. They hold for these views, not for "
+                "all: where two portals meet in a side that is no line, their masks are rounded independently, and a line in "
+                "the gap between them, at a small angle to it, can be lost over any length.");
   machine_table(page, "agreement-skala", "Skala's program: its ink and the unrounded lines", of_skala,
-                "How far, in dots, ink is from the lines between the samples (oracle: what is truly seen of them, not rounded; skala: what the native "
-                "algorithm draws), and these from ink, of how far integer coordinates, the dots of a line and the test by columns let it be. Contours "
-                "hide nothing and are tested with a dot of slack, so only their places are measured; which of their dots are lit is, as for all pictures "
-                "on the boards, what the column oracle says, dot by dot. A plotter draws a surface as lines.");
-  page.table("agreement-not-applicable", "What does not apply, and why", compare::not_applicable(),
+                "The first number is the greatest distance, in dots, between ink and the lines between the samples (oracle: "
+                "their visible parts, not rounded; skala: those that the native algorithm draws). The second is the bound that "
+                "follows from integer coordinates, the dots of a line and the test by columns. Contours hide nothing and are "
+                "tested with a tolerance of one dot, so only their positions are measured. On the boards every dot of every "
+                "picture equals the column oracle's. A plotter draws a surface as lines.");
+  page.table("agreement-not-applicable", "Pairs that are not applicable, with reasons", compare::not_applicable(),
              {{"method", "Method", &NotApplicable::who},
-              {"scenes", "Scenes", "whose name begins so", &NotApplicable::scenes},
+              {"scenes", "Scenes", "whose names begin with", &NotApplicable::scenes},
               {"views", "Views", [](const NotApplicable& n) { return n.views == NotApplicable::Views::all ? "all" : "in perspective"; }},
               {"reason", "Reason", &NotApplicable::reason}},
-             {.notes = {fmt::format("skala-8080 with others than oracle and skala: {}.", *compare::nothing_in_common(compare::skala_8080_name, "exact"))},
+             {.notes = {fmt::format("skala-8080 with methods other than oracle and skala: {}.", *compare::why_incomparable(compare::skala_8080_name, "exact"))},
               .folded = true});
   page.table("agreement-scenes", "The common scenes", checked.scenes,
              {{"scene", "Scene", &CheckedScene::scene},
@@ -202,11 +207,14 @@ void cross_check_chapter(Page& page, const CrossCheck& checked) {
               {"listed", "Cells", "listed to run", &CheckedScene::listed},
               {"run", "Cells", "run", &CheckedScene::run},
               {"result", "Result", [](const CheckedScene& s) { return Verdict{s.good, s.good ? "all agree" : "not all agree"}; }}},
-             {.notes = {"Parallel views look along level directions with whole cosines, so that a turn about y has them. Scenes parallel to the axes "
-                        "are tilted by 38 times a rotation, but the corridor and the town, which stay degenerate on purpose. Of the town Willis "
-                        "takes the walls in plan. H1 and H2 are two triangles a cell, in whole numbers that Skala's projection has, too. J1 to J4 are "
-                        "scenes of cells as they are: solids and walls hide, the real lines are drawn, the outer box's too; Jones takes their own cells. The "
-                        "second view of each is from where the program's lines are far from the exact ones with any number of fraction bits. A cell is a pair of methods on a scene; one that is listed to run and does not is a failure."}});
+             {.notes = {"Parallel views look along level directions with rational cosines, which are also views of a turn "
+                        "about y. Axis-parallel scenes are tilted by 38 times a rotation, except the corridor and the town, "
+                        "which stay degenerate on purpose. For Willis, the town is walls in plan. H1 and H2 have two triangles "
+                        "per cell, in integers that Skala's projection has, too. J1 to J4 are scenes of cells without a tilt: "
+                        "solids and walls hide, the real lines are drawn, including those of the outer box; Jones uses their "
+                        "own cells. The second view of each is one where the program's lines are far from the exact ones with "
+                        "any number of fraction bits. A cell is a pair of methods on a scene. A listed cell that is not run is "
+                        "a failure."}});
   page.gallery("agreement-pictures", "The first view of every scene by each method", checked.pictures,
                [](const MethodPicture& p) {
                  return figure(p.picture, "agreement-" + p.id, fmt::format("{}, {}.", p.scene, p.method), p.title,

@@ -1,4 +1,4 @@
-// All algorithms compared with each other on the common scenes (host/compare/cross_check.hpp).
+// Cross-check: all algorithms compared with each other on the common scenes (host/compare/cross_check.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace sightline::report {
 
-// A pair of methods on a scene: how they agree, or that they do not.
+// A pair of methods on a scene: how they agree, or that they differ.
 struct PairVerdict {
   std::string scene;
   std::string pair;
-  Cell verdict;  // words, if it does not apply
+  Cell verdict;  // a text if the pair is not applicable
 };
 
 struct PairFailure {
   std::string scene;
   std::string pair;
-  std::string first;  // difference, or why it could not be run
+  std::string first;  // the first difference, or why the pair could not be run
 };
 
 struct CheckedScene {
@@ -44,7 +44,8 @@ struct MethodPicture {
   Picture picture;
 };
 
-// Of all views of a scene the one in which a machine's picture is the farthest from another, in terms of its bound. Points of its device.
+// Of all views of a scene, the one with the greatest ratio of a machine picture's distance from another picture to
+// its bound. In points of its device.
 struct MachineFarthest {
   std::string scene;
   std::string title;
@@ -55,7 +56,7 @@ struct MachineFarthest {
   double bound = 0;
 
   [[nodiscard]] double part() const { return found / bound; }
-  [[nodiscard]] int places() const { return bound < 0.5 ? 4 : 2; }  // that say something of both
+  [[nodiscard]] int places() const { return bound < 0.5 ? 4 : 2; }  // enough decimals for both numbers
 };
 
 struct CrossCheck {
@@ -65,7 +66,7 @@ struct CrossCheck {
   std::vector<MethodPicture> pictures;
   std::vector<MachineFarthest> machines;
 
-  // All that are listed to run were run and agree.
+  // Whether all pairs that are listed to run were run and agree.
   [[nodiscard]] bool agrees() const;
   [[nodiscard]] std::size_t run() const;  // cells
   void add(const compare::CommonScene& scene, const compare::SceneCrossCheck& agreement);

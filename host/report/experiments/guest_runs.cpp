@@ -49,7 +49,7 @@ Picture phosphor_png(const JonesRun& run) {
   const core::Instant close = run.outcome.shutter_close;
   picture::PhosphorPhotograph photograph(close - shutter_time, close);
   photograph.expose(run.outcome.photograph);
-  // A quarter of the points: the beam is wider than one of them.
+  // A quarter of the points: the beam is wider than a point.
   const picture::Image film = photograph.develop();
   picture::Image image(film.width / 2, film.height / 2, film.channels);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

@@ -1,5 +1,4 @@
-// Runs of Jones's program as experiments need them: each is compared with its native twin before anything is
-// said of it.
+// Runs Jones's program for experiments. Each run is compared with its native twin before its results are used.
 #pragma once
 
 #include <cstdint>
@@ -25,21 +24,21 @@ struct JonesOrder {
 struct JonesRun {
   scene::CellScene scene;
   programs::jones::Prepared program;
-  programs::jones::Outcome outcome;  // two views; figures are of the second, while the display shows the first
-  programs::jones::TwinCounts twin;  // of the same view: what the machine's program does not count itself
+  programs::jones::Outcome outcome;  // two views; the numbers are those of the second, computed while the display shows the first
+  programs::jones::TwinCounts twin;  // of the same view: counts that the machine's program does not make
 
   [[nodiscard]] const programs::jones::View& view() const { return outcome.view(); }
 };
 
 // Throws base::Error: program_failed, if the program stopped with a status or took too long; differs, if its display
-// file is not its twin's.
+// file differs from its twin's.
 [[nodiscard]] JonesRun run_jones(const JonesOrder& order);
 
 [[nodiscard]] double seconds(core::Duration time);
 
 // Lines of the display's last complete pass, 1024 x 1024, as PNG.
 [[nodiscard]] Picture crisp_png(const JonesRun& run);
-// The screen photographed, 0.2 s, 512 x 512; the order asked for a photograph.
+// A photograph of the screen, exposed for 0.2 s, 512 x 512. The order asked for one (precondition).
 [[nodiscard]] Picture phosphor_png(const JonesRun& run);
 
 inline constexpr core::Duration shutter_time = core::milliseconds(200);

@@ -35,7 +35,7 @@ Manifest manifest() {
 CaseResult result_of(const HardCaseGroup& group, const HardCase& hard) {
   const compare::CaseOutcome outcome = compare::run_case(hard, compare::case_image_side);
   CaseResult made{group.id,      hard.id,       hard.input, hard.section, hard.what, compare::options_of(hard),
-                  hard.expected, compare::checked(hard), compare::hard_command(hard), {}, {}, {}, {}};
+                  hard.expected, compare::checks_of(hard), compare::hard_command(hard), {}, {}, {}, {}};
   if (const std::string command = compare::compare_command(hard); !command.empty()) made.commands += "; " + command;
   for (const compare::MethodOutcome& method : outcome.methods) made.findings.push_back({method.method, method.text, method.right});
   if (!hard.tests.empty()) made.findings.push_back({"tests", base::joined(hard.tests, ", "), {}});
@@ -83,13 +83,13 @@ std::string listing_id(std::string_view file) {
   return id;
 }
 
-// Every file of a case once, in the order of the cases; a model is one of the program's own scenes.
+// Every file of a case once, in the order of the cases. A model is one of the program's own scenes.
 std::vector<InputFile> inputs_of(const Manifest& manifest) {
   std::vector<InputFile> inputs;
   for (const HardCaseGroup& group : manifest.groups) {
     for (const HardCase& hard : group.cases) {
       const std::string_view text = hard_case_text(hard.input);
-      if (!text.empty() && count(inputs, is(&InputFile::file, hard.input)) == 0) inputs.push_back({hard.input, std::string(text)});
+      if (!text.empty() && count(inputs, equals(&InputFile::file, hard.input)) == 0) inputs.push_back({hard.input, std::string(text)});
     }
   }
   return inputs;
@@ -101,7 +101,7 @@ struct CaseTable {
   std::string paper;
   std::string cards_name;
   std::string title;
-  std::vector<Said> notes;
+  std::vector<CheckedText> notes;
 };
 
 // Cards: a row for each case, a column for each method.
@@ -115,7 +115,7 @@ void case_table(Page& page, const HardCases& hard, CaseTable of) {
                                        {"expected", "Expected", &Case::expected},
                                        {"checked", "Checked", &Case::checked},
                                        {"commands", "Commands", &Case::commands}};
-  // Turns take no options.
+  // Cases of turns have no options.
   if (of.paper == "plantinga") std::erase_if(columns, [](const auto& column) { return column.column.key == "options"; });
   Table table{"hard-cases-" + of.paper, of.title, {}, {}, std::move(of.notes)};
   table.notes.emplace_back(
@@ -123,7 +123,7 @@ void case_table(Page& page, const HardCases& hard, CaseTable of) {
   table.cards_name = of.cards_name;
   for (const auto& column : columns) table.columns.push_back(column.column);
   std::vector<std::string> methods;
-  const auto cases = where(hard.cases, is(&Case::paper, of.paper));
+  const auto cases = where(hard.cases, equals(&Case::paper, of.paper));
   for (const Case& row : cases)
     for (const CaseFinding& finding : row.findings)
       if (std::find(methods.begin(), methods.end(), finding.method) == methods.end()) methods.push_back(finding.method);
@@ -158,25 +158,25 @@ void first_failures_table(Page& page, const HardCases& hard) {
               {"what", "What happens", &Row::what},
               {"found", "Found (value: measure)", &Row::found}},
              {{"In the names of builds f=1 is one fraction bit. J: a corridor 100 wide and high (J12: 32,000) from z = -100, "
-               "the eye at the origin. A build fails when it does not visit every cell, stops, or does not take the scene; the "
-               "native algorithm also when its picture is not that of exact. Twins keep the limits of the machine's core: 8192 "
-               "words for the scene alone, without the program, a mask stack of 450 words. Coordinates of the program's scenes "
-               "end at 32767, those of native ones at 262143.",
+               "the eye at the origin. A build fails if it does not visit every cell, stops, or rejects the scene; the native "
+               "algorithm also if its picture differs from that of exact. Twins have the limits of the machine's core: 8192 "
+               "words for the scene alone, without the program, and a mask stack of 450 words. Coordinates of the program's "
+               "scenes are at most 32767, those of native ones 262143.",
                "S11: slices 0 0, then 100 101, then 99 and 100 + 255/d, then 255 255, seen level: heights are rows. The second "
-               "and the third cross in column d, at slopes that differ by 1/d. On a raster of whole rows the farther line "
-               "appears where it is a row above the nearer: off by up to d columns. Measured: columns.",
+               "and the third cross in column d, at slopes that differ by 1/d. On a raster, the farther line appears where it "
+               "is a row above the nearer one: off by up to d columns. Measured: columns.",
                "W10: measured: pieces. Cut into equal parts the long wall would need more pieces than it is long.",
                "M2: corners of a regular polygon of radius 100, rounded to integers, each bar along a side, four times as "
                "large, from a quarter before it to a quarter beyond, its near end before the next bar's far one. The exact "
-               "build must cut once and draw the lines of the oracle; stripes fail when a pixel farther than 0.75 pixels from "
-               "all edges shows another face than the sight line through its middle meets, with 0.4 pixels a unit. M9: "
+               "build must cut once and draw the lines of the oracle; stripes fail if a pixel farther than 0.75 pixels from "
+               "all edges shows another face than the sight line through its centre meets, with 0.4 pixels per unit. M9: "
                "measured: % of the triangle's area that its stripes cover; corners are moved to the nearest line between "
                "stripes.",
-               "P6, triple point: coordinates of scenes end at 2^18, those of events at 2^23, directions of events at 2^52; the "
-               "angles between events that scenes can have reach 2^-104."}});
+               "P6, triple point: coordinates of scenes are below 2^18, those of events below 2^23, directions of events below "
+               "2^52; the least angles between events of scenes are 2^-104."}});
 }
 
-// How many of those that are right or wrong are wrong, of a paper or of all.
+// Counts how many verdicts of a paper, or of all, are wrong.
 struct Tally {
   std::size_t wrong = 0;
   std::size_t all = 0;
@@ -225,21 +225,23 @@ HardCases hard_cases(const Context& context) {
 
 void hard_cases_chapter(Page& page, const HardCases& hard) {
   page.paragraph(
-      "Each card is an input that breaks programs of this kind, with what must come out and what every method gave "
-      "when this page was made. The picture is the correct one; where a method was wrong, its picture is next to it. "
-      "Hidden edges are dashed. A wrong program of a small machine shows what the machine cost; an exact method must "
-      "be right everywhere. Guest is the program on its emulated machine, twin the same program in C++.");
+      "Each card is an input that breaks programs of this kind, with the expected result and the result of every method when "
+      "this page was made. The picture is the correct one; where a method was wrong, its picture is next to it. Hidden edges "
+      "are dashed. Errors of a program for a small machine are due to its arithmetic and memory; an exact method must be right "
+      "everywhere. Guest is the program on its emulated machine, twin is the same program in C++.");
   case_table(page, hard, {"jones", "Jones",
                          "Jones: cells and portals, J1 to J17",
-                         {"Program (guest) and twin are compared with the oracle of cells on the screen: farther than a point from what is "
-                          "seen is wrong. The native algorithm (jones) has the cells of the file and must give the oracle's picture, piece "
-                          "for piece; where the eye is not in free space there is none, and the lines named must be seen or hidden whole."}});
+                         {"Program (guest) and twin are compared with the oracle of cells on the screen: lines farther than a "
+                          "point from the oracle's are wrong. The native algorithm (jones) uses the cells of the file and must "
+                          "draw the oracle's picture, piece for piece. If the eye is not in free space there is no such "
+                          "picture; then the lines named must be completely visible or hidden."}});
   case_table(page, hard, {"skala", "Skala",
                          "Skala: slices on a raster, S1 to S16",
-                         {"The oracle decides each column by depth alone. Program (guest) and twin must have its dots, the native "
-                          "algorithm be within a dot of them; of a view straight on, the first and the last column are left out, where the "
-                          "program's order hides one of the two rims and vectors show both. S7: all lines from (x, y) to (x + u, y + v), u "
-                          "and v from -16 to 16, and back, 49 a screen without visibility test, at x, y = 18 + 36 n, n = 0 to 6, x first."}});
+                         {"The oracle decides each column by depth alone. Program (guest) and twin must have the same dots; "
+                          "the native algorithm must be within a dot of them. In views without rotation, the first and the "
+                          "last column are ignored: there the program's order hides one of the two side edges, and vectors "
+                          "show both. S7: all lines from (x, y) to (x + u, y + v), u and v from -16 to 16, and back, 49 a "
+                          "screen without visibility test, at x, y = 18 + 36 n, n = 0 to 6, x first."}});
   case_table(page, hard, {"willis", "Willis",
                          "Willis: distance as priority, W1 to W16",
                          {"Walls are seen from both sides, so a cluster of two walls counts twice. Pictures of 128 by 128 points, 90 "
@@ -248,29 +250,32 @@ void hard_cases_chapter(Page& page, const HardCases& hard) {
                           "--plan -o picture.png`, where plan is among the options."}});
   case_table(page, hard, {"montani-re", "Montani and Re",
                          "Montani and Re: stripes and priority lists, M1 to M18",
-                         {"Scenes (.json) are sheets seen along z without perspective; bodies count from 0. The exact build (montani-re) "
-                          "must show the areas and draw the lines of the oracle. Stripes of a pixel are compared with the oracle's sight "
-                          "lines through the middles of pixels: once with a pixel a unit, so that all corners lie on lines between stripes "
-                          "and no pixel may be wrong, once with 4.25 pixels a unit, where pixels within 0.75 pixels of an edge may. The "
-                          "areas of the oracle are counts of sight lines, one through every unit square.",
-                          "Drawn by `sightline draw montani-re FILE -o picture.svg`. Chains (.txt) have one line per chain: the name of "
-                          "its region, its starting point, its links (0 east, 1 north-east, ... 7 south-east); a region is what lies "
-                          "inside an odd number of its chains."}});
+                         {"Scenes (.json) are sheets seen along z without perspective; bodies count from 0. The exact build "
+                          "(montani-re) must show the areas and draw the lines of the oracle. Stripes of a pixel are compared "
+                          "with the oracle's sight lines through the centres of pixels: once with one pixel per unit, where "
+                          "all corners lie on lines between stripes and no pixel may be wrong, and once with 4.25 pixels per "
+                          "unit, where pixels within 0.75 pixels of an edge may be. The areas of the oracle are counts of "
+                          "sight lines, one through every unit square.",
+                          "Drawn by `sightline draw montani-re FILE -o picture.svg`. Chains (.txt) have one line per chain: "
+                          "the name of its region, its starting point, its links (0 east, 1 north-east, ... 7 south-east); a "
+                          "region is the set of points inside an odd number of its chains."}});
   case_table(page, hard, {"plantinga", "Plantinga, Seales and Dyer",
                          "Plantinga, Seales and Dyer: events of a turn, P1 to P22",
-                         {"Scenes are viewed along 24 horizontal directions: the first picture is made from scratch, the others by "
-                          "stepping through the events of a full turn; all must be the oracle's, piece for piece (P18: those of exact, as "
-                          "the oracle is too slow). Files of edges and vertices (.txt) are inputs of tests: directions are X : Z, the sine "
-                          "to the cosine of theta; a direction and its opposite are two."}});
+                         {"Scenes are viewed along 24 horizontal directions: the first picture is made from scratch, the "
+                          "others by stepping through the events of a full turn; all must equal the oracle's, piece for piece "
+                          "(P18: those of exact, because the oracle is too slow). Files of edges and vertices (.txt) are "
+                          "inputs of tests: directions are X : Z, the sine to the cosine of theta; a direction and its "
+                          "opposite are two."}});
   page.add(Heading{"First failures", "first-failures"});
   first_failures_table(page, hard);
   page.add(Heading{"Inputs of the hard cases", "hard-case-inputs"});
   page.paragraph(
-      "`sightline hard CASE -o DIR` runs a case by all its methods, and writes its input and a picture of what is expected beside what was "
-      "found. A scene (.json) or a grid (.csv, .dat), saved so or from here, is compared by the command of its card; a scene is drawn by "
-      "`sightline draw METHOD FILE -o picture.svg`, a grid by `sightline draw skala FILE -o picture.svg`. Texts (.txt) are inputs of "
-      "`sightline hard` alone: commands of the program on the 8080, by name, arguments in decimal; of M, chains around regions; of P, edges "
-      "and vertices. Scenes of P turn by `sightline spin FILE -o turn.apng`.");
+      "`sightline hard CASE -o DIR` runs a case by all its methods, and writes its input and a picture of the expected and the "
+      "found result side by side. The command on a card compares its scene (.json) or grid (.csv, .dat), saved by this command "
+      "or from this page; a scene is drawn by `sightline draw METHOD FILE -o picture.svg`, a grid by `sightline draw skala "
+      "FILE -o picture.svg`. Texts (.txt) are inputs of `sightline hard` only: for S, commands of the program on the 8080, by "
+      "name, with arguments in decimal; for M, chains around regions; for P, edges and vertices. Scenes of P turn by "
+      "`sightline spin FILE -o turn.apng`.");
   for (const InputFile& input : hard.inputs) page.add(Listing{listing_id(input.file), input.file, input.text});
 }
 
@@ -285,29 +290,29 @@ void finding_hard_cases(Page& page, const HardCases& hard, const MontaniReTables
     return finding.method == "jones" || finding.method == "montani-re" || finding.method == "plantinga" || finding.method == "exact";
   });
   const auto is_wrong = [&](std::string_view input, std::string_view method) {
-    const CaseFinding* const finding = the(hard.cases, is(&CaseResult::input, input)).finding(method);
+    const CaseFinding* const finding = only(hard.cases, equals(&CaseResult::input, input)).finding(method);
     return finding != nullptr && finding->right == false;
   };
-  Panel panel{"finding-hard-cases", fmt::format("Of {} runs on hard cases {} are wrong", shown(all.all), shown(all.wrong)), {}, {}, {}, {}};
+  Panel panel{"finding-hard-cases", fmt::format("Of {} runs on hard cases {} are wrong", text_of(all.all), text_of(all.wrong)), {}, {}, {}, {}};
   panel.facts = {{"Jones on the PDP-7", guests_of("jones")},
                  {"Skala on the 8080", guests_of("skala")},
                  {"Exact programs of today", wrong_of(exact)},
                  page.paper_says("montani_re.figure_10")};
-  const auto uncut = where(willis.models, is(&WillisModel::depth, 0));
+  const auto uncut = where(willis.models, equals(&WillisModel::depth, 0));
   panel.text = {
-      "Hard cases are inputs that break programs of this kind: a door seen edge-on, a horizon that is met exactly, surfaces that hide "
-      "each other in a circle. " +
+      "Hard cases are inputs that break programs of this kind: a door seen edge-on, a point exactly on the horizon, a cyclic "
+      "overlap of surfaces. " +
           page.claim(is_wrong("J11.json", "guest"), "Jones's program misses a portal that is smaller than a point of the screen.") + " " +
           page.claim(is_wrong("S8-backwards.txt", "guest"),
-                     "Skala's draws too much when slices are not sent from front to back, which the paper assumes.") +
+                     "Skala's program draws hidden lines if slices are not sent from front to back, as the paper assumes.") +
           " " + page.claim(is_wrong("S5.csv", "native"), "The native program loses parts of upright lines.") + " " +
           page.claim(tables.cycles.back().right, "The case that Montani and Re could not solve is solved here by cutting a face.") + " " +
           page.claim(sum(uncut, &WillisModel::lines_wrong) > 0,
                      "Willis's order is wrong at some points as long as no surface is cut."),
-      fmt::format("Some cases have a parameter that makes them harder until a program fails. {} of {} builds fail within the range that was "
-                  "tried; the table of first failures names the first value at which each does.",
+      fmt::format("Some cases have a parameter that makes them harder until a program fails. {} of {} builds fail within the "
+                  "range that was tried; the table of first failures gives the first such value of each.",
                   count(hard.first_failures, [](const FirstFailure& row) { return row.first.has_value(); }), hard.first_failures.size())};
-  const CaseResult& backwards = the(hard.cases, is(&CaseResult::input, "S8-backwards.txt"));
+  const CaseResult& backwards = only(hard.cases, equals(&CaseResult::input, "S8-backwards.txt"));
   if (backwards.correct)
     panel.figures.push_back(figure(*backwards.correct, "finding-hard-cases-correct", "Correct.",
                                    fmt::format("Case {}: {}.", backwards.id, backwards.what), "A few lines, those behind cut off"));

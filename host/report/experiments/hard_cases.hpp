@@ -1,4 +1,4 @@
-// Hard cases: inputs that break programs of this kind. Every method that a case names has run on it.
+// Hard cases: inputs that break programs of this kind, with the results of every method that a case names.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace sightline::report {
 
-// What a method gave, or the tests that check what is inside an algorithm, which are neither right nor wrong.
+// The result of a method; or the tests that check an algorithm's internals, which have no verdict.
 struct CaseFinding {
   std::string method;
   std::string text;
@@ -29,17 +29,17 @@ struct CaseResult {
   std::string options;
   std::string expected;
   std::string checked;
-  std::string commands;  // that run and compare it
+  std::string commands;  // the commands that run and compare it
   std::vector<CaseFinding> findings;
   std::optional<Picture> correct;
-  std::optional<Picture> wrong;  // by the first method that is wrong
+  std::optional<Picture> wrong;  // by the first wrong method
   std::string wrong_by;
 
-  // Nullptr: the method was not run.
+  // Null if the method was not run.
   [[nodiscard]] const CaseFinding* finding(std::string_view method) const;
 };
 
-// A case with a parameter, and a build: the first value at which it fails, and what was found at each.
+// A case with a parameter, and a build: the first value at which it fails, and the result at each value.
 struct FirstFailure {
   std::string id;
   std::string parameter;
@@ -50,7 +50,7 @@ struct FirstFailure {
   std::string found;
 };
 
-// A file of a case.
+// An input file of a case.
 struct InputFile {
   std::string file;
   std::string text;

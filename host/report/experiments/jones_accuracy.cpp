@@ -27,7 +27,7 @@ namespace jones_precision = compare::jones_precision;
 constexpr int most_machine_fraction = 3;  // fraction bits
 constexpr std::array tried_lengths{12, 14, 16, 18, 20, 22, 24, 28, 32, 36};
 
-// An error below this is numerical noise: the measure is computed in double precision.
+// A smaller error is numerical noise: the measure is computed in double precision.
 constexpr double noise_floor = 1e-9;
 
 double without_noise(double error) {
@@ -45,7 +45,7 @@ std::string place_of(const geometry::Point& p) {
   return fmt::format("({}, {}, {})", p[0], p[1], p[2]);
 }
 
-// The most fraction bits with which every view is complete; 0 if none are.
+// The most fraction bits with which every view is complete; 0 if there is no such number.
 int most_complete(const SceneViews& views, int word_bits) {
   for (int f = jones_precision::most_fraction_bits; f > 0; --f) {
     const jones_precision::Precision precision{jones_precision::NumberKind::fixed_point, word_bits, f, false};
@@ -57,7 +57,7 @@ int most_complete(const SceneViews& views, int word_bits) {
   return 0;
 }
 
-// What draws a scene exactly.
+// Draws a scene exactly.
 struct ExactScene {
   scene::PolyScene polyhedra;
   scene::CellComplex complex;
@@ -78,7 +78,7 @@ struct ExactScene {
     }
   }
 
-  // Nothing for an eye in a solid.
+  // Empty for an eye in a solid.
   [[nodiscard]] std::optional<picture::LinePicture> by_jones(std::size_t view) {
     auto seen = walker.visible_edges(cameras[view]);
     if (!seen) return std::nullopt;
@@ -101,7 +101,7 @@ struct ExactScene {
   }
 };
 
-// One scene in C++: rows, and the jobs that time them. `numbers` outlives it.
+// One scene in C++: rows, and the jobs that time them. `numbers` outlives this object.
 class Numbers {
  public:
   Numbers(const jones_precision::SixViews& six, std::vector<JonesNumber>& numbers) : views_(six), exact_(views_), numbers_(numbers) {
@@ -119,7 +119,7 @@ class Numbers {
   Numbers(const Numbers&) = delete;
   Numbers& operator=(const Numbers&) = delete;
 
-  // Interleaved over all arithmetic of the scene, six views a job.
+  // Interleaved over all arithmetics of the scene, six views per job.
   void take_times(int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
     for (std::size_t i = 0; i < times.size(); ++i)
@@ -158,7 +158,7 @@ class Numbers {
 
 void add_wrong_pieces(std::vector<JonesWrongPiece>& pieces, const SceneViews& views, const jones_precision::PrecisionStudy& study,
                       const jones_precision::Precision& precision) {
-  // The twin's pieces are the machine's, word for word.
+  // The twin's pieces equal the machine's, word for word.
   for (const jones_precision::NamedStretch& piece : study.measure(precision).clipped.named)
     pieces.push_back({views.name(), name(precision), place_of(views.eye(piece.view)), piece.stretch.extra, piece.stretch.length,
                       place_of(piece.stretch.line.from), place_of(piece.stretch.line.to)});
@@ -183,7 +183,7 @@ using Build = JonesBuild;
 using Number = JonesNumber;
 using ErrorOf = double (*)(const PictureError&);
 
-// An error that plots show.
+// An error shown in plots.
 struct Measure {
   std::string key;
   std::string title;
@@ -203,27 +203,27 @@ std::string_view points_of(bool rounded) {
   return rounded ? "rounded" : "truncated";
 }
 
-// Fraction bits are named at the points of one scene.
+// The number of fraction bits labels the points of one scene.
 CurveParts<Build> fraction_labels() {
   return {[](const Build& build) { return build.scene == "street4" ? fmt::format("f={}", build.fraction_bits) : std::string(); }};
 }
 
-// How many times the wrong length of one build is that of another.
+// The ratio of the wrong lengths of two builds.
 double times_wrong(const Build& of, const Build& to, PictureError Build::*which = &Build::computed) {
   return wrong_per_cent(of.*which) / wrong_per_cent(to.*which);
 }
 
-// "7.5 (house), ...": how many times the wrong length of each scene is with no fraction bits that with the most.
+// "7.5 (house), ...": for each scene, the ratio of the wrong length without fraction bits to that with the most.
 std::string gains_by_scene(const JonesAccuracy& machine, PictureError Build::*which) {
   std::vector<std::string> gains;
   for (const jones_precision::SixViews& six : jones_precision::six_views) {
     const double gain = times_wrong(machine.build(six.scene, 0), machine.build(six.scene, most_machine_fraction), which);
-    gains.push_back(fmt::format("{} ({})", shown(gain, 1), six.scene));
+    gains.push_back(fmt::format("{} ({})", text_of(gain, 1), six.scene));
   }
   return base::joined(gains, ", ");
 }
 
-// Of one fraction bit more, over all scenes.
+// The gains of one more fraction bit, over all scenes.
 std::vector<double> gains_of_a_bit(const JonesAccuracy& machine) {
   std::vector<double> gains;
   for (const jones_precision::SixViews& six : jones_precision::six_views)
@@ -245,19 +245,19 @@ Plot machine_plot(const std::string& id, const std::string& title, const std::st
 void machine_plots(Page& page, const JonesAccuracy& machine) {
   const Build& street0 = machine.build("street4", 0);
   const Build& street3 = machine.build("street4", 3);
-  const auto rounded = where(machine.builds, is(&Build::rounded, true));
-  const auto truncated = where(machine.builds, is(&Build::rounded, false));
+  const auto rounded = where(machine.builds, equals(&Build::rounded, true));
+  const auto truncated = where(machine.builds, equals(&Build::rounded, false));
   const auto gain = range_of(machine.builds, &Build::eae_gain);
   const std::vector<double> of_a_bit = gains_of_a_bit(machine);
   const std::string of_bits = fmt::format(
-      "Fraction bits of the screen's coordinates, left to right from 3 to 0 as at the topmost curve. How many times the wrong "
-      "length with 0 of them is that with 3: {}; one bit more divides it by {} to {}. A view of street4 with the EAE takes {} % "
-      "longer with 3. The EAE, which multiplies and divides, makes a view {} to {} times as fast; the pieces are the same. No "
-      "display on the machine; pieces as they leave the clip; six views of each scene.",
-      gains_by_scene(machine, &Build::computed), shown(*std::min_element(of_a_bit.begin(), of_a_bit.end()), 1),
-      shown(*std::max_element(of_a_bit.begin(), of_a_bit.end()), 1),
-      shown(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), shown(gain.least, 1),
-      shown(gain.greatest, 1));
+      "Fraction bits of the screen's coordinates, from 3 at the left to 0 at the right, as labelled on the topmost curve. "
+      "Ratio of the wrong length with 0 bits to that with 3: {}; each additional bit divides it by {} to {}. A view of street4 "
+      "with the EAE takes {} % longer with 3 bits. The EAE, which multiplies and divides, makes a view {} to {} times as fast; "
+      "the pieces are the same. No display on the machine; pieces after clipping; six views of each scene.",
+      gains_by_scene(machine, &Build::computed), text_of(*std::min_element(of_a_bit.begin(), of_a_bit.end()), 1),
+      text_of(*std::max_element(of_a_bit.begin(), of_a_bit.end()), 1),
+      text_of(100 * (street3.eae_view_s - street0.eae_view_s) / street0.eae_view_s, 1), text_of(gain.least, 1),
+      text_of(gain.greatest, 1));
   for (std::size_t i = 0; i < 2; ++i) {
     const Measure& measure = measures()[i];
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
@@ -270,12 +270,12 @@ void machine_plots(Page& page, const JonesAccuracy& machine) {
   }
   const Build& street_cut = machine.build("street4", 0, false);
   const std::string of_rounding = fmt::format(
-      "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the wrong "
-      "length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % less "
-      "time. A point at the mark 0 has no error of this kind.",
-      shown(times_wrong(street_cut, street0), 1),
-      shown(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
-      shown(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
+      "Quotients and points of the screen rounded or truncated, 0 to 3 fraction bits. Truncated without fraction bits, the "
+      "wrong length of street4 is {} times and that of house {} times that of rounded points, and a view of street4 takes {} % "
+      "less time. A point at the mark 0 has no such error.",
+      text_of(times_wrong(street_cut, street0), 1),
+      text_of(times_wrong(machine.build("house", 0, false), machine.build("house", 0)), 1),
+      text_of(100 * (street0.eae_view_s - street_cut.eae_view_s) / street0.eae_view_s, 1));
   for (const Measure& measure : measures()) {
     const auto error = [of = measure.of](const Build& build) { return of(build.computed); };
     Plot plot = machine_plot("jones-rounding-" + measure.key, "Jones on the PDP-7 with the EAE: rounded or truncated",
@@ -292,7 +292,7 @@ void error_table(Page& page, const JonesAccuracy& machine, std::string id, std::
   page.table(
       std::move(id), fmt::format("Jones on the PDP-7: wrong length {}, six views of each scene", of), machine.builds,
       {{"scene", "Scene", &Build::scene}},
-      {{fmt::format("Rounded, how many times the wrong length with 0 fraction bits is that with 3: {}.",
+      {{fmt::format("Rounded: ratio of the wrong length with 0 fraction bits to that with 3: {}.",
                     gains_by_scene(machine, which))}},
       Pivot<Build>{
           [](const Build& build) { return fmt::format("{}_f{}", build.rounded ? "round" : "cut", build.fraction_bits); },
@@ -330,11 +330,11 @@ void machine_table(Page& page, const JonesAccuracy& machine) {
                               greatest(machine.builds, [](const Build& build) { return build.displayed.extra_far; }));
   page.table("jones-speed-error-machine", "Jones on the PDP-7: accuracy and time of every build", machine.builds, columns,
              {{"Lengths over six views of each scene, in pixels of the 1024 raster; the greatest distance is that of all six. "
-               "First after the clip, with the fraction of a point; then the same pieces between the whole points of the "
-               "display, which is what one saw.",
-               page.claim(far <= 1, fmt::format("What is drawn and hidden falls, within a pixel, on lines that are visible: "
+               "First after clipping, with the fraction of a point; then the same pieces between the points of the display, as "
+               "a user saw them.",
+               page.claim(far <= 1, fmt::format("Hidden lines that are drawn coincide, within a pixel, with visible lines: "
                                                 "extra length farther than a pixel is at most {} pixels.",
-                                                shown(far, 2)))},
+                                                text_of(far, 2)))},
               true});
 }
 
@@ -342,7 +342,7 @@ void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
   using Piece = JonesWrongPiece;
   const auto& pieces = machine.wrong_pieces;
   page.table("jones-named-pieces",
-             fmt::format("Jones: every piece wrong by more than {} pixels", shown(jones_precision::named_from_points, 0)), pieces,
+             fmt::format("Jones: every piece wrong by more than {} pixels", text_of(jones_precision::named_from_points, 0)), pieces,
              {{"scene", "Scene", &Piece::scene},
               {"arithmetic", "Arithmetic", &Piece::arithmetic},
               {"eye", "Eye", &Piece::eye},
@@ -351,8 +351,8 @@ void wrong_pieces_table(Page& page, const JonesAccuracy& machine) {
               {"length_px", "Length", "pixels", &Piece::length_px, 1},
               {"from", "On the line from", &Piece::from},
               {"to", "to", &Piece::to}},
-             {{pieces.empty() ? Said("There is none.")
-                              : page.claim(count(pieces, is(&Piece::extra, false)) == 0,
+             {{pieces.empty() ? CheckedText("There is none.")
+                              : page.claim(count(pieces, equals(&Piece::extra, false)) == 0,
                                            "All are drawn and not visible: a line of a farther wall is hidden by a fraction of a "
                                            "pixel, and rounded it lies on the edge of the mask, which is closed.")}});
 }
@@ -378,18 +378,18 @@ void native_plots(Page& page, const JonesNumbers& native) {
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "fractions", "0 to 8 fraction bits in 36",
                 "The same search in fixed point with 0 to 8 fraction bits in words of 36, in floating point, and in the native "
-                "program, which is exact: its error is 0, at the mark on the axis. What double leaves is below the numerical "
-                "noise floor of the measure and stands there too.",
+                "program, which is exact: its error is 0, at the mark on the axis. The error of double is below the numerical "
+                "noise floor of the measure and is plotted there, too.",
                 [](const Number& number) {
                   return number.study == "fractions" ? fmt::format("f={}", *number.fraction_bits) : number.arithmetic;
                 });
-  const Number& shortest = the(native.numbers, [](const Number& number) {
+  const Number& shortest = only(native.numbers, [](const Number& number) {
     return number.study == "words" && number.scene == "street4" && number.word_bits == tried_lengths.front();
   });
   for (std::size_t i = 0; i < 2; ++i)
     native_plot(page, native, measures()[i], "words", "words of 12 to 36 bits",
-                fmt::format("Each word with the most fraction bits, up to 8, with which it holds every view. {} of 6 views of "
-                            "street4 do not fit 12 bits and end early.",
+                fmt::format("Each word has the most fraction bits, up to 8, with which every view is complete. {} of 6 views "
+                            "of street4 do not fit 12 bits and end early.",
                             shortest.error.incomplete),
                 [](const Number& number) {
                   if (number.word_bits && *number.word_bits > 20) return std::string();
@@ -409,16 +409,15 @@ void native_table(Page& page, const JonesNumbers& native) {
   add_error_columns(columns, [](const Number& number) -> const PictureError& { return number.error; });
   columns.emplace_back("view_us", "View", "us, mean", &Number::view_us, 1, host_time);
   page.table("jones-speed-error-numbers", "Jones in C++: accuracy and time of every kind of number", native.numbers, columns,
-             {{"A view that meets a number its word cannot hold ends there, and counts with what it drew until then. The report "
-               "ends with an error where an exact program does not draw what the oracle finds, piece for piece: an error of 0, "
-               "not a small one."},
+             {{"A view with a number that does not fit its word ends there and counts with the lines drawn until then. An "
+               "exact program must draw the oracle's picture, piece for piece, or the report ends with an error."},
               true});
 }
 
 }  // namespace
 
 const JonesBuild& JonesAccuracy::build(std::string_view scene, int fraction_bits, bool rounded) const {
-  return the(builds, [=](const JonesBuild& build) {
+  return only(builds, [=](const JonesBuild& build) {
     return build.scene == scene && build.fraction_bits == fraction_bits && build.rounded == rounded;
   });
 }
@@ -444,14 +443,14 @@ void jones_accuracy_chapter(Page& page, const JonesAccuracy& machine, const Jone
   page.paragraph(
       "Six views of each scene are compared with exact visibility. The measures are: missing length, which is visible and not "
       "drawn; extra length, which is drawn and not visible; wrong length, their sum in per cent of the visible length; extra "
-      "length farther than a pixel from every visible line, which is what a person notices; the greatest distance between what "
-      "is drawn and what is visible; and wrong visibility, the share of random points on all lines, a pixel or more from any "
+      "length farther than a pixel from every visible line, which is what a person notices; the greatest distance between the "
+      "drawn and the visible lines; and wrong visibility, the share of random points on all lines, a pixel or more from any "
       "end, that are wrongly visible or hidden. In the plots less error is to the left and less time is below. Both axes are "
-      "logarithmic; an error of exactly 0 stands at a mark named 0. Fraction bits are the bits of a word behind the point; f=2 "
-      "marks two of them. Six views are too few for rare errors: `sightline atlas street4 --views 4000` finds the views that are "
-      "wrong by more than a point, and why.");
+      "logarithmic; an error of exactly 0 is at a mark labelled 0. Fraction bits are the bits of a word after the binary "
+      "point; f=2 means two of them. Six views are too few for rare errors: `sightline atlas street4 --views 4000` finds the "
+      "views that are wrong by more than a point, and why.");
   machine_plots(page, machine);
-  error_table(page, machine, "jones-error-table", "after the clip, with the fraction of a point", &Build::computed);
+  error_table(page, machine, "jones-error-table", "after clipping, with the fraction of a point", &Build::computed);
   error_table(page, machine, "jones-error-display", "between the whole points of the display", &Build::displayed);
   machine_table(page, machine);
   wrong_pieces_table(page, machine);

@@ -1,4 +1,4 @@
-// Jones's program in every arithmetic, from six eyes a scene: how wrong and how long.
+// Jones's program in various arithmetics, from six eyes per scene: its errors and times.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,20 @@
 
 namespace sightline::report {
 
-// A build of the program on the PDP-7: 0 to 3 fraction bits, rounded or truncated. Times are means of a view.
+// A build of the program on the PDP-7: 0 to 3 fraction bits, rounded or truncated. Times are means per view.
 struct JonesBuild {
   std::string scene;
   int fraction_bits = 0;
   bool rounded = true;
   double eae_view_s = 0;
   double view_s = 0;
-  PictureError computed;   // pieces as they leave the clip
-  PictureError displayed;  // the same between the whole points of the display
+  PictureError computed;   // of pieces after clipping
+  PictureError displayed;  // of the same pieces between points of the display
 
   [[nodiscard]] double eae_gain() const { return view_s / eae_view_s; }
 };
 
-// A piece that is wrong by more than 20 pixels.
+// A piece that is wrong for more than 20 pixels.
 struct JonesWrongPiece {
   std::string scene;
   std::string arithmetic;
@@ -43,9 +43,9 @@ struct JonesAccuracy {
   [[nodiscard]] const JonesBuild& build(std::string_view scene, int fraction_bits, bool rounded = true) const;
 };
 
-// In C++: 0 to 8 fraction bits in words of 36 (study fractions), words of 12 to 36 bits, each with the most fraction bits
-// with which every view is complete (words), float and double (floating), and the exact algorithms, whose error is 0
-// because their pictures are the oracle's, piece for piece (exact).
+// In C++: 0 to 8 fraction bits in words of 36 bits (study fractions); words of 12 to 36 bits, each with the most
+// fraction bits with which every view is complete (words); float and double (floating); and the exact algorithms,
+// whose error is 0 because their pictures equal the oracle's, piece for piece (exact).
 struct JonesNumber {
   std::string scene;
   std::string study;

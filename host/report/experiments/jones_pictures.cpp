@@ -21,8 +21,8 @@ namespace jones = programs::jones;
 namespace jones_precision = compare::jones_precision;
 namespace oracle = algorithms::oracle;
 
-// Tried in each view: 24,000 a scene, of which more than 10,000 are farther than a pixel from where
-// visibility changes.
+// Tried in each view: 24,000 per scene, of which more than 10,000 are farther than a pixel from a change of
+// visibility.
 constexpr std::uint64_t points_a_view = 4000;
 
 using Lines = std::vector<std::optional<jones_precision::SceneLine>>;
@@ -48,7 +48,7 @@ MachineView run_on_machine(const SceneViews& views, std::size_t view, const jone
   return run;
 }
 
-// Program and scene lie elsewhere without the EAE: the pieces of the same lines in the same places.
+// Program and scene are at other addresses without the EAE; compares pieces of the same lines in the same places.
 bool same_pieces(const MachineView& a, const MachineView& b) {
   if (a.view.clipped.size() != b.view.clipped.size()) return false;
   for (std::size_t i = 0; i < a.view.clipped.size(); ++i) {
@@ -107,7 +107,7 @@ picture::DrawnPiece SceneViews::piece(std::size_t view, const jones_precision::S
                                       const algorithms::oracle::ScreenSegment& image) const {
   const auto [u, v] = geometry::other_axes(line.axis);
   const compare::AxisLine of{line.axis, {line.from[u], line.from[v]}};
-  const picture::LineEdge none;  // of no scene
+  const picture::LineEdge none;  // in no scene
   return {views_[view].reference.line_of(matter_->wire_on(of).value_or(none)), {{image.x0, image.y0}, {image.x1, image.y1}}};
 }
 

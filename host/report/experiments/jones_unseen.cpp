@@ -1,10 +1,10 @@
-// The buildings are generate_big_rooms: n by n rooms, between which walls, doors and hatches are drawn by
-// lot, so that a building of another size is another building. From within, what can be compared is the time
-// of a visit to a cell, and the mean view over many eyes, which stand in the middle of rooms spread evenly
-// over the building. The very same view is had from a closed house of 64 rooms beside each.
+// The buildings are generate_big_rooms: n by n rooms between which walls, doors and hatches are random, so a building
+// of another size is another building. From inside, comparable are the time of a visit to a cell, and the mean view
+// from many eyes in the centres of rooms that are evenly distributed over the building. The view from a closed house
+// of 64 rooms beside each building is exactly the same.
 //
-// Only the smallest building and one other are in memory at a time. A round looks at each of the two some
-// times over, so that a computer that changes its speed does so for both; of the rounds the median counts.
+// Only the smallest building and one other are in memory at a time. A round draws views of both several times, so
+// that a computer whose speed changes affects both. The result is the median of the rounds.
 #include "host/report/experiments/jones_unseen.hpp"
 
 #include <fmt/core.h>
@@ -39,7 +39,7 @@ scene::CellComplex decomposed(const scene::PolyScene& scene) {
   return *std::move(cut);
 }
 
-// A house beside a building, ready for views. Stays where it is, since views point into it.
+// A house beside a building, ready for views. It must not be moved, because views point into it.
 struct Building {
   explicit Building(std::size_t rooms_a_side)
       : Building(rooms_a_side, scene::generate_house_beside(rooms_a_side)) {}
@@ -70,7 +70,7 @@ struct Building {
   double load_s;
 };
 
-// The rooms at which eyes stand: all of a small building, and evenly spread ones of a large one.
+// The rooms that contain eyes: all of a small building, evenly distributed ones of a large one.
 std::vector<std::int32_t> rooms_with_eyes(std::size_t side) {
   std::vector<std::int32_t> rooms;
   const std::size_t count = std::min(side, eyes_a_side);
@@ -82,7 +82,7 @@ std::vector<std::int32_t> rooms_with_eyes(std::size_t side) {
 JonesBuilding seen_from_within(Building& building, bool host_times) {
   JonesBuilding made;
   std::uint64_t visits = 0;
-  double views_s = 0;  // each the quickest of its repetitions
+  double views_s = 0;  // each the fastest of its repetitions
   for (const std::int32_t i : rooms_with_eyes(building.side)) {
     for (const std::int32_t j : rooms_with_eyes(building.side)) {
       scene::PolyCamera here = building.camera;
@@ -112,7 +112,7 @@ JonesBuilding seen_from_within(Building& building, bool host_times) {
   return made;
 }
 
-// The mean of a round; the first view, which finds another building in the caches, does not count.
+// The mean of a round without the first view, which finds another building in the caches.
 double round_of(Building& building) {
   static_cast<void>(building.walker.visible_edges(building.camera));
   const auto begun = Clock::now();
@@ -150,7 +150,7 @@ JonesHouse seen_from_house(Building& smallest, const View& first, Building& buil
 JonesUnseen jones_unseen(const Context& context) {
   JonesUnseen made;
   std::vector<std::size_t> sides{3, 10, 32, 100};
-  // What larger ones add is their times; the largest takes 1.5 GB.
+  // Larger buildings add times only; the largest takes 1.5 GB.
   if (context.host_times) sides.insert(sides.end(), {316, 500});
   if (context.host_times && context.full) sides.push_back(1000);
   Building smallest(sides.front());
@@ -167,22 +167,22 @@ JonesUnseen jones_unseen(const Context& context) {
 }
 
 void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
-  std::vector<Said> notes{
-      "A closed house of 64 rooms, seen from within one of them, beside a building of which nothing is seen. The report ends "
-      "with an error where picture and counts are not the same in every row."};
+  std::vector<CheckedText> notes{
+      "A closed house of 64 rooms, seen from inside one of them, beside a building that is not visible. Picture and counts "
+      "must be the same in every row, or the report ends with an error."};
   if (page.host_times()) {
     const auto ratio = range_of(unseen.house, &JonesHouse::ratio);
-    const std::string last = shown(unseen.house.back().ratio, 2);
+    const std::string last = text_of(unseen.house.back().ratio, 2);
     notes.push_back(
         fmt::format("Times are the median of {} rounds, in each of which a view beside the building and one beside "
                     "the smallest are computed in turn, {} times each. ",
                     rounds, views_a_round) +
         page.claim(ratio.greatest <= 1.25 && ratio.least >= 0.8,
                    fmt::format("Beside the largest building the view takes {} times as long as beside the smallest.", last),
-                   fmt::format("{} to {}", shown(ratio.least), shown(ratio.greatest))));
+                   fmt::format("{} to {}", text_of(ratio.least), text_of(ratio.greatest))));
   }
   using House = JonesHouse;
-  page.table("unseen-house", "Jones today: one view beside a building that grows", unseen.house,
+  page.table("unseen-house", "Jones today: one view beside a growing building", unseen.house,
              {{"rooms", "Rooms", "of the building", &House::rooms},
               {"cells", "Cells", "in all", &House::cells},
               {"cells_seen", "Cells", "seen", &House::cells_seen},
@@ -194,14 +194,14 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
   using Building = JonesBuilding;
   const auto& buildings = unseen.buildings;
   const auto rooms = range_of(buildings, &Building::rooms);
-  notes = {"Rooms with doors, hatches or nothing between them, by lot; 256 eyes or one in every room."};
+  notes = {"Rooms with random doors, hatches or nothing between them; 256 eyes, or one in every room."};
   if (page.host_times())
-    notes.push_back(fmt::format("Loading is cutting the building into cells and preparing them for views; a view's time is the "
-                                "least of {}.",
+    notes.push_back(fmt::format("Loading cuts the building into cells and prepares them for views. The time of a view is the "
+                                "least of {} runs.",
                                 repetitions));
-  page.table("unseen-native", fmt::format("Jones today: buildings of {} to {} rooms", shown(rooms.least), shown(rooms.greatest)),
+  page.table("unseen-native", fmt::format("Jones today: buildings of {} to {} rooms", text_of(rooms.least), text_of(rooms.greatest)),
              buildings,
-             {{"rooms", "Rooms", "and 64 of the house", &Building::rooms},
+             {{"rooms", "Rooms", "including 64 of the house", &Building::rooms},
               {"cells", "Cells", &Building::cells},
               {"openings", "Portals", &Building::openings},
               {"load_s", "Loading", "s", &Building::load_s, 3, host_time},
@@ -214,14 +214,14 @@ void jones_unseen_chapter(Page& page, const JonesUnseen& unseen) {
               {"visit_ns", "Visit", "ns, mean", &Building::visit_ns, 0, host_time}},
              {std::move(notes)});
   if (!page.host_times()) return;
-  const Building& small = the(buildings, is(&Building::rooms, 100U));
+  const Building& small = only(buildings, equals(&Building::rooms, 100U));
   Plot plot{"unseen-plot",
             "Jones today: time of a view against the size of the building",
-            fmt::format("The view is from inside; nearly all rooms are out of sight. From {} to {} rooms loading takes {} times "
+            fmt::format("The view is from inside; nearly all rooms are invisible. From {} to {} rooms loading takes {} times "
                         "as long, a visit {} times. Times of the computer this report was made on.",
-                        shown(small.all_rooms), shown(greatest(buildings, &Building::all_rooms)),
-                        shown(greatest(buildings, &Building::load_s) / *small.load_s, 0),
-                        shown(*buildings.back().visit_ns / *small.visit_ns, 1)),
+                        text_of(small.all_rooms), text_of(greatest(buildings, &Building::all_rooms)),
+                        text_of(greatest(buildings, &Building::load_s) / *small.load_s, 0),
+                        text_of(*buildings.back().visit_ns / *small.visit_ns, 1)),
             "Log-log plot of the time of loading, of a view and of a visit to a cell against the number of rooms.",
             {"rooms"},
             {"time", "s"}};

@@ -49,7 +49,7 @@ JonesView view_of(const JonesOrder& order, const JonesRun& run) {
   return made;
 }
 
-// Fig. 6 gives six words an opening-element, and one for each vector.
+// Fig. 6 has six words per opening element, and one for each vector.
 JonesElements elements_of(const JonesOrder& order, const JonesRun& run) {
   constexpr std::size_t opening_head = 6;
   std::size_t of_openings = 0;
@@ -57,10 +57,10 @@ JonesElements elements_of(const JonesOrder& order, const JonesRun& run) {
   return {order.scene, run.program.program().scene.opening_words, of_openings, run.program.program().scene.cell_words};
 }
 
-// Of the scene with the EAE and without.
+// The times of a scene with and without the EAE.
 std::string both_times(const JonesViews& jones, const JonesView& view) {
-  return fmt::format("{} s, without EAE {} s", shown(view.second_view_s, 3),
-                     shown(jones.view(view.scene, false).second_view_s, 3));
+  return fmt::format("{} s, without EAE {} s", text_of(view.second_view_s, 3),
+                     text_of(jones.view(view.scene, false).second_view_s, 3));
 }
 
 std::string equal_or_not(bool equal) {
@@ -77,7 +77,7 @@ void paper_times(Page& page, const JonesViews& jones) {
   page.claims(
       "jones-paper-times", "Jones 1971: every number for time",
       {{"jones.few_seconds", all, 3, second_views,
-        fmt::format("{} of {} take a second or more. Whether his machine had the EAE is not said",
+        fmt::format("{} of {} take a second or more. The paper does not say whether its machine had the EAE",
                     count(views, [](const JonesView& view) { return view.second_view_s >= 1; }), views.size())},
        {"jones.order_of_seconds", all, 3, second_views, "as above"},
        {"jones.photographs", {}, Real::as_needed, "",
@@ -95,12 +95,12 @@ void paper_times(Page& page, const JonesViews& jones) {
        {"jones.pair", {{}, as_cell(jones.pair_s)}, 3, "roberts as a pair, with EAE",
         fmt::format("cannot be compared: needs a time for Fig. 14, which the paper does not give. Here a pair takes {} times "
                     "one view",
-                    shown(jones.pair_s / jones.view("roberts", true).second_view_s, 2))}});
+                    text_of(jones.pair_s / jones.view("roberts", true).second_view_s, 2))}});
 }
 
 void paper_sizes(Page& page, const JonesViews& jones) {
   const auto used = range_of(jones.views, &JonesView::used_words);
-  const JonesElements& street4 = the(jones.elements, is(&JonesElements::scene, "street4"));
+  const JonesElements& street4 = only(jones.elements, equals(&JonesElements::scene, "street4"));
   const std::size_t house_cells = jones.view("house", true).cells;
   const auto paper = [&page](std::string_view claim) { return page.paper_figure(claim).greatest; };
   page.claims(
@@ -143,12 +143,12 @@ double jones_cycle_us() {
 }
 
 const JonesView& JonesViews::view(std::string_view scene, bool eae) const {
-  return the(views, [=](const JonesView& view) { return view.scene == scene && view.eae == eae; });
+  return only(views, [=](const JonesView& view) { return view.scene == scene && view.eae == eae; });
 }
 
 bool JonesViews::unseen_rooms_cost_nothing() const {
   const auto same = [this](bool eae) {
-    const auto rows = where(corridors, is(&JonesCorridor::eae, eae));
+    const auto rows = where(corridors, equals(&JonesCorridor::eae, eae));
     return distinct(rows, &JonesCorridor::instructions) == 1 && distinct(rows, &JonesCorridor::view_s) == 1;
   };
   return same(true) && same(false);
@@ -191,14 +191,15 @@ void jones_timing(Page& page, const JonesViews& jones) {
               {"lines_clipped", "Lines clipped", &View::lines_clipped},
               {"pieces", "Pieces drawn", &View::pieces},
               {"refreshes_per_s", "Refresh", "1/s", [](const View& view) { return 1 / view.refresh_s; }, 1}},
-             {{"From other places a view takes longer: `sightline atlas street4 --views 1000` gives the times from random eyes.",
+             {{"Views from other positions take longer: `sightline atlas street4 --views 1000` gives the times from random "
+               "eyes.",
                "Seconds of the emulated PDP-7, from the start of the search to the moment the new display file is put in the "
                "place of the old. During the first view the display is dark; during the second it shows the first and takes "
-               "cycles from the processor. The report ends with an error where a display file is not, word for word, the one "
-               "the native twin makes."}});
-  // What is not seen changes nothing: the photograph of corridor32 is that of corridor8.
+               "cycles from the processor. A display file must equal the native twin's, word for word, or the report ends with "
+               "an error."}});
+  // The hidden part changes nothing: the photograph of corridor32 is that of corridor8.
   const auto drawing = [](const View& view) {
-    return fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines", view.scene, shown(view.pieces));
+    return fmt::format("Hidden-line drawing of the scene {} on the Type 340, {} pieces of lines", view.scene, text_of(view.pieces));
   };
   page.gallery("jones-phosphor", "Jones: the screen, photographed",
                where(jones.views, [](const View& view) { return view.eae && view.scene != "corridor32"; }),
@@ -231,8 +232,8 @@ void jones_needs(Page& page, const JonesViews& jones) {
               {"file_words", "Display file", "words", &View::file_words},
               {"file_room_words", "Capacity", "words", &View::file_room_words}},
              {{"In all: instructions, variables and constants, the scene, records of its openings, the mask stack and two "
-               "display files, whose room is there whether a scene needs it or not. The stack is the deepest of this view. "
-               "Present but not touched while a view is computed: the tape reader the program was loaded from."}});
+               "display files of fixed size. The stack is the deepest of this view. The tape reader, from which the program "
+               "was loaded, is not used while a view is computed."}});
   page.table("jones-work", "Jones: what a view reads", jones.views,
              {{"scene", "Scene", &View::scene},
               {"eae", "EAE", &View::eae},
@@ -250,12 +251,12 @@ void jones_needs(Page& page, const JonesViews& jones) {
                  return 100 * jones_cycle_us() * static_cast<double>(view.stolen_cycles) / (1000000 * view.second_view_s);
                },
                2}},
-             {{"Cells read: cells any word of which the processor fetched, watched from outside. A cell seen through several "
-               "portals is visited once for each. Every display word of the picture being shown costs the processor one cycle "
-               "of " + shown(jones_cycle_us()) + " us."}});
+             {{"Cells read: cells of which the processor fetched any word, as observed by the emulator. A cell that is visible "
+               "through several portals is visited once for each. Every display word that is shown costs the processor one "
+               "cycle of " + text_of(jones_cycle_us()) + " us."}});
   const bool nothing = jones.unseen_rooms_cost_nothing() && distinct(jones.corridors, &Corridor::cells_read) == 1 &&
                        distinct(jones.corridors, &Corridor::visits) == 1;
-  page.table("unseen-guest", "Jones on the PDP-7: a corridor that grows behind what is seen", jones.corridors,
+  page.table("unseen-guest", "Jones on the PDP-7: a corridor whose invisible part grows", jones.corridors,
              {{"scene", "Scene", &Corridor::scene},
               {"eae", "EAE", &Corridor::eae},
               {"cells", "Cells", "in the scene", &Corridor::cells},
@@ -264,7 +265,7 @@ void jones_needs(Page& page, const JonesViews& jones) {
               {"instructions", "Instructions", &Corridor::instructions},
               {"view_s", "First view", "s", &Corridor::view_s, 6}},
              {{"The first view, while the display takes no cycles. " +
-               page.claim(nothing, "Rooms that are not seen cost no instruction: only the core that holds them grows.")}});
+               page.claim(nothing, "Rooms that are not visible cost no instructions; they only occupy core.")}});
 }
 
 }  // namespace sightline::report

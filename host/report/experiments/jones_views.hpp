@@ -1,5 +1,5 @@
-// Jones's program on the PDP-7: the five built-in scenes from their default views, with the EAE and without; a
-// stereoscopic pair; a corridor that grows behind what is seen. What a view takes in time, and what of the core.
+// Jones's program on the PDP-7: the five built-in scenes from their default views, with and without the EAE; a
+// stereoscopic pair; a corridor that grows beyond the visible part. Measures the time and the core of a view.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace sightline::report {
 
-// A scene, with the EAE or without. The second view is the one measured: the display shows the first meanwhile and takes
+// A scene, with or without the EAE. The second view is measured: during it, the display shows the first and takes
 // cycles.
 struct JonesView {
   std::string scene;
@@ -44,7 +44,7 @@ struct JonesView {
   std::optional<Picture> phosphor;
 };
 
-// Words of the elements of a scene, as assembled, and those of openings as Fig. 6 has them.
+// The words of a scene's elements, as assembled, and those of openings as counted in Fig. 6.
 struct JonesElements {
   std::string scene;
   std::size_t opening_words = 0;
@@ -52,7 +52,7 @@ struct JonesElements {
   std::size_t cell_words = 0;
 };
 
-// corridor8 and corridor32: the same few rooms are seen. The first view, while the display takes no cycles.
+// corridor8 and corridor32: the same few rooms are visible. The first view, while the display takes no cycles.
 struct JonesCorridor {
   std::string scene;
   bool eae = true;
@@ -70,8 +70,8 @@ struct JonesViews {
   double pair_s = 0;  // a view of roberts as a stereoscopic pair
 
   [[nodiscard]] const JonesView& view(std::string_view scene, bool eae) const;
-  [[nodiscard]] Chosen<JonesView> of(bool eae) const { return where(views, is(&JonesView::eae, eae)); }
-  // Rooms that are not seen cost neither instruction nor time.
+  [[nodiscard]] Chosen<JonesView> of(bool eae) const { return where(views, equals(&JonesView::eae, eae)); }
+  // Rooms that are not visible cost neither instructions nor time.
   [[nodiscard]] bool unseen_rooms_cost_nothing() const;
 };
 

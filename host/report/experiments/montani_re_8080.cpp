@@ -27,7 +27,7 @@ namespace stripes = programs::stripes;
 
 constexpr std::array<std::string_view, 6> stripe_scenes{"roberts", "house", "street4", "boxes-8", "boxes-20", "bricks-20"};
 
-stripes::Outcome drawn(const scene::PolyScene& scene, const std::string& name, const stripes::StreamOptions& options) {
+stripes::Outcome draw_stripes(const scene::PolyScene& scene, const std::string& name, const stripes::StreamOptions& options) {
   return base::value_of(stripes::run({.scene = scene, .view = stripes::view_of(scene, scene.camera), .options = options, .check = true}), name);
 }
 
@@ -46,9 +46,9 @@ MontaniRe8080 montani_re_8080(const Context& context) {
     if (!loaded) throw base::bad_input(loaded.error().message());
     using stripes::Computer;
     using stripes::Output;
-    const auto raster = drawn(loaded->scene, name, {Output::raster, Computer::i8080, Computer::i8080});
-    const auto by_host = drawn(loaded->scene, name, {Output::raster, Computer::host, Computer::host});
-    const auto plotter = drawn(loaded->scene, name, {Output::vector, Computer::i8080, Computer::i8080});
+    const auto raster = draw_stripes(loaded->scene, name, {Output::raster, Computer::i8080, Computer::i8080});
+    const auto by_host = draw_stripes(loaded->scene, name, {Output::raster, Computer::host, Computer::host});
+    const auto plotter = draw_stripes(loaded->scene, name, {Output::vector, Computer::i8080, Computer::i8080});
     const stripes::MachinePicture& machine = raster.picture;
     const stripes::Counts& counts = machine.counts;
     const auto pen = stripes::pen_paths(plotter.picture.commands);
@@ -98,13 +98,13 @@ void montani_re_8080_chapter(Page& page, const MontaniRe8080& measured, const Sk
            fmt::format("The program (`firmware/i8080/stripes`) has {} of {} bytes and {} bytes of data, {} of them for the "
                        "scene, at most {} faces. Every picture is compared with that of a native program written from the same "
                        "specification. The paper names no computer and no time.",
-                       shown(measured.program_bytes), shown(measured.program_room), shown(measured.data_room),
-                       shown(measured.scene_room), shown(measured.most_faces)),
+                       text_of(measured.program_bytes), text_of(measured.program_room), text_of(measured.data_room),
+                       text_of(measured.scene_room), text_of(measured.most_faces)),
            fmt::format(
                "{} Skala's program on the same machine takes {} to {} s for a drawing of one surface.",
                greatest(scenes, &StripesScene::whole_s) <= 60 ? "No scene takes a minute on the raster board." : "",
-               shown(least(where(skala.pictures, is(&SkalaPicture::picture, "lines")), &SkalaPicture::drawing_s), 2),
-               shown(greatest(where(skala.pictures, is(&SkalaPicture::picture, "surface")), &SkalaPicture::drawing_s), 2))}});
+               text_of(least(where(skala.pictures, equals(&SkalaPicture::picture, "lines")), &SkalaPicture::drawing_s), 2),
+               text_of(greatest(where(skala.pictures, equals(&SkalaPicture::picture, "surface")), &SkalaPicture::drawing_s), 2))}});
   const auto decided_by = [](std::size_t test) {
     return [test](const StripesScene& scene) { return scene.decided_by[test - 1]; };
   };
@@ -125,7 +125,7 @@ void montani_re_8080_chapter(Page& page, const MontaniRe8080& measured, const Sk
   });
   page.gallery("montani-re-8080-drawings", "The same stripes as lines on the plotter", scenes, [](const StripesScene& scene) {
     return figure(scene.drawing, fmt::format("montani-re-8080-{}-lines", scene.scene), scene.scene + ".",
-                  shown(scene.plotter_moves_s, 1) + " s of the plotter's movements.",
+                  text_of(scene.plotter_moves_s, 1) + " s of the plotter's movements.",
                   fmt::format("{} in lines, hidden parts removed", scene.scene));
   });
 }

@@ -1,5 +1,5 @@
-// Scenes in stripes on the 8080 (firmware/i8080/stripes): Montani and Re's method in 4 KB of program. On the raster board and on
-// the plotter, with stripes and priority list made by the machine, and by the host.
+// Scenes in stripes on the 8080 (firmware/i8080/stripes): Montani and Re's method in 4 KB of program. On the raster
+// board and on the plotter; stripes and priority list are made by the machine, or by the host.
 #pragma once
 
 #include <array>

@@ -27,9 +27,9 @@ namespace {
 namespace native = algorithms::montani_re;
 
 constexpr std::int32_t raster = 1024;
-constexpr std::size_t long_scene = 10000;  // one view of it takes seconds
+constexpr std::size_t long_scene = 10000;  // one view takes seconds
 
-// All of the faces.
+// A frame around all faces.
 native::StripeFrame frame_of(const native::FaceSet& set, const scene::PolyCamera& camera) {
   std::array<double, 2> low{1e300, 1e300};
   std::array<double, 2> high{-1e300, -1e300};
@@ -108,8 +108,8 @@ GrowthExponents exponents_of(std::span<const GrowthView> views) {
 void add_claims(Page& page, const MontaniReGrowth& growth, const std::vector<FaceCycle>& cycles) {
   const GrowthView& first = growth.views.front();
   const auto sizes = range_of(growth.views, &GrowthView::size);
-  const auto largest = where(growth.views, is(&GrowthView::size, sizes.greatest));
-  const auto share = [](auto part, auto whole) { return shown(100 * static_cast<double>(part) / static_cast<double>(whole), 0); };
+  const auto largest = where(growth.views, equals(&GrowthView::size, sizes.greatest));
+  const auto share = [](auto part, auto whole) { return text_of(100 * static_cast<double>(part) / static_cast<double>(whole), 0); };
   const auto relations = sum(largest, &GrowthView::relations);
   const auto pairs = sum(largest, &GrowthView::pairs);
   const FaceCycle& cycle = cycles.front();
@@ -117,7 +117,7 @@ void add_claims(Page& page, const MontaniReGrowth& growth, const std::vector<Fac
   std::vector<ClaimRow> rows{
       {.claim = "montani_re.memory",
        .here = {as_cell(first.silhouette_sides), as_cell(first.sides_seen)},
-       .condition = fmt::format("{} {}, stripes of a pixel on 1024 x 1024: the last silhouette; all that is seen of all faces",
+       .condition = fmt::format("{} {}, stripes of a pixel on 1024 x 1024: the last silhouette; all visible parts of all faces",
                                 first.family, first.size),
        .comparison = fmt::format("the silhouette has {} % of all sides; no number is given to compare: that needs the number of "
                                  "sides kept for a scene whose faces are known. Secondary storage is not modelled",
@@ -127,7 +127,7 @@ void add_claims(Page& page, const MontaniReGrowth& growth, const std::vector<Fac
        .places = 2,
        .condition = "boxes and towns, growing to all sides",
        .comparison = greatest(growth.exponents, &GrowthExponents::pairs) <= 1.1 ? "almost linear"
-                                                                                : "not in these scenes, where Y grows with N"}};
+                                                                                : "not for these scenes, where Y grows with N"}};
   if (page.host_times())
     rows.push_back({.claim = "montani_re.product",
                     .here = least_and_greatest(growth.exponents, &GrowthExponents::exact_build_over_pairs),
@@ -140,7 +140,7 @@ void add_claims(Page& page, const MontaniReGrowth& growth, const std::vector<Fac
       rows.end(),
       {{.claim = "montani_re.tests",
         .here = {as_cell(relations), as_cell(pairs)},
-        .condition = "the largest boxes and town together: relations; pairs that overlap in X, which tests 2 to 6 are for",
+        .condition = "the largest boxes and town together: relations; pairs that overlap in X, which tests 2 to 6 decide",
         .comparison = share(relations, pairs) + " % of these pairs have a relation"},
        {.claim = "montani_re.cycles",
         .here = one_figure(cycle.faces),
@@ -203,14 +203,15 @@ MontaniReGrowth montani_re_growth(const Context& context) {
 void montani_re_timing(Page& page, const MontaniReGrowth& growth, const MontaniReTables& tables) {
   add_claims(page, growth, tables.cycles);
   montani_re_printed_tables(page, tables);
-  std::vector<Said> notes{
-      "Generated scenes from their own camera, in perspective, on 1024 x 1024 pixels. Faces are those that take part: of solids, "
-      "the ones that face the eye. Pairs that overlap in X are what tests 2 to 6 are for."};
+  std::vector<CheckedText> notes{
+      "Generated scenes from their own camera, in perspective, on 1024 x 1024 pixels. Only faces that take part are counted: "
+      "of solids, those that face the eye. Tests 2 to 6 decide the pairs that overlap in X."};
   if (page.host_times())
     notes.emplace_back(
-        "A view is all of it: faces, sort, relations, list, differences, and output as pieces of edges (exact build, exact) or "
-        "as pixels. Times are the processor's, medians of interleaved repetitions (scenes of 10000: one), of this computer.");
-  page.table("montani-re-growth", "Montani and Re: a view of larger and larger scenes", growth.views,
+        "A view includes all steps: faces, sort, relations, list, differences, and output as pieces of edges (exact build, "
+        "exact) or as pixels. Times are the processor's, medians of interleaved repetitions (scenes of 10000: one), of this "
+        "computer.");
+  page.table("montani-re-growth", "Montani and Re: views of scenes of increasing size", growth.views,
              {{"family", "Scenes", &GrowthView::family},
               {"size", "Size", &GrowthView::size},
               {"faces", "Faces, N", &GrowthView::faces},
@@ -237,10 +238,10 @@ void montani_re_timing(Page& page, const MontaniReGrowth& growth, const MontaniR
        {"exact_build_over_pairs", "Exact build, time over N Y", &GrowthExponents::exact_build_over_pairs, Real::as_needed,
         host_time}},
       {.notes = {
-           "The paper claims work linear with N Y, which it calls almost linear with N: that is so where Y stays the same. " +
+           "The paper claims work linear in N Y, which it calls almost linear in N: that holds if Y is constant. " +
            page.claim(pairs > 1.1,
-                      "In these scenes a face overlaps more others in X the more there are, so that N Y grows faster than N.",
-                      "the least exponent of N Y is " + shown(pairs)) +
+                      "In these scenes the number of faces that a face overlaps in X grows with N, so N Y grows faster than N.",
+                      "the least exponent of N Y is " + text_of(pairs)) +
            " Least squares of logarithms over the sizes of the table above."}});
 }
 

@@ -1,5 +1,5 @@
-// Stripes are drawn as the boundaries of what is seen of every face: their sides do not say whose edge they are, so that
-// lines are compared as sets of points, and what is within a pixel of the other set counts as found.
+// Stripes are drawn as the boundaries of the visible parts of every face. Their sides do not belong to an edge, so
+// lines are compared as sets of points, and a point within a pixel of the other set counts as found.
 #include "host/report/experiments/montani_re_stripes.hpp"
 
 #include <fmt/core.h>
@@ -33,14 +33,14 @@ using compare::PixelPlane;
 using compare::PixelView;
 using scene::PolyScene;
 
-// In 1/(16 * 65536) pixel, the ends of what a band covers at an ordinate.
+// The ends of the covered parts of a band at an ordinate, in 1/(16 * 65536) pixel.
 std::vector<std::int64_t> ends_at(const native::StripeBand& band, std::int32_t sixteenths) {
   std::vector<std::int64_t> ends;
   for (const native::StripeSide& side : band.sides) ends.push_back(side.at(sixteenths));
   return ends;
 }
 
-// Front to back, each face less the silhouette.
+// Front to back, each face without the silhouette.
 std::vector<PixelSegment> drawn_in_stripes(const native::FaceSet& set, const native::ListedFaces& listed,
                                            const native::StripeFrame& frame, std::int32_t units) {
   std::vector<PixelSegment> segments;
@@ -66,7 +66,7 @@ std::vector<PixelSegment> segments_of(const picture::LinePicture& lines, const P
   return segments;
 }
 
-// Exact regions at the middles of pixels.
+// Exact regions at the centres of pixels.
 PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set, const std::vector<native::TrapezoidPcs>& regions,
                           const native::StripeFrame& frame) {
   native::StripeRaster raster{frame.width, frame.height, {}, 0, 0};
@@ -91,13 +91,13 @@ PixelGrid grid_of_regions(const PolyScene& scene, const native::FaceSet& set, co
   return compare::grid_of(scene, set, raster);
 }
 
-// What is true of a view.
+// The reference of a view.
 struct Truth {
   PixelView pixels;
   std::vector<picture::ReferenceLine> lines;
 };
 
-// Below this, distances are those of floating point in the measure itself.
+// Smaller distances are floating-point noise of the measure.
 double without_noise(double distance) {
   return distance < 1e-9 ? 0 : distance;
 }
@@ -110,7 +110,7 @@ Truth truth_of(const PolyScene& scene, const native::FaceSet& set, std::int32_t 
   return truth;
 }
 
-// Scenes and their pictures.
+// The scenes and their pictures.
 class Stripes {
  public:
   Stripes(const StripesOptions& options, std::vector<StripesPicture>& pictures) : options_(options), pictures_(pictures) {}
@@ -173,7 +173,8 @@ class Stripes {
   void add_picture(const std::string& family, const native::FaceSet& set, const Truth& truth, std::optional<double> thickness,
                    const PixelGrid& grid, const std::vector<PixelSegment>& drawn, std::uint64_t sides) {
     const auto pixels = picture::pixel_metrics(truth.pixels.truth, grid, truth.pixels.edges);
-    // Of no line of the truth: all is missing and extra, and what is far of both is what is asked for.
+    // The pieces belong to no line of the reference, so all of both is missing or extra, and only the far part is
+    // used.
     std::vector<picture::DrawnPiece> pieces;
     for (const PixelSegment& segment : drawn) pieces.push_back({static_cast<picture::LineId>(truth.lines.size()), segment});
     const auto lines = picture::line_metrics(truth.lines, pieces, {.points = 1, .seed = 1});
@@ -202,7 +203,7 @@ class Stripes {
   std::list<native::StripeFrame> frames_;
 };
 
-// What a plot has along x.
+// The x axis of a plot.
 struct ErrorMeasure {
   std::string key;
   double StripesPicture::*value;
@@ -210,25 +211,25 @@ struct ErrorMeasure {
   std::string unit;
 };
 
-// A curve for each scene; points of the exact build. Points of the first curve are labelled with their thickness.
+// A curve for each scene, and points of the exact build. The thickness labels the points of the first curve.
 template <class Y>
 void add_error_curves(Plot& plot, const std::vector<StripesPicture>& pictures, const ErrorMeasure& error, Y y) {
   const std::string first = pictures.front().scene;
   add_curves(
       plot, where(pictures, &StripesPicture::in_stripes), &StripesPicture::scene, error.value, y,
-      {.label = [first](const StripesPicture& p) { return p.scene == first ? "h " + shown(p.thickness_px) : std::string(); }});
-  add_curves(plot, where(pictures, is(&StripesPicture::in_stripes, false)), "exact build", error.value, y,
+      {.label = [first](const StripesPicture& p) { return p.scene == first ? "h " + text_of(p.thickness_px) : std::string(); }});
+  add_curves(plot, where(pictures, equals(&StripesPicture::in_stripes, false)), "exact build", error.value, y,
              {.label = &StripesPicture::scene, .line = false});
 }
 
 void add_sides_plot(Page& page, const std::vector<StripesPicture>& pictures, const ErrorMeasure& error) {
-  const double exact = greatest(where(pictures, is(&StripesPicture::in_stripes, false)), error.value);
+  const double exact = greatest(where(pictures, equals(&StripesPicture::in_stripes, false)), error.value);
   Plot plot{.id = fmt::format("montani-re-{}-sides", error.key),
             .title = "Montani and Re, stripes and exact: sides against " + error.title,
             .caption =
-                "Sides of all that is seen: what the differences work on. The exact build's are those of its own trapezoids, "
-                "which do not depend on pixels. " +
-                Page::claim(exact == 0, "The exact build has no error.", "it has " + shown(exact)),
+                "Sides of all visible parts, on which the differences operate. The exact build's are those of its own "
+                "trapezoids, which do not depend on pixels. " +
+                Page::claim(exact == 0, "The exact build has no error.", "it has " + text_of(exact)),
             .alternative = fmt::format("Log-log plot of sides against {}, one curve for each scene.", error.title),
             .x = {error.title, error.unit},
             .y = {"sides"}};
@@ -250,10 +251,10 @@ void add_time_plot(Page& page, const std::vector<StripesPicture>& pictures, cons
 }
 
 void add_pictures_table(Page& page, const MontaniReStripes& measured) {
-  const auto town = where(measured.pictures, is(&StripesPicture::family, "town"));
-  const double of_a_pixel = the(town, is(&StripesPicture::thickness_px, 1.0)).pmr_percent;
-  const double of_half_a_pixel = the(town, is(&StripesPicture::thickness_px, 0.5)).pmr_percent;
-  const std::string rise = fmt::format("from {} to {} %", shown(of_a_pixel, 3), shown(of_half_a_pixel, 3));
+  const auto town = where(measured.pictures, equals(&StripesPicture::family, "town"));
+  const double of_a_pixel = only(town, equals(&StripesPicture::thickness_px, 1.0)).pmr_percent;
+  const double of_half_a_pixel = only(town, equals(&StripesPicture::thickness_px, 0.5)).pmr_percent;
+  const std::string rise = fmt::format("from {} to {} %", text_of(of_a_pixel, 3), text_of(of_half_a_pixel, 3));
   page.table(
       "montani-re-speed-error", "Montani and Re: stripes of every thickness", measured.pictures,
       {{"scene", "Scene", &StripesPicture::scene},
@@ -271,19 +272,19 @@ void add_pictures_table(Page& page, const MontaniReStripes& measured) {
        {"sides", "Sides seen", &StripesPicture::sides},
        {"view_ms", "A view", "ms", &StripesPicture::view_ms, Real::as_needed, host_time}},
       {.notes = {fmt::format("Generated scenes in perspective, all of their faces on {0} x {0} pixels. Lines are compared as "
-                             "sets of points with those of exact: stripes are drawn as boundaries of what is seen, whose sides "
-                             "do not say whose edge they are. Differing pixels on edges are within 0.75 pixels of any edge, seen "
-                             "or hidden. The greatest distance is large where a face lower than half a stripe is lost, or a "
-                             "corner that moved past another shows or hides what it should not.",
+                             "sets of points with those of exact: stripes are drawn as boundaries of visible parts, whose "
+                             "sides do not belong to an edge. Differing pixels on edges are within 0.75 pixels of any edge, "
+                             "visible or hidden. The greatest distance is large if a face lower than half a stripe is lost, or "
+                             "if a corner that moved past another shows or hides the wrong part.",
                              measured.raster),
-                 "Lines between stripes of a pixel are lines between pixels, so that a level edge lights the right rows; those "
-                 "of thinner stripes also run through the middles of pixels, where an edge that is moved onto them takes a row "
-                 "it should not. " +
+                 "Lines between stripes of a pixel are lines between pixels, so that a level edge lights the right rows. Lines "
+                 "between thinner stripes also run through the centres of pixels, where an edge that is moved onto them lights "
+                 "a wrong row. " +
                      page.claim(of_half_a_pixel > of_a_pixel,
                                 fmt::format("That is why the share of differing pixels of the town rises {} from stripes of a "
                                             "pixel to stripes of half a pixel.",
                                             rise),
-                                "it goes " + rise)}});
+                                "it is " + rise)}});
 }
 
 void add_exponents_table(Page& page, const MontaniReStripes& measured) {
@@ -293,19 +294,19 @@ void add_exponents_table(Page& page, const MontaniReStripes& measured) {
   const double wrong =
       greatest(where(measured.pictures, [](const StripesPicture& p) { return p.in_stripes() && *p.thickness_px <= 2; }),
                &StripesPicture::l_sym_percent);
-  std::vector<Said> notes{
+  std::vector<CheckedText> notes{
       "Expected: error as h (exponent 1), sides and time as 1/h (exponent -1). " +
       page.claim(distance.least >= 0.9 && distance.greatest <= 1.1 && sides.least >= -1.1 && sides.greatest <= -0.9,
                  "Distance and sides are within a tenth of it.",
-                 fmt::format("they are {} to {} and {} to {}", shown(distance.least), shown(distance.greatest),
-                             shown(sides.least), shown(sides.greatest))) +
-      fmt::format(" Least squares of logarithms from {} to {} pixels; errors of 0 are left out, and fewer than three others give "
-                  "no exponent. ",
-                  shown(thickness.greatest), shown(thickness.least)) +
+                 fmt::format("they are {} to {} and {} to {}", text_of(distance.least), text_of(distance.greatest),
+                             text_of(sides.least), text_of(sides.greatest))) +
+      fmt::format(" Least squares of logarithms from {} to {} pixels; errors of 0 are left out, and no exponent is given for "
+                  "fewer than three other values. ",
+                  text_of(thickness.greatest), text_of(thickness.least)) +
       page.claim(wrong == 0,
-                 "The wrong length, which leaves out what is within a pixel, is 0 where stripes are two pixels or less.",
-                 "it is " + shown(wrong) + " %")};
-  if (page.host_times()) notes.emplace_back("Time has a part that does not depend on h, relations and list.");
+                 "The wrong length farther than a pixel is 0 for stripes of two pixels or less.",
+                 "it is " + text_of(wrong) + " %")};
+  if (page.host_times()) notes.emplace_back("A part of the time, that of relations and list, does not depend on h.");
   page.table("montani-re-thickness-exponents", "Montani and Re: exponents over the thickness h of stripes", measured.exponents,
              {{"scene", "Scene", &StripesExponents::scene},
               {"faces", "Faces", &StripesExponents::faces},
@@ -379,15 +380,15 @@ void montani_re_accuracy(Page& page, const MontaniReStripes& measured) {
   const std::vector<StripesPicture>& pictures = measured.pictures;
   const double usual = greatest(pictures, &StripesPicture::h_usual_stripes);
   page.paragraph(
-      "Corners are moved to the nearest line between stripes, edges are straight between them; so nothing should be farther than "
-      "half a stripe from its place. " +
+      "Corners are moved to the nearest line between stripes, edges are straight between them, so errors should be at most "
+      "half a stripe. " +
       page.claim(usual <= 0.5,
-                 fmt::format("Of a thousand samples of the lines, all but one are within {} stripes.", shown(usual, 2)),
-                 "one is at " + shown(usual)) +
-      " The measures are: missing and extra length, which is farther than a pixel from the other picture, in per cent of the "
-      "visible length, and wrong length, their sum; differing pixels, the share of pixels that show another face than the exact "
-      "sight line through their middle meets; and the greatest distance between the lines of the pictures, also without the "
-      "farthest one of a thousand samples. h is the thickness of a stripe.");
+                 fmt::format("Of a thousand samples of the lines, all but one are within {} stripes.", text_of(usual, 2)),
+                 "one is at " + text_of(usual)) +
+      " The measures are: missing and extra length farther than a pixel from the other picture, in per cent of the visible "
+      "length, and wrong length, their sum; differing pixels, the share of pixels that show another face than the exact sight "
+      "line through their centre meets; and the greatest distance between the lines of the pictures, also without the farthest "
+      "one of a thousand samples. h is the thickness of a stripe.");
   const ErrorMeasure length{"l", &StripesPicture::l_sym_percent, "wrong length farther than 1 pixel", "% of the visible"};
   const ErrorMeasure pixels{"pmr", &StripesPicture::pmr_percent, "differing pixels", "% of the raster"};
   const ErrorMeasure distance{"h", &StripesPicture::h_usual_px, "distance of all but one sample in a thousand", "pixels"};

@@ -1,5 +1,5 @@
-// Montani and Re's algorithm in stripes of every thickness, and exact: how wrong its pictures are, how long a
-// view takes, how many sides there are.
+// Montani and Re's algorithm in stripes of every thickness, and exact: the errors of its pictures, the time of a
+// view, the number of sides.
 #pragma once
 
 #include <array>
@@ -22,16 +22,16 @@ struct StripesOptions {
   std::vector<std::string> scenes{"boxes", "town", "triangles"};  // generated
   std::size_t scene_size = 30;
   std::int32_t raster = 384;
-  int rounds = 3;  // of times; 0: none
+  int rounds = 3;  // of time measurements; 0: none
 };
 
-// The picture of a scene in stripes, or by the exact build. Rasters are compared with the faces met by exact sight lines, lines
-// with those of `exact`.
+// The picture of a scene in stripes, or by the exact build. Rasters are compared with the faces that exact sight
+// lines meet first, lines with those of `exact`.
 struct StripesPicture {
   std::string family;
   std::string scene;
   std::size_t faces = 0;
-  std::optional<double> thickness_px = {};  // none: the exact build
+  std::optional<double> thickness_px = {};  // empty: the exact build
   double true_length_px = 0;
   double missing_percent = 0;  // farther than a pixel from the other picture
   double extra_percent = 0;
@@ -42,7 +42,7 @@ struct StripesPicture {
   double h_px = 0;
   double h_usual_px = 0;  // of all but one sample in a thousand
   std::uint64_t sides = 0;
-  std::optional<double> view_ms = {};  // none without times
+  std::optional<double> view_ms = {};  // empty without times
 
   [[nodiscard]] bool in_stripes() const { return thickness_px.has_value(); }
   [[nodiscard]] std::optional<double> h_usual_stripes() const {
@@ -50,7 +50,8 @@ struct StripesPicture {
   }
 };
 
-// Of a scene over the thickness: of what is 0 at fewer than three thicknesses there is none.
+// Growth exponents of a scene over the thickness. Empty for a quantity that is 0 at all but fewer than three
+// thicknesses.
 struct StripesExponents {
   std::string scene;
   std::size_t faces = 0;
@@ -70,8 +71,8 @@ struct MontaniReStripes {
 [[nodiscard]] MontaniReStripes measure_stripes(const StripesOptions& options, const Context& context);
 [[nodiscard]] MontaniReStripes montani_re_stripes(const Context& context);
 
-// The boundary of stripes of so many sixteenths of a pixel, middles of pixels at whole numbers: sides, and
-// horizontal pieces where what is above is covered and what is below not, or the other way round.
+// The boundary of stripes of `units` sixteenths of a pixel, with centres of pixels at integers: sides, and horizontal
+// pieces where exactly one of above and below is covered.
 [[nodiscard]] std::vector<picture::PixelSegment> boundary_of(const algorithms::montani_re::StripePcs& pcs, std::int32_t units);
 
 class Page;

@@ -25,13 +25,14 @@ namespace {
 
 namespace native = algorithms::montani_re;
 
-// A closed line as the paper writes it: a starting point and digits, 0 east, 1 north-east, ... 7 south-east.
+// A closed line as in the paper: a starting point and digits, 0 east, 1 north-east, ... 7 south-east.
 struct FreemanChain {
   std::array<std::int64_t, 2> start;
   std::string_view links;
 };
 
-// Two regions, and a hole in the second. Figure 1 is not legible: the chains begin where its caption says.
+// Two regions, and a hole in the second. Figure 1 is not legible: the chains begin at the points given in its
+// caption.
 constexpr std::array<FreemanChain, 3> figure_1{{{{6, 11}, "6666666664222222253666666642222222220710"},
                                                 {{12, 2}, "22231222344466666666602222076660"},
                                                 {{11, 8}, "23466601"}}};
@@ -57,7 +58,7 @@ native::FaceSet face_of(std::span<const FreemanChain> chains) {
   return builder.take();
 }
 
-// Stripes a step high. No two sides of Figure 1 cross inside one, so that each is one band.
+// Stripes one step high. No two sides of Figure 1 cross inside one, so each is one band.
 std::vector<PrintedStripe> printed_stripes() {
   constexpr std::int64_t step = 65536;    // of a side's abscissas
   constexpr std::int32_t thickness = 16;  // units of a stripe
@@ -102,8 +103,8 @@ native::FaceSet faces_of(const scene::PolyScene& scene) {
   return *std::move(set);
 }
 
-// The letters of SURFACE: rectangles in a row, each of which overlaps the next. Figure 4 is not legible;
-// Table 3 says which letter is before its neighbour.
+// The letters of SURFACE: rectangles in a row, each overlapping the next. Figure 4 is not legible; Table 3 says which
+// of two adjacent letters is in front.
 constexpr std::string_view letters = "SURFACE";
 constexpr std::array<std::int32_t, 7> depths{0, 1, 2, 3, 2, 1, 0};
 
@@ -163,7 +164,7 @@ FaceCycle cycle_of(const char* what, const std::vector<Corners>& faces) {
           drawn && picture::image_set(drawn->picture, scene, scene.camera) == picture::image_set(truth, scene, scene.camera)};
 }
 
-// A row of a printed table, and the one here of the same key.
+// A row of a printed table, and the computed row with the same key.
 template <class Row>
 struct Beside {
   Row paper;
@@ -174,7 +175,7 @@ template <class Row, class Key>
 std::vector<Beside<Row>> beside(const std::vector<Row>& paper, const std::vector<Row>& here, Key Row::*key) {
   std::vector<Beside<Row>> rows;
   for (const Row& row : paper) {
-    const auto found = std::find_if(here.begin(), here.end(), is(key, row.*key));
+    const auto found = std::find_if(here.begin(), here.end(), equals(key, row.*key));
     rows.push_back({row, found == here.end() ? std::nullopt : std::optional(*found)});
   }
   return rows;

@@ -1,4 +1,4 @@
-// What the tables of Montani and Re's paper print, made by the programs here.
+// The tables of Montani and Re's paper, computed by the programs here.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct PrintedRelations {
   friend bool operator==(const PrintedRelations&, const PrintedRelations&) = default;
 };
 
-// A row of Table 4: the lists after so many steps.
+// A row of Table 4: the lists after `step` steps.
 struct PrintedLists {
   std::size_t step = 0;
   std::string front;
@@ -44,7 +44,7 @@ struct FaceCycle {
   std::size_t faces = 0;
   std::uint64_t cuts = 0;
   std::uint64_t parts = 0;
-  bool right = false;  // drawn as the oracle draws them
+  bool right = false;  // drawn as by the oracle
 };
 
 struct MontaniReTables {
@@ -58,7 +58,7 @@ struct MontaniReTables {
 [[nodiscard]] MontaniReTables montani_re_tables(const Context& context);
 
 class Page;
-// Beside those that the paper prints.
+// Next to the tables printed in the paper.
 void montani_re_printed_tables(Page& page, const MontaniReTables& tables);
 
 }  // namespace sightline::report

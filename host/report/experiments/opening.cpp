@@ -40,8 +40,8 @@ Value done(base::Result<Value> result, base::ErrorKind kind = base::ErrorKind::p
   return std::move(*result);
 }
 
-// The rows of scenes and of methods, as comparisons are added.
-class Gathering {
+// Collects the rows of scenes and of methods from comparisons.
+class RowCollector {
  public:
   void add(const std::string& scene, std::vector<compare::MethodView> views) {
     by_scene_.add(scene, 0, views);
@@ -59,11 +59,11 @@ class Gathering {
   std::uint64_t number_ = 0;
 };
 
-void add_cells(const compare::CompareOptions& options, Gathering& gathering, OpeningAnswer& answer) {
+void add_cells(const compare::CompareOptions& options, RowCollector& collector, OpeningAnswer& answer) {
   for (const std::string_view name : scene::builtin_scene_names()) {
     const scene::CellScene scene = done(scene::load_cell_scene(std::string(name)), base::ErrorKind::bad_input);
     const compare::SceneComparison comparison = done(compare::compare_cell_scene(scene, options));
-    gathering.add(std::string(name), method_views(comparison));
+    collector.add(std::string(name), method_views(comparison));
     ++answer.scenes;
     if (name != cells_in_plot) continue;
     for (compare::PlotPoint& point : compare::variants_of(scene, options, comparison))
@@ -76,22 +76,22 @@ scene::PolyCamera parallel_camera(const scene::PolyScene& scene) {
                              turned_direction, false);
 }
 
-void add_polyhedra(const compare::CompareOptions& options, Gathering& gathering, OpeningAnswer& answer) {
+void add_polyhedra(const compare::CompareOptions& options, RowCollector& collector, OpeningAnswer& answer) {
   const scene::PolyScene many = scene::generate_boxes(boxes);
-  gathering.add(fmt::format("boxes-{}", boxes),
+  collector.add(fmt::format("boxes-{}", boxes),
                 method_views(done(compare::compare_poly_scene(many, many.camera, options))));
   const scene::PolyScene turned = scene::generate_boxes(turned_boxes);
   const compare::SceneComparison comparison =
       done(compare::compare_poly_scene(turned, parallel_camera(turned), options));
-  gathering.add(fmt::format("boxes-{}, parallel", turned_boxes), method_views(comparison));
+  collector.add(fmt::format("boxes-{}, parallel", turned_boxes), method_views(comparison));
   answer.scenes += 2;
-  // The other methods are in the plot with the scene of cells.
+  // The other methods are in the plot by the scene of cells.
   for (compare::PlotPoint& point : compare::variants_of(turned, options, comparison))
     if (point.series.starts_with("plantinga") || point.series == compare::turn_name)
       answer.plotted.push_back(std::move(point));
 }
 
-void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer) {
+void add_functions(bool host_times, RowCollector& collector, OpeningAnswer& answer) {
   algorithms::skala::View view;
   view.rotation = rotation;
   for (const std::string_view name : functions) {
@@ -101,7 +101,7 @@ void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer)
     compare::HeightComparison comparison = compare::compare_heights(
         grid, view, [](std::string_view) {}, {}, host_times);
     comparison.devices = compare::compare_devices(grid, view);
-    gathering.add(std::string(name), method_views(comparison));
+    collector.add(std::string(name), method_views(comparison));
     ++answer.functions;
     if (name != function_in_plot) continue;
     for (compare::PlotPoint& point : compare::variants_of(comparison))
@@ -109,8 +109,8 @@ void add_functions(bool host_times, Gathering& gathering, OpeningAnswer& answer)
   }
 }
 
-// Who had the idea, and on what it runs. Methods that are not here, twins and other devices, are in the whole
-// table alone.
+// The author of a method, and its machine. Methods that are not listed here, twins and other devices, are only in the
+// whole table.
 struct KnownMethod {
   std::string_view method;
   std::string_view picture;
@@ -150,44 +150,44 @@ std::optional<double> most(const std::optional<Spread>& spread, double unit = 1)
   return spread ? std::optional(spread->greatest * unit) : std::nullopt;
 }
 
-constexpr double microseconds = 1e6;  // of a second
+constexpr double microseconds = 1e6;  // per second
 
-// "0.06 to 0.96 s" of the scenes of a method.
+// "0.06 to 0.96 s" over the scenes of a method.
 std::string emulated_range(const OpeningAnswer& answer, std::string_view method) {
-  const auto range = range_of(where(answer.rows, is(&AnswerRow::method, method)),
+  const auto range = range_of(where(answer.rows, equals(&AnswerRow::method, method)),
                               [](const AnswerRow& row) { return most(row.emulated_seconds); });
-  return fmt::format("{} to {} s", shown(range.least, 2), shown(range.greatest, 2));
+  return fmt::format("{} to {} s", text_of(range.least, 2), text_of(range.greatest, 2));
 }
 
 bool exact_lines(const AnswerRow& row) {
   return row.exact && row.picture == "lines";
 }
 
-Said how_fast(const Page& page, const OpeningAnswer& answer) {
+CheckedText how_fast(const Page& page, const OpeningAnswer& answer) {
   std::string text = fmt::format(
       "A view takes Jones's program {} on the PDP-7 (the paper: {}) and Skala's {} on the 8080 ({})",
       emulated_range(answer, compare::jones_pdp7_name), compare::paper_figure(compare::jones_pdp7_name, "lines"),
       emulated_range(answer, "skala-8080"), compare::paper_figure("skala-8080", "dots"));
   if (page.host_times()) {
-    const auto here = range_of(where(answer.rows, is(&AnswerRow::method, "exact")),
+    const auto here = range_of(where(answer.rows, equals(&AnswerRow::method, "exact")),
                                [](const AnswerRow& row) { return most(row.host_seconds, microseconds); });
-    text += fmt::format("; the exact method takes this computer {} to {} us", shown(here.least, 0),
-                        shown(here.greatest, 0));
+    text += fmt::format("; the exact method takes this computer {} to {} us", text_of(here.least, 0),
+                        text_of(here.greatest, 0));
   }
   return text + ".";
 }
 
-Said how_wrong(const Page& page, const OpeningAnswer& answer) {
-  const auto jones = where(answer.rows, is(&AnswerRow::method, compare::jones_pdp7_name));
+CheckedText how_wrong(const Page& page, const OpeningAnswer& answer) {
+  const auto jones = where(answer.rows, equals(&AnswerRow::method, compare::jones_pdp7_name));
   const double farthest = greatest(jones, [](const AnswerRow& row) { return most(row.greatest); });
   const auto exact = where(answer.rows, exact_lines);
   return fmt::format(
              "On the PDP-7's screen at most {} % of the visible length is wrong, at most {} points from its "
              "place; of Skala's dots "
              "at most {} %; ",
-             shown(greatest(jones, [](const AnswerRow& row) { return row.wrong_percent.greatest; }), 1),
-             shown(farthest, 1),
-             shown(greatest(where(answer.rows, is(&AnswerRow::method, "skala-8080")),
+             text_of(greatest(jones, [](const AnswerRow& row) { return row.wrong_percent.greatest; }), 1),
+             text_of(farthest, 1),
+             text_of(greatest(where(answer.rows, equals(&AnswerRow::method, "skala-8080")),
                             [](const AnswerRow& row) { return row.wrong_percent.greatest; }),
                    1)) +
          page.claim(std::all_of(exact.begin(), exact.end(),
@@ -195,13 +195,13 @@ Said how_wrong(const Page& page, const OpeningAnswer& answer) {
                     "nothing is wrong with the exact methods.");
 }
 
-Said against_what(const Page& page, const OpeningAnswer& answer) {
+CheckedText against_what(const Page& page, const OpeningAnswer& answer) {
   return page.claim(
       std::all_of(answer.rows.begin(), answer.rows.end(),
                   [](const AnswerRow& row) { return row.defect.empty(); }),
-      fmt::format("Against what an exact program that shares no code with the methods sees in {} scenes, and "
-                  "against the "
-                  "unrounded lines of {} functions; each program on a machine gives, word for word, what the same program in C++ gives.",
+      fmt::format("Pictures of {} scenes are compared with those of an exact program that shares no code with the methods, "
+                  "pictures of {} functions with unrounded lines. Each program on a machine produces, word for word, the "
+                  "output of the same program in C++.",
                   answer.scenes, answer.functions));
 }
 
@@ -235,11 +235,9 @@ void table_of_methods(Page& page, const OpeningAnswer& answer) {
        {"views", "Views", [](const Row& row) { return row.row->views; }},
        {"right", "Right", "none beyond a point", [](const Row& row) { return row.row->right; }},
        {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.row->method, row.row->picture); }}},
-      {{"One view of each scene that the method can take. Wrong: lines that are missing and extra ones together, of what is "
-        "truly seen. A picture is right if it "
-        "is exact, or none of it is farther than a point from what is seen. The same programs in C++, other devices and the "
-        "stripes on a plotter are in the "
-        "table by scene."}});
+      {{"One view of each scene that the method can take. Wrong: missing and extra lines together, in per cent of the visible "
+        "length. A picture is right if it is exact, or if no part of it is farther than a point from the reference. The same "
+        "programs in C++, other devices and the stripes on a plotter are in the table by scene."}});
 }
 
 void table_of_scenes(Page& page, const OpeningAnswer& answer) {
@@ -263,9 +261,8 @@ void table_of_scenes(Page& page, const OpeningAnswer& answer) {
        {"of_all", "Of all", &Row::of_all},
        {"what", "Of what", &Row::what},
        {"paper", "The paper says", [](const Row& row) { return compare::paper_figure(row.method, row.picture); }}},
-      {{fmt::format("Default views; boxes-{} in parallel projection along {},{},{}, as Plantinga's events "
-                    "need it; functions rotated "
-                    "{} degrees. `sightline compare` makes the same rows of any scene.",
+      {{fmt::format("Default views; boxes-{} in parallel projection along {},{},{}, as Plantinga's events need; functions "
+                    "rotated {} degrees. `sightline compare` makes the same rows for any scene.",
                     turned_boxes, turned_direction[0], turned_direction[1], turned_direction[2], rotation)},
        true});
 }
@@ -277,11 +274,11 @@ OpeningAnswer opening_answer(const Context& context) {
   OpeningAnswer answer;
   compare::CompareOptions options;
   options.host_times = context.host_times;
-  Gathering gathering;
-  add_cells(options, gathering, answer);
-  add_polyhedra(options, gathering, answer);
-  add_functions(context.host_times, gathering, answer);
-  gathering.finish(answer);
+  RowCollector collector;
+  add_cells(options, collector, answer);
+  add_polyhedra(options, collector, answer);
+  add_functions(context.host_times, collector, answer);
+  collector.finish(answer);
   answer.of_plot = fmt::format(
       "{} from its default view; Plantinga's events and turn-pdp7 of boxes-{} in parallel projection; the "
       "function {}",
@@ -296,7 +293,8 @@ void opening(Page& page, const OpeningAnswer& answer) {
        {"Against what?", against_what(page, answer)}},
       {panel_svg(answer.plotted, compare::PlotPanel::emulated),
        panel_svg(answer.plotted, compare::PlotPanel::host)},
-      fmt::format("Time against error, each setting a mark; filled ones are not beaten in both. Of {}.",
+      fmt::format("Time against error, one mark per setting. A filled mark means that no other setting is both as fast and as "
+                  "accurate. Shown: {}.",
                   answer.of_plot)};
   page.add(std::move(block));
   table_of_methods(page, answer);

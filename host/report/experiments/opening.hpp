@@ -1,8 +1,8 @@
-// What the report opens with: how fast and how wrong every method is, on one view of each scene and function,
-// and against what.
+// The opening of the report: the speed and accuracy of every method, on one view of each scene and function, and the
+// references used.
 //
-// A sentence for each of the three, the plot of time against error, a table of methods, and the whole table, one row per
-// method and scene. The measures are those of `compare` (host/compare/answer.hpp).
+// A sentence for each of the three, the plot of time against error, a table of methods, and the whole table, one row
+// per method and scene. The measures are those of `compare` (host/compare/answer.hpp).
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct OpeningAnswer {
   std::vector<compare::AnswerRow> rows;     // by scene
   std::vector<compare::AnswerRow> methods;  // each over all its scenes
   std::vector<compare::PlotPoint> plotted;  // of one scene of cells, one of polyhedra and a function
-  std::string of_plot;                      // which those are, in words
+  std::string of_plot;                      // the names of these, in words
   std::size_t scenes = 0;
   std::size_t functions = 0;
 };

@@ -10,20 +10,20 @@ namespace sightline::report {
 
 namespace {
 
-// Of two values, as "0.06 to 0.98".
+// A range as "0.06 to 0.98".
 template <class T>
 std::string span(const Range<T>& range, int places) {
-  return fmt::format("{} to {}", shown(range.least, places), shown(range.greatest, places));
+  return fmt::format("{} to {}", text_of(range.least, places), text_of(range.greatest, places));
 }
 
-void method(Page& page, std::string id, std::string_view paper, Said title, Said text, Figure picture) {
+void method(Page& page, std::string id, std::string_view paper, CheckedText title, CheckedText text, Figure picture) {
   Panel panel{std::move(id), std::move(title), page.papers().paper(paper).citation(), {}, {std::move(text)}, {}};
   panel.figures.push_back(std::move(picture));
   page.add(std::move(panel));
 }
 
 const MethodPicture& picture_of(const CrossCheck& methods, std::string_view scene, std::string_view method) {
-  return the(methods.pictures, [=](const MethodPicture& row) { return row.scene == scene && row.method == method; });
+  return only(methods.pictures, [=](const MethodPicture& row) { return row.scene == scene && row.method == method; });
 }
 
 template <class Count>
@@ -43,7 +43,7 @@ void overview_question(Page& page) {
   page.paragraph(
       "This page asks of each: how fast is it, how accurate, and what does it need? Every figure is measured or computed when "
       "the page is made, and is shown with the paper's. Times of the PDP-7 and the 8080 are emulated seconds: they follow from "
-      "the cycles of the machine and are the same in every run. A picture is correct if it is that of an oracle: an exact "
+      "the cycles of the machine and are the same in every run. A picture is correct if it equals that of an oracle: an exact "
       "program in rational numbers that shares no code with the methods.");
 }
 
@@ -59,7 +59,7 @@ void method_jones(Page& page, const JonesViews& jones) {
 
 void method_willis(Page& page, const WillisOrder& willis) {
   const WillisPicture& deepest =
-      the(willis.pictures, is(&WillisPicture::depth, greatest(willis.pictures, &WillisPicture::depth)));
+      only(willis.pictures, equals(&WillisPicture::depth, greatest(willis.pictures, &WillisPicture::depth)));
   method(page, "method-willis", "willis", "Distance as priority",
          "Surfaces are ordered by the distance of one of their corners from the eye, and a display shows, at each point, the "
          "nearest in this order. That order is wrong where two surfaces are close together and long. So the model is prepared "
@@ -82,7 +82,7 @@ void method_montani_re(Page& page, const CrossCheck& methods) {
 }
 
 void method_skala(Page& page, const SkalaPictures& skala) {
-  const SkalaPicture& sinc = the(skala.of("surface"), is(&SkalaPicture::function, "sinc"));
+  const SkalaPicture& sinc = only(skala.of("surface"), equals(&SkalaPicture::function, "sinc"));
   method(page, "method-skala", "skala", "The floating horizon",
          "A surface y = f(x, z) is drawn as slices from front to back. For each column of the screen two numbers are kept: the "
          "highest and the lowest point drawn so far. A point of the next slice is visible if it lies above the one or below the "
@@ -109,7 +109,7 @@ void finding_view_time(Page& page, const JonesViews& jones, const JonesAccuracy&
                  {"Here, without it", span(range_of(jones.of(false), &View::second_view_s), 2) + " s"},
                  page.paper_says("jones.order_of_seconds")};
   panel.text = {fmt::format("{} scenes on a machine whose memory cycle is {} us. ", distinct(jones.views, &View::scene),
-                            shown(jones_cycle_us(), 2)) +
+                            text_of(jones_cycle_us(), 2)) +
                 page.claim(all.greatest <= 9, "The largest scenes take seconds, as the paper says; the small ones are quicker.") +
                 " The EAE (Extended Arithmetic Element) is an option that multiplies and divides. " +
                 page.claim(least(accuracy.builds, &JonesBuild::eae_gain) >= 2, "It saves more than half of the time.") +
@@ -131,16 +131,16 @@ void finding_view_time(Page& page, const JonesViews& jones, const JonesAccuracy&
 
 void finding_pdp7_turn(Page& page, const std::vector<Pdp7Turn>& turns, const JonesViews& jones) {
   const auto turn = [&](std::string_view model, bool eae) -> const Pdp7Turn& {
-    return the(turns, [=](const Pdp7Turn& row) { return row.model == model && row.eae == eae; });
+    return only(turns, [=](const Pdp7Turn& row) { return row.model == model && row.eae == eae; });
   };
   const auto worst = [&](std::string_view model) {
-    return fmt::format("{} and {} a second", shown(turn(model, true).worst_frames_a_second, 0),
-                       shown(turn(model, false).worst_frames_a_second, 0));
+    return fmt::format("{} and {} a second", text_of(turn(model, true).worst_frames_a_second, 0),
+                       text_of(turn(model, false).worst_frames_a_second, 0));
   };
   Panel panel{
       "finding-pdp7-turn",
-      fmt::format("What 1965 could have done: on the PDP-7 a notched block turns without hidden lines at {} frames a second",
-                  shown(turn("roberts", true).frames_a_second, 0))};
+      fmt::format("On the machine of 1965: a notched block turns on the PDP-7 without hidden lines at {} frames a second",
+                  text_of(turn("roberts", true).frames_a_second, 0))};
   panel.facts = {{"Notched block, slowest frame of a turn, with the EAE and without", worst("roberts")},
                  {fmt::format("Star of {} edges, slowest frame", turn("star", true).edges), worst("star")},
                  {"Time of a frame to that of a wire frame", span(range_of(turns, &Pdp7Turn::cost), 2)},
@@ -151,7 +151,7 @@ void finding_pdp7_turn(Page& page, const std::vector<Pdp7Turn>& turns, const Jon
                   "the machine rotates the corners, applies the events and draws. Jones needed {} seconds a view, for any "
                   "movement of the eye and without preparation. ",
                   span(range_of(jones.views, &JonesView::second_view_s), 2)) +
-      page.claim(greatest(where(turns, is(&Pdp7Turn::eae, true)), &Pdp7Turn::cost) <= 1,
+      page.claim(greatest(where(turns, equals(&Pdp7Turn::eae, true)), &Pdp7Turn::cost) <= 1,
                  "With the EAE a frame without hidden lines takes no longer than a wire frame, since fewer lines are drawn.")};
   panel.figures.push_back(figure(*turn("star", true).screen, "finding-pdp7-turn-star", "The star, turning on the PDP-7.",
                                  "One frame, as the Type 340 drew it.",
@@ -161,10 +161,10 @@ void finding_pdp7_turn(Page& page, const std::vector<Pdp7Turn>& turns, const Jon
 
 void finding_8080_stripes(Page& page, const MontaniRe8080& stripes) {
   const auto& scenes = stripes.scenes;
-  const StripesScene& boxes = the(scenes, is(&StripesScene::scene, "boxes-20"));
+  const StripesScene& boxes = only(scenes, equals(&StripesScene::scene, "boxes-20"));
   Panel panel{"finding-8080-stripes",
               fmt::format("An 8080 with {} bytes of program fills {} faces without hidden parts in {} seconds",
-                          shown(stripes.program_bytes), shown(boxes.faces), shown(boxes.whole_s, 1))};
+                          text_of(stripes.program_bytes), text_of(boxes.faces), text_of(boxes.whole_s, 1))};
   panel.facts = {{fmt::format("Finding what is in front, {} scenes", scenes.size()),
                   span(range_of(scenes, &StripesScene::priority_s), 2) + " s"},
                  {"Stripes, differences, dots", span(range_of(scenes, &StripesScene::drawing_s), 2) + " s"},
@@ -185,16 +185,16 @@ void finding_flight(Page& page, const std::vector<WillisFlight>& flights) {
   const auto kept = where(flights, [](const Flight& flight) { return flight.bits == 8 && flight.worst_frames_a_second >= 24.9; });
   const auto rates = [&](int bits) {
     const Flight& hundred =
-        the(flights, [=](const Flight& flight) { return flight.pieces == 100 && flight.bits == bits && flight.axes == 3; });
-    return fmt::format("{} and {} a second", shown(hundred.computed_a_second, 0), shown(hundred.worst_computed_a_second, 0));
+        only(flights, [=](const Flight& flight) { return flight.pieces == 100 && flight.bits == bits && flight.axes == 3; });
+    return fmt::format("{} and {} a second", text_of(hundred.computed_a_second, 0), text_of(hundred.worst_computed_a_second, 0));
   };
   const auto wrong_percent = [&](int bits, int places) {
-    const auto rows = where(flights, is(&Flight::bits, bits));
-    return shown(100 * ratio(sum(rows, &Flight::wrong_orders), sum(rows, &Flight::pairs)), places);
+    const auto rows = where(flights, equals(&Flight::bits, bits));
+    return text_of(100 * ratio(sum(rows, &Flight::wrong_orders), sum(rows, &Flight::pairs)), places);
   };
   Panel panel{"finding-flight",
               fmt::format("An 8080 keeps the priorities of {} surfaces in order 25 times a second",
-                          shown(greatest(kept, &Flight::pieces)))};
+                          text_of(greatest(kept, &Flight::pieces)))};
   panel.facts = {{"100 pieces, 8 bits, mean and worst", rates(8)},
                  {"100 pieces, 16 bits, mean and worst", rates(16)},
                  {"Pairs in a wrong order, 8 and 16 bits", fmt::format("{} and {} %", wrong_percent(8, 2), wrong_percent(16, 4))},
@@ -206,7 +206,7 @@ void finding_flight(Page& page, const std::vector<WillisFlight>& flights) {
       (greatest(flights, &Flight::wrong_points) == 0 ? "No wrong order is seen in a picture." : "")};
   const auto most = greatest(flights, &Flight::pieces);
   const Flight& longest =
-      the(flights, [most](const Flight& flight) { return flight.pieces == most && flight.bits == 8 && flight.axes == 3; });
+      only(flights, [most](const Flight& flight) { return flight.pieces == most && flight.bits == 8 && flight.axes == 3; });
   panel.figures.push_back(figure(*longest.screen, "finding-flight-town", "A town, on the priority display.",
                                  fmt::format("One frame of a flight past {} pieces.", longest.pieces),
                                  "Buildings in greys, seen from between them"));
@@ -221,13 +221,13 @@ void finding_word_length(Page& page, const JonesAccuracy& accuracy) {
     return error(accuracy.build(scene, 0)) / error(accuracy.build(scene, 3));
   };
   const auto both = [&](auto error) {
-    return fmt::format("{} and {} %", shown(error(accuracy.build("street4", 0)), 2),
-                       shown(error(accuracy.build("street4", 3)), 2));
+    return fmt::format("{} and {} %", text_of(error(accuracy.build("street4", 0)), 2),
+                       text_of(error(accuracy.build("street4", 3)), 2));
   };
   Panel panel{
       "finding-word-length",
       fmt::format("In street4 three fraction bits divide the error of computed lines by {}, that of lines on the screen by {}",
-                  shown(gain("street4", computed), 0), shown(gain("street4", displayed), 1))};
+                  text_of(gain("street4", computed), 0), text_of(gain("street4", displayed), 1))};
   panel.facts = {{"Wrong length, computed, 0 and 3 bits", both(computed)},
                  {"On the screen, 0 and 3 bits", both(displayed)},
                  page.paper_says("jones.core")};
@@ -243,7 +243,7 @@ void finding_word_length(Page& page, const JonesAccuracy& accuracy) {
       "from them. " +
       fmt::format(
           "Of all lines that should be hidden at most {} points are seen away from a visible line. The paper gives no error.",
-          shown(greatest(accuracy.builds, [](const Build& build) { return build.displayed.extra_far; }), 2))};
+          text_of(greatest(accuracy.builds, [](const Build& build) { return build.displayed.extra_far; }), 2))};
   Plot plot{"finding-word-length-plot",
             "Wrong length against fraction bits",
             "Two scenes, coordinates rounded.",
@@ -266,7 +266,7 @@ void finding_visibility_cost(Page& page, const SkalaPictures& skala) {
   const auto cost = [](const auto& rows) { return range_of(rows, &Row::cost_percent); };
   const double paper = page.paper_figure("skala.cost").least;
   const auto here = [&](const auto& rows) {
-    return fmt::format("{} %, mean {} %", span(cost(rows), 1), shown(mean(rows, &Row::cost_percent), 1));
+    return fmt::format("{} %, mean {} %", span(cost(rows), 1), text_of(mean(rows, &Row::cost_percent), 1));
   };
   Panel panel{"finding-visibility-cost",
               fmt::format("Visibility costs the 8080 {} % in long slices, {} % in short ones", span(cost(long_slices), 0),
@@ -274,12 +274,12 @@ void finding_visibility_cost(Page& page, const SkalaPictures& skala) {
   panel.facts = {{"Here, 30 slices of 256 points", here(long_slices)},
                  {"Here, 60 slices of 33 points, rotated", here(short_slices)},
                  page.paper_says("skala.cost")};
-  // T-states of a point without the test, and what the test adds.
-  const auto plain = [](const auto& rows) { return shown(ratio(sum(rows, &Row::plain_t_states), sum(rows, &Row::walked)), 0); };
+  // T-states of a point without the test, and those that the test adds.
+  const auto plain = [](const auto& rows) { return text_of(ratio(sum(rows, &Row::plain_t_states), sum(rows, &Row::walked)), 0); };
   const auto test = [](const auto& rows) {
-    return shown(ratio(sum(rows, &Row::drawing_t_states) - sum(rows, &Row::plain_t_states), sum(rows, &Row::walked)), 0);
+    return text_of(ratio(sum(rows, &Row::drawing_t_states) - sum(rows, &Row::plain_t_states), sum(rows, &Row::walked)), 0);
   };
-  const Row& cosr = the(long_slices, is(&Row::function, "cosr"));
+  const Row& cosr = only(long_slices, equals(&Row::function, "cosr"));
   const auto near = count(long_slices, [paper](const Row& row) { return std::abs(*row.cost_percent() - paper) <= 1; });
   const auto surface = cost(skala.of("surface"));
   panel.text = {
@@ -298,7 +298,7 @@ void finding_visibility_cost(Page& page, const SkalaPictures& skala) {
                       near, long_slices.size()),
       fmt::format("Surfaces take {} to {} % less time with the test than without, because facets that are hidden are neither "
                   "shaded nor drawn. This is why `sightline skala surface` reports a visibility below zero.",
-                  shown(-surface.greatest, 0), shown(-surface.least, 0))};
+                  text_of(-surface.greatest, 0), text_of(-surface.least, 0))};
   Plot plot{"finding-visibility-cost-plot",
             "Cost of visibility",
             "Each point is a function; the line is the paper's figure.",
@@ -337,7 +337,7 @@ void finding_growth(Page& page, const MontaniReGrowth& growth) {
   }
   Plot plot{"finding-growth-plot",
             "Work against the size of the scene",
-            fmt::format("Scenes of {} to {} faces.", shown(faces.least), shown(faces.greatest)),
+            fmt::format("Scenes of {} to {} faces.", text_of(faces.least), text_of(faces.greatest)),
             "Pairs of faces against the number of faces, both logarithmic: straight lines steeper than linear",
             {"faces"},
             {"pairs of faces"}};
@@ -355,25 +355,25 @@ void finding_unseen(Page& page, const JonesViews& jones, const JonesUnseen& unse
   const auto& buildings = unseen.buildings;
   const auto rooms = range_of(buildings, &Building::all_rooms);
   const auto corridor = [&](std::string_view scene) {
-    const JonesCorridor& row = the(jones.corridors, [=](const JonesCorridor& c) { return c.scene == scene && c.eae; });
-    return std::pair(fmt::format("Corridor of {} cells, emulated", row.cells), shown(row.view_s, 4) + " s");
+    const JonesCorridor& row = only(jones.corridors, [=](const JonesCorridor& c) { return c.scene == scene && c.eae; });
+    return std::pair(fmt::format("Corridor of {} cells, emulated", row.cells), text_of(row.view_s, 4) + " s");
   };
   Panel panel{"finding-unseen",
-              page.claim(jones.unseen_rooms_cost_nothing(), "What is not seen costs nothing:") +
-                  fmt::format(" a view in {} rooms enters {} cells", shown(rooms.greatest), shown(buildings.back().visits, 0))};
+              page.claim(jones.unseen_rooms_cost_nothing(), "Invisible cells cost nothing:") +
+                  fmt::format(" a view in {} rooms enters {} cells", text_of(rooms.greatest), text_of(buildings.back().visits, 0))};
   panel.facts = {corridor("corridor8"), corridor("corridor32"), page.paper_says("jones.never_considered")};
   const auto used = range_of(jones.views, &JonesView::used_words);
   panel.text = {
       page.claim(
           jones.unseen_rooms_cost_nothing(),
-          "On the PDP-7 cells that no line of sight reaches cost no instruction: only the core memory that holds them grows.") +
+          "On the PDP-7 cells that no line of sight reaches cost no instructions; they only occupy core memory.") +
           fmt::format(
               " The native program does the same: from {} to {} rooms the cells entered in a view stay between {} and {}.",
-              shown(rooms.least), shown(rooms.greatest), shown(least(buildings, &Building::visits), 0),
-              shown(greatest(buildings, &Building::visits), 0)),
+              text_of(rooms.least), text_of(rooms.greatest), text_of(least(buildings, &Building::visits), 0),
+              text_of(greatest(buildings, &Building::visits), 0)),
       fmt::format("The same holds for equipment. The programs use {} to {} of the {} words of core memory, and a device that a "
-                  "program does not use is not there and takes no time.",
-                  shown(used.least), shown(used.greatest), shown(page.paper_figure("jones.core").greatest, 0))};
+                  "program does not use is not emulated and takes no time.",
+                  text_of(used.least), text_of(used.greatest), text_of(page.paper_figure("jones.core").greatest, 0))};
   Plot plot{"finding-unseen-plot",
             "Cells of a building, and cells entered in a view",
             "Mean of up to 256 views from inside.",
@@ -393,12 +393,12 @@ void finding_normals(Page& page, const WillisOrder& willis) {
   const auto over = sum(willis.normals, &WillisNormals::pairs_over_90);
   Panel panel{"finding-normals",
               page.claim(over > 0, "One of Willis's rules is wrong:") +
-                  fmt::format(" {} of {} pairs of surfaces contradict it", shown(over),
-                              shown(sum(willis.normals, &WillisNormals::pairs)))};
+                  fmt::format(" {} of {} pairs of surfaces contradict it", text_of(over),
+                              text_of(sum(willis.normals, &WillisNormals::pairs)))};
   panel.facts = {{"Greatest angle here, one surface hiding the other",
-                  shown(greatest(willis.normals, &WillisNormals::greatest_degrees), 0) + " degrees"},
+                  text_of(greatest(willis.normals, &WillisNormals::greatest_degrees), 0) + " degrees"},
                  page.paper_says("willis.normals")};
-  // Where no pair that needs a cut is left.
+  // Wrong lines in models in which no pair is left over.
   const auto wrong = [&](bool rule) {
     return sum(where(willis.models, [rule](const Model& model) { return model.left_over == 0 && model.rule90 == rule; }),
                &Model::lines_wrong);
@@ -462,15 +462,16 @@ void finding_events(Page& page, const PlantingaTurns& turns) {
 }
 
 void finding_agreement(Page& page, const CrossCheck& methods) {
-  const std::string run = shown(methods.run());
+  const std::string run = text_of(methods.run());
   Panel panel{"finding-agreement",
               methods.agrees() ? fmt::format("All {} comparisons of two methods on a scene agree", run)
                                : fmt::format("{} comparisons of methods do not agree", methods.failures.size())};
-  panel.facts = {{"Scenes", shown(methods.scenes.size())}, {"Comparisons", run}, {"Differences", shown(methods.failures.size())}};
+  panel.facts = {{"Scenes", text_of(methods.scenes.size())}, {"Comparisons", run}, {"Differences", text_of(methods.failures.size())}};
   panel.text = {
-      "The methods have nothing in common but the question. Exact methods must give the same pieces of the same edges; methods "
-      "that give faces must show the same face at every pixel away from edges. The picture shows one scene by each method."};
-  for (const MethodPicture& row : where(methods.pictures, is(&MethodPicture::scene, "C5")))
+      "The methods solve the same problem in different ways. Exact methods must give the same pieces of the same edges; "
+      "methods that give faces must show the same face at every pixel away from edges. The picture shows one scene by each "
+      "method."};
+  for (const MethodPicture& row : where(methods.pictures, equals(&MethodPicture::scene, "C5")))
     panel.figures.push_back(
         figure(row.picture, "finding-agreement-" + row.id, row.method, "", "Three tilted boxes by " + row.method));
   page.add(std::move(panel));
@@ -478,11 +479,11 @@ void finding_agreement(Page& page, const CrossCheck& methods) {
 
 void about(Page& page) {
   page.paragraph(
-      "Emulated seconds follow from machine cycles: 1.75 us for the PDP-7, T-states of a third of a microsecond for the 8080 at "
-      "3 MHz. Times of this computer are medians of repetitions that alternate between what is compared; they differ from run to "
-      "run. `sightline report --part N` makes the chapters of one kind: 1 timing against the papers, 2 accuracy against time, 3 "
-      "hard cases, 4 resource usage, 5 cross-check. `--no-host-times` leaves out all times of this computer, and gives the same "
-      "bytes in every run.");
+      "Emulated seconds follow from machine cycles: 1.75 us for the PDP-7, T-states of a third of a microsecond for the 8080 "
+      "at 3 MHz. Times of this computer are medians of repetitions that alternate between the compared programs; they differ "
+      "from run to run. `sightline report --part N` makes the chapters of one kind: 1 timing against the papers, 2 accuracy "
+      "against time, 3 hard cases, 4 resource usage, 5 cross-check. `--no-host-times` leaves out all times of this computer, "
+      "and gives the same bytes in every run.");
   page.paragraph(
       "A guest is a program on its emulated machine. Its twin is the same program in C++, which gives the same bits. A "
       "native program solves the same problem by the paper's method without the machine's limits. An oracle is an exact program "

@@ -1,4 +1,4 @@
-// The opening page: what is asked, the five methods, and what was found, a panel each. sections.cpp puts them in order.
+// The opening page: the question, the five methods, and the findings, one panel each. sections.cpp gives their order.
 #pragma once
 
 #include <vector>

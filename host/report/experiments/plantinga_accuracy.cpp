@@ -1,4 +1,4 @@
-// Reference: hidden-line removal from scratch, exact, at random angles of which the list of events knows nothing.
+// Reference: exact hidden-line removal from scratch, at random angles that are independent of the list of events.
 #include "host/report/experiments/plantinga_accuracy.hpp"
 
 #include <fmt/core.h>
@@ -45,24 +45,24 @@ double hidden_percent(const std::vector<compare::ExactFrame>& views) {
   return 100 * (1 - seen / all);
 }
 
-// Groups of events spread evenly and independently: the share of angles with one between them and the last
-// multiple of an angle.
+// The share of angles with an event group between them and the previous multiple of `degrees`, for groups that are
+// distributed evenly and independently.
 double expected_percent(std::size_t groups, double degrees) {
   const double each = static_cast<double>(groups) * degrees / 360;
   return each > 0 ? 100 * (1 - (1 - std::exp(-each)) / each) : 0;
 }
 
-// shown: the frame that is shown at an angle is that of which angle.
+// shown: gives the angle of the frame that is shown at an angle.
 TurnErrors errors_of(const StudiedModel& studied, const native::EventList& list, const std::vector<compare::ExactFrame>& views,
                      double degrees, const std::function<double(double)>& shown) {
   const compare::TurnError error = compare::turn_error(studied.model, list, views, shown);
-  // Equal places from different sums differ in their last bits.
+  // Equal positions computed in different ways differ in their last bits.
   const double share = error.wrong_length / error.all_length;
   return {studied.name, degrees, 100 * static_cast<double>(error.wrong_frames) / static_cast<double>(views.size()),
           expected_percent(studied.list.events.size(), degrees), share < 1e-12 ? 0 : 100 * share};
 }
 
-// What a plot has along x, and how wrong the wire frame of a model is by it.
+// The x axis of a plot, and the error of a model's wire frame on it.
 struct ErrorMeasure {
   std::string key;
   double TurnErrors::*value;
@@ -72,23 +72,23 @@ struct ErrorMeasure {
 
 template <class Row>
 const Row& of(const std::vector<Row>& rows, std::string_view model, double degrees) {
-  return the(rows, [&](const Row& row) { return row.model == model && row.degrees == degrees; });
+  return only(rows, [&](const Row& row) { return row.model == model && row.degrees == degrees; });
 }
 
 std::string degrees_of(const TurnErrors& errors) {
-  return shown(errors.degrees) + "°";
+  return text_of(errors.degrees) + "°";
 }
 
 void add_file_plot(Page& page, const std::vector<ToleranceErrors>& tolerances, const ErrorMeasure& error) {
   const auto kb = [&](std::string_view model, double degrees) { return of(tolerances, model, degrees).file_kb; };
-  const auto kb_shown = [&](std::string_view model, double degrees) { return shown(kb(model, degrees), 1); };
+  const auto kb_shown = [&](std::string_view model, double degrees) { return text_of(kb(model, degrees), 1); };
   Plot plot;
   plot.id = fmt::format("plantinga-tolerance-{}-file", error.key);
   plot.title = "Plantinga, Seales and Dyer: angle tolerance, size of the event file: " + error.title;
   plot.caption = "Events within one multiple of the tolerance are joined, and changes that cancel are dropped. " +
                  Page::claim(kb("squares", 1) < kb("squares", 0) && kb("squares", 0.001) > kb("squares", 0),
-                             "But a multiple of the tolerance is a longer number than the own direction of most events: only "
-                             "large tolerances save room, small ones cost it.") +
+                             "But a multiple of the tolerance is a longer number than the exact direction of most events: only "
+                             "large tolerances make the file smaller, small ones make it larger.") +
                  fmt::format(
                      " The file of squares has {} KB with exact directions, {} KB at 0.001 degrees and {} KB at 1 degree; that "
                      "of grid {}, {} and {} KB.",
@@ -104,9 +104,9 @@ void add_file_plot(Page& page, const std::vector<ToleranceErrors>& tolerances, c
 void add_frame_plot(Page& page, const std::vector<ToleranceErrors>& tolerances, const PlantingaTurns& times,
                     const ErrorMeasure& error) {
   const auto frame_ns = [&](std::string_view model, double degrees) { return of(times.tolerances, model, degrees).frame_ns; };
-  const auto slower = [&](std::string_view model) { return shown(frame_ns(model, 1) / frame_ns(model, 0), 2); };
+  const auto slower = [&](std::string_view model) { return text_of(frame_ns(model, 1) / frame_ns(model, 0), 2); };
   const auto from_scratch = [&](std::string_view model) {
-    return shown(the(times.baselines, is(&TurnBaseline::model, model)).scratch_ns / frame_ns(model, 0), 0);
+    return text_of(only(times.baselines, equals(&TurnBaseline::model, model)).scratch_ns / frame_ns(model, 0), 0);
   };
   Plot plot;
   plot.id = fmt::format("plantinga-tolerance-{}-host", error.key);
@@ -132,7 +132,7 @@ void add_frame_plot(Page& page, const std::vector<ToleranceErrors>& tolerances, 
 }
 
 void add_tolerances_table(Page& page, const PlantingaAccuracy& measured, const PlantingaTurns& times) {
-  const double exact = greatest(where(measured.tolerances, is(&ToleranceErrors::degrees, 0.0)), &ToleranceErrors::topo_per_cent);
+  const double exact = greatest(where(measured.tolerances, equals(&ToleranceErrors::degrees, 0.0)), &ToleranceErrors::topo_per_cent);
   const auto time_of = [&](const ToleranceErrors& e) -> const ToleranceTimes& {
     return of(times.tolerances, e.model, e.degrees);
   };
@@ -148,24 +148,24 @@ void add_tolerances_table(Page& page, const PlantingaAccuracy& measured, const P
                host_time},
               {"frame_ns", "A frame", "ns", [&](const ToleranceErrors& e) { return time_of(e).frame_ns; }, 0, host_time}},
              {.notes = {"A tolerance moves every event up to its next multiple: late by half of it on average. The expected "
-                        "share of wrong views follows from the number of groups alone, as if they were spread evenly: groups x "
-                        "tolerance / 720 where that is small, and never more than groups x tolerance / 360. " +
-                            page.claim(exact == 0, "At tolerance 0 no view is wrong.", shown(exact) + " % are wrong"),
-                        "Positions are computed at the exact angle, so that a line with the right ends is in the right place."}});
+                        "share of wrong views is computed from the number of groups, assuming an even distribution: groups x "
+                        "tolerance / 720 if that is small, and never more than groups x tolerance / 360. " +
+                            page.claim(exact == 0, "At tolerance 0 no view is wrong.", text_of(exact) + " % are wrong"),
+                        "Positions are computed at the exact angle, so a line with the right ends is in the right place."}});
 }
 
 void add_step_plot(Page& page, const std::vector<TurnErrors>& steps, const PlantingaTurns& times) {
   const auto wrong = [&](double degrees) {
-    return greatest(where(steps, is(&TurnErrors::degrees, degrees)), &TurnErrors::wvr_per_cent);
+    return greatest(where(steps, equals(&TurnErrors::degrees, degrees)), &TurnErrors::wvr_per_cent);
   };
   Plot plot;
   plot.id = "plantinga-step-wvr-host";
   plot.title = "Plantinga, Seales and Dyer: a frame is shown until the next, time of a full turn";
   plot.caption = fmt::format(
-      "What is shown between two frames is the first of them; its lines are compared with those of hidden-line removal from "
-      "scratch, at equal places of the edges. A step of 30 degrees is wrong in {} % of the length at most, one of 0.01 degrees "
-      "in {} %.",
-      shown(wrong(30), 1), shown(wrong(0.01), 3));
+      "Between two frames the first of them is shown. Its lines are compared with those of hidden-line removal from scratch, "
+      "at equal positions on the edges. A step of 30 degrees is wrong in {} % of the length at most, one of 0.01 degrees in {} "
+      "%.",
+      text_of(wrong(30), 1), text_of(wrong(0.01), 3));
   plot.alternative = "Log-log plot of the time of a full turn against the error, one curve for each model.";
   plot.x = {"wrong visibility", "%"};
   plot.y = {"a full turn, time on this computer", "us"};
@@ -209,11 +209,11 @@ void plantinga_accuracy_chapter(Page& page, const PlantingaAccuracy& measured, c
       "Models that turn, compared with hidden-line removal from scratch at {} random angles. The measures are: views with a "
       "wrong structure, the share of angles at which any edge has other visible pieces or other ends than it should; and wrong "
       "visibility, the share of the length of all edges in the image that is wrongly visible or hidden.",
-      shown(greatest(measured.hidden, &HiddenShare::views))));
+      text_of(greatest(measured.hidden, &HiddenShare::views))));
   const ErrorMeasure structure{"topo", &TurnErrors::topo_per_cent, "views with a wrong structure",
                                [](const std::string&) { return 100.0; }};
   const ErrorMeasure visibility{"wvr", &TurnErrors::wvr_per_cent, "wrong visibility", [&](const std::string& model) {
-                                  return the(measured.hidden, is(&HiddenShare::model, model)).hidden_per_cent;
+                                  return only(measured.hidden, equals(&HiddenShare::model, model)).hidden_per_cent;
                                 }};
   for (const ErrorMeasure& error : {structure, visibility}) add_file_plot(page, measured.tolerances, error);
   if (page.host_times())

@@ -1,5 +1,5 @@
-// Plantinga, Seales and Dyer (1990): how wrong frames are when events are joined within an angle tolerance, or when
-// a frame is shown until the next one.
+// Plantinga, Seales and Dyer (1990): the errors of frames if events are joined within an angle tolerance, or if a
+// frame is shown until the next one.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct TurnErrors {
   std::string model;
   double degrees = 0;            // the tolerance, or the step from frame to frame
   double topo_per_cent = 0;      // views with a wrong structure
-  double expected_per_cent = 0;  // of them, if groups of events were spread evenly
+  double expected_per_cent = 0;  // expected value of topo_per_cent if groups of events were evenly distributed
   double wvr_per_cent = 0;       // of the length of edges, wrongly visible or hidden
 };
 
@@ -27,13 +27,13 @@ struct ToleranceErrors : TurnErrors {
 struct HiddenShare {
   std::string model;
   std::size_t views = 0;
-  double hidden_per_cent = 0;  // of the edges' length, so wrong in the wire frame
+  double hidden_per_cent = 0;  // of the edges' length, hence wrong in the wire frame
 };
 
 struct PlantingaAccuracy {
-  std::vector<ToleranceErrors> tolerances;  // a model and angle tolerance each
-  std::vector<TurnErrors> steps;            // a model and angle from frame to frame each
-  std::vector<HiddenShare> hidden;          // a model each
+  std::vector<ToleranceErrors> tolerances;  // one per model and angle tolerance
+  std::vector<TurnErrors> steps;            // one per model and angle from frame to frame
+  std::vector<HiddenShare> hidden;          // one per model
 };
 
 [[nodiscard]] PlantingaAccuracy plantinga_accuracy(const Context& context);

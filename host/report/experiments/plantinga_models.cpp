@@ -50,7 +50,7 @@ std::optional<CacheFiles> files_of(const Context& context, std::string_view name
   return CacheFiles{stem.string() + ".events", stem.string() + ".seconds"};
 }
 
-// A line: with one core, with all.
+// One line: the time with one core, and with all.
 std::optional<StudyTimes> read_times(const std::string& path) {
   const auto bytes = base::read_file(path, 200);
   if (!bytes) return std::nullopt;
@@ -75,7 +75,7 @@ bool read_cache(const Context& context, const CacheFiles& files, StudiedModel& s
   return true;
 }
 
-// A cache that cannot be written is no cache: the report does not need it.
+// Errors are ignored: the report does not need the cache.
 void write_cache(const CacheFiles& files, const StudiedModel& studied) {
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path(files.events).parent_path(), ignored);

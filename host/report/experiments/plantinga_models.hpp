@@ -1,8 +1,8 @@
 // The six models of Plantinga, Seales and Dyer (1990), ready to turn, for the experiments that need them.
 //
-// Finding the events of a turn takes seconds; Context::cache names a folder where the lists are kept for the next
-// report, with the times they took. A list is compared with the model and its own checksum when it is read
-// (event_file.hpp); a file that is damaged or of another model is made again.
+// Finding the events of a turn takes seconds. Context::cache names a folder that stores the lists for the next
+// report, with the times they took. A list is checked against the model and its own checksum when it is read
+// (event_file.hpp). A file that is damaged or belongs to another model is made again.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ namespace sightline::report {
 inline constexpr std::array<std::string_view, 6> plantinga_models{"squares", "grid", "objects",
                                                                   "bars",    "tori", "spring"};
 
-// Without --full: those whose events take a second or so together.
+// Without --full: those whose events take about a second in all.
 [[nodiscard]] std::vector<std::string_view> plantinga_models_of(const Context& context);
-// Those whose error is measured.
+// The models whose error is measured.
 [[nodiscard]] std::vector<std::string_view> plantinga_turned_models(const Context& context);
 
 // Degrees: angle tolerances of event lists, and steps from frame to frame.
@@ -33,7 +33,7 @@ inline constexpr std::array plantinga_steps{0.01, 0.1, 1.0, 3.0, 10.0, 30.0};
 // Throws base::Error (bad_input) if there is no model of that name or it cannot be used.
 [[nodiscard]] scene::PolyScene plantinga_scene(std::string_view name);
 
-// Wall clock.
+// Wall-clock times.
 struct StudyTimes {
   double one_core_s = 0;
   double all_cores_s = 0;
@@ -43,10 +43,10 @@ struct StudiedModel {
   std::string name;
   algorithms::plantinga::RotationModel model;
   algorithms::plantinga::EventList list;
-  std::optional<StudyTimes> times;  // none without Context::host_times
+  std::optional<StudyTimes> times;  // empty without Context::host_times
   bool from_cache = false;
 };
-// Throws the same, and base::Error (differs) if the events are more than the limits.
+// Throws the same, and base::Error (differs) if there are more events than the limit.
 [[nodiscard]] StudiedModel study_model(const Context& context, std::string_view name);
 
 }  // namespace sightline::report

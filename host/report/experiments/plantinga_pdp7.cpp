@@ -76,7 +76,7 @@ std::vector<Pdp7Turn> plantinga_pdp7(const Context& context) {
 void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
   const auto with_eae = where(turns, &Pdp7Turn::eae);
   page.table("plantinga-pdp7-turns",
-             "What 1965 could have done: solids turning with hidden lines removed on a PDP-7 with a Type 340", turns,
+             "On the machine of 1965: solids turning with hidden lines removed on a PDP-7 with a Type 340", turns,
              {{"model", "Model", &Pdp7Turn::model},
               {"eae", "EAE", &Pdp7Turn::eae},
               {"edges", "Edges", &Pdp7Turn::edges},
@@ -90,10 +90,10 @@ void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
               {"junctions", "T-junctions", "drawn, mean of a frame", &Pdp7Turn::junctions, 1},
               {"waiting_percent", "Waiting for the display", "%", &Pdp7Turn::waiting_percent, 1},
               {"refreshes_a_second", "Refreshes a second", &Pdp7Turn::refreshes_a_second, 1}},
-             {.notes = {"The events of a turn are found by today's program and put on a paper tape with the model; the PDP-7 "
-                        "then rotates the corners, applies the events and draws. Every display word is compared with that of a "
-                        "native program written from the same specification (`firmware/pdp7/turn`). Times are emulated seconds "
-                        "and include the display's refreshing and waiting for it.",
+             {.notes = {"A program of today computes the events of a turn and punches them on paper tape with the model. The "
+                        "PDP-7 then rotates the corners, applies the events and draws. Every display word is compared with "
+                        "that of a native program written from the same specification (`firmware/pdp7/turn`). Times are "
+                        "emulated seconds and include the display's refreshing and waiting for it.",
                         fmt::format("{} {}",
                                     least(with_eae, &Pdp7Turn::worst_frames_a_second) >= 20
                                         ? "With the EAE no frame of these solids takes longer than a twentieth of a second."
@@ -102,7 +102,7 @@ void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
                                         ? "With it a frame without hidden lines is no slower than a wire frame: fewer lines are "
                                           "drawn, and that saves more than the events cost."
                                         : "")}});
-  const std::size_t dear = count(turns, [](const Pdp7Turn& t) { return t.cost > 1.5; });
+  const std::size_t slow = count(turns, [](const Pdp7Turn& t) { return t.cost > 1.5; });
   page.claims(
       "plantinga-pdp7-claims", "Two sentences, on the PDP-7",
       {{.claim = "plantinga.wire",
@@ -111,8 +111,8 @@ void plantinga_pdp7_chapter(Page& page, const std::vector<Pdp7Turn>& turns) {
         .condition =
             fmt::format("time of a frame without hidden lines to that of a wire frame, {} solids, with the EAE and without",
                         distinct(turns, &Pdp7Turn::model)),
-        .comparison = dear == 0 ? "the claim holds on this machine"
-                                : fmt::format("the claim does not hold for {} of {} rows (limit 1.5 times)", dear, turns.size())},
+        .comparison = slow == 0 ? "the claim holds on this machine"
+                                : fmt::format("the claim does not hold for {} of {} rows (limit 1.5 times)", slow, turns.size())},
        {.claim = "jones.frames",
         .here = least_and_greatest(turns, &Pdp7Turn::worst_frames_a_second),
         .places = 1,

@@ -1,5 +1,5 @@
-// Solids turning with hidden lines on the PDP-7 (firmware/pdp7/turn): the on-line phase of Plantinga, Seales and Dyer on a
-// machine of 1965.
+// Solids turning with hidden lines on the PDP-7 (firmware/pdp7/turn): the on-line phase of Plantinga, Seales and Dyer
+// on a machine of 1965.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace sightline::report {
 
-// One turn of a model in 8 emulated seconds, beside the same turn as a wire frame.
+// One turn of a model in 8 emulated seconds, and the same turn as a wire frame.
 struct Pdp7Turn {
   std::string model;
   bool eae = false;
@@ -22,11 +22,11 @@ struct Pdp7Turn {
   double frames_a_second = 0;
   double worst_frames_a_second = 0;
   double wire_frames_a_second = 0;
-  double cost = 0;       // time of a frame to that of a wire frame
-  double junctions = 0;  // T-junctions drawn, mean of a frame
+  double cost = 0;       // time of a frame divided by that of a wire frame
+  double junctions = 0;  // T-junctions drawn, mean per frame
   double waiting_percent = 0;
   double refreshes_a_second = 0;
-  std::optional<Picture> screen = {};  // an eighth of a turn after the beginning; of runs with the EAE
+  std::optional<Picture> screen = {};  // after an eighth of a turn; for runs with the EAE
 };
 
 [[nodiscard]] std::vector<Pdp7Turn> plantinga_pdp7(const Context& context);

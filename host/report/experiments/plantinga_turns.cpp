@@ -33,7 +33,7 @@ constexpr int frames_in_a_turn = 360;
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t side = 1024;  // pixels
 
-// The cheapest display: a pixel a step of a line's longer side.
+// The cheapest display: one pixel per step along a line's longer side.
 class Canvas {
  public:
   explicit Canvas(const native::RotationModel& model) : pixels_(side * side) {
@@ -62,7 +62,7 @@ class Canvas {
   double scale_ = 1;
 };
 
-// What all jobs on one model share. A list that was just made or read fits its graph: no step fails.
+// The common data of all jobs on one model. A list that was just made or read fits its graph, so no step fails.
 class Turntable {
  public:
   Turntable(const native::RotationModel& model, const native::EventList& list) : graph_(list), frame_(model), canvas_(model) {}
@@ -87,7 +87,7 @@ class Turntable {
   }
   void step_forward() { static_cast<void>(graph_.step_forward()); }
 
-  // 360 times.
+  // 360 frames.
   [[nodiscard]] Job rotation(double step, void (Turntable::*frame)()) {
     return [this, step, frame] {
       for (int i = 0; i < frames_in_a_turn; ++i) {
@@ -192,7 +192,7 @@ struct PrintedModel {
   double construction_s = 0;
 
   [[nodiscard]] double events_an_edge() const { return static_cast<double>(events) / static_cast<double>(edges); }
-  // But for rounding.
+  // Except for rounding.
   [[nodiscard]] bool agrees_with_itself() const { return std::abs(events_an_edge() - per_edge) <= 0.0501; }
   [[nodiscard]] bool has_numbers_of(const TurnModel& here) const {
     return vertices == here.vertices && edges == here.edges && faces == here.faces;
@@ -208,8 +208,8 @@ struct PrintedTable1 {
                       table.number(i, "kb"), table.number(i, "per_edge"), count("most"), table.number(i, "construction_s")});
     }
   }
-  [[nodiscard]] const PrintedModel& of(const std::string& model) const { return the(rows, is(&PrintedModel::model, model)); }
-  // A column of the row of the same model.
+  [[nodiscard]] const PrintedModel& of(const std::string& model) const { return only(rows, equals(&PrintedModel::model, model)); }
+  // A column with the value from the row of the same model.
   template <class T>
   [[nodiscard]] auto column(T PrintedModel::*member) const {
     return [this, member](const TurnModel& here) { return of(here.model).*member; };
@@ -222,25 +222,25 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
   const std::vector<TurnModel>& models = turns.models;
   const std::size_t same = count(models, [&](const TurnModel& m) { return printed.of(m.model).has_numbers_of(m); });
   const PrintedModel& grid = printed.of("grid");
-  std::vector<Said> notes{
-      "The paper gives the numbers of vertices, edges and faces of its models, not where the parts are nor how they are tilted; "
-      "a comparison to the digit needs the coordinates of the models. The models here have the same numbers" +
+  std::vector<CheckedText> notes{
+      "The paper gives the numbers of vertices, edges and faces of its models, but not the positions and directions of their "
+      "parts; an exact comparison would need their coordinates. The models here have the same numbers" +
           page.claim(same == models.size(), ", all of them", fmt::format("{} of {} have them", same, models.size())) +
-          ". They are degenerate on purpose: edges of one height, parallel edges and parts that mirror one another, so that many "
-          "events coincide. Compare magnitudes, not digits. Tori and Spring leave least to choose.",
-      fmt::format("The paper's events are changes of single edges: events an edge times edges gives the printed events in {} of "
-                  "{} rows. In the row Grid, {} events of {} edges are {} an edge, printed {} (hard case P22). A group is all "
-                  "that changes at one direction; directions are compared exactly.",
-                  count(printed.rows, &PrintedModel::agrees_with_itself), printed.rows.size(), shown(grid.events),
-                  shown(grid.edges), shown(grid.events_an_edge(), 1), shown(grid.per_edge, 1)),
-      fmt::format("KB are 1024 bytes. A change in the file here holds only the pieces that appear; the pieces that disappear are "
+          ". They are degenerate on purpose, with edges of one height, parallel edges and mirrored parts, so that many events "
+          "coincide. Compare magnitudes, not digits. Tori and Spring are the most similar to the paper's.",
+      fmt::format("The paper's events are changes of single edges: events per edge times edges is the printed number of events "
+                  "in {} of {} rows. In the row Grid, {} events of {} edges are {} per edge, printed {} (hard case P22). A "
+                  "group is all changes at one direction; directions are compared exactly.",
+                  count(printed.rows, &PrintedModel::agrees_with_itself), printed.rows.size(), text_of(grid.events),
+                  text_of(grid.edges), text_of(grid.events_an_edge(), 1), text_of(grid.per_edge, 1)),
+      fmt::format("KB are 1024 bytes. A change in the file here stores only the pieces that appear; those that disappear are "
                   "known. {}",
                   models.size() < printed.rows.size()
                       ? "Spring takes longer to prepare than the other models together; --full includes it."
                       : "")};
   if (page.host_times())
     notes.emplace_back(count(models, &TurnModel::from_cache) > 0
-                           ? "Events and the times of their construction were kept from an earlier report."
+                           ? "Events and the times of their construction are from an earlier report."
                            : "Times of construction are wall-clock times.");
   const auto construction = [](double StudyTimes::*member) {
     return [member](const TurnModel& m) { return m.times ? std::optional((*m.times).*member) : std::nullopt; };
@@ -272,7 +272,7 @@ void add_table_1(Page& page, const PlantingaTurns& turns, const PrintedTable1& p
              {.notes = std::move(notes)});
 }
 
-// The row of a model in the paper's Table 2, frames a second.
+// The row of a model in the paper's Table 2, in frames per second.
 std::size_t row_of(const PrintedTable& table_2, std::string_view model) {
   for (std::size_t i = 0; i < table_2.rows.size(); ++i)
     if (table_2.text(i, "model") == model) return i;
@@ -303,11 +303,11 @@ void add_table_2(Page& page, const std::vector<TurnFrames>& frames) {
                  "RS/6000 model 320; here it is one core of this computer, medians of repeated rotations."}});
 }
 
-// Ratios of a frame to that of the wire frame: whether the claim that they are about as fast holds.
+// Checks the claim that a frame is about as fast as the wire frame, from ratios of both.
 std::string within_limit(const std::vector<TurnFrames>& frames, double (TurnFrames::*ratio)() const) {
-  const std::size_t dear = count(frames, [ratio](const TurnFrames& f) { return (f.*ratio)() > 1.5; });
-  return dear == 0 ? "the claim holds"
-                   : fmt::format("the claim does not hold for {} of {} models (limit 1.5 times)", dear, frames.size());
+  const std::size_t slow = count(frames, [ratio](const TurnFrames& f) { return (f.*ratio)() > 1.5; });
+  return slow == 0 ? "the claim holds"
+                   : fmt::format("the claim does not hold for {} of {} models (limit 1.5 times)", slow, frames.size());
 }
 
 void add_claims(Page& page, const PlantingaTurns& turns) {
@@ -331,10 +331,10 @@ void add_claims(Page& page, const PlantingaTurns& turns) {
                     .places = 2,
                     .condition = "a frame after 30 degrees to one after 2 degrees, image coordinates",
                     .comparison = fmt::format("by Table 2 {} times for squares, {} for tori. {}",
-                                              shown(printed_ratio("squares"), 2), shown(printed_ratio("tori"), 2),
+                                              text_of(printed_ratio("squares"), 2), text_of(printed_ratio("tori"), 2),
                                               greatest(turns.frames, &TurnFrames::step_ratio) > printed_ratio("squares")
-                                                  ? "On this computer the step matters more: coordinates take a few nanoseconds "
-                                                    "a line, while what an event changes is found one by one."
+                                                  ? "On this computer the step matters more: coordinates take a few "
+                                                    "nanoseconds per line, while events are applied one by one."
                                                   : "No more here.")});
     rows.push_back({.claim = "plantinga.wire",
                     .here = least_and_greatest(turns.frames, &TurnFrames::ratio),
@@ -347,7 +347,7 @@ void add_claims(Page& page, const PlantingaTurns& turns) {
                     .condition = "the same, every line drawn pixel by pixel on 1024 by 1024",
                     .comparison = within_limit(turns.frames, &TurnFrames::ratio_drawn)});
   }
-  page.claims("plantinga-claims", "Plantinga, Seales and Dyer 1990: what they conclude", rows);
+  page.claims("plantinga-claims", "Plantinga, Seales and Dyer 1990: their conclusions", rows);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// An image as a picture of the page.
+// Converts an image to a picture of the page.
 #pragma once
 
 #include "host/picture/image.hpp"

@@ -1,6 +1,6 @@
-// Reference: the native program with 16384 columns of masks, 64 to a dot of the 8080's raster: for the raster on
-// the same grid, for grids on slices of 1024 points, for contours on a grid four times as fine. The column oracle
-// cannot serve: it knows pictures of 256 by 256 rounded points only, and so has the very errors that are measured.
+// Reference: the native program with 16384 columns of masks, 64 per dot of the 8080's raster: for rasters on the same
+// grid, for grids on slices of 1024 points, for contours on a grid four times as fine. The column oracle cannot be
+// the reference: it has pictures of 256 by 256 rounded points only, with the very errors that are measured.
 #include "host/report/experiments/skala_accuracy.hpp"
 
 #include <fmt/core.h>
@@ -32,8 +32,8 @@ constexpr std::array<int, 5> raster_sizes{64, 128, 256, 512, 1024};
 constexpr std::array<int, 6> grid_points{8, 16, 32, 64, 128, 256};
 constexpr std::array<int, 6> level_counts{1, 2, 4, 8, 16, 32};
 constexpr std::size_t slices = 33;
-// So few points that they are more than two columns apart on 64 dots too: of nearer ones the host makes
-// curves of dots, which the program draws in another way.
+// So few points that they are more than two columns apart even on 64 dots. Of nearer points the host makes curves of
+// dots, which the program draws in another way.
 constexpr scene::GridSize raster_grid{17, slices};
 constexpr scene::GridSize board_grid{65, slices};
 constexpr std::size_t finest_slice = 1024;  // points
@@ -41,7 +41,7 @@ constexpr scene::GridSize contour_grid{33, 33};
 constexpr scene::GridSize finest_contour_grid{129, 129};  // all points of contour_grid are in it
 constexpr double rotation = 30;
 
-// Of 1024 a side in dots of a raster.
+// Converts pixels of a raster of 1024 to dots.
 double dots_of_pixels(double pixels, int raster) {
   return pixels * raster / 1024;
 }
@@ -50,7 +50,7 @@ scene::HeightGrid grid_of(std::string_view function, scene::GridSize size) {
   return scene::sample(*scene::height_function(function), size);
 }
 
-// One picture in both programs' words.
+// One picture in the terms of both programs.
 struct Order {
   skala::Subject picture = skala::Subject::lines;
   int levels = 8;
@@ -96,7 +96,7 @@ skala::MachinePicture checked_picture(const scene::HeightGrid& grid, const Order
   return base::value_of(skala::run({.grid = grid, .view = view_of(order), .device = order.device, .link = order.link, .check = true})).picture;
 }
 
-// Measures pictures, and keeps what is to be timed when all are measured.
+// Measures pictures, and schedules the timing that follows when all are measured.
 class Study {
  public:
   Study(std::vector<SkalaPoint>& points, bool host_times) : points_(points), host_times_(host_times) {}
@@ -131,7 +131,7 @@ class Study {
     }
   }
 
-  // All at once, interleaved.
+  // Interleaves all of them.
   void take_times(int rounds) {
     const auto times = median_nanoseconds(jobs_, rounds);
     for (std::size_t i = 0; i < times.size(); ++i) points_[timed_[i]].host_us = times[i] / 1000;
@@ -143,7 +143,7 @@ class Study {
     function_ = function;
   }
 
-  // drawing: of the program on the 8080; none: a picture of the native program.
+  // `drawing`: of the program on the 8080; empty: a picture of the native program.
   void add(int setting, int raster, const SurfaceError& error, std::optional<core::TStates> drawing) {
     SkalaPoint point{study_, function_, drawing ? "8080 and its twin" : "native", setting, raster, error, {}, {}, {}};
     if (drawing) {
@@ -159,7 +159,7 @@ class Study {
     later([stream = skala::stream_of(grid, view_of(order))] { (void)twin_of(stream); });
   }
 
-  // And the native program's picture as vectors.
+  // Adds the native program's picture as vectors, too.
   void add_both(int setting, const scene::HeightGrid& grid, const Order& order, const FinePicture& fine) {
     add_program(setting, grid, order, fine);
     const native::View view = native_view(order, native::View{}.columns);
@@ -206,7 +206,7 @@ double pixels_off(const Point& point) {
   return point.error.hausdorff;
 }
 
-// An error that plots show.
+// An error shown in plots.
 struct Measure {
   std::string key;
   std::string title;
@@ -225,7 +225,7 @@ Chosen<Point> of_study(const SkalaAccuracy& skala, std::string_view study, bool 
   return where(skala.points, [=](const Point& point) { return point.study == study && !(emulated_only && point.native()); });
 }
 
-// Settings are named at the points of one function.
+// The setting labels the points of one function.
 CurveParts<Point> labels_at(std::string function) {
   return {[function = std::move(function)](const Point& point) {
     return point.function == function ? fmt::format("{}", point.setting) : std::string();
@@ -233,7 +233,7 @@ CurveParts<Point> labels_at(std::string function) {
 }
 
 void plot_emulated(Page& page, const SkalaAccuracy& skala, const Measure& measure, const std::string& study,
-                   const std::string& id, const std::string& what, const Said& caption, const std::string& alternative,
+                   const std::string& id, const std::string& what, const CheckedText& caption, const std::string& alternative,
                    const std::string& labelled) {
   Plot plot{id,
             fmt::format("Skala on the 8080: {}: {}", what, measure.title),
@@ -270,7 +270,7 @@ void raster_plots(Page& page, const SkalaAccuracy& skala) {
     plot_emulated(page, skala, measure, "raster", fmt::format("skala-raster-{}-emulated", measure.key), what,
                   "33 slices of 17 points. The program on the 8080 has 256 dots and is made to use fewer by zooming out. " +
                       page.claim(farthest <= 2.5, fmt::format("The greatest distance is at most {} dots of the raster at hand.",
-                                                              shown(farthest, 1))),
+                                                              text_of(farthest, 1))),
                   "Log-log plot of the time of a drawing against its error on rasters of 64, 128 and 256 dots a side", "sinc");
   plot_host(page, skala, measures()[0], "raster", "skala-raster-h-host", what, "33 slices of 17 points.",
             "Log-log plot of the time of a drawing against its error on rasters of 64 to 1024 dots a side, one curve for each "
@@ -282,20 +282,20 @@ void grid_plots(Page& page, const SkalaAccuracy& skala) {
   const std::string what = "8 to 256 points in each of 33 slices";
   const std::string alternative = "Log-log plot of the time of a drawing against its error with 8 to 256 points for each slice";
   const auto point = [&](std::string_view function, bool native, int points) -> const Point& {
-    return the(skala.points, [=](const Point& row) {
+    return only(skala.points, [=](const Point& row) {
       return row.study == "grid" && row.function == function && row.native() == native && row.setting == points;
     });
   };
   const auto gain = [&](std::string_view function, bool native) {
-    return shown(pixels_off(point(function, native, 8)) / pixels_off(point(function, native, 64)), 0);
+    return text_of(pixels_off(point(function, native, 8)) / pixels_off(point(function, native, 64)), 0);
   };
-  const Said caption = fmt::format(
+  const CheckedText caption = fmt::format(
       "Compared with slices of 1024 points. From 8 to 64 points for each slice, eight times as many, the greatest distance of "
       "the native program falls {} times for sinc and {} times for peaks; on the 8080, whose raster has 256 dots, {} and {} "
-      "times. From 128 points on they are nearer than two dots and are sent as curves of dots: for sinc drawing takes {} times "
-      "as long as with 64.",
+      "times. From 128 points on, points are closer than two dots and are sent as curves of dots: for sinc, drawing takes {} "
+      "times as long as with 64.",
       gain("sinc", true), gain("peaks", true), gain("sinc", false), gain("peaks", false),
-      shown(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
+      text_of(*point("sinc", false, 128).drawing_s / *point("sinc", false, 64).drawing_s, 1));
   for (const Measure& measure : measures())
     plot_emulated(page, skala, measure, "grid", fmt::format("skala-grid-{}-emulated", measure.key), what, caption, alternative,
                   "sinc");
@@ -306,7 +306,7 @@ void grid_plots(Page& page, const SkalaAccuracy& skala) {
 void level_plots(Page& page, const SkalaAccuracy& skala) {
   const std::string what = "1 to 32 contour levels";
   const std::string caption =
-      "33 x 33 points, compared with 129 x 129. The error is that of the grid and depends on which level happens to touch a peak.";
+      "33 x 33 points, compared with 129 x 129. The error is that of the grid; it depends on whether a level is near a peak.";
   const std::string alternative = "Log-log plot of the time of a drawing against its error with 1 to 32 levels of contours";
   plot_emulated(page, skala, measures()[1], "levels", "skala-levels-pmr-emulated", what, caption, alternative, "cosr");
   plot_host(page, skala, measures()[1], "levels", "skala-levels-pmr-host", what, caption,
@@ -316,7 +316,7 @@ void level_plots(Page& page, const SkalaAccuracy& skala) {
 void study_table(Page& page, const SkalaAccuracy& skala, const std::string& study, const std::string& title,
                  const std::string& setting) {
   page.table(
-      "skala-speed-error-" + study, "Skala: " + title, where(skala.points, is(&Point::study, study)),
+      "skala-speed-error-" + study, "Skala: " + title, where(skala.points, equals(&Point::study, study)),
       {{"function", "Function", &Point::function},
        {"program", "Program", &Point::program},
        {study, setting, &Point::setting},
@@ -335,16 +335,16 @@ void study_table(Page& page, const SkalaAccuracy& skala, const std::string& stud
 void boards(Page& page, const SkalaAccuracy& skala) {
   using Board = SkalaBoard;
   const auto mismatch = [](const Board& board) { return board.error.mismatch; };
-  const auto of = [&](const char* function) { return where(skala.boards, is(&Board::function, function)); };
+  const auto of = [&](const char* function) { return where(skala.boards, equals(&Board::function, function)); };
   bool same = true;
   for (const char* const function : functions) same = same && distinct(of(function), mismatch) == 1;
   const auto sinc = range_of(of("sinc"), &Board::total_s);
   Plot plot{"skala-boards-pmr",
             "Skala on the 8080: two boards and two links, receipt included",
             "33 slices of 65 points of three functions, from the first byte of a command to the last dot." +
-                page.claim(same, "The board does not change the picture, so the points of a function stand above one another."),
+                page.claim(same, "The board does not change the picture, so the points of a function are on one vertical."),
             fmt::format("Plot of the time of a picture against its error for each board and link; for sinc it takes {} to {} s.",
-                        shown(sinc.least, 1), shown(sinc.greatest, 1)),
+                        text_of(sinc.least, 1), text_of(sinc.greatest, 1)),
             {"differing pixels", "% of the raster", false},
             {"a picture, time on the emulated machine", "s"}};
   add_curves(plot, skala.boards, &Board::board, mismatch, &Board::total_s,
@@ -366,8 +366,8 @@ void boards(Page& page, const SkalaAccuracy& skala) {
        {"total_t_states", "With the receipt of commands", "T-states", &Board::total_t_states},
        {"total_s", "With the receipt", "s at 3 MHz", &Board::total_s, 3},
        {"dots_not_shown", "Dots in rows not shown", &Board::dots_not_shown}},
-      {{"33 slices of 65 points. Both boards hold the same dots; the ALT-256 shows fewer rows than it holds. The link "
-        "takes part in the receipt only."},
+      {{"33 slices of 65 points. Both boards store the same dots; the ALT-256 shows fewer rows than it stores. The link "
+        "affects the receipt only."},
        true});
 }
 
@@ -399,8 +399,8 @@ void skala_accuracy_chapter(Page& page, const SkalaAccuracy& skala) {
       "dot of the 8080's raster. The measures are: differing pixels, the share of the raster's dots that differ, and of these "
       "those without a lit dot beside them; and the greatest distance between the dots or lines of the two pictures, also "
       "without the farthest one of a thousand samples. In the plots less error is to the left and less time is below. The "
-      "program's test of contours leaves a dot of slack: `sightline compare sinc --picture contours` counts the dots that are more "
-      "than a point from any visible contour.");
+      "program tests contours with a tolerance of one dot: `sightline compare sinc --picture contours` counts the dots that "
+      "are more than a point from any visible contour.");
   raster_plots(page, skala);
   grid_plots(page, skala);
   level_plots(page, skala);

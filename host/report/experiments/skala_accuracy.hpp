@@ -1,5 +1,5 @@
-// Skala's program and its native version on rasters, grids and numbers of levels of every size: how wrong and how
-// long.
+// Skala's program and its native version on rasters, grids and numbers of levels of every size: their errors and
+// times.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct SkalaPoint {
   std::string study;
   std::string function;
   std::string program;
-  int setting = 0;  // dots a side, points for each slice, levels
+  int setting = 0;  // dots a side, points per slice, levels
   int raster = 0;   // dots a side
   SurfaceError error;
   std::optional<std::uint64_t> drawing_t_states;  // of the 8080

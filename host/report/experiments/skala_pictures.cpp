@@ -39,7 +39,7 @@ std::string_view name_of(Subject subject) {
   return "";
 }
 
-// The program on the 8080 makes every dot of the EF9365 with a command of its own.
+// The program on the 8080 draws every dot of the EF9365 with a separate command.
 core::TStates dot_time() {
   return core::ClockRate{}.t_states_in(devices::ef9365::clocks(devices::ef9365::start_up_clocks + 1));
 }
@@ -93,7 +93,7 @@ std::vector<SkalaMemory> memory_of(const skala::Program& program) {
           same("capacity", 65536)};
 }
 
-// Seconds of a kind of picture beside the paper's.
+// The time of a kind of picture, and the paper's.
 ClaimRow time_row(const Page& page, const SkalaPictures& skala, std::string_view picture, std::string condition,
                   const std::string& more = {}) {
   const auto here = range_of(skala.of(picture), &SkalaPicture::drawing_s);
@@ -122,14 +122,15 @@ ClaimRow same_row(const Page& page, const std::string& claim, T here, int places
 
 void paper_claims(Page& page, const SkalaPictures& skala) {
   const auto memory = [&](std::string_view what) -> const SkalaMemory& {
-    return the(skala.memory, is(&SkalaMemory::what, what));
+    return only(skala.memory, equals(&SkalaMemory::what, what));
   };
-  const auto on_alt256 = where(skala.costs, is(&SkalaCost::board, "ALT-256"));
+  const auto on_alt256 = where(skala.costs, equals(&SkalaCost::board, "ALT-256"));
   page.claims(
       "skala-paper", "Skala 1985: every number for time and size",
       {time_row(page, skala, "lines",
                 "lines, 60 slices of 33 points, rotated 30 degrees, 8080 at 3 MHz, EF9365 board, eight functions",
-                "; an exact comparison needs the function, the number of slices and the raster board, none of which is named"),
+                "; an exact comparison needs the function, the number of slices and the raster board; the paper names none of "
+                "them"),
        time_row(page, skala, "surface", "surface, 60 slices of 33 points, rotated 30 degrees, the same machine and functions"),
        time_row(page, skala, "contours", "contours, 8 levels on 33 by 33 points, the same machine and functions"),
        cost_row(page, skala.curves, "lines, 30 slices of 256 points, not rotated, EF9365 board", "", true),
@@ -219,11 +220,11 @@ SkalaPictures skala_pictures(const Context& context) {
 void skala_timing(Page& page, const SkalaPictures& skala) {
   paper_claims(page, skala);
   page.table("skala-functions", "Skala: drawing time of the eight functions", skala.pictures, drawing_columns(),
-             {{"Seconds of the emulated 8080 at " + shown(clock_mhz()) +
-               " MHz, from the first command in memory to the last dot. Lines and surfaces: 60 slices of 33 points, contours: 8 "
-               "levels on 33 by 33, rotated 30 degrees, elevation 30. A surface costs less with the test of visibility than "
-               "without, because facets that are hidden are neither shaded nor drawn: its cost is below zero. The report ends "
-               "with an error where a picture is not, dot for dot, the one the native twin makes."}});
+             {{"Seconds of the emulated 8080 at " + text_of(clock_mhz()) +
+               " MHz, from the first command in memory to the last dot. Lines and surfaces: 60 slices of 33 points, contours: "
+               "8 levels on 33 by 33, rotated 30 degrees, elevation 30. A surface costs less with the test of visibility than "
+               "without, because facets that are hidden are neither shaded nor drawn: its cost is below zero. A picture must "
+               "equal the native twin's, dot for dot, or the report ends with an error."}});
   page.table("skala-long-slices", "Skala: the same functions in 30 slices of 256 points, not rotated", skala.curves,
              drawing_columns());
   using Cost = SkalaCost;
@@ -236,10 +237,10 @@ void skala_timing(Page& page, const SkalaPictures& skala) {
        {"least_percent", "Visibility costs", "%, least", &Cost::least_percent, 1},
        {"mean_percent", "Visibility costs", "%, mean", &Cost::mean_percent, 1},
        {"greatest_percent", "Visibility costs", "%, greatest", &Cost::greatest_percent, 1}},
-      {{"Contours without the test are drawn alone; with it the edges of all triangles are walked as well, for the masks."}});
+      {{"Without the test, only contours are drawn; with it, the edges of all triangles are walked, too, for the masks."}});
   page.gallery("skala-rasters", "Skala: what the raster board shows", skala.pictures, [](const SkalaPicture& row) {
     return figure(row.raster, fmt::format("raster-{}-{}", row.function, row.picture),
-                  fmt::format("{}, {}", row.function, row.picture), shown(row.drawing_s, 3) + " s",
+                  fmt::format("{}, {}", row.function, row.picture), text_of(row.drawing_s, 3) + " s",
                   fmt::format("The function {} drawn by the 8080 as {} on 256 by 256 points", row.function, row.picture));
   });
 }
@@ -251,7 +252,7 @@ void skala_needs(Page& page, const SkalaPictures& skala) {
               {"lines_bytes", "For lines", "bytes", &Memory::lines_bytes},
               {"surface_bytes", "For surfaces", "bytes", &Memory::surface_bytes},
               {"contours_bytes", "For contours", "bytes", &Memory::contours_bytes}},
-             {{"One program draws all three kinds of picture. The paper does not say what its memory held."}});
+             {{"One program draws all three kinds of picture. The paper does not describe the use of its memory."}});
   using Row = SkalaPicture;
   page.table("skala-work", "Skala: work of a picture", skala.pictures,
              {{"function", "Function", &Row::function},

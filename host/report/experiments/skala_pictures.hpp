@@ -1,5 +1,6 @@
 // Skala's program on the 8080: the eight functions as lines, surfaces and contours, as `sightline demo` draws them,
-// and as lines in long slices. What drawing takes with and without the visibility test, on both boards, and what of the memory.
+// and as lines in long slices. Measures the time of drawing with and without the visibility test, on both boards, and
+// the memory.
 #pragma once
 
 #include <cstdint>
@@ -31,13 +32,13 @@ struct SkalaPicture {
   std::size_t colours = 0;
   Picture raster;
 
-  // How much longer with the visibility test.
+  // The additional time of the visibility test.
   [[nodiscard]] std::optional<double> cost_percent() const;
-  // Of the points walked.
+  // Of the points that were walked.
   [[nodiscard]] double hidden_percent() const { return 100.0 * static_cast<double>(walked - dots) / static_cast<double>(walked); }
 };
 
-// A kind of picture of all functions on a board: what drawing takes, and how much longer than without the visibility test.
+// A kind of picture of all functions on a board: the time of drawing, and the additional time of the visibility test.
 struct SkalaCost {
   std::string picture;
   std::string board;
@@ -48,7 +49,7 @@ struct SkalaCost {
   double greatest_percent = 0;
 };
 
-// What the 64 KB hold, by kind of picture.
+// The contents of the 64 KB, by kind of picture.
 struct SkalaMemory {
   std::string what;
   std::size_t lines_bytes = 0;
@@ -58,14 +59,14 @@ struct SkalaMemory {
 
 struct SkalaPictures {
   std::vector<SkalaPicture> pictures;
-  // The same functions in 30 slices of 256 points, not rotated: sent as curves of dots, the picture in which the test is
-  // the larger part of the work on a dot.
+  // The same functions in 30 slices of 256 points, not rotated. They are sent as curves of dots, where the test is
+  // the larger part of the work per dot.
   std::vector<SkalaPicture> curves;
   std::vector<SkalaCost> costs;
   std::vector<SkalaMemory> memory;
 
   [[nodiscard]] Chosen<SkalaPicture> of(std::string_view picture) const {
-    return where(pictures, is(&SkalaPicture::picture, picture));
+    return where(pictures, equals(&SkalaPicture::picture, picture));
   }
 };
 

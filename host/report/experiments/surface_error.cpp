@@ -14,8 +14,8 @@ using picture::PixelSegment;
 
 constexpr int board = 256;
 constexpr double middle = 127.5;  // of the picture's units
-constexpr double units = 256;     // that the raster spans
-constexpr double pixels = 1024;   // in which distances are told
+constexpr double units = 256;     // the width of the raster
+constexpr double pixels = 1024;   // the unit of distances
 
 PixelPoint on_raster(const picture::DrawingPoint& point, double n) {
   const auto place = [n](double c) { return (n - 1) / 2 + (c - middle) * n / units; };

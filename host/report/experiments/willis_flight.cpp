@@ -43,12 +43,12 @@ picture::Image greys_of(std::span<const std::uint32_t> shown) {
   return image;
 }
 
-// 25 frames a second, but for the rounding of a frame.
+// 25 frames per second, except for rounding.
 bool reaches_25(const WillisFlight& flight) {
   return flight.worst_frames_a_second >= 24.9;
 }
 
-// Nothing, if no flight keeps up.
+// Empty if no flight reaches 25 frames per second.
 std::optional<std::uint32_t> most_pieces(const std::vector<WillisFlight>& flights,
                                          const std::function<bool(const WillisFlight&)>& holds) {
   const auto chosen = where(flights, [&](const WillisFlight& f) { return reaches_25(f) && holds(f); });
@@ -59,11 +59,11 @@ void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
   const double rate = page.paper_figure("willis.rate").least;
   const double hundreds = page.paper_figure("willis.surfaces").least;
   const auto pieces = range_of(flights, &WillisFlight::pieces);
-  const auto of_8_bits = where(flights, is(&WillisFlight::bits, 8));
-  const auto of_16_bits = where(flights, is(&WillisFlight::bits, 16));
+  const auto of_8_bits = where(flights, equals(&WillisFlight::bits, 8));
+  const auto of_16_bits = where(flights, equals(&WillisFlight::bits, 16));
   const auto keeps_up = [rate](const auto& chosen) { return least(chosen, &WillisFlight::worst_frames_a_second) >= 0.99 * rate; };
   const auto most_of_16_bits = [&flights](std::size_t axes) {
-    return shown(most_pieces(flights, [axes](const WillisFlight& f) { return f.bits == 16 && f.axes == axes; }));
+    return text_of(most_pieces(flights, [axes](const WillisFlight& f) { return f.bits == 16 && f.axes == axes; }));
   };
   const auto most = most_pieces(flights, [](const WillisFlight&) { return true; });
   page.claims("willis-flight-claims", "25 frames a second, on an 8080 at 3 MHz",
@@ -90,8 +90,8 @@ void add_claims(Page& page, const std::vector<WillisFlight>& flights) {
                 .condition = fmt::format("worst frame of the same ways flown in {} frames, {} pieces, coordinates of 8 bits",
                                          fast_frames, pieces.greatest),
                 .comparison = fmt::format("{} to {} in the mean frame",
-                                          shown(least(of_8_bits, &WillisFlight::fast_frames_a_second), 1),
-                                          shown(greatest(of_8_bits, &WillisFlight::fast_frames_a_second), 1))},
+                                          text_of(least(of_8_bits, &WillisFlight::fast_frames_a_second), 1),
+                                          text_of(greatest(of_8_bits, &WillisFlight::fast_frames_a_second), 1))},
                {.claim = "willis.surfaces",
                 .here = {as_cell(most), as_cell(most)},
                 .condition = fmt::format("most pieces at 25 frames a second, flights of {} frames", usual_frames),
@@ -162,7 +162,7 @@ std::vector<WillisFlight> willis_flight(const Context& context) {
 void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights) {
   add_claims(page, flights);
   const std::uint64_t wrong_points = greatest(flights, &WillisFlight::wrong_points);
-  const double of_100 = least(where(flights, is(&WillisFlight::pieces, 100U)), &WillisFlight::frames_a_second);
+  const double of_100 = least(where(flights, equals(&WillisFlight::pieces, 100U)), &WillisFlight::frames_a_second);
   page.table(
       "willis-flights", "Willis on an 8080 with the priority display: flights", flights,
       {{"scene", "Scene", &WillisFlight::scene},
@@ -187,17 +187,18 @@ void willis_flight_chapter(Page& page, const std::vector<WillisFlight>& flights)
       {.notes = {
            fmt::format("Flights of {} frames; those past the most pieces also in {}, the eye moving farther from frame to frame.",
                        usual_frames, fast_frames),
-           "A model without clusters is made by today's program. The 8080 is sent a point of each piece, and the eye of each "
-           "frame; it computes the distances, puts the pieces in order and loads their priorities into the display. Where a "
-           "piece is on the screen comes to the display from outside. Every priority is compared with that of a native program "
-           "written from the same specification (`firmware/i8080/flight`). Computed a second is what a display would show that "
-           "never lets the program wait.",
+           "A program of today makes a model without clusters. The 8080 receives a point of each piece, and the eye of each "
+           "frame. It computes the distances, puts the pieces in order and loads their priorities into the display. The "
+           "display gets the positions of the pieces on the screen from outside. Every priority is compared with that of a "
+           "native program written from the same specification (`firmware/i8080/flight`). Computed a second is the rate of a "
+           "display that never lets the program wait.",
            fmt::format(
                "Wrong orders are pairs that exact distances put in the other order. {}",
                wrong_points == 0
-                   ? "None of them shows: pieces that overlap in these pictures differ in distance by more than the rounding."
+                   ? "None of them is visible: pieces that overlap in these pictures differ in distance by more than the "
+                     "rounding."
                    : ""),
-           of_100 >= 5 ? fmt::format("100 pieces are shown at {} frames a second or more.", shown(of_100, 1)) : std::string()}});
+           of_100 >= 5 ? fmt::format("100 pieces are shown at {} frames a second or more.", text_of(of_100, 1)) : std::string()}});
   Plot plot{.id = "willis-flight-plot",
             .title = "Willis on an 8080: frames computed a second",
             .caption = "The mean of a flight; the display shows 25 a second at most.",

@@ -35,10 +35,10 @@ struct Measured {
 };
 
 void add_models(std::vector<WillisModel>& models, const WillisScene& scene, const TrueFaces& truth, bool full) {
-  // In space there are few lines that meet two surfaces, and finding them takes longer.
+  // In space few lines meet two surfaces, and finding them takes longer.
   const std::uint64_t lines = (full ? 40'000 : 4'000) / (scene.plan ? 1 : 4);
-  constexpr std::uint64_t more = 5;  // of balls of which nothing is left over: few are wrong, if any
-  std::optional<Measured> whole;     // of a model of which nothing is left over: the next ones are the same
+  constexpr std::uint64_t more = 5;  // for balls without pairs left over, where few lines are wrong, if any
+  std::optional<Measured> whole;     // of a model without pairs left over: further cuts do not change it
   for (const WillisModelKind& kind : willis_model_kinds()) {
     const willis::Model model = scene.model(kind.options());
     const bool left_over = !model.residual.empty();
@@ -91,9 +91,9 @@ WillisNormals normals_of(const WillisScene& scene) {
   return {scene.title(), pairs, over_90, greatest};
 }
 
-// What the boundaries of walls along x cover, as a share of the square of `length`, by counting.
+// The area inside the boundaries of walls along x, divided by the square of `length`, by counting.
 double counted_area(const std::vector<std::array<std::int32_t, 2>>& walls, std::int32_t length, willis::BoundaryShape shape) {
-  constexpr int steps = 600;  // of a square of three lengths around the first
+  constexpr int steps = 600;  // across a square of three lengths around the first wall
   std::vector<willis::Surface> surfaces;
   for (const auto& [from, to] : walls) {
     willis::Surface wall;
@@ -125,8 +125,8 @@ std::vector<WillisArea> boundary_areas() {
                counted_area({{0, length / 2}, {length / 2, length}}, length, BoundaryShape::oval))};
 }
 
-// Greys by face; points at which the order is wrong in red.
-picture::Image marked(const picture::PixelGrid& drawn, const picture::PixelGrid& truth) {
+// Greys by face; points with wrong order in red.
+picture::Image mark_errors(const picture::PixelGrid& drawn, const picture::PixelGrid& truth) {
   picture::Image image(drawn.width, drawn.height, 3);
   for (int row = 0; row < drawn.height; ++row) {
     for (int column = 0; column < drawn.width; ++column) {
@@ -141,13 +141,13 @@ picture::Image marked(const picture::PixelGrid& drawn, const picture::PixelGrid&
   return image;
 }
 
-// The view of the uncut model in which most is wrong; of several, the one in which most is seen.
+// The view with most errors in the uncut model; of several, the one in which most is visible.
 std::size_t worst_view(const TrueFaces& views, const willis::Model& uncut) {
   std::size_t worst = 0;
   std::pair<std::uint64_t, std::ptrdiff_t> most;
   for (std::size_t view = 0; view < views.cameras().size(); ++view) {
     const auto& truth = views.truth(view).values;
-    const std::pair here{views.errors_of(views.drawn(uncut, view), view).wrong_inside,
+    const std::pair here{views.errors_of(views.draw(uncut, view), view).wrong_inside,
                          std::count_if(truth.begin(), truth.end(), [](auto face) { return face != 0; })};
     if (here <= most) continue;
     most = here;
@@ -165,28 +165,28 @@ void add_pictures(std::vector<WillisPicture>& pictures, const WillisScene& scene
     const auto drawn = compare::ordered_faces(model, truth.cameras().front(), truth.size(), corners);
     const FaceErrors errors = truth.errors_of(drawn, 0);
     pictures.push_back({scene.title(), depth, model.pieces.size(), model.residual.size(), errors.wrong_inside,
-                        errors.wrong_on_edges, png_picture(marked(drawn, truth.truth(0)), true)});
+                        errors.wrong_on_edges, png_picture(mark_errors(drawn, truth.truth(0)), true)});
   }
 }
 
-Said without_rule(const Page& page, const std::vector<WillisModel>& models) {
+CheckedText without_rule(const Page& page, const std::vector<WillisModel>& models) {
   const std::uint64_t wrong =
       sum(where(models, [](const WillisModel& m) { return m.left_over == 0 && !m.rule90; }), &WillisModel::lines_wrong);
   return page.claim(wrong == 0,
-                    "Without the rule no line is wrong in a model of which no pair is left over: its point stands at the mark 0.",
+                    "Without the rule no line is wrong in a model of which no pair is left over: its point is at the mark 0.",
                     fmt::format("{} lines are wrong", wrong));
 }
 
-Said with_rule(const Page& page, const std::vector<WillisModel>& models) {
+CheckedText with_rule(const Page& page, const std::vector<WillisModel>& models) {
   const auto whole = where(models, [](const WillisModel& m) { return m.left_over == 0 && m.rule90; });
   const std::size_t wrong = count(whole, [](const WillisModel& m) { return m.lines_wrong > 0; });
   return page.claim(wrong > 0,
                     fmt::format("With the 90-degree rule, lines are wrong in {} of {} such models.", wrong, whole.size()));
 }
 
-// A curve for each scene and rule, boundaries being balls.
+// A curve for each scene and rule; boundaries are balls.
 template <class Y>
-void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, Said caption,
+void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::string_view id, std::string_view what, CheckedText caption,
                     Axis y, Y value) {
   Plot plot{.id = fmt::format("willis-lines-{}", id),
             .title = fmt::format("Willis: surfaces cut up to 0 to {} times: {}", deepest_cuts, what),
@@ -197,10 +197,10 @@ void add_lines_plot(Page& page, const std::vector<WillisModel>& models, std::str
             .x = {"sight lines in the wrong order", "%"},
             .y = std::move(y)};
   const std::string first = models.front().scene;
-  add_curves(plot, where(models, is(&WillisModel::boundary, "ball")),
+  add_curves(plot, where(models, equals(&WillisModel::boundary, "ball")),
              [](const WillisModel& m) { return m.scene + (m.rule90 ? ", 90-degree rule" : ""); },
              &WillisModel::lines_wrong_percent, value, {.label = [first](const WillisModel& m) {
-               return m.scene == first && !m.rule90 && m.left_over > 0 ? shown(m.depth) : std::string();
+               return m.scene == first && !m.rule90 && m.left_over > 0 ? text_of(m.depth) : std::string();
              }});
   page.plot(std::move(plot));
 }
@@ -213,7 +213,7 @@ WillisOrder willis_order(const Context& context) {
   for (const WillisScene& scene : willis_order_scenes()) {
     context.progress(fmt::format("{} by distance, cut to every depth", scene.title()));
     measured.normals.push_back(normals_of(scene));
-    // From among the solids, where the order is hardest. In plan the eye is between feet and tops, as it is
+    // The eye is among the solids, where ordering is hardest. In plan it must be between feet and tops, as it is
     // here.
     const TrueFaces truth(scene.scene, compare::cameras_within(scene.scene, WillisOrder::eyes), WillisOrder::points_a_side);
     add_models(measured.models, scene, truth, context.full);
@@ -224,16 +224,16 @@ WillisOrder willis_order(const Context& context) {
 
 void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& times) {
   const std::vector<WillisModel>& models = order.models;
-  const double uncut = greatest(where(models, is(&WillisModel::depth, 0)), &WillisModel::lines_wrong_percent);
+  const double uncut = greatest(where(models, equals(&WillisModel::depth, 0)), &WillisModel::lines_wrong_percent);
   const std::uint64_t cut =
       sum(where(models, [](const WillisModel& m) { return m.depth == deepest_cuts && !m.rule90; }), &WillisModel::lines_wrong);
   page.paragraph(
       "Surfaces in the order of their distances, each cut as often as the limit allows until no two are in each other's "
       "boundary, compared with the nearest face on every sight line. " +
       page.claim(uncut > 0 && cut == 0,
-                 fmt::format("With nothing cut at most {} % of the sight lines are in the wrong order; cut up to {} times, and "
+                 fmt::format("Without cuts at most {} % of the sight lines are in the wrong order; with up to {} cuts, and "
                              "without the 90-degree rule, none.",
-                             shown(uncut, 2), deepest_cuts),
+                             text_of(uncut, 2), deepest_cuts),
                  fmt::format("{} lines are wrong", cut)));
 
   add_lines_plot(page, models, "pieces", "pieces",
@@ -241,7 +241,7 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
                      with_rule(page, models),
                  {"pieces"}, [](const WillisModel& m) { return static_cast<double>(m.pieces); });
   if (page.host_times()) {
-    const Said caption("As above. Times are medians of interleaved repetitions, of this computer.");
+    const CheckedText caption("As above. Times are medians of interleaved repetitions, of this computer.");
     add_lines_plot(page, models, "prepare", "time of a model", caption, {"a model, time on this computer", "ms"},
                    [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; });
     add_lines_plot(page, models, "frame", "time of a frame", caption, {"distances and sort, time on this computer", "us"},
@@ -267,15 +267,16 @@ void willis_accuracy(Page& page, const WillisOrder& order, const WillisTimes& ti
        {"order_us", "Distances and sort", "us", [&](const WillisModel& m) { return times.of(m, order).order_us; }, 1, host_time}},
       {.notes =
            {fmt::format(
-                "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random places "
-                "in and around the scene, a random corner of each piece standing for it, five times as many where boundaries are "
-                "balls and no pair is left over; points are of {0} pictures of {1} by {1} from places within it. ",
+                "Distance alone, without order cells. Sight lines are those that meet two or more surfaces, from random "
+                "positions in and around the scene; each piece is represented by a random corner. There are five times as many "
+                "where boundaries are balls and no pair is left over. Points are those of {0} pictures of {1} by {1} from "
+                "positions inside the scene. ",
                 WillisOrder::eyes, WillisOrder::points_a_side) +
             page.claim(most_wrong < 2,
                        fmt::format("Few lines are wrong, at most {} %, where {} to {} pairs are left over: a pair is left over "
                                    "if some eye could see it wrongly.",
-                                   shown(most_wrong, 2), shown(pairs.least), shown(pairs.greatest)),
-                       shown(most_wrong) + " % of the lines are wrong")},
+                                   text_of(most_wrong, 2), text_of(pairs.least), text_of(pairs.greatest)),
+                       text_of(most_wrong) + " % of the lines are wrong")},
        .folded = true});
 }
 

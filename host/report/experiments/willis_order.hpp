@@ -1,5 +1,5 @@
-// Willis's models cut to every depth, by both boundaries, with the 90-degree rule and without: how wrong the
-// order of their surfaces is.
+// Willis's models cut to every depth, by both boundaries, with and without the 90-degree rule: the errors in the
+// order of their surfaces.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,9 @@
 
 namespace sightline::report {
 
-// A model: sight lines that meet two or more surfaces, and those on which the nearest does not have the highest
-// priority; points of pictures that show another face than the nearest. A random corner stands for each piece.
+// A model: the sight lines that meet two or more surfaces, and those where the nearest does not have the highest
+// priority; the points of pictures that show another face than the nearest. Each piece is represented by a random
+// corner.
 struct WillisModel {
   std::string scene;
   std::string boundary;  // "ball", "oval"
@@ -40,7 +41,7 @@ struct WillisNormals {
   double greatest_degrees = 0;
 };
 
-// A boundary of a wall of length 1 in plan, by formula and counted.
+// A boundary of a wall of length 1 in plan: its area by formula and by counting.
 struct WillisArea {
   std::string boundary;
   double area = 0;
@@ -64,9 +65,9 @@ struct WillisOrder {
   static constexpr int points_a_side = 24;
 
   std::vector<WillisArea> areas;
-  std::vector<WillisNormals> normals;  // a scene each
+  std::vector<WillisNormals> normals;  // one per scene
   std::vector<WillisModel> models;
-  std::vector<WillisPicture> pictures;  // cut never, once, and as often as it takes
+  std::vector<WillisPicture> pictures;  // without cuts, with one, and with as many as needed
 };
 
 [[nodiscard]] WillisOrder willis_order(const Context& context);

@@ -1,4 +1,4 @@
-// The scenes on which Willis's method is measured, and the models of them that both of its experiments make.
+// The scenes on which Willis's method is measured, and their models, which both of its experiments use.
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@ namespace sightline::report {
 struct WillisScene {
   std::string name;
   scene::PolyScene scene;
-  bool plan = false;  // distances and lengths in plan, as the paper has them
+  bool plan = false;  // distances and lengths in plan, as in the paper
 
   [[nodiscard]] std::string title() const { return name + (plan ? ", in plan" : ""); }
   [[nodiscard]] algorithms::willis::Model model(algorithms::willis::ModelOptions options = {}) const {
     options.plan = plan;
-    // Generated scenes have no face that cannot be taken (too many corners, no wall).
+    // Generated scenes have no unsuitable faces (too many corners, no wall), so this cannot fail.
     return *algorithms::willis::make_model(scene, options);
   }
 };
 
-// A smaller town with wider gaps: in space the boundaries of high walls reach far.
+// A smaller town with wider gaps, because the boundaries of high walls are large in space.
 [[nodiscard]] inline WillisScene prisms_in_space() {
   return {"prisms-12, gaps of 160", scene::generate_prisms(12, 3, 160), false};
 }

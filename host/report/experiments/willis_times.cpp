@@ -22,7 +22,7 @@ namespace {
 namespace willis = algorithms::willis;
 namespace display = devices::priority_display;
 
-// Stays where it is: frames point into the model.
+// Must not be moved: frames point into the model.
 struct Flight {
   explicit Flight(WillisScene of)
       : scene(std::move(of)),
@@ -91,7 +91,7 @@ std::vector<WillisModelTime> model_times(int rounds) {
   return of_models;
 }
 
-// The figures of a frame's times; nothing without host times.
+// The time of a frame; empty without host times.
 std::optional<double> frame_ms(const WillisFrame& frame) {
   return frame.times ? std::optional(frame.times->frame_ms) : std::nullopt;
 }
@@ -115,17 +115,17 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
   const WillisFrame& last = frames.back();
   const std::size_t hundreds = count(frames, [](const WillisFrame& f) { return f.distances >= 100; });
   const std::size_t all_pairs = last.surfaces * last.surfaces;
-  const double two_circles = the(order.areas, is(&WillisArea::boundary, "two circles")).smaller_percent;
-  const double oval = the(order.areas, is(&WillisArea::boundary, "oval")).counted;
-  const double halves = the(order.areas, is(&WillisArea::boundary, "ovals of both halves")).smaller_percent;
+  const double two_circles = only(order.areas, equals(&WillisArea::boundary, "two circles")).smaller_percent;
+  const double oval = only(order.areas, equals(&WillisArea::boundary, "oval")).counted;
+  const double halves = only(order.areas, equals(&WillisArea::boundary, "ovals of both halves")).smaller_percent;
   const auto figure_of = [&page](std::string_view claim) { return page.paper_figure(claim).least; };
   const double greatest_angle = greatest(order.normals, &WillisNormals::greatest_degrees);
   std::vector<ClaimRow> rows{
       {.claim = "willis.rate",
        .here = one_figure(shows.frames_per_s),
        .places = 0,
-       .condition = fmt::format("priority display, {} lines of {} us", shows.scan_lines, shown(shows.line_us, 0)),
-       .comparison = fmt::format("{}: the rate of the display, whatever it shows",
+       .condition = fmt::format("priority display, {} lines of {} us", shows.scan_lines, text_of(shows.line_us, 0)),
+       .comparison = fmt::format("{}: the rate of the display, for any picture",
                                  shows.frames_per_s == figure_of("willis.rate") ? "equal" : "not equal")}};
   if (page.host_times()) {
     const bool all = least(frames, &rate) >= figure_of("willis.update");
@@ -151,7 +151,7 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
         .condition = last.scene + ": boundaries tested, and N^2",
         .comparison = fmt::format(
             "{} % of N^2, once, when the model is made; a frame has {} distances and, as the display is given an order, a sort",
-            shown(100 * static_cast<double>(last.tests) / static_cast<double>(all_pairs), 1), shown(last.distances))},
+            text_of(100 * static_cast<double>(last.tests) / static_cast<double>(all_pairs), 1), text_of(last.distances))},
        {.claim = "willis.circles",
         .here = one_figure(two_circles),
         .places = 2,
@@ -173,8 +173,8 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
         .condition = "pairs of surfaces of which one can obscure the other, four scenes",
         .comparison = greatest_angle > figure_of("willis.normals")
                           ? fmt::format("wrong: {} of {} pairs are farther apart; see the table of the rule",
-                                        shown(sum(order.normals, &WillisNormals::pairs_over_90)),
-                                        shown(sum(order.normals, &WillisNormals::pairs)))
+                                        text_of(sum(order.normals, &WillisNormals::pairs_over_90)),
+                                        text_of(sum(order.normals, &WillisNormals::pairs)))
                           : "no pair is farther apart"}});
   page.claims("willis-paper", "Willis 1977: every number for time and size", rows);
 }
@@ -182,16 +182,16 @@ void add_claims(Page& page, const WillisTimes& times, const WillisOrder& order) 
 void add_scenes_table(Page& page, const WillisTimes& times) {
   const WillisDisplay& shows = times.display;
   const std::size_t left_over = greatest(times.frames, &WillisFrame::left_over);
-  std::vector<Said> notes{
+  std::vector<CheckedText> notes{
       fmt::format("A frame of 512 by 512 points from the scene's own camera. The display scans it in {} of the {} lines of a "
                   "frame, {} of {} ms. ",
-                  shows.shown_lines, shows.scan_lines, shown(static_cast<double>(shows.shown_lines) * shows.line_us / 1000, 3),
-                  shown(shows.frame_ms, 0)) +
+                  shows.shown_lines, shows.scan_lines, text_of(static_cast<double>(shows.shown_lines) * shows.line_us / 1000, 3),
+                  text_of(shows.frame_ms, 0)) +
       page.claim(left_over == 0, "No pair is left over in any scene.", fmt::format("{} are in one", left_over)) +
       " Sheets (rooms) have two sides, and so two surfaces."};
   if (page.host_times())
     notes.emplace_back(
-        "A frame by this computer is everything: distances and sort, spans, and the display emulated point by point.");
+        "A frame on this computer includes all steps: distances and sort, spans, and the display, emulated point by point.");
   page.table("willis-scenes", "Willis: models and frames", times.frames,
              {{"scene", "Scene", &WillisFrame::scene},
               {"surfaces", "Surfaces", &WillisFrame::surfaces},
@@ -235,16 +235,16 @@ void add_rule90_table(Page& page, const WillisTimes& times, const WillisOrder& o
        {"prepare_ms", "Model made", "ms", [&](const WillisModel& m) { return times.of(m, order).prepare_us / 1000; }, 2,
         host_time}},
       {.notes = {
-           "With the rule fewer pairs count as clusters, so that less is tested and cut, and some surfaces that should have been "
-           "are not. " +
+           "With the rule fewer pairs count as clusters, so fewer surfaces are tested and cut, including some that should be. " +
                page.claim(wrong_by_rule > 0 && left_over == 0,
-                          fmt::format("{} sight lines are wrong with it though no pair is left over.", shown(wrong_by_rule)),
+                          fmt::format("{} sight lines are wrong with it though no pair is left over.", text_of(wrong_by_rule)),
                           fmt::format("{} pairs are left over", left_over)) +
                " " +
-               page.claim(wrong_lines == 0 && wrong_points == 0, "Without it nothing is wrong where no pair is left over.",
+               page.claim(wrong_lines == 0 && wrong_points == 0, "Without it no line or point is wrong if no pair is left over.",
                           fmt::format("{} lines and {} points are", wrong_lines, wrong_points)),
-           fmt::format("Sight lines start at random places in and around the scene, a random corner stands for each piece; {0} "
-                       "pictures are of {1} by {1} points from places within it, points within 0.75 of an edge left out.",
+           fmt::format("Sight lines start at random positions in and around the scene; each piece is represented by a random "
+                       "corner. {0} pictures have {1} by {1} points, from positions inside the scene, without points within "
+                       "0.75 of an edge.",
                        WillisOrder::eyes, WillisOrder::points_a_side)}});
 }
 
@@ -298,9 +298,9 @@ void willis_timing(Page& page, const WillisTimes& times, const WillisOrder& orde
                                : p.depth == 1 ? "cut once"
                                               : fmt::format("cut up to {} times", p.depth),
                                fmt::format("{} pieces, {} pairs left over; points wrong: {} inside faces, {} at edges",
-                                           shown(p.pieces), shown(p.left_over), shown(p.wrong_inside), shown(p.wrong_at_edges)),
+                                           text_of(p.pieces), text_of(p.left_over), text_of(p.wrong_inside), text_of(p.wrong_at_edges)),
                                fmt::format("A town of turned houses from within; {} points in red",
-                                           shown(p.wrong_inside + p.wrong_at_edges)));
+                                           text_of(p.wrong_inside + p.wrong_at_edges)));
                });
   add_rule90_table(page, times, order);
 }

@@ -1,5 +1,5 @@
-// Willis's method as it was meant to run: a model is made once, its frames go to the priority display. Times
-// of this computer.
+// Willis's method as it was meant to run: a model is made once, its frames go to the priority display. Times of this
+// computer.
 #pragma once
 
 #include <cstddef>
@@ -40,10 +40,10 @@ struct WillisFrame {
     double order_us = 0;
     double frame_ms = 0;
   };
-  std::optional<Times> times = {};  // none without Context::host_times
+  std::optional<Times> times = {};  // empty without Context::host_times
 };
 
-// Of a model of WillisOrder, and of the order of its surfaces.
+// The times of a model of WillisOrder, and of ordering its surfaces.
 struct WillisModelTime {
   double prepare_us = 0;
   double order_us = 0;
@@ -54,7 +54,7 @@ struct WillisTimes {
   std::vector<WillisFrame> frames;
   std::vector<WillisModelTime> models;  // of WillisOrder::models, in their order; empty without Context::host_times
 
-  // `model` is one of `order.models`. Throws std::out_of_range without times.
+  // `model` is one of `order.models`. Throws std::out_of_range if times were not measured.
   [[nodiscard]] const WillisModelTime& of(const WillisModel& model, const WillisOrder& order) const;
 };
 

@@ -31,7 +31,8 @@ void for_each_side(const PolyScene& scene, Visit visit) {
   for (const auto& [a, b] : scene.wires) visit(std::min(a, b), std::max(a, b));
 }
 
-// The plane in lowest terms, its first component that is not 0 positive; whether it was turned for that.
+// The plane in lowest terms with its first nonzero component positive, and whether its sign was changed for
+// that.
 std::pair<geometry::Plane, bool> canonical(const geometry::Plane& plane) {
   assert(!geometry::is_zero(plane.normal));
   std::int64_t divisor = plane.offset;
@@ -63,8 +64,8 @@ geometry::Box outer_box_of(const PolyScene& scene) {
   return box;
 }
 
-// Counted and placed by their lower vertex, which few share, so that only short runs are left to be sorted;
-// of each run the different ones are moved up to those before.
+// A counting sort by the lower vertex, which few edges share, leaves only short runs to sort. Then
+// repetitions are removed from each run.
 std::vector<ComplexEdge> complex_edges_of(const PolyScene& scene) {
   std::vector<std::uint32_t> next(scene.vertices.size() + 1, 0);  // by vertex, where its next edge goes
   for_each_side(scene, [&](VertexIndex from, VertexIndex) { ++next[from + 1]; });
@@ -190,7 +191,7 @@ void CellComplexBuilder::reserve_openings(std::size_t openings, std::size_t side
   complex_.sides.reserve(sides);
 }
 
-// Every expected line has come, so that a cell's lines end where the next one goes.
+// All expected lines have been added, so a cell's lines end where its next one would go.
 void CellComplexBuilder::find_expected_lines() {
   assert(next_lines_.size() == complex_.cells.size());
   std::uint32_t first = 0;
@@ -202,7 +203,7 @@ void CellComplexBuilder::find_expected_lines() {
   }
 }
 
-// In place, along the cycles of the permutation.
+// Sorts in place, along the cycles of the permutation.
 void CellComplexBuilder::sort_lines() {
   for (const CellNumber cell : line_cells_) ++complex_.cells[cell].line_count;
   std::uint32_t first = 0;

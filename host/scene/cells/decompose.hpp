@@ -9,7 +9,7 @@
 namespace sightline::scene {
 
 enum class DecompositionMethod {
-  automatic,  // by grid where it can be (why_no_grid), else by BSP
+  automatic,  // by grid if the scene allows it (why_no_grid), else by BSP
   grid,       // boxes grown in a grid (host/scene/cells/grid/decompose.hpp); faces parallel to the axes only
   bsp,        // convex cells of a BSP over the faces' planes (host/scene/cells/bsp/decompose.hpp)
 };
@@ -19,7 +19,7 @@ struct Decomposition {
   DecompositionMethod method = DecompositionMethod::grid;  // the one used
 };
 
-// Of a checked scene. An error says why the method does not apply.
+// The scene is a checked one. An error says why the method does not apply.
 [[nodiscard]] base::Result<Decomposition> decomposition_of(
     const PolyScene& scene, DecompositionMethod method = DecompositionMethod::automatic);
 

@@ -35,7 +35,8 @@ bool FreeRectangles::lay_out(const Rectangle& whole, std::span<const Rectangle> 
   return true;
 }
 
-// Clipped to the whole; its sides, where they lie within, are borders.
+// Marks the parts that the rectangle covers, clipped to the whole. Its sides are borders of parts if they lie
+// within.
 void FreeRectangles::cover(const Rectangle& rectangle) {
   std::array<std::size_t, 2> low{};
   std::array<std::size_t, 2> end{};
@@ -55,7 +56,7 @@ void FreeRectangles::cover(const Rectangle& rectangle) {
   }
 }
 
-// From the first free part on, as wide as it goes, then as high.
+// From the first free part, as wide as possible, then as high.
 void FreeRectangles::take_rectangles(const Rectangle& whole) {
   const std::size_t columns = borders_[0].size() - 1;
   const std::size_t rows = borders_[1].size() - 1;
@@ -83,8 +84,6 @@ void FreeRectangles::take_rectangles(const Rectangle& whole) {
   }
 }
 
-// See boxes.hpp.
-
 CellNumber add_box_cell(CellComplexBuilder& builder, const geometry::Box& box) {
   std::array<HalfSpace, 6> bounds{};
   for (std::size_t a = 0; a < 3; ++a) {
@@ -100,7 +99,7 @@ void add_rectangle_opening(CellComplexBuilder& builder, const geometry::Rectangl
   const auto& [along_u, along_v] = opening.sides;
   std::array<HalfSpace, 4> sides{builder.at_least(v, along_v.low), builder.at_most(u, along_u.high),
                                  builder.at_most(v, along_v.high), builder.at_least(u, along_u.low)};
-  // Seen from above, x turns to z clockwise.
+  // Seen from above, x to z is clockwise.
   if (opening.axis == 1) std::reverse(sides.begin(), sides.end());
   builder.add_opening(builder.at_most(opening.axis, opening.at), below, above, sides);
 }

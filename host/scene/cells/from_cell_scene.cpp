@@ -57,7 +57,7 @@ void add_outer_openings(CellComplexBuilder& builder, const CellScene& scene) {
         std::vector<Rectangle> walls;
         std::copy_if(outer_walls.begin(), outer_walls.end(), std::back_inserter(walls),
                      [&](const Rectangle& wall) { return wall.overlaps(face); });
-        // No limit is asked for, so none is met.
+        // No limit is given, so find() cannot fail.
         static_cast<void>(free.find(face, walls, std::numeric_limits<std::size_t>::max()));
         for (const Rectangle& opening : free.rectangles())
           add_rectangle_opening(builder, opening, high ? c : outside, high ? outside : c);

@@ -32,7 +32,7 @@ PolyCamera boxes_camera(std::size_t side) {
   return {true, {1800 * k, 1400 * k, 2200 * k}, {-13, -9, -17}, {-9, 13, 0}, {-221, -153, 250}};
 }
 
-std::string numbered(const char* kind, std::size_t n) {
+std::string numbered_name(const char* kind, std::size_t n) {
   return kind + std::to_string(n);
 }
 
@@ -44,7 +44,7 @@ PolyScene cubes(const char* family, std::size_t n, std::int32_t low, std::int32_
   PolyBuilder builder;
   for (std::size_t cell = 0; cell < n * n * n; ++cell) {
     const PolyPoint o = origin_of(cell, n);
-    builder.add_box(numbered("cube ", cell), {o[0] + low, o[1] + low, o[2] + low},
+    builder.add_box(numbered_name("cube ", cell), {o[0] + low, o[1] + low, o[2] + low},
                     {o[0] + high, o[1] + high, o[2] + high});
   }
   const std::int32_t eye = 1500 * static_cast<std::int32_t>(n);
@@ -80,7 +80,7 @@ PolyScene generate_boxes(std::size_t n, std::uint64_t seed) {
       low[a] += 50 + random.mod(400);
       high[a] = low[a] + 100 + random.mod(400);
     }
-    builder.add_box(numbered("box ", k), low, high);
+    builder.add_box(numbered_name("box ", k), low, high);
   }
   builder.scene().name = scene_name("boxes", n, seed);
   builder.scene().camera = boxes_camera(side);
@@ -120,7 +120,7 @@ PolyScene generate_town(std::size_t n, std::uint64_t seed) {
       high[a] = low[a] + 100 + random.mod(400);
     }
     high[1] = 100 + random.mod(900);
-    builder.add_box(numbered("building ", k), low, high);
+    builder.add_box(numbered_name("building ", k), low, high);
   }
   builder.scene().name = scene_name("town", n, seed);
   builder.scene().camera = {
@@ -140,7 +140,7 @@ PolyScene generate_triangles(std::size_t n, std::uint64_t seed) {
       for (PolyPoint& corner : corners)
         for (std::size_t a = 0; a < 3; ++a) corner[a] = origin[a] + 10 + random.mod(980);
     } while (geometry::is_zero(geometry::normal_of(corners[0], corners[1], corners[2])));
-    builder.add_sheet(numbered("triangle ", k), corners);
+    builder.add_sheet(numbered_name("triangle ", k), corners);
   }
   builder.scene().name = scene_name("triangles", n, seed);
   builder.scene().camera = boxes_camera(side);
@@ -161,7 +161,7 @@ PolyScene generate_bricks(std::size_t n, std::uint64_t seed) {
       }
       if (std::any_of(bricks.begin(), bricks.end(), [&](const Brick& b) { return overlap(b, brick); }))
         continue;
-      builder.add_box(numbered("brick ", k), brick.low, brick.high);
+      builder.add_box(numbered_name("brick ", k), brick.low, brick.high);
       bricks.push_back(brick);
       break;
     }

@@ -18,8 +18,8 @@ constexpr std::int32_t door_width = 40;
 constexpr std::int32_t door_height = 210;
 constexpr std::size_t up = 1;
 
-// A wall between the rooms `cells`, perpendicular to `axis` (0 or 2) at `place`, from `low` along the other
-// axis of the ground.
+// A wall between the rooms `cells`, perpendicular to `axis` (0 or 2) at `place`. It starts at `low` on the
+// other axis of the ground.
 struct Wall {
   std::array<std::size_t, 2> cells{};
   std::size_t axis = 0;
@@ -34,7 +34,7 @@ struct Wall {
     p[up] = y;
     return p;
   }
-  // Between `from` and `to` along the wall, `bottom` and `top`; a rectangle names the lower of its two axes
+  // Between `from` and `to` along the wall, `bottom` and `top`. A rectangle gives the lower of its two axes
   // first.
   [[nodiscard]] geometry::Rectangle rectangle(Span at, Span y) const {
     const Span moved{low + at.low, low + at.high};
@@ -43,7 +43,7 @@ struct Wall {
   }
 };
 
-// Where the doors of a wall begin and end along it.
+// The spans of a wall's doors along it.
 std::vector<Span> doors_of(std::size_t count) {
   std::vector<Span> doors;
   const auto n = static_cast<std::int32_t>(count);
@@ -73,14 +73,14 @@ void add_wall(const Wall& wall, std::size_t count, CellScene& scene) {
     opening.place = wall.rectangle(door, {0, door_height});
     opening.ring = {wall.point(door.low, 0), wall.point(door.high, 0), wall.point(door.high, door_height),
                     wall.point(door.low, door_height)};
-    // The threshold is no line: the floor goes on.
+    // The threshold is not a line: the floor continues through the door.
     opening.vectors = {{false, wall.along(), door_width},
                        {true, up, door_height},
                        {true, wall.along(), -door_width},
                        {true, up, -door_height}};
     scene.openings.push_back(std::move(opening));
   }
-  // The wall's foot, seen from both rooms, is interrupted by the doors; its top is not.
+  // The foot of a wall, seen from both rooms, is interrupted by the doors; its top is not.
   for (const std::size_t cell : wall.cells) {
     std::vector<Line>& lines = scene.cells[cell].lines;
     std::int32_t from = 0;

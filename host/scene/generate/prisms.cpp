@@ -1,8 +1,8 @@
-// A town of houses turned at all angles. See scene.hpp.
+// A town of houses turned by all angles. See scene.hpp.
 //
-// Source: the town on which Willis's splitting was measured, 35 rectangles in a square of 100 by 100, sides 3
-// to 14, none nearer to another than .25, here in units of 1/200. Turns are those with a whole hypotenuse,
-// and a half right angle, so that corners are whole numbers and rectangles exact.
+// Source: the town with which Willis measured splitting: 35 rectangles in a square of 100 by 100, sides 3 to
+// 14, at least .25 apart, here in units of 1/200. The angles are those of Pythagorean triples and 45 degrees,
+// so that corners are integers and rectangles exact.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -30,7 +30,7 @@ std::int64_t along(const PlanPoint& a, const PlanPoint& b, const PlanPoint& p) {
   return (b[0] - a[0]) * (p[0] - a[0]) + (b[1] - a[1]) * (p[1] - a[1]);
 }
 
-// p is at most `gap` away from the segment.
+// Whether p is at most `gap` away from the segment.
 bool within(const PlanPoint& a, const PlanPoint& b, const PlanPoint& p, std::int64_t gap) {
   const auto near = [&](const PlanPoint& end) { return along(p, end, end) <= gap * gap; };
   const std::int64_t length_squared = along(a, b, b);
@@ -100,7 +100,7 @@ void add_prism(PolyBuilder& builder, std::string name, const PlanRectangle& ring
   for (std::size_t i = 0; i < ring.size(); ++i) {
     floor.outline.push_back(vertex(i, 0));
     roof.outline.push_back(vertex(ring.size() - 1 - i, height));
-    // x, y, z is right-handed, so that counterclockwise in (x, z) is clockwise seen from above.
+    // x, y, z is right-handed, so counterclockwise in (x, z) is clockwise seen from above.
     body.faces.push_back({{vertex(i, 0), vertex(i, height), vertex(i + 1, height), vertex(i + 1, 0)}, {}});
   }
   body.faces.push_back(std::move(floor));

@@ -1,5 +1,5 @@
-// The random numbers of the generated scenes: a linear congruential generator of which the upper 31 bits are
-// used, so that the same seed gives the same scene everywhere.
+// Random numbers for generated scenes: the upper 31 bits of a linear congruential generator, so that a seed
+// gives the same scene on every platform.
 #pragma once
 
 #include <cstddef>

@@ -9,8 +9,8 @@ namespace sightline::scene {
 
 namespace {
 
-// A wall stands along one axis of the ground plan; its corners are shared with its neighbours, so that a
-// building of a million rooms needs no search for equal points.
+// A wall stands along one axis of the ground plan. It shares its corners with adjacent walls by index, so
+// that a building of a million rooms needs no search for equal points.
 class Building {
  public:
   Building(std::size_t rooms, std::int32_t divisor, std::uint64_t seed)
@@ -48,7 +48,7 @@ class Building {
     return static_cast<VertexIndex>((i * (rooms_ + 1) + j) * 2 + (top ? 1 : 0));
   }
 
-  // The point of the wall that starts at `low`, `along` its axis and `z` up.
+  // The point `along` the wall's axis from the corner `low`, and `z` up.
   VertexIndex add_point(VertexIndex low, std::size_t axis, std::int32_t along, std::int32_t z) {
     PolyPoint p = scene_.vertices[low];
     p[axis] += along / divisor_;
@@ -99,7 +99,7 @@ PolyScene generate_big_rooms(std::size_t n, std::uint64_t seed) {
   return scene;
 }
 
-// Rooms one behind the other. See scene.hpp.
+// Rooms in a row. See scene.hpp.
 
 PolyScene generate_corridors(std::size_t n) {
   constexpr std::int32_t width = 400;

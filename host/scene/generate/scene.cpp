@@ -16,8 +16,8 @@ struct Family {
   std::size_t smallest = 1;
 };
 
-// The eye of boxes is at 2200 K < 2^18, so K <= 119; of touch and aligned at 1500 n; a town ends at 1000 G,
-// rooms at 1000 n, corridors at 400 n, prisms at 22000 sqrt(n / 35); K, G to the power that n has.
+// The eye of boxes is at 2200 K < 2^18, so K <= 119; of touch and aligned at 1500 n. A town ends at 1000 G,
+// rooms at 1000 n, corridors at 400 n, prisms at 22000 sqrt(n / 35). n is K or G to the family's power.
 constexpr std::array<Family, 11> families{{
     {"boxes", 119 * 119 * 119, generate_boxes},
     {"edgeon", 119 * 119 * 119, generate_edgeon},
@@ -57,7 +57,7 @@ base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size
   if (found == nullptr) {
     std::string names;
     for (const Family& known : families) names += (names.empty() ? "" : ", ") + std::string(known.name);
-    return base::Error{std::string(family), "", "no such family of scenes; there are " + names};
+    return base::Error{std::string(family), "", "no such family of scenes, expected one of " + names};
   }
   if (size < found->smallest || size > found->largest) {
     return base::Error{std::string(family), "size",

@@ -1,4 +1,4 @@
-// Generated scenes, each with the camera it is measured from: random boxes, towns, triangles and bricks,
+// Generated scenes, each with the camera used for measurements: random boxes, towns, triangles and bricks,
 // rooms with doors and hatches, and grids of cubes. The same family, size and seed give the same scene,
 // vertex for vertex.
 //
@@ -7,16 +7,16 @@
 // touch, aligned: n^3 cubes of 1000 that share faces, or of 500 in the middle of their cells; eye on the diagonal.
 // town: buildings on the ground y = 0, G = ceil(sqrt n) plots a side.
 // triangles: one in each of n cells.
-// bricks: small boxes at small coordinates that may touch but not overlap: the degenerate family. A brick that
-//   finds no room in 1000 tries is left out.
-// rooms: n x n rooms of 1000 x 1000 x 600 with walls without thickness, one sheet; edges of neighbours in one
-//   plane are edges all the same.
+// bricks: small boxes at small coordinates that may touch but not overlap: the degenerate family. A brick for
+//   which 1000 tries find no place is left out.
+// rooms: n x n rooms of 1000 x 1000 x 600 with walls without thickness, one sheet; edges between coplanar walls
+//   are kept.
 // big_rooms: the same, all lengths divided by 5 (and rounded down).
-// corridors: n >= 2 rooms one behind the other along z, a door in each wall between them; corridors 8 and 32
-//   are the built-in scenes of that name.
-// prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (beyond 35,
-//   of as many such squares as it takes), none nearer to another than a gap of 50: the town on which Willis's
-//   splitting is measured. The camera is at its edge, below the tops of the walls.
+// corridors: n >= 2 rooms in a row along z, a door in each wall between them; corridors 8 and 32 are the
+//   built-in scenes of that name.
+// prisms: n turned rectangular houses of one height on the ground y = 0, 35 on a square of 20000 (more than 35:
+//   on several such squares), at least a gap of 50 apart: the town with which Willis measured splitting. The
+//   camera is at its edge, below the tops of the walls.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,8 @@
 
 namespace sightline::scene {
 
-// Sizes are at least 1 (corridors: 2) and such that every coordinate and the eye stay below
-// poly_coordinate_limit (largest_generated_size); bricks, which have no such limit, at most 1000.
+// Sizes are at least 1 (corridors: 2). They keep every coordinate and the eye below poly_coordinate_limit
+// (largest_generated_size). Bricks have no such limit; their size is at most 1000.
 [[nodiscard]] PolyScene generate_boxes(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_edgeon(std::size_t n, std::uint64_t seed = 1);
 [[nodiscard]] PolyScene generate_touch(std::size_t n);
@@ -44,15 +44,15 @@ namespace sightline::scene {
 [[nodiscard]] PolyScene generate_corridors(std::size_t n);
 inline constexpr std::int32_t prism_block = 20000;
 inline constexpr std::size_t prisms_in_block = 35;
-// The gap at most 1/100 of a block, so that there is room for 35 (25 with a gap of 160 are the other
-// published town).
+// The gap is at most 1/100 of a block, so that there is room for 35. (The other published town has 25 with a
+// gap of 160.)
 [[nodiscard]] PolyScene generate_prisms(std::size_t n, std::uint64_t seed = 1, std::int32_t gap = 50);
 
 // Every family by name, in the order above.
 [[nodiscard]] std::vector<std::string_view> generator_names();
-// 0 if there is no such family.
+// 0 if the family is unknown.
 [[nodiscard]] std::size_t largest_generated_size(std::string_view family);
-// An unknown family or a size that is 0 or too large is an error that lists the families and sizes.
+// An unknown family, or a size that is 0 or too large, is an error that lists the families and sizes.
 [[nodiscard]] base::Result<PolyScene> generate_scene(std::string_view family, std::size_t size,
                                                      std::uint64_t seed = 1);
 

@@ -16,26 +16,26 @@ namespace {
 
 constexpr std::int64_t largest = camera_vector_limit - 1;
 
-PolyPoint reduced(const geometry::Vector3& v) {
+PolyPoint reduce(const geometry::Vector3& v) {
   const std::int64_t divisor = std::gcd(std::gcd(v[0], v[1]), v[2]);
   PolyPoint p{};
   for (std::size_t a = 0; a < 3; ++a) p[a] = static_cast<std::int32_t>(v[a] / divisor);
   return p;
 }
 
-// The same, if its components are then below camera_vector_limit.
+// Empty unless the components are below camera_vector_limit.
 std::optional<PolyPoint> small_vector(const geometry::Vector3& v) {
   const std::int64_t divisor = std::gcd(std::gcd(v[0], v[1]), v[2]);
   if (divisor == 0) return std::nullopt;
   for (const std::int64_t c : v)
     if (std::abs(c / divisor) > largest) return std::nullopt;
-  return reduced(v);
+  return reduce(v);
 }
 
 constexpr double longest_direction = (1 << 20) - 1;
 
-// The whole numbers, below 2^20, that a direction with at most six decimals is a multiple of. What a sine or a quotient
-// misses of such a number by its own rounding counts as that number.
+// The integers, below 2^20, that a direction with at most six decimals is a multiple of. A difference that
+// the rounding of a sine or a quotient explains is ignored.
 std::optional<PolyPoint> whole_direction(const std::array<double, 3>& direction) {
   constexpr double rounding = 1e-9;
   for (double factor = 1; factor <= 1e6; factor *= 10) {
@@ -52,7 +52,7 @@ std::optional<PolyPoint> whole_direction(const std::array<double, 3>& direction)
   return std::nullopt;
 }
 
-// forward is p m, q m on the two axes after the vertical, n upwards.
+// forward is (p m, q m) on the two axes after the vertical, and n upwards.
 struct Aim {
   std::int64_t p = 0;
   std::int64_t q = 0;
@@ -60,10 +60,10 @@ struct Aim {
   std::int64_t n = 0;
 };
 
-// The aims for one p and q are offered to a search that keeps the nearest.
+// Keeps the nearest of the aims that are offered for each p and q.
 class AimSearch {
  public:
-  // On the two axes after the vertical, and upwards.
+  // The wanted direction on the two axes after the vertical, and upwards.
   AimSearch(double first, double second, double up) : wanted_{first, second, up} {}
 
   [[nodiscard]] std::optional<Aim> best() {
@@ -77,8 +77,8 @@ class AimSearch {
   }
 
  private:
-  // The slopes n / m that come near the wanted one are its continued fraction's, and the last step of it that
-  // still keeps the vectors short.
+  // The best slopes n / m are the convergents of the wanted slope's continued fraction, and its last
+  // intermediate one that keeps the vectors short.
   void offer(std::int64_t p, std::int64_t q, double slope) {
     const std::int64_t square = p * p + q * q;
     if (square == 0) return;
@@ -102,7 +102,7 @@ class AimSearch {
     }
   }
 
-  // By the square of the sine of the angle to the wanted direction, times that direction's square.
+  // Compares the squared sine of the angle to the wanted direction, times that direction's square.
   void offer(const Aim& aim) {
     const std::array<double, 3> f{static_cast<double>(aim.p * aim.m), static_cast<double>(aim.q * aim.m),
                                   static_cast<double>(aim.n)};
@@ -125,7 +125,7 @@ class AimSearch {
   double least_ = 0;
 };
 
-// x, or y where x is the vertical.
+// x; y if x is the vertical.
 std::size_t side_axis(const SceneFrame& frame) {
   return frame.vertical == 0 ? 1 : 0;
 }
@@ -140,28 +140,28 @@ geometry::Vector3 up_of(const SceneFrame& frame) {
   return axis_vector(frame.vertical, frame.downwards ? -1 : 1);
 }
 
-// The third vector of a camera: right x up is forward, or its opposite.
-geometry::Vector3 completed(const SceneFrame& frame, const geometry::Vector3& a, const geometry::Vector3& b) {
+// The third vector of a camera: right x up is forward or its opposite.
+geometry::Vector3 third_vector(const SceneFrame& frame, const geometry::Vector3& a, const geometry::Vector3& b) {
   return frame.forward_is_z ? geometry::cross(a, b) : geometry::cross(b, a);
 }
 
-// The camera that has exactly these directions, if its vectors are below camera_vector_limit.
+// The camera with exactly these directions, if its vectors are below camera_vector_limit.
 std::optional<PolyCamera> exact_camera(const SceneFrame& frame, const PolyPoint& eye, const std::array<double, 3>& direction,
                                        const std::array<double, 3>& up, bool perspective) {
   const auto forward = whole_direction(direction);
   const auto upwards = whole_direction(up);
   if (!forward || !upwards) return std::nullopt;
   using geometry::vector_of;
-  PolyCamera camera{perspective, eye, reduced(vector_of(*forward)), {}, {}};
+  PolyCamera camera{perspective, eye, reduce(vector_of(*forward)), {}, {}};
   const auto fits = [](const PolyPoint& p) {
     return std::all_of(p.begin(), p.end(), [](std::int32_t c) { return std::abs(c) <= largest; });
   };
   if (!fits(camera.forward)) return std::nullopt;
-  // Below 2^15 times 2^20, times 2 for the difference: below 2^36; and that product below 2^31.
-  const auto right = small_vector(completed(frame, vector_of(reduced(vector_of(*upwards))), vector_of(camera.forward)));
+  // Below 2^15 times 2^20, times 2 for the difference: below 2^36. The second product is below 2^31.
+  const auto right = small_vector(third_vector(frame, vector_of(reduce(vector_of(*upwards))), vector_of(camera.forward)));
   if (!right) return std::nullopt;
   camera.right = *right;
-  const auto upright = small_vector(completed(frame, vector_of(camera.forward), vector_of(camera.right)));
+  const auto upright = small_vector(third_vector(frame, vector_of(camera.forward), vector_of(camera.right)));
   if (!upright) return std::nullopt;
   camera.up = *upright;
   return camera;
@@ -194,9 +194,9 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   if (!aim) {
     const geometry::Vector3 forward = axis_vector(frame.vertical, direction[frame.vertical] < 0 ? -1 : 1);
     const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
-    camera.forward = reduced(forward);
-    camera.right = reduced(right);
-    camera.up = reduced(completed(frame, forward, right));
+    camera.forward = reduce(forward);
+    camera.right = reduce(right);
+    camera.up = reduce(third_vector(frame, forward, right));
     return camera;
   }
   geometry::Vector3 forward = axis_vector(frame.vertical, upwards * aim->n);
@@ -205,9 +205,9 @@ PolyCamera aimed_camera(const SceneFrame& frame, const PolyPoint& eye, const Pol
   geometry::Vector3 up = axis_vector(frame.vertical, upwards * (aim->p * aim->p + aim->q * aim->q) * aim->m);
   up[first] = -aim->p * aim->n;
   up[second] = -aim->q * aim->n;
-  camera.forward = reduced(forward);
-  camera.right = reduced(completed(frame, up_of(frame), forward));
-  camera.up = reduced(up);
+  camera.forward = reduce(forward);
+  camera.right = reduce(third_vector(frame, up_of(frame), forward));
+  camera.up = reduce(up);
   return camera;
 }
 
@@ -215,17 +215,17 @@ PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const st
                          const std::array<double, 3>& up, bool perspective) {
   if (const auto exact = exact_camera(frame, eye, direction, up, perspective)) return *exact;
   const auto upwards = whole_direction(up);
-  if (upwards && geometry::vector_of(reduced(geometry::vector_of(*upwards))) == up_of(frame))
+  if (upwards && geometry::vector_of(reduce(geometry::vector_of(*upwards))) == up_of(frame))
     return aimed_camera(frame, eye, direction_of(direction), perspective);
   using geometry::RealVector;
   using geometry::unit;
-  // Rows right, up and right x up, which is forward or its opposite.
+  // The rows are right, up and right x up, which is forward or its opposite.
   RealVector third = unit(direction);
   if (!frame.forward_is_z)
     for (double& c : third) c = -c;
   const RealVector right = unit(geometry::cross(up, third));
   const std::array<RealVector, 3> rows{right, geometry::cross(third, right), third};
-  // The quaternion of a rotation from its largest part (Shepperd 1978).
+  // The quaternion of a rotation, from its largest component (Shepperd 1978).
   const double trace = rows[0][0] + rows[1][1] + rows[2][2];
   std::array<double, 4> q{1 + trace, 0, 0, 0};
   for (std::size_t a = 0; a < 3; ++a) q[a + 1] = 1 + 2 * rows[a][a] - trace;
@@ -247,7 +247,7 @@ PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const st
   for (double& c : q) c /= size;
   PolyCamera best{perspective, eye, {}, {}, {}};
   double nearest = -1;
-  constexpr double longest_quaternion = 400;  // rows have common divisors now and then
+  constexpr double longest_quaternion = 400;  // longer ones are tried because rows sometimes have common divisors
   for (double length = 1; length < longest_quaternion; length += 0.05) {
     std::array<std::int64_t, 4> n{};
     double norm = 0;
@@ -273,16 +273,16 @@ PolyCamera turned_camera(const SceneFrame& frame, const PolyPoint& eye, const st
     }
     if (!fits) continue;
     nearest = along * along / norm;
-    camera.right = reduced(matrix[0]);
-    camera.up = reduced(matrix[1]);
-    camera.forward = reduced(frame.forward_is_z ? matrix[2] : geometry::negated(matrix[2]));
+    camera.right = reduce(matrix[0]);
+    camera.up = reduce(matrix[1]);
+    camera.forward = reduce(frame.forward_is_z ? matrix[2] : geometry::negated(matrix[2]));
     best = camera;
   }
   return best;
 }
 
 double angle_to(const PolyCamera& camera, const std::array<double, 3>& direction) {
-  // By the tangent, which is exact for small angles.
+  // By the tangent, which is accurate for small angles.
   const std::array<double, 3> f{double(camera.forward[0]), double(camera.forward[1]), double(camera.forward[2])};
   double across = 0;
   double along = 0;
@@ -308,7 +308,7 @@ PolyPoint direction_of(const std::array<double, 3>& direction) {
 SceneSides sides_of(const SceneFrame& frame) {
   const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
   const geometry::Vector3 up = up_of(frame);
-  const geometry::Vector3 away = completed(frame, right, up);
+  const geometry::Vector3 away = third_vector(frame, right, up);
   SceneSides sides;
   for (std::size_t a = 0; a < 3; ++a) {
     sides.right[a] = static_cast<double>(right[a]);
@@ -325,7 +325,8 @@ PolyCamera camera_outside(const SceneFrame& frame, const PolyScene& scene, const
   double length = 0;
   for (const double c : direction) length += c * c;
   PolyPoint eye = centre;
-  // As far as three_quarter_camera is: the corners of the scene are less than 14/25 of the way around its middle.
+  // As far as three_quarter_camera: the corners of the scene are less than 14/25 of the distance from its
+  // centre.
   const double away = 3.125 * static_cast<double>(bounds.half_size()) / std::sqrt(length);
   for (std::size_t a = 0; a < 3; ++a) {
     const double place = std::round(centre[a] - away * direction[a]);
@@ -340,13 +341,13 @@ PolyCamera three_quarter_camera(const SceneFrame& frame, const PolyScene& scene)
   const std::int64_t half = bounds.half_size();
   const PolyPoint centre = bounds.middle();
   const geometry::Vector3 right = axis_vector(side_axis(frame), 1);
-  const geometry::Vector3 away = completed(frame, right, up_of(frame));
+  const geometry::Vector3 away = third_vector(frame, right, up_of(frame));
   PolyPoint direction{};
   for (std::size_t a = 0; a < 3; ++a)
     direction[a] = static_cast<std::int32_t>(20 * away[a] - 12 * right[a] - 9 * up_of(frame)[a]);
   PolyPoint eye{};
   bool fits = true;
-  // |direction| is 25: the eye is 25/8 of the half side away, the corners of the scene less than 14/8.
+  // direction| is 25: the eye is 25/8 of the half side away, the corners of the scene less than 14/8.
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t place = centre[a] - (direction[a] * half - 7) / 8;
     fits = fits && std::abs(place) < poly_coordinate_limit;

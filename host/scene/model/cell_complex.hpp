@@ -1,17 +1,17 @@
-// Free space cut into convex cells joined by openings, in general position: what Jones's algorithm (1971)
-// walks through once its restriction to axis-parallel cells is dropped.
+// Free space cut into convex cells joined by openings, in general position: the input of Jones's algorithm
+// (1971) without its restriction to axis-parallel cells.
 //
-// Everything is kept as planes with integer coefficients. An opening is a convex polygon on a plane, bounded
-// by the lines where other planes cross it; its corners, which need not be integer points, are never worked
-// out. So however often space is cut, no number grows: each is an original plane of the scene or a plane
-// parallel to the axes.
+// Everything is given by planes with integer coefficients. An opening is a convex polygon in a plane, bounded
+// by the lines where other planes cross it. Its corners, which need not be integer points, are never
+// computed. So numbers do not grow, however often space is cut: each plane is an original plane of the scene
+// or parallel to an axis.
 //
-// Edges are those of the scene of polyhedra the complex was made from (picture::edges_of: every side of every
-// face, once). A cell names the parts of them that lie on its closure, so a line may be in several cells.
+// Edges are those of the scene of polyhedra that the complex was made from (picture::edges_of: every side of
+// every face, once). A cell lists the parts of edges on its closure, so a line may be in several cells.
 //
 // The complex fills a box, the outer box. From outside it is entered through the openings one of whose cells
-// is `outside`; the outer box hides nothing and draws nothing. All arrays are flat: a cell's and an opening's
-// rows lie together, so that a million cells load in linear time.
+// is `outside`. The outer box hides nothing and has no lines. All arrays are flat: the rows of a cell or an
+// opening are consecutive, so that a million cells load in linear time.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ namespace sightline::scene {
 using CellNumber = std::uint32_t;
 inline constexpr CellNumber outside = std::numeric_limits<CellNumber>::max();
 
-// The half-space where a plane is not positive, or, turned, not negative: what it bounds lies there.
+// The half-space where a plane is not positive; if turned, not negative. What it bounds lies in it.
 struct HalfSpace {
   std::uint32_t plane = 0;  // index into planes
   bool turned = false;
@@ -39,9 +39,8 @@ struct HalfSpace {
   friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
 };
 
-// The polygon of the points of `plane` that are in all its sides' half-spaces, with an area. Its sides stand
-// in the order in which they follow each other, counterclockwise as seen from where the plane's normal points
-// to.
+// The polygon of the points of `plane` that are in the half-spaces of all sides. It has an area. Its sides
+// are in order, counterclockwise as seen from the side that the plane's normal points to.
 struct ComplexOpening {
   std::array<CellNumber, 2> cells{};  // [0] on the negative side of the plane, [1] on the positive
   std::uint32_t plane = 0;
@@ -57,7 +56,7 @@ struct ComplexEdge {
 };
 
 struct ComplexCell {
-  std::uint32_t first_bound = 0;  // its half-spaces; the cell is all that is in every one of them
+  std::uint32_t first_bound = 0;  // its half-spaces; the cell is their intersection
   std::uint32_t bound_count = 0;
   std::uint32_t first_line = 0;
   std::uint32_t line_count = 0;

@@ -3,12 +3,12 @@
 //
 // Cells, solids and walls are parallel to the axes, as the paper restricts its program ("Only orthogonal
 // lines parallel to one of the axes"). x points right, y up, z away from the viewer. Walls have no thickness.
-// An opening is a rectangle shared by exactly two cells; its ring of vectors says which parts of its outline
-// are actual lines (F = 1) and which only artificial edges (F = 0). Scenes of general polyhedra will be a
-// type beside this one.
+// An opening is a rectangle shared by exactly two cells. Its ring of vectors says which parts of its outline
+// are actual lines (F = 1) and which are artificial edges (F = 0). For scenes of general polyhedra, see
+// poly_scene.hpp.
 //
-// A CellScene is not necessarily valid: check_scene (host/scene/check/cell_scene.hpp) says whether it
-// describes a possible scene, and all that draws or encodes scenes expects a checked one.
+// A CellScene may be invalid. check_scene (host/scene/check/cell_scene.hpp) tells; everything that draws or
+// encodes scenes expects a checked one.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace sightline::scene {
 
-// One side, or part of a side, of an opening's outline, from where the one before it ended.
+// One side, or part of a side, of an opening's outline; it starts where the previous one ended.
 struct RingVector {
   bool actual = false;         // F: a line to draw, not an artificial edge
   std::size_t axis = 0;        // 0, 1, 2 = i, j, k

@@ -1,8 +1,9 @@
-// The lines of a cell complex: parts of edges, a part for each cell they lie on.
+// The lines of a cell complex: for each cell, the parts of edges on its closure.
 //
-// There are many lines and few different parts: most are whole edges, and in a building the others repeat. A
-// line is kept as the numbers of its edge and of its part, 8 bytes for 40: a building of a million rooms has
-// 24 million lines. A part that was added lately is found again, others are added.
+// There are many lines but few different parts: most are whole edges, and in a building the others repeat. A
+// line is stored as the numbers of its edge and its part, in 8 bytes instead of 40: a building of a million
+// rooms has 24 million lines. A part that was added recently is found and shared; other repetitions are
+// stored again.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ struct ComplexLine {
 
 class ComplexLines {
  public:
-  // Lines are given by value.
+  // Returns lines by value.
   class Iterator {
    public:
     Iterator(const ComplexLines& lines, std::size_t at) : lines_(&lines), at_(at) {}
@@ -70,11 +71,11 @@ class ComplexLines {
 
   void push_back(const ComplexLine& line) { lines_.push_back({line.edge, part_of(line)}); }
   void set(std::size_t i, const ComplexLine& line) { lines_[i] = {line.edge, part_of(line)}; }
-  // New lines are the whole edge 0.
+  // New lines are the whole of edge 0.
   void resize(std::size_t size) { lines_.resize(size); }
   void reserve(std::size_t size) { lines_.reserve(size); }
   void swap(std::size_t i, std::size_t j) { std::swap(lines_[i], lines_[j]); }
-  // Of lines first .. end - 1, no two of one edge; quick if they are in order.
+  // Sorts lines first..end - 1, no two of one edge. Fast if they are already in order.
   void sort_by_edge(std::size_t first, std::size_t end);
 
  private:
@@ -93,7 +94,7 @@ class ComplexLines {
 
   std::vector<Line> lines_;
   std::vector<Part> parts_{{0, 1}};    // [0] is the whole edge
-  std::vector<std::uint32_t> recent_;  // numbers of parts met lately, by a hash of them
+  std::vector<std::uint32_t> recent_;  // numbers of parts added recently, by their hash
 };
 
 }  // namespace sightline::scene

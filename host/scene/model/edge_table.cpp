@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max();
 
-// Sides of faces, and wires as those of no face.
+// Sides of faces; wires count as sides of no face.
 template <class Visit>
 void for_sides(const PolyScene& scene, Visit visit) {
   std::uint32_t number = 0;
@@ -40,7 +40,8 @@ struct UpperEnd {  // of a side
 
 }  // namespace
 
-// Sides sorted by their lower vertex by counting, then by the higher within the few of one vertex.
+// A counting sort of the sides by their lower vertex; the few of one vertex are then sorted by the higher
+// one.
 EdgeTable::EdgeTable(const PolyScene& scene) {
   std::vector<std::uint32_t> start(scene.vertices.size() + 1);
   for_sides(scene, [&](VertexIndex from, VertexIndex to, std::uint32_t) { ++start[std::min(from, to) + 1]; });

@@ -1,7 +1,7 @@
-// The edges of a scene, numbered, with the faces at each.
+// Numbers the edges of a scene and lists the faces at each.
 //
-// An edge is a pair of vertices that follow each other on an outline or a hole, or a wire. Edges ascend by their lower
-// and then by their higher vertex, as those of a LinePicture do, so that the numbers of both are the same.
+// An edge is a pair of consecutive vertices of an outline or a hole, or a wire. Edges ascend by their lower
+// and then by their higher vertex, as in a LinePicture, so that both number them alike.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class EdgeTable {
   // One side of a face.
   struct Use {
     std::uint32_t face = 0;  // counted over all bodies from 0
-    bool upwards = false;    // passed from the lower to the higher vertex
+    bool upwards = false;    // traversed from the lower to the higher vertex
   };
   struct Edge {
     VertexIndex low = 0;
@@ -25,21 +25,21 @@ class EdgeTable {
     std::uint32_t first = 0;  // of its uses
   };
 
-  // Every index of a face or wire is below the number of vertices. Sides from a vertex to itself are left out. Linear,
-  // but for sorting the sides at a vertex.
+  // Every index of a face or wire is below the number of vertices (precondition). Sides from a vertex to
+  // itself are left out. Linear time, except for sorting the sides at a vertex.
   explicit EdgeTable(const PolyScene& scene);
 
   [[nodiscard]] std::size_t size() const { return edges_.size() - 1; }
   [[nodiscard]] const Edge& operator[](std::size_t edge) const { return edges_[edge]; }
-  // The number of the edge between two vertices, or size() if there is none. Logarithmic.
+  // The number of the edge between two vertices; size() if there is none. Logarithmic time.
   [[nodiscard]] std::size_t find(VertexIndex a, VertexIndex b) const;
-  // Ascending by face; none of a wire that is no side.
+  // Ascending by face; empty for a wire that is not a side of a face.
   [[nodiscard]] std::span<const Use> uses(std::size_t edge) const {
     return std::span(uses_).subspan(edges_[edge].first, edges_[edge + 1].first - edges_[edge].first);
   }
 
  private:
-  std::vector<Edge> edges_;  // and one more, where the uses end
+  std::vector<Edge> edges_;  // with one more entry, where the uses end
   std::vector<Use> uses_;
 };
 

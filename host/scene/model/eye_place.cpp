@@ -20,7 +20,7 @@ namespace {
 using geometry::Point2;
 using geometry::Vector3;
 
-// Twice the area of the outline, as a vector; partial sums wrap without harm.
+// Twice the area of the outline, as a vector; overflow of partial sums is harmless, the total fits.
 Vector3 normal_of(const std::vector<PolyPoint>& vertices, const std::vector<VertexIndex>& outline) {
   std::array<std::uint64_t, 3> sum{};
   const PolyPoint& about = vertices[outline[0]];
@@ -49,7 +49,7 @@ class FaceAndEye {
     return true;
   }
 
-  // Whether the ray along +x from the eye, moved aside, crosses the face, which does not contain the eye.
+  // Whether the ray along +x from the eye, perturbed, crosses the face. The eye is not on the face.
   [[nodiscard]] bool stops_ray() const {
     if (geometry::sign(above_) * geometry::sign(normal_[0]) >= 0) return false;
     bool inside = surrounds(face_.outline);
@@ -65,7 +65,7 @@ class FaceAndEye {
     return geometry::locate_in_ring(flat, geometry::flattened(eye_, axis));
   }
 
-  // Seen along x: (y, z). The point is at z + e and y - e^2.
+  // In the projection along x to (y, z). The point is at z + e and y - e^2.
   [[nodiscard]] bool surrounds(const std::vector<VertexIndex>& ring) const {
     const Point2 p = geometry::flattened(eye_, 0);
     bool inside = false;
@@ -73,7 +73,8 @@ class FaceAndEye {
       const Point2 a = geometry::flattened(vertices_[ring[i]], 0);
       const Point2 b = geometry::flattened(vertices_[ring[i + 1 == ring.size() ? 0 : i + 1]], 0);
       if ((a[1] > p[1]) == (b[1] > p[1])) continue;
-      // On the line of the side the move decides: by z, or, along a side that is parallel to z, by y.
+      // If the point is on the side's line, the perturbation decides: by z or, along a side parallel to z, by
+      // y.
       std::int64_t left = geometry::turn(a, b, p);
       if (left == 0) left = std::int64_t{b[0]} - a[0];
       if (left == 0) left = std::int64_t{b[1]} - a[1];
@@ -86,7 +87,7 @@ class FaceAndEye {
   const PolyFace& face_;
   const PolyPoint& eye_;
   Vector3 normal_;
-  std::int64_t above_ = 0;  // of the eye over the face's plane, times the normal's length
+  std::int64_t above_ = 0;  // value of the face's plane at the eye: distance times the normal's length
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ CutAxis cut_axis(const Vector3& m, const Vector3& n) {
 }
 
 int compare(const CutPlace& x, const CutPlace& y) {
-  // Coordinates are below 2^18, and the quotients wrong by less than 2^-32.
+  // Coordinates are below 2^18, and the quotients' errors below 2^-32.
   constexpr double sure = 0x1p-30;
   if (x.value < y.value - sure) return -1;
   if (x.value > y.value + sure) return 1;
@@ -39,7 +39,7 @@ FaceCuts cuts_of(std::span<const PolyPoint> vertices, const PolyFace& face, cons
   const auto beyond = [zero_is_beyond](std::int64_t at) { return zero_is_beyond ? at >= 0 : at > 0; };
   const auto add_ring = [&](const std::vector<VertexIndex>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      // The lower vertex first: a side has one place for both faces at it.
+      // The lower vertex first, so that both faces at a side compute the same point.
       const auto [p, q] = std::minmax({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
       const std::int64_t a = plane.at(vertices[p]);
       const std::int64_t b = plane.at(vertices[q]);
@@ -122,7 +122,7 @@ std::array<double, 3> place_of(const PolyScene& scene, VertexIndex vertex) {
 
 geometry::Plane plane_of(std::span<const PolyPoint> vertices, const PolyFace& face) {
   const auto& ring = face.outline;
-  // Partial sums wrap without harm.
+  // Overflow of partial sums is harmless, the total fits.
   std::array<std::uint64_t, 3> sum{};
   for (std::size_t i = 2; i < ring.size(); ++i) {
     const Vector3 part = geometry::normal_of(vertices[ring[0]], vertices[ring[i - 1]], vertices[ring[i]]);

@@ -9,7 +9,7 @@
 namespace sightline::scene {
 
 double steps_in_file(std::int64_t n, double step) {
-  // A division by 1000 is rounded once, a multiplication by 0.001 twice.
+  // Division by 1000 rounds once, multiplication by 0.001 twice.
   const double inverse = std::round(1 / step);
   const bool part_of_one = step < 1 && inverse < 1e15 && 1 / inverse == step;
   return part_of_one ? static_cast<double>(n) / inverse : static_cast<double>(n) * step;

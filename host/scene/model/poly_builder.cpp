@@ -10,7 +10,7 @@ void PolyBuilder::add_box(std::string name, const PolyPoint& low, const PolyPoin
   PolyBody body;
   body.name = std::move(name);
   body.faces.reserve(6);
-  // Each corner is looked up once: bit a of its number says whether it is high on axis a.
+  // Each corner is added once: bit a of its number says whether it is high on axis a.
   constexpr VertexIndex unknown = ~VertexIndex{0};
   std::array<VertexIndex, 8> corners{};
   corners.fill(unknown);
@@ -28,7 +28,7 @@ void PolyBuilder::add_box(std::string name, const PolyPoint& low, const PolyPoin
       corner[axis] = upper;
       PolyFace& face = body.faces.emplace_back();
       face.outline.reserve(4);
-      // Counterclockwise seen from the high side, the other way round on the low side.
+      // Counterclockwise as seen from the high side, clockwise on the low side.
       constexpr bool along_u[] = {false, true, true, false};
       constexpr bool along_v[] = {false, false, true, true};
       for (std::size_t i = 0; i < 4; ++i) {

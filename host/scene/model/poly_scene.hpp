@@ -1,9 +1,8 @@
 // A scene of general polyhedra: closed solids and open sheets with planar faces, in integer coordinates.
 //
-// Left out: what only one algorithm needs (cells and openings: cell_scene.hpp; heights:
-// host/scene/heights/grid.hpp). A PolyScene is not necessarily valid: check_poly_scene
-// (host/scene/check/poly_scene.hpp) says whether it is valid, and everything that draws expects a
-// checked one.
+// Data of single algorithms is elsewhere (cells and openings: cell_scene.hpp; heights:
+// host/scene/heights/grid.hpp). A PolyScene may be invalid. check_poly_scene
+// (host/scene/check/poly_scene.hpp) tells; everything that draws expects a checked one.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +16,15 @@
 
 namespace sightline::scene {
 
-// Every |coordinate| is less than this, so that the predicates of host/geometry fit 128 bits (differences 19
-// bits, normals 40, a point against a plane 60, parameters along an edge 60 over 60).
+// Every |coordinate| is below this, so that the predicates of host/geometry fit 128 bits (differences 19
+// bits, normals 40, plane values at points 60, parameters along an edge 60 over 60).
 inline constexpr std::int32_t poly_coordinate_limit = 1 << 18;
 
 using PolyPoint = std::array<std::int32_t, 3>;
 using VertexIndex = std::uint32_t;
 
-// Where a scene lies in the file it came from, in steps: wide, as a part may lie far from 0. Below 2^53 in magnitude, and so
-// are all its coordinates from 0, so that each is a double.
+// The position of a scene in its file, in steps; 64 bits, because a part may be far from 0. It and the
+// absolute coordinates are below 2^53 in magnitude, so each is exact as a double.
 using PolyOrigin = std::array<std::int64_t, 3>;
 
 // A planar region: counterclockwise outline seen from outside, clockwise holes.
@@ -36,7 +35,7 @@ struct PolyFace {
   friend bool operator==(const PolyFace&, const PolyFace&) = default;
 };
 
-// A closed polyhedron, or, as a sheet, a set of faces without thickness that are seen from both sides.
+// A closed polyhedron; or, as a sheet, a set of faces without thickness that are visible from both sides.
 struct PolyBody {
   std::string name;  // may be empty
   bool sheet = false;
@@ -45,10 +44,9 @@ struct PolyBody {
   friend bool operator==(const PolyBody&, const PolyBody&) = default;
 };
 
-// How a scene is looked at. forward, right and up are orthogonal integer vectors of any length, each
-// component below 2^15. The image of a point p at d = p - eye is x = (right.d / |right|) / (forward.d /
-// |forward|), y likewise with up; orthographic: without the division, and the eye is only the origin of the
-// image.
+// The view of a scene. forward, right and up are orthogonal integer vectors of any length, each component
+// below 2^15. The image of a point p at d = p - eye is x = (right.d / |right|) / (forward.d / |forward|), y
+// likewise with up. Orthographic: without the division, and the eye is only the origin of the image.
 struct PolyCamera {
   bool perspective = true;
   PolyPoint eye{};
@@ -62,33 +60,35 @@ struct PolyCamera {
 // A line between two vertices, a side of a face or not: faces hide it, and it hides nothing.
 using PolyWire = std::array<VertexIndex, 2>;
 
-// Faces of a mesh that are in one plane, as far as the numbers of its file can tell: their rounded vertices
-// cannot. Its edges are chosen, and what faces the eye is decided, by these (host/picture/edge_choice.hpp).
+// A surface: faces of a mesh that are coplanar to the accuracy of the file's numbers. Their rounded vertices
+// cannot show that. Edges are selected, and faces towards the eye recognised, by its normal
+// (host/picture/edge_choice.hpp).
 struct PolySurface {
   std::array<double, 3> normal{};  // in the coordinates of the file, outwards, of length 1
 
   friend bool operator==(const PolySurface&, const PolySurface&) = default;
 };
 
-// Where the line through two vertices meets a plane: (q a - p b) / (a - b). Exact; its coordinates have no more than 80 over
-// 61 bits.
+// The point where the line through two vertices meets a plane: (q a - p b) / (a - b). It is exact; its
+// coordinates have at most 80 over 61 bits.
 struct CutPoint {
   VertexIndex p = 0;
   VertexIndex q = 0;
-  std::int64_t a = 0;  // of p against the plane, below 2^60
-  std::int64_t b = 0;  // of q; not a
+  std::int64_t a = 0;  // value of the plane at p, below 2^60
+  std::int64_t b = 0;  // value at q, different from a
 
   friend bool operator==(const CutPoint&, const CutPoint&) = default;
 };
 
-// A line in which two faces cross, or one that lies on a face and is drawn there: the line in which the plane of face_a
-// meets that of face_b or one of PolyScene::cut_planes, in the direction of the cross product of their normals.
+// A line in which two faces cross, or one that is drawn on a face: the intersection of the plane of face_a
+// with that of face_b, or with one of PolyScene::cut_planes, in the direction of the cross product of their
+// normals.
 struct PolyCrossing {
-  VertexIndex from = 0;      // two vertices that no face has, the ends rounded to the grid: names of the line
+  VertexIndex from = 0;      // two vertices of no face, the ends rounded to the grid; they identify the line
   VertexIndex to = 0;        // from + 1
   std::uint32_t face_a = 0;  // counted over all bodies from 0
-  std::uint32_t face_b = 0;  // face_a if the line is on one face
-  std::uint32_t plane = 0;   // the one of cut_planes, if it is
+  std::uint32_t face_b = 0;  // face_a if the line is drawn on one face
+  std::uint32_t plane = 0;   // if so, an index into cut_planes
   std::array<CutPoint, 2> ends{};
 
   friend bool operator==(const PolyCrossing&, const PolyCrossing&) = default;
@@ -99,36 +99,37 @@ struct PolyScene {
   std::vector<PolyPoint> vertices;
   std::vector<PolyBody> bodies;
   PolyCamera camera;   // the default view
-  double step = 1;     // what one unit stands for in the file it came from (a float file is quantised once)
+  double step = 1;     // length of one unit in the file it came from (a file of floats is quantised once)
   PolyOrigin origin{};  // added to a vertex before the multiplication by step
-  // Of a mesh; otherwise these three are empty. For each face, counted over all bodies from 0, the number of its
-  // surface and that of its material (empty if all have the same).
+  // For a mesh; otherwise these three are empty. For each face, counted over all bodies from 0, the numbers
+  // of its surface and of its material (empty if all have the same).
   std::vector<PolySurface> surfaces = {};
   std::vector<std::uint32_t> surface_of = {};
   std::vector<std::uint32_t> material_of = {};
-  bool materials_are_colours = false;  // of single faces, as scans and plots have them: borders of theirs are no edges of a part
-  // Where faces cross, for drawing (with_crossings in host/scene/check/crossings.hpp); empty in a checked scene. Their
-  // vertices are the last ones, in the same order.
+  bool materials_are_colours = false;  // of single faces, as in scans and plots: borders between them are not edges of the part
+  // Lines where faces cross, for drawing (with_crossings in host/scene/check/crossings.hpp); empty in a
+  // checked scene. Their vertices are the last ones, in the same order.
   std::vector<PolyCrossing> crossings = {};
   std::vector<geometry::Plane> cut_planes = {};  // normals below 2^39, values at vertices and eyes below 2^60
-  std::vector<PolyWire> wires = {};              // belong to no body; they alone can be a scene
-  // Of a mesh: numbers of a wire and of a surface in whose plane it lies, so that its faces do not hide the wire, although
-  // both were rounded; ascending.
+  std::vector<PolyWire> wires = {};              // belong to no body; a scene may consist of wires only
+  // For a mesh: pairs of a wire and a surface in whose plane it lies. Faces of that surface do not hide the
+  // wire, although both were rounded. Ascending.
   std::vector<std::array<std::uint32_t, 2>> wires_on = {};
 
   friend bool operator==(const PolyScene&, const PolyScene&) = default;
 };
 
-// The crossing that a vertex is an end of; null for one of faces or wires.
+// The crossing that the vertex is an end of; null if there is none.
 [[nodiscard]] inline const PolyCrossing* crossing_at(const PolyScene& scene, VertexIndex vertex) {
   if (scene.crossings.empty() || vertex < scene.crossings.front().from) return nullptr;
   return &scene.crossings[(vertex - scene.crossings.front().from) / 2];
 }
 
-// The scene without its wires, and then without the vertices that no face has. The scene has no crossings (precondition).
+// The scene without its wires and without the vertices that are then unused. The scene has no crossings
+// (precondition).
 [[nodiscard]] PolyScene without_wires(PolyScene scene);
 
-// The faces of a scene numbered over all its bodies, from 1, as pictures of faces have them: 0 is no face.
+// Faces are numbered over all bodies from 1, as in item buffers; 0 is no face.
 
 [[nodiscard]] inline std::size_t face_count(const PolyScene& scene) {
   std::size_t faces = 0;
@@ -136,7 +137,7 @@ struct PolyScene {
   return faces;
 }
 
-// The number of each body's first face; the others follow in the body's order.
+// The number of each body's first face; its other faces follow in order.
 [[nodiscard]] inline std::vector<std::uint32_t> first_face_numbers(const PolyScene& scene) {
   std::vector<std::uint32_t> firsts;
   std::uint32_t next = 1;
@@ -173,7 +174,7 @@ struct PolyBounds {
   }
 };
 
-// The point 0, 0, 0 for a scene without vertices.
+// For a scene without vertices, the point 0, 0, 0.
 [[nodiscard]] inline PolyBounds bounds_of(const PolyScene& scene) {
   if (scene.vertices.empty()) return {};
   PolyBounds bounds{scene.vertices[0], scene.vertices[0]};

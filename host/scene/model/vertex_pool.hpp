@@ -1,4 +1,4 @@
-// Vertices without repetition: of a generator, and of a format that writes the corners of each face as points.
+// Vertices without repetition, for generators and for formats that write each face's corners as points.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace sightline::scene {
 
-// Points are the same if their coordinates, std::int32_t or double, are; 0 and -0 are.
+// Points are equal if their coordinates, std::int32_t or double, are; 0 equals -0.
 template <class Number>
 class VertexPool {
  public:
@@ -32,8 +32,8 @@ class VertexPool {
     return number;
   }
 
-  // Of another pool's vertices these are a copy.
-  void place_as(const VertexPool& other) { places_ = other.places_; }
+  // For a copy of another pool's vertices: takes over its table.
+  void copy_table_of(const VertexPool& other) { places_ = other.places_; }
 
   [[nodiscard]] std::optional<VertexIndex> find(Point point) const {
     for (Number& c : point) c += Number{0};
@@ -56,7 +56,7 @@ class VertexPool {
     return static_cast<std::size_t>(h);
   }
 
-  // Where it is, or would be.
+  // The slot where the point is, or where it would be added.
   [[nodiscard]] std::size_t place_of(const Point& point) const {
     std::size_t at = hash(point) & (places_.size() - 1);
     while (places_[at] != none && !are_same(vertices_[places_[at]], point)) at = (at + 1) & (places_.size() - 1);
@@ -73,7 +73,7 @@ class VertexPool {
   }
 
   std::vector<Point>& vertices_;
-  std::vector<VertexIndex> places_;  // a power of two of them, at most half full
+  std::vector<VertexIndex> places_;  // a power of two in size, at most half full
 };
 
 }  // namespace sightline::scene

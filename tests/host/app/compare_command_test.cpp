@@ -157,7 +157,7 @@ TEST_F(CompareCommand, ComparesAFunctionOfOnesOwn) {
   EXPECT_EQ(sightline({"compare", "saddle", "--along", "z", "--rotate", "80", "--points", "9"}).exit_code, 0);
   const auto end_on = sightline({"compare", "saddle", "--along", "z", "--points", "9"});
   EXPECT_EQ(end_on.exit_code, 4);
-  EXPECT_TRUE(has(end_on.err, "saddle: the column oracle draws the family that is less end-on"))
+  EXPECT_TRUE(has(end_on.err, "saddle: the column oracle draws only the slices that are less end-on"))
       << end_on.err;
 }
 

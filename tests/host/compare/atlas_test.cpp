@@ -72,7 +72,7 @@ void expect_as_by_brute_force(const scene::CellScene& scene, const std::vector<g
 
 TEST(Atlas, IsWhatALoopOverItsEyesGives) {
   const scene::CellScene house = scene::builtin_scene("house");
-  AtlasLattice lattice = usual_lattice(house);
+  AtlasLattice lattice = default_lattice(house);
   lattice.columns = 5;
   lattice.rows = 6;
   expect_as_by_brute_force(house, lattice_eyes(house, lattice), {});
@@ -164,7 +164,7 @@ TEST(Atlas, LatticeEyesAreTheMiddlesOfRectangles) {
   EXPECT_EQ(lattice_eyes(scene, {1000, 1, 7}).size(), 40U);
   for (const char* name : {"house", "street4", "corridor32"}) {
     const scene::CellScene builtin = scene::builtin_scene(name);
-    const AtlasLattice lattice = usual_lattice(builtin);
+    const AtlasLattice lattice = default_lattice(builtin);
     EXPECT_NEAR(lattice.columns * lattice.rows, 4000, 200) << name;
     EXPECT_EQ(lattice.height, builtin.default_view[1]) << name;
   }
@@ -199,7 +199,7 @@ AtlasView view_with(std::int64_t milliseconds, std::vector<std::pair<AxisLine, d
   }
   if (!wrong.empty()) {
     view.cause.emplace();
-    view.cause->hollow_mask = hollow;
+    view.cause->concave_mask = hollow;
     view.cause->finer = {{false, true, false}};
     view.cause->right_from_bits = static_cast<int>(milliseconds);
   }
@@ -240,7 +240,7 @@ TEST(Atlas, TheSummaryCountsAndClusters) {
   EXPECT_EQ(summary.clusters[2].right_from_bits, 6);
   EXPECT_EQ(summary.clusters[3].cause, "display file overflow");
   EXPECT_EQ(summary.clusters[3].line, std::nullopt);
-  EXPECT_FALSE(summary.not_its_twin);
+  EXPECT_FALSE(summary.differs_from_twin);
 }
 
 // The legend has every colour: a wrong view adds its mark to one of them.

@@ -46,7 +46,7 @@ class AgreementOn : public testing::TestWithParam<std::tuple<std::size_t, std::s
     std::size_t listed_views = 0;
     for (const CrossCheckView& view : scene.views) {
       listed_views += !listed_reason(cell.first, scene.name, view.camera.perspective) &&
-                      !listed_reason(cell.second, scene.name, view.camera.perspective) && !nothing_in_common(cell.first, cell.second);
+                      !listed_reason(cell.second, scene.name, view.camera.perspective) && !why_incomparable(cell.first, cell.second);
     }
     EXPECT_EQ(cell.state, listed_views > 0 ? CrossCheckState::agrees : CrossCheckState::not_applicable)
         << cell.first << " and " << cell.second << ", " << scene.name << ", " << cell.text;

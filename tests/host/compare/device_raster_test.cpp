@@ -165,7 +165,7 @@ TEST(DividedAs, APieceThatLiesOnALineEndsThere) {
                                          {{40.6, 0}, {70, 0.5}},    // goes on
                                          {{20, 0}, {20, 30}},       // leaves it
                                          {{10, 1.5}, {90, 1.5}}};   // beside it
-  const auto divided = divided_as(line, pieces);
+  const auto divided = divide_like(line, pieces);
   ASSERT_EQ(divided.size(), 3U);
   EXPECT_NEAR(divided[0].a.x, 0, 0);
   EXPECT_NEAR(divided[0].b.x, 40, 1e-9);

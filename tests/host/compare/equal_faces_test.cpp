@@ -36,7 +36,7 @@ TEST(FaceTruth, EachOfTwoFacesInOnePlaneIsRightWhereTheyOverlap) {
       picture::PixelGrid drawn = truth->faces();
       for (int row = 0; row < drawn.height; ++row)
         for (int column = 0; column < drawn.width; ++column) drawn.set(column, row, face_at(drawn.at(column, row)));
-      return truth->compared("drawn", drawn, 0).metrics.different();
+      return truth->compare("drawn", drawn, 0).metrics.different();
     };
     const auto total = [&](std::uint32_t face) {
       std::size_t count = 0;

@@ -313,7 +313,7 @@ TEST(ComparePolyScene, FacesInParallelProjectionAreTheNearestOnes) {
         const auto truth = FaceTruth::of(scene, camera);
         truths.push_back(truth->faces());
         for (const registry::FaceAlgorithm& algorithm : registry::face_algorithms()) {
-          const auto compared = truth->compared(algorithm);
+          const auto compared = truth->compare(algorithm);
           const auto& metrics = compared->metrics;
           EXPECT_EQ(metrics.different_inside, 0U) << scene.name << ' ' << algorithm.name;
           EXPECT_GT(metrics.lit, metrics.pixels / 10) << scene.name;

@@ -124,7 +124,7 @@ TEST(Experiments, ABuildingBesideTheHouseChangesNothingButTheNumberOfCells) {
 TEST(Experiments, ErrorsFallWithFractionBits) {
   const JonesAccuracy& machine = results().of<JonesAccuracy>();
   ASSERT_EQ(machine.builds.size(), 4U * 2 * 4);
-  for (const JonesBuild& build : where(machine.builds, is(&JonesBuild::fraction_bits, 0)))
+  for (const JonesBuild& build : where(machine.builds, equals(&JonesBuild::fraction_bits, 0)))
     EXPECT_LT(machine.build(build.scene, 3, build.rounded).computed.symmetric_per_cent(), build.computed.symmetric_per_cent())
         << build.scene;
   for (const JonesNumber& number : results().of<JonesNumbers>().numbers)
@@ -153,7 +153,7 @@ TEST(Experiments, TurnsAreExactWithoutATolerance) {
 // The printed Table 1: in five rows events are edges times events an edge. In the row Grid they are not (hard case
 // P22), so nothing should be tuned to it.
 TEST(ReportPapers, OnlyTheRowGridDisagreesWithItself) {
-  const PrintedTable& printed = Papers::of_program().table("plantinga_table_1");
+  const PrintedTable& printed = Papers::built_in().table("plantinga_table_1");
   ASSERT_EQ(printed.rows.size(), 6U);
   for (std::size_t row = 0; row < printed.rows.size(); ++row) {
     const double average = printed.number(row, "events") / printed.number(row, "edges");
@@ -198,11 +198,11 @@ TEST(Experiments, WillisCutsUntilNothingIsLeftOverAndThenNothingIsWrong) {
 
 TEST(Experiments, MontaniAndResTablesComeOut) {
   const MontaniReTables& here = results().of<MontaniReTables>();
-  const Papers& papers = Papers::of_program();
+  const Papers& papers = Papers::built_in();
   const PrintedTable& stripes = papers.table("montani_re_table_1");
   ASSERT_EQ(here.stripes.size(), stripes.rows.size());
   for (std::size_t row = 0; row < stripes.rows.size(); ++row) {
-    const PrintedStripe& stripe = the(here.stripes, is(&PrintedStripe::y, static_cast<std::int32_t>(stripes.number(row, "y"))));
+    const PrintedStripe& stripe = only(here.stripes, equals(&PrintedStripe::y, static_cast<std::int32_t>(stripes.number(row, "y"))));
     EXPECT_EQ(static_cast<double>(stripe.substripes), stripes.number(row, "substripes")) << stripe.y;
     EXPECT_EQ(stripe.sides, stripes.text(row, "sides")) << stripe.y;
   }
@@ -228,7 +228,7 @@ TEST(Experiments, MontaniAndResTablesComeOut) {
 // The words under which the papers' numbers stand in them.
 TEST(ReportPapers, HaveEveryNumber) {
   std::string said;
-  for (const Paper& paper : Papers::of_program().all()) {
+  for (const Paper& paper : Papers::built_in().all()) {
     EXPECT_FALSE(paper.authors.empty()) << paper.id;
     EXPECT_FALSE(paper.title.empty()) << paper.id;
     for (const auto& [name, claim] : paper.claims) {

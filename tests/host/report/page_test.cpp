@@ -52,36 +52,36 @@ std::string refused(const std::function<void()>& work) {
 }
 
 TEST(ReportRows, AreChosenAndSummed) {
-  const auto house = where(views, is(&View::scene, "house"));
+  const auto house = where(views, equals(&View::scene, "house"));
   EXPECT_EQ(house.size(), 2U);
-  EXPECT_EQ(where(house, is(&View::eae, false)).front().get().words, 7001);
+  EXPECT_EQ(where(house, equals(&View::eae, false)).front().get().words, 7001);
   EXPECT_EQ(least(views, &View::view_s), 0.5);
   EXPECT_EQ(greatest(house, &View::words), 7001);
   EXPECT_EQ(sum(views, &View::words), 22001);
   EXPECT_DOUBLE_EQ(mean(views, &View::view_s), 4.0 / 3);
   EXPECT_EQ(distinct(views, &View::scene), 2U);
   EXPECT_EQ(count(views, [](const View& view) { return view.view_s > 1; }), 2U);
-  EXPECT_EQ(&the(views, is(&View::words, 8000)), &views[2]);
+  EXPECT_EQ(&only(views, equals(&View::words, 8000)), &views[2]);
 }
 
 TEST(ReportRows, WhatIsNotThereIsPassedOver) {
   EXPECT_EQ(values(views, &View::host_ns), std::vector<double>{30});
   EXPECT_EQ(greatest(views, &View::host_ns), 30);
-  EXPECT_THROW(static_cast<void>(least(where(views, is(&View::eae, false)), &View::host_ns)), std::logic_error);
-  EXPECT_THROW(static_cast<void>(the(views, is(&View::scene, "house"))), std::logic_error);
-  EXPECT_THROW(static_cast<void>(the(views, is(&View::scene, "barn"))), std::logic_error);
+  EXPECT_THROW(static_cast<void>(least(where(views, equals(&View::eae, false)), &View::host_ns)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(only(views, equals(&View::scene, "house"))), std::logic_error);
+  EXPECT_THROW(static_cast<void>(only(views, equals(&View::scene, "barn"))), std::logic_error);
 }
 
 TEST(ReportTexts, ShowNumbersWithTheirPlaces) {
-  EXPECT_EQ(shown(0.126, 2), "0.13");
-  EXPECT_EQ(shown(3), "3");
-  EXPECT_EQ(shown(3, 1), "3.0");
-  EXPECT_EQ(shown(true), "yes");
-  EXPECT_EQ(shown(std::optional<double>()), "\u2013");
+  EXPECT_EQ(text_of(0.126, 2), "0.13");
+  EXPECT_EQ(text_of(3), "3");
+  EXPECT_EQ(text_of(3, 1), "3.0");
+  EXPECT_EQ(text_of(true), "yes");
+  EXPECT_EQ(text_of(std::optional<double>()), "\u2013");
 }
 
 void table_of_views(Page& page) {
-  std::vector<Said> notes{"3 rows."};
+  std::vector<CheckedText> notes{"3 rows."};
   if (page.host_times()) notes.emplace_back("Of this computer.");
   page.table("views", "Views", where(views, [](const View& view) { return view.words > 7000; }),
              {{"scene", "Scene", &View::scene},
@@ -97,7 +97,7 @@ void table_of_views(Page& page) {
 TEST(ReportTables, AreMadeOfRows) {
   const auto table = only<Table>(table_of_views);
   EXPECT_EQ(csv_text(table), "scene,view_ms,host_ns,small\r\nhouse,2000,,yes\r\nstreet,1500,30,too large\r\n");
-  EXPECT_EQ(shown_text(table.rows[0][1]), "2000.0");
+  EXPECT_EQ(cell_text(table.rows[0][1]), "2000.0");
   EXPECT_EQ(table.columns[1].unit, "ms");
   EXPECT_EQ(table.rows[1][3], Cell(Verdict{false, "too large"}));
   EXPECT_TRUE(table.folded);
@@ -140,9 +140,9 @@ TEST(ReportClaims, StandBesideWhatWasMeasured) {
 }
 
 TEST(ReportClaims, ThatDoNotHoldAreSaid) {
-  const Said held = "All. " + Page::claim(true, "It holds.") + " End.";
-  EXPECT_EQ(held, Said("All. It holds. End."));
-  const Said failed = "All. " + Page::claim(false, "It holds.", "3 of 4") + Page::claim(false, "So does this.");
+  const CheckedText held = "All. " + Page::claim(true, "It holds.") + " End.";
+  EXPECT_EQ(held, CheckedText("All. It holds. End."));
+  const CheckedText failed = "All. " + Page::claim(false, "It holds.", "3 of 4") + Page::claim(false, "So does this.");
   EXPECT_EQ(failed.text, "All. ");
   EXPECT_EQ(failed.failed, (std::vector<std::string>{"\"It holds.\"; here 3 of 4", "\"So does this.\""}));
   // In the page it stands out.
@@ -159,7 +159,7 @@ TEST(ReportPlots, HaveACurveForEachName) {
   std::string drawn;
   for (const Curve& curve : plot.curves) {
     drawn += curve.name + (curve.line ? ", joined:" : ":");
-    for (const PlotPoint& point : curve.points) drawn += " " + shown(point.x, 0) + "," + shown(point.y) + point.label;
+    for (const PlotPoint& point : curve.points) drawn += " " + text_of(point.x, 0) + "," + text_of(point.y) + point.label;
     drawn += ";";
   }
   EXPECT_EQ(drawn, "house: 7000,0.5EAE 7001,2;street: 8000,1.5EAE;house, joined: 8000,30;");
@@ -179,8 +179,8 @@ TEST(ReportPlots, OfFewerThanThreePointsAreLeftOut) {
 
 TEST(ReportGalleries, ShowPicturesOfRows) {
   const auto gallery = only<Gallery>([](Page& page) {
-    page.gallery("g", "G", where(views, is(&View::eae, true)), [](const View& view) {
-      return figure({"image/png", {1, 2}, true}, "screen-" + view.scene, view.scene, shown(view.view_s, 2) + " s", "A");
+    page.gallery("g", "G", where(views, equals(&View::eae, true)), [](const View& view) {
+      return figure({"image/png", {1, 2}, true}, "screen-" + view.scene, view.scene, text_of(view.view_s, 2) + " s", "A");
     });
   });
   ASSERT_EQ(gallery.figures.size(), 2U);

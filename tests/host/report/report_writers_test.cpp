@@ -65,26 +65,26 @@ TEST(ReportJson, ShowsWhatIsNoUtf8AsFarAsItCanBe) {
 }
 
 TEST(ReportCells, AreShownForPeople) {
-  EXPECT_EQ(shown_text(std::int64_t{1234}), "1234");
-  EXPECT_EQ(shown_text(std::int64_t{1048576}), "1\u202f048\u202f576");
-  EXPECT_EQ(shown_text(std::int64_t{-123456}), "-123\u202f456");
-  EXPECT_EQ(shown_text(Real{2.0 / 3, 3}), "0.667");
-  EXPECT_EQ(shown_text(Real{-1234567.25, 1}), "-1\u202f234\u202f567.2");
-  EXPECT_EQ(shown_text(Real{1004004, 0}), "1\u202f004\u202f004");
-  EXPECT_EQ(shown_text(Real{1234.5, 2}), "1234.50");
-  EXPECT_EQ(shown_text(Real{0.000012345}), "1.234e-05");
-  EXPECT_EQ(shown_text(Cell{}), "\u2013");
+  EXPECT_EQ(cell_text(std::int64_t{1234}), "1234");
+  EXPECT_EQ(cell_text(std::int64_t{1048576}), "1\u202f048\u202f576");
+  EXPECT_EQ(cell_text(std::int64_t{-123456}), "-123\u202f456");
+  EXPECT_EQ(cell_text(Real{2.0 / 3, 3}), "0.667");
+  EXPECT_EQ(cell_text(Real{-1234567.25, 1}), "-1\u202f234\u202f567.2");
+  EXPECT_EQ(cell_text(Real{1004004, 0}), "1\u202f004\u202f004");
+  EXPECT_EQ(cell_text(Real{1234.5, 2}), "1234.50");
+  EXPECT_EQ(cell_text(Real{0.000012345}), "1.234e-05");
+  EXPECT_EQ(cell_text(Cell{}), "\u2013");
 }
 
 TEST(ReportPage, EscapesEverythingThatIsSaid) {
-  EXPECT_EQ(html_escaped("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
-  EXPECT_EQ(html_escaped("caf\u00e9 \u2013 \U0001F600"), "caf\u00e9 \u2013 \U0001F600");
+  EXPECT_EQ(escape_html("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
+  EXPECT_EQ(escape_html("caf\u00e9 \u2013 \U0001F600"), "caf\u00e9 \u2013 \U0001F600");
   // A lone byte, an overlong slash, a surrogate, a cut character, a control.
-  EXPECT_EQ(html_escaped("\xff"), "\uFFFD");
-  EXPECT_EQ(html_escaped("\xc0\xaf"), "\uFFFD\uFFFD");
-  EXPECT_EQ(html_escaped("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD");
-  EXPECT_EQ(html_escaped("a\xe2\x82"), "a\uFFFD\uFFFD");
-  EXPECT_EQ(html_escaped(std::string_view("\0\x7f", 2)), "\uFFFD\uFFFD");
+  EXPECT_EQ(escape_html("\xff"), "\uFFFD");
+  EXPECT_EQ(escape_html("\xc0\xaf"), "\uFFFD\uFFFD");
+  EXPECT_EQ(escape_html("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(escape_html("a\xe2\x82"), "a\uFFFD\uFFFD");
+  EXPECT_EQ(escape_html(std::string_view("\0\x7f", 2)), "\uFFFD\uFFFD");
   const std::string page = html_page(sample_report());
   EXPECT_EQ(page.find("<b>\"A"), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;&quot;A &amp; B&quot;, &#39;C&#39;&lt;/b&gt;"), std::string::npos);
@@ -160,7 +160,7 @@ TEST(ReportPage, ShowsRowsAsCardsThatCanBeChosen) {
 
 TEST(ReportPage, SaysWhatDoesNotHold) {
   Report report = sample_report();
-  std::get<Table>(report.sections[0].blocks[2]).notes = {Said("It is fast.", {"\"It is small.\" needs x < 1; here x is 2"})};
+  std::get<Table>(report.sections[0].blocks[2]).notes = {CheckedText("It is fast.", {"\"It is small.\" needs x < 1; here x is 2"})};
   const std::string page = html_page(report);
   EXPECT_NE(page.find("1 of the page's statements"), std::string::npos) << page.substr(0, 9000);
   EXPECT_NE(page.find("<p class=\"bad\">Not in this run: &quot;It is small.&quot; needs x &lt; 1; here x is 2</p>"),

@@ -45,7 +45,7 @@ inline Table sample_cards() {
 }
 
 inline Panel sample_panel() {
-  return {"panel", Said(nasty), nasty, {{nasty, "1 s"}}, {nasty}, {}};
+  return {"panel", CheckedText(nasty), nasty, {{nasty, "1 s"}}, {nasty}, {}};
 }
 
 inline Section sample_section() {

@@ -8,7 +8,8 @@
 namespace sightline::scene {
 namespace {
 
-// A face that is split is in the way twice; weighed against a face more on one side than on the other.
+// The cost of a plane: this much for each face that it splits, plus the difference between the numbers of
+// faces on its two sides.
 constexpr std::int64_t split_weight = 8;
 constexpr std::size_t most_tried = 24;
 
@@ -21,7 +22,7 @@ std::vector<std::uint32_t> candidates(std::span<const FacePiece> faces) {
   return planes;
 }
 
-// Not worked out further once it is above `most`.
+// Stops counting once the cost exceeds `most`.
 std::int64_t cost_of(const Planes& planes, std::span<const FacePiece> faces, std::uint32_t plane,
                      std::int64_t most) {
   std::int64_t split = 0;

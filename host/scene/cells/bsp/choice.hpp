@@ -8,8 +8,8 @@
 
 namespace sightline::scene {
 
-// The plane of one of the faces, of which there is at least one, that splits few of the others and leaves
-// about as many on either side. Of many faces an evenly spaced sample is tried.
+// Of the planes of up to a fixed number of evenly spaced faces, the one that splits the fewest faces and
+// leaves about as many on either side. There is at least one face (precondition).
 [[nodiscard]] std::uint32_t splitting_plane(const Planes& planes, std::span<const FacePiece> faces);
 
 }  // namespace sightline::scene

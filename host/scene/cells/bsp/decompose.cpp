@@ -62,7 +62,7 @@ class ComplexMaker {
     Rational high;
   };
 
-  // Down the tree, into both children where it lies in the plane between them.
+  // Passes an edge down the tree; an edge in a node's plane goes into both children.
   void add_lines(std::uint32_t edge) {
     const ComplexEdge ends = builder_.complex().edges[edge];
     const PolyPoint from = builder_.complex().vertices[ends.from];
@@ -82,7 +82,7 @@ class ComplexMaker {
     add_united_lines(edge);
   }
 
-  // A cell may be several leaves; being convex, what it has of an edge is one piece.
+  // A cell may consist of several leaves. It is convex, so its part of an edge is one interval.
   void add_united_lines(std::uint32_t edge) {
     std::sort(in_cells_.begin(), in_cells_.end(),
               [](const EdgePart& a, const EdgePart& b) { return a.place < b.place; });
@@ -96,7 +96,7 @@ class ComplexMaker {
     }
   }
 
-  // From and to are the values of the node's plane at the ends of the edge.
+  // `from` and `to` are the values of the node's plane at the ends of the edge.
   void split_part(const EdgePart& part, const BspNode& node, std::int64_t from, std::int64_t to) {
     if (from == to) {
       if (from <= 0) parts_.push_back({node.children[0], part.low, part.high});
@@ -114,7 +114,7 @@ class ComplexMaker {
   CellComplexBuilder& builder_;
   BspTree& tree_;
   std::vector<CellNumber> cells_;   // by node
-  std::vector<EdgePart> parts_;     // of one edge, by node, still to go down
+  std::vector<EdgePart> parts_;     // of one edge, by node, not yet passed to the leaves
   std::vector<EdgePart> in_cells_;  // of one edge, by cell
 };
 
@@ -123,12 +123,12 @@ class ComplexMaker {
 base::Result<CellComplex> decompose_bsp(const PolyScene& scene, const BspOptions& options) {
   const bool has_face = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                     [](const PolyBody& body) { return !body.faces.empty(); });
-  if (!has_face) return base::Error{"", "", "there is no face"};
+  if (!has_face) return base::Error{"", "", "found no face", "at least one"};
   CellComplexBuilder builder(scene, outer_box_of(scene));
   std::optional<BspTree> tree = build_bsp_tree(face_pieces(scene, builder), builder, options.most_leaves);
   if (!tree) {
     return base::Error{"", "",
-                       "cut by the planes of its faces, space falls into more than " +
+                       "the planes of the faces cut space into more than " +
                            std::to_string(options.most_leaves) + " cells"};
   }
   ComplexMaker(builder, *tree).make(options.join);

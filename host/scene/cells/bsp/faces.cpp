@@ -1,6 +1,5 @@
-// See faces.hpp. A BSP in two dimensions (Thibault and Naylor 1987): a part that no edge
-// passes through any more is inside or outside as the edge that was last cut along says, for the part lies at
-// it.
+// See faces.hpp. A BSP in two dimensions (Thibault and Naylor 1987): a part through which no edge passes is
+// inside or outside, as the last edge that it was cut along says, because that edge bounds it.
 #include "host/scene/cells/bsp/faces.hpp"
 
 #include <algorithm>
@@ -12,18 +11,18 @@
 namespace sightline::scene {
 namespace {
 
-// A part of an edge of a face, which lies to its left.
+// A part of an edge of a face; the face lies to its left.
 struct FaceSide {
   PolyPoint from;
   PolyPoint to;
-  HalfSpace inner;         // of the plane through it: where the face is
+  HalfSpace inner;         // of the plane through the edge: contains the face near it
   geometry::Rational low;  // from + s (to - from), low < s < high
   geometry::Rational high;
 };
 
 struct FacePart {
   PlanePolygon polygon;
-  std::vector<FaceSide> sides;  // those that pass through its inside
+  std::vector<FaceSide> sides;  // those that pass through the inside of the part
 };
 
 struct SplitSides {
@@ -31,7 +30,7 @@ struct SplitSides {
   std::vector<FaceSide> in_front;
 };
 
-// The parts of a side on either side of a plane; of one in the plane, nothing.
+// Appends the parts of a side on both sides of a plane. A side in the plane has none.
 void split_side(const geometry::Plane& plane, const FaceSide& side, SplitSides& parts) {
   const std::int64_t from = plane.at(side.from);
   const std::int64_t to = plane.at(side.to);
@@ -54,7 +53,7 @@ SplitSides split_sides(const geometry::Plane& plane, const std::vector<FaceSide>
   return parts;
 }
 
-// The side whose line cuts the fewest others, of up to 16 evenly spaced ones.
+// The line of the side that cuts the fewest others, of up to 16 evenly spaced sides.
 HalfSpace best_cut(const Planes& planes, const std::vector<FaceSide>& sides) {
   constexpr std::size_t most_sides_tried = 16;
   const std::size_t step = (sides.size() + most_sides_tried - 1) / most_sides_tried;
@@ -103,7 +102,8 @@ class FaceCutter {
  private:
   [[nodiscard]] const Planes& planes() const { return builder_.complex().planes; }
 
-  // Through three of the outline's vertices that are not on a line, turned as the outline's area is.
+  // Through three vertices of the outline that are not collinear. The normal points to the side from which
+  // the outline is counterclockwise.
   [[nodiscard]] geometry::Plane plane_of(const PolyFace& face) const {
     const auto point = [&](std::size_t i) { return scene_.vertices[face.outline[i % face.outline.size()]]; };
     // The vertex farthest along an axis, ties broken by the next axes, is a corner of the convex hull.
@@ -120,7 +120,7 @@ class FaceCutter {
     if (behind.turned) normal = geometry::negated(normal);
     const std::size_t axis = geometry::dominant_axis(normal);
     geometry::Vector3 along{};
-    along[axis] = normal[axis] > 0 ? 1 : -1;  // to where the face looks
+    along[axis] = normal[axis] > 0 ? 1 : -1;  // the direction the face looks in
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const PolyPoint& from = scene_.vertices[ring[i]];
       const PolyPoint& to = scene_.vertices[ring[i + 1 == ring.size() ? 0 : i + 1]];

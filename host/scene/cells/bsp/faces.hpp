@@ -1,8 +1,8 @@
-// The faces of a scene as convex pieces, cut along lines of their own edges.
+// Cuts the faces of a scene into convex pieces, along lines of their own edges.
 //
-// The line of an edge is where the face's plane is crossed by the plane through the edge parallel to an axis,
-// the one along which the face's normal is longest: its normal is an edge's direction turned, below 2^19, its
-// offset below 2^39.
+// The line of an edge is the intersection of the face's plane with the plane through the edge parallel to an
+// axis, the one along which the face's normal is longest. The normal of that second plane is the edge's
+// direction turned by 90 degrees: components below 2^19, offset below 2^39.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@ namespace sightline::scene {
 struct FacePiece {
   PlanePolygon polygon;
   bool sheet = false;
-  bool turned = false;  // the face looks to where its plane is negative
+  bool turned = false;  // the face looks to the negative side of its plane
 };
 
-// Of a checked scene, in the order of bodies and faces. The pieces of a face do not overlap. Convex faces are
-// one piece.
+// The scene is a checked one. Pieces are in the order of bodies and faces. The pieces of a face do not
+// overlap. A convex face is one piece.
 [[nodiscard]] std::vector<FacePiece> face_pieces(const PolyScene& scene, CellComplexBuilder& builder);
 
 }  // namespace sightline::scene

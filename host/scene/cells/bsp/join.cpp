@@ -38,7 +38,7 @@ class LeafJoiner {
     if (portal.polygon.empty() || behind == no_node || in_front == no_node) return false;
     if (!is_free_[behind] || !is_free_[in_front]) return false;
     const std::uint32_t plane = portal.polygon.plane;
-    if (!is_all_there(behind, plane) || !is_all_there(in_front, plane) || !is_open(portal)) return false;
+    if (!has_single_portal(behind, plane) || !has_single_portal(in_front, plane) || !is_open(portal)) return false;
     const std::vector<HalfSpace> behind_bounds = bounds_without(behind, plane);
     if (!is_within(in_front, behind_bounds)) return false;
     const std::vector<HalfSpace> front_bounds = bounds_without(in_front, plane);
@@ -47,15 +47,16 @@ class LeafJoiner {
     return true;
   }
 
-  // Has the leaf no more than one portal in the plane? If it has, its face there is more than the other's.
-  [[nodiscard]] bool is_all_there(std::uint32_t node, std::uint32_t plane) const {
+  // Whether the leaf has only one portal in the plane. If it has more, its face there is larger than the
+  // other leaf's.
+  [[nodiscard]] bool has_single_portal(std::uint32_t node, std::uint32_t plane) const {
     const std::vector<std::uint32_t>& portals = tree_.portals_of[node];
     return std::count_if(portals.begin(), portals.end(), [&](std::uint32_t number) {
              return tree_.portals[number].polygon.plane == plane;
            }) == 1;
   }
 
-  // No sheet covers any of it.
+  // Whether no sheet covers any part of the portal.
   [[nodiscard]] bool is_open(const BspPortal& portal) const {
     return std::none_of(portal.faces.begin(), portal.faces.end(), [&](std::uint32_t number) {
       const FacePiece& face = tree_.faces[number];
@@ -69,7 +70,7 @@ class LeafJoiner {
     return bounds;
   }
 
-  // Every corner of the leaf, which corners of its portals are.
+  // Whether every corner of the leaf is in these half-spaces. Its corners are the corners of its portals.
   [[nodiscard]] bool is_within(std::uint32_t node, const std::vector<HalfSpace>& bounds) const {
     return std::all_of(bounds.begin(), bounds.end(), [&](const HalfSpace& bound) {
       const std::vector<std::uint32_t>& portals = tree_.portals_of[node];
@@ -80,7 +81,8 @@ class LeafJoiner {
     });
   }
 
-  // To whom a portal of `node` leads; as outside is not convex, by which plane too.
+  // The leaf or the outside that a portal of `node` leads to. Outside is not convex, so the portal's plane
+  // counts, too.
   struct Way {
     std::uint32_t other = 0;
     std::uint32_t plane = 0;
@@ -89,7 +91,7 @@ class LeafJoiner {
     [[nodiscard]] bool same_as(const Way& way) const { return other == way.other && plane == way.plane; }
   };
 
-  // What `gone` has becomes part of `kept`; `between` is the portal between them.
+  // Adds the portals of `gone` to `kept`; `between` is the portal between them.
   void join(std::uint32_t kept, std::uint32_t gone, std::uint32_t between) {
     std::vector<Way> ways;
     for (const std::uint32_t node : {kept, gone}) {
@@ -113,7 +115,7 @@ class LeafJoiner {
     }
   }
 
-  // Two portals of a leaf with these bounds to the same other one: the first becomes both.
+  // Unites two portals that lead from a leaf with these bounds to the same neighbour: the first becomes both.
   void unite(const Way& way, const Way& removed, const std::vector<HalfSpace>& bounds) {
     BspPortal& first = tree_.portals[way.portal];
     BspPortal& second = tree_.portals[removed.portal];
@@ -128,12 +130,12 @@ class LeafJoiner {
     }
   }
 
-  // What both leaves have of the plane, or the one of the outer box's surface.
+  // The common part of both leaves in the plane; to the outside, the leaf's part of the outer box's surface.
   [[nodiscard]] PlanePolygon common_polygon(const Way& way, const std::vector<HalfSpace>& bounds) {
     PlanePolygon polygon = widest_polygon(builder_, way.plane);
     const auto clip = [&](const std::vector<HalfSpace>& halves) {
       for (const HalfSpace& half : halves) {
-        if (half.plane != way.plane) polygon = clipped(planes(), std::move(polygon), half);
+        if (half.plane != way.plane) polygon = clip_to(planes(), std::move(polygon), half);
       }
     };
     clip(bounds);

@@ -1,10 +1,10 @@
-// Free leaves joined again where two make one convex cell: a BSP cuts everything in a part of space by a
-// plane that only one face in it needs.
+// Merges free leaves where two make one convex cell. A BSP cuts all of a part of space by a plane that only
+// one face in it needs.
 //
-// Two leaves on both sides of a plane make a convex whole just if each is within all other bounds of the
-// other; the whole of the polygon between them must be open. Joined greedily, in the order of portals, again
-// and again until nothing can be joined: the order decides how few cells are left, and no order is known to
-// be best.
+// The union of two leaves on both sides of a plane is convex exactly if each is within all other bounds of
+// the other and they have the whole of their faces in the plane in common. That common polygon must be open.
+// Merging is greedy, in the order of portals, and repeats until no two leaves can be merged. The order
+// decides how few cells are left; no best order is known.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,8 @@
 
 namespace sightline::scene {
 
-// By node, the leaf that it is part of now, itself if nothing has changed. A leaf that has become part of
-// another has no portals left, a portal that is no longer there is empty. Of two portals to the same leaf
-// one is made.
+// By node, the leaf that it is now part of: itself if it was not merged. A leaf merged into another has no
+// portals left, and a removed portal is empty. Two portals to the same leaf become one.
 [[nodiscard]] std::vector<std::uint32_t> join_leaves(CellComplexBuilder& builder,
                                                      const std::vector<bool>& is_free, BspTree& tree);
 

@@ -15,7 +15,8 @@ void find_corner(const Planes& planes, PlanePolygon& polygon, std::size_t i) {
                       planes[polygon.sides[i].half.plane]);
 }
 
-// Of a polygon with corners on both sides of `plane`, the part in front (sign 1) or behind (-1).
+// The part of a polygon with corners on both sides of `plane` that is in front of it (sign 1) or behind it
+// (-1).
 PlanePolygon part_of(const Planes& planes, const PlanePolygon& polygon, const std::vector<int>& corners,
                      std::uint32_t plane, int sign) {
   std::size_t i = 0;
@@ -74,7 +75,7 @@ SplitPolygon split(const Planes& planes, PlanePolygon polygon, std::uint32_t pla
   return parts;
 }
 
-PlanePolygon clipped(const Planes& planes, PlanePolygon polygon, HalfSpace half) {
+PlanePolygon clip_to(const Planes& planes, PlanePolygon polygon, HalfSpace half) {
   const PolygonSides sides = sides_of(planes, polygon, half.plane);
   if (!(half.turned ? sides.in_front : sides.behind)) return {};
   if (!sides.both()) return polygon;
@@ -85,13 +86,13 @@ PlanePolygon clipped(const Planes& planes, PlanePolygon polygon, HalfSpace half)
 PlanePolygon intersection(const Planes& planes, PlanePolygon a, const PlanePolygon& b) {
   assert(a.plane == b.plane);
   for (std::size_t i = 0; i < b.sides.size() && !a.empty(); ++i) {
-    a = clipped(planes, std::move(a), b.sides[i].half);
+    a = clip_to(planes, std::move(a), b.sides[i].half);
   }
   return a;
 }
 
-// The axis along which the plane faces most is left out: along it the plane passes through whatever is
-// between the four planes of the box that bound the other two.
+// The axis along which the plane's normal is longest is left out. The plane crosses the prism between the
+// four box planes of the other two axes in a parallelogram.
 PlanePolygon widest_polygon(CellComplexBuilder& builder, std::uint32_t plane) {
   const geometry::Box outer = builder.complex().outer;
   const geometry::Vector3 normal = builder.complex().planes[plane].normal;
@@ -100,7 +101,7 @@ PlanePolygon widest_polygon(CellComplexBuilder& builder, std::uint32_t plane) {
   const std::size_t v = (axis + 2) % 3;
   PlanePolygon polygon;
   polygon.plane = plane;
-  // From the positive end of the axis u, v turn counterclockwise; from the other end, clockwise.
+  // From the positive end of the axis, u to v is counterclockwise; from the other end, clockwise.
   const HalfSpace low_v = builder.at_least(v, outer.low[v]);
   const HalfSpace high_v = builder.at_most(v, outer.high[v]);
   const bool same_end = normal[axis] > 0;

@@ -1,9 +1,9 @@
-// A convex polygon in a plane, given by planes only, and how a plane splits it.
+// A convex polygon in a plane, given by planes only; splitting and clipping it by other planes.
 //
-// Its sides are the lines where other planes cross its own; a corner is where two neighbouring sides meet. A
-// corner that is an integer point is remembered as such, because most are and a plane's side of it is then
-// one scalar product; of the others only the three planes are known. Every side has a length, every
-// polygon an area, except the empty polygon, which has no sides.
+// A side is the line where another plane crosses the polygon's own; a corner is where two consecutive sides
+// meet. A corner that is an integer point is stored as one: most are, and the side of a plane that it is on
+// is then one scalar product. Other corners are known by their three planes only. Every side has a length and
+// every polygon an area, except the empty polygon, which has no sides.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,14 @@
 
 namespace sightline::scene {
 
-using Planes = std::vector<geometry::Plane>;  // all of them, by number
+using Planes = std::vector<geometry::Plane>;  // by number
 
-// Side i goes from corner i to corner i + 1, counterclockwise as seen from where the plane's normal points
-// to.
+// Side i goes from corner i to corner i + 1, counterclockwise as seen from the side that the plane's normal
+// points to.
 struct PlanePolygon {
   struct Side {
     HalfSpace half;
-    std::optional<geometry::Point3> from;  // the corner it starts at, if that is known to be integer
+    std::optional<geometry::Point3> from;  // the corner it starts at, if known to be an integer point
   };
 
   std::uint32_t plane = 0;
@@ -37,15 +37,15 @@ struct PlanePolygon {
   [[nodiscard]] std::size_t previous(std::size_t i) const { return (i == 0 ? sides.size() : i) - 1; }
 };
 
-// On which sides of a plane a polygon has corners.
+// The sides of a plane on which a polygon has corners.
 struct PolygonSides {
-  bool behind = false;  // where the plane is negative
+  bool behind = false;  // the plane's negative side
   bool in_front = false;
 
   [[nodiscard]] bool both() const { return behind && in_front; }
 };
 
-// On which side of plane number `plane` corner i is.
+// The side of plane number `plane` on which corner i is: -1, 0 or 1.
 [[nodiscard]] int corner_side(const Planes& planes, const PlanePolygon& polygon, std::size_t i,
                               std::uint32_t plane);
 [[nodiscard]] PolygonSides sides_of(const Planes& planes, const PlanePolygon& polygon, std::uint32_t plane);
@@ -55,16 +55,16 @@ struct SplitPolygon {
   PlanePolygon in_front;
 };
 
-// What is of the polygon on either side; of a polygon in the plane itself, nothing.
+// The parts of the polygon on either side of the plane. Of a polygon in the plane, both are empty.
 [[nodiscard]] SplitPolygon split(const Planes& planes, PlanePolygon polygon, std::uint32_t plane);
 
-// What is in the half-space.
-[[nodiscard]] PlanePolygon clipped(const Planes& planes, PlanePolygon polygon, HalfSpace half);
+// The part of the polygon in the half-space.
+[[nodiscard]] PlanePolygon clip_to(const Planes& planes, PlanePolygon polygon, HalfSpace half);
 
-// What a and b, in the same plane, have in common.
+// The intersection of a and b, which are in the same plane.
 [[nodiscard]] PlanePolygon intersection(const Planes& planes, PlanePolygon a, const PlanePolygon& b);
 
-// A parallelogram in `plane` that contains all of the plane that is in the box.
+// A parallelogram in `plane` that contains the plane's intersection with the outer box.
 [[nodiscard]] PlanePolygon widest_polygon(CellComplexBuilder& builder, std::uint32_t plane);
 
 }  // namespace sightline::scene

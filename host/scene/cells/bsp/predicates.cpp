@@ -32,7 +32,7 @@ std::optional<geometry::Point3> integer_meeting(const geometry::Plane& a, const 
     const double sum = by_a[i] * static_cast<double>(a.offset) + by_b[i] * static_cast<double>(b.offset) +
                        by_c[i] * static_cast<double>(c.offset);
     const double guess = std::nearbyint(sum / all);
-    if (!(guess >= -limit && guess <= limit)) return std::nullopt;  // not a number is not within either
+    if (!(guess >= -limit && guess <= limit)) return std::nullopt;  // written so that NaN is rejected, too
     point[i] = static_cast<std::int32_t>(guess);
   }
   if (a.at(point) != 0 || b.at(point) != 0 || c.at(point) != 0) return std::nullopt;

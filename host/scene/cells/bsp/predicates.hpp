@@ -1,7 +1,7 @@
-// The side of a plane on which three others meet: the predicate that cutting space by planes needs.
+// The side of a plane on which three others meet: the predicate for cutting space by planes.
 //
-// Limits: components of normals below 2^40, so that determinants of normals, of six products of three, stay
-// below 2^123; offsets below 2^61. Nothing rounds: 0 means exactly on.
+// Limits: components of normals below 2^40, so that determinants of normals, sums of six products of three,
+// stay below 2^123; offsets below 2^61. Nothing rounds: 0 means exactly on the plane.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace sightline::scene {
 
-// The side of `plane` on which the meeting point of a, b and c is. Their normals are independent.
+// The side of `plane` on which a, b and c meet. Their normals are independent.
 [[nodiscard]] constexpr int side_of_meeting(const geometry::Plane& plane, const geometry::Plane& a,
                                             const geometry::Plane& b, const geometry::Plane& c) {
   const geometry::Int128 all = geometry::determinant(a.normal, b.normal, c.normal);
@@ -27,8 +27,8 @@ namespace sightline::scene {
   return sum.sign() * geometry::sign(all);
 }
 
-// The meeting point of a, b and c, if it is a point of integers not above 2^18 in magnitude. Their normals
-// are independent. A point that can hardly be told in floating point may be missed, never wrongly named.
+// The point where a, b and c meet, if its coordinates are integers of magnitude at most 2^18. Their normals
+// are independent. If floating point cannot decide, the result is empty; a point that is returned is right.
 [[nodiscard]] std::optional<geometry::Point3> integer_meeting(const geometry::Plane& a,
                                                               const geometry::Plane& b,
                                                               const geometry::Plane& c);

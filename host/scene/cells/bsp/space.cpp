@@ -7,9 +7,9 @@
 namespace sightline::scene {
 namespace {
 
-// How many more solids there are behind a portal than in front of it. Each leaf is wholly inside or outside
-// each solid, so it is the same all over the portal, and a part is looked at that every face covers or
-// leaves.
+// How many more solids contain the space behind a portal than the space in front of it. Each leaf is wholly
+// inside or outside each solid, so the number is the same all over the portal. One part of it is examined,
+// which every face either covers or leaves free.
 std::int32_t entered_behind(const Planes& planes, const BspTree& tree, const BspPortal& portal) {
   std::int32_t entered = 0;
   PlanePolygon part = portal.polygon;

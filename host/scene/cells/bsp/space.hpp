@@ -8,11 +8,11 @@
 
 namespace sightline::scene {
 
-// By node, false for those that are not leaves. A leaf is solid if a path from outside to it enters more
+// By node; false for nodes that are not leaves. A leaf is solid if a path from outside to it enters more
 // solids than it leaves.
 [[nodiscard]] std::vector<bool> free_leaves(const Planes& planes, const BspTree& tree);
 
-// What sheets leave of a portal, in convex parts.
+// The parts of a portal that no sheet covers, as convex polygons.
 [[nodiscard]] std::vector<PlanePolygon> open_parts(const Planes& planes, const BspTree& tree,
                                                    const BspPortal& portal);
 

@@ -19,7 +19,7 @@ class TreeGrower {
     faces_within_.back() = std::move(faces);
     enclose_root();
     std::size_t leaves = 1;
-    // Breadth first: a part is still one when what it borders on is split, so that few portals are.
+    // Breadth first: a part is split while the parts around it are still large, so that few portals are split.
     for (std::uint32_t node = 0; node < tree_.nodes.size(); ++node) {
       if (faces_within_[node].empty()) continue;
       split_node(node);
@@ -70,17 +70,17 @@ class TreeGrower {
     add_portal(std::move(cut), children, std::move(in_plane));
   }
 
-  // What a node has of a plane that passes through its inside.
+  // The part of a plane in a node, through whose inside it passes.
   PlanePolygon cut_through(std::uint32_t node, std::uint32_t plane) {
     PlanePolygon cut = widest_polygon(builder_, plane);
     for (const HalfSpace& bound : bounds_of(tree_, node)) {
-      cut = clipped(planes(), std::move(cut), bound);
+      cut = clip_to(planes(), std::move(cut), bound);
     }
     assert(!cut.empty());
     return cut;
   }
 
-  // Those in the plane are kept for the new portal.
+  // Distributes the faces to the children. Those in the plane are kept for the new portal.
   std::vector<std::uint32_t> share_faces(std::vector<FacePiece>& within, std::uint32_t plane,
                                          const std::array<std::uint32_t, 2>& children) {
     std::vector<std::uint32_t> in_plane;
@@ -141,7 +141,7 @@ class TreeGrower {
 
   CellComplexBuilder& builder_;
   BspTree tree_;
-  std::vector<std::vector<FacePiece>> faces_within_;  // by node, of those not yet split
+  std::vector<std::vector<FacePiece>> faces_within_;  // by node, faces inside leaves still to be split
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 // The BSP tree over the planes of faces, and the portals between its leaves.
 //
 // A portal is a convex polygon between two parts of space, one of which is behind its plane. When a part is
-// split, so are its portals, and what the splitting plane has within the part becomes a new one; a part's
-// portals therefore always cover its surface, and their planes are its bounds, none too many.
+// split, its portals are split with it, and the splitting plane's polygon within the part becomes a new
+// portal. The portals of a part therefore cover its surface, and their planes are exactly its bounds.
 #pragma once
 
 #include <array>
@@ -28,21 +28,21 @@ struct BspNode {
 
 struct BspPortal {
   PlanePolygon polygon;
-  std::array<std::uint32_t, 2> nodes{no_node, no_node};  // behind its plane, in front; no_node is outside
-  std::vector<std::uint32_t> faces;  // pieces in its plane; all that cover a part of it, maybe others
+  std::array<std::uint32_t, 2> nodes{no_node, no_node};  // behind the portal's plane, in front of it; no_node is the outside
+  std::vector<std::uint32_t> faces;  // pieces in its plane: at least all that cover a part of it
 };
 
 struct BspTree {
   std::vector<BspNode> nodes;  // the root is first
   std::vector<BspPortal> portals;
   std::vector<std::vector<std::uint32_t>> portals_of;  // by node, empty unless it is a leaf
-  std::vector<FacePiece> faces;                        // in the planes of nodes: what portals name
+  std::vector<FacePiece> faces;                        // pieces in the planes of nodes, indexed by portals
 };
 
-// The half-spaces whose common part a leaf is, each once.
+// The half-spaces whose intersection is the leaf, each once.
 [[nodiscard]] std::vector<HalfSpace> bounds_of(const BspTree& tree, std::uint32_t node);
 
-// Empty if there would be more than `most_leaves`.
+// Empty if the tree would have more than `most_leaves` leaves.
 [[nodiscard]] std::optional<BspTree> build_bsp_tree(std::vector<FacePiece> faces, CellComplexBuilder& builder,
                                                     std::size_t most_leaves);
 

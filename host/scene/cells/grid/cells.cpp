@@ -6,7 +6,7 @@
 namespace sightline::scene {
 namespace {
 
-// visit(unit) for every unit of a cell; stops and returns false when visit does.
+// Calls visit(unit) for every unit of a cell; returns false at once if visit does.
 template <class Visit>
 bool all_units(const GridCell& cell, Visit visit) {
   GridUnit unit{};
@@ -38,7 +38,8 @@ GridCells::GridCells(const GridSpace& space) : space_(space) {
   });
 }
 
-// The units just above the cell on `axis` are free, and no sheet lies before or between them.
+// Whether the units just above the cell on `axis` are free, with no sheet between the cell and them or among
+// them.
 bool GridCells::slab_is_free(const GridCell& cell, std::size_t axis) const {
   GridCell slab = cell;
   slab.low[axis] = cell.end[axis];

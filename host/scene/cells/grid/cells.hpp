@@ -1,4 +1,4 @@
-// The boxes that grow in the grid of decompose_grid, and the rectangles in which they meet.
+// The boxes that decompose_grid grows in its grid, and which of them touch.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sightline::scene {
 
-// Units low .. end - 1 on each axis.
+// Units low..end - 1 on each axis.
 struct GridCell {
   GridUnit low{};
   GridUnit end{};
@@ -30,8 +30,8 @@ class GridCells {
   // The cell of a unit; `solid` if it is in none.
   [[nodiscard]] CellNumber of(std::size_t unit) const { return owner_[unit]; }
   [[nodiscard]] CellNumber of(const GridUnit& unit) const { return owner_[space_.index(unit)]; }
-  // visit(cell, axis, other): `other` lies on the high side of `cell`, and the two share an area of the plane
-  // where `cell` ends on `axis`. Ascending by cell, then axis; every pair and axis once.
+  // Calls visit(cell, axis, other) where `other` lies on the high side of `cell` and the two share an area of
+  // the plane where `cell` ends on `axis`. Ascending by cell, then axis; every pair and axis once.
   template <class Visit>
   void for_each_meeting(Visit visit) const;
 
@@ -45,7 +45,7 @@ class GridCells {
   std::vector<GridCell> cells_;
 };
 
-// A pair is found at the lowest unit of the rectangle it shares.
+// A pair is found at the lowest unit of the rectangle that it shares.
 template <class Visit>
 void GridCells::for_each_meeting(Visit visit) const {
   for (CellNumber c = 0; c < cells_.size(); ++c) {

@@ -78,9 +78,9 @@ std::optional<base::Error> add_openings(CellComplexBuilder& builder, const GridS
   return fault;
 }
 
-// visit(cell, low, high) for the parts of the span from..to on `axis`, at `point` on the other two, that lie
-// on a cell's closure: what of the up to four rows of units around the line is in cells. Of a cell that has
-// more than one of these rows the first counts.
+// Calls visit(cell, low, high) for each part, on a cell's closure, of the span from..to on `axis`, at `point`
+// on the other two axes. These parts lie in the up to four rows of units around the line. If a cell has
+// several of these rows, only the first counts.
 template <class Visit>
 void for_each_part(const GridPlanes& planes, const GridCells& cells, std::size_t axis, const PolyPoint& point,
                    const geometry::Span& span, Visit visit) {
@@ -117,9 +117,9 @@ void for_each_part(const GridPlanes& planes, const GridCells& cells, std::size_t
   }
 }
 
-// The edges, band by band of so many units along y, each band ascending. Cells are numbered along x first:
-// with neighbours come those a whole row away, and of a large building more rows than the machine can keep at
-// hand.
+// The edges, in bands of `band_units` units along y, each band ascending. Cells are numbered along x first,
+// so cells that touch along y are a whole row apart: without bands, a large building would need more rows
+// than fit into the cache.
 std::vector<std::uint32_t> edges_in_bands(const CellComplex& complex, const GridPlanes& planes) {
   constexpr std::uint32_t band_units = 64;
   const auto band_of = [&](const ComplexEdge& edge) {
@@ -133,7 +133,7 @@ std::vector<std::uint32_t> edges_in_bands(const CellComplex& complex, const Grid
   return order;
 }
 
-// visit(edge number, axis, cell, low, high) for all edges in this order.
+// Calls visit(edge number, axis, cell, low, high) for all edges, in this order.
 template <class Visit>
 void for_each_line(const CellComplex& complex, std::span<const std::uint32_t> order, const GridPlanes& planes,
                    const GridCells& cells, Visit visit) {

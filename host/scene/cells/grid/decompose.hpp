@@ -1,16 +1,16 @@
-// Automatic decomposition by growth in a grid: free space between faces parallel to the axes, cut into
-// boxes. What Jones (1971) called highly desirable and left open, for the cells his program allowed.
+// Automatic decomposition by a grid: cuts the free space between axis-parallel faces into boxes. Jones (1971)
+// called it highly desirable and left it open; these are the cells that his program allowed.
 //
-// The planes of all faces make a grid. Units of it inside a solid are left out (a winding sum along x, so
-// that bodies may touch, share faces or overlap). From the first free unit on, a box grows along x, then z,
-// then y, as long as a whole slab is free and no sheet crosses it: never across a wall and never around one.
-// Two boxes meet in a rectangle; what sheets leave free of it is cut into openings, greatest width first.
+// The planes of all faces make a grid. Its units inside a solid are left out (a winding sum along x, so
+// bodies may touch, share faces or overlap). From the first free unit, a box grows along x, then z, then y,
+// as long as a whole slab is free and no sheet crosses it; it never contains a wall. Two boxes meet in a
+// rectangle. The part of it that sheets leave free is cut into openings, greatest width first.
 //
-// Only planes of faces divide the grid, not the outlines of sheets: a door needs no plane of its own through
-// the whole building. A unit's face may therefore be covered in part; no box grows across it, and its free
-// part becomes openings. A building of a million rooms with doors has a grid of a million units.
+// Only planes of faces divide the grid, not the outlines of sheets, so a door adds no plane through the whole
+// building. A sheet may therefore cover a unit's face in part. No box grows across such a face; its free part
+// becomes openings. A building of a million rooms with doors has a grid of a million units.
 //
-// Costs: time and memory linear in units plus openings plus lines; nothing is compared in pairs.
+// Cost: time and memory are linear in units, openings and lines. No pairs are compared.
 #pragma once
 
 #include <cstddef>
@@ -27,12 +27,12 @@ struct GridOptions {
   std::size_t most_units = 10'000'000;
 };
 
-// Why a scene cannot be cut by a grid: a face or a side of one that is not parallel to the axes (named as
-// "body 0, face 0"), or more units than allowed. Empty if it can.
+// Why a scene cannot be cut by a grid: a face or a side that is not parallel to the axes (named as "body 0,
+// face 0"), or more units than allowed. Empty if it can.
 [[nodiscard]] std::optional<base::Error> why_no_grid(const PolyScene& scene, const GridOptions& options = {});
 
-// Of a checked scene. The outer box is the one of outer_box_of. Fails as why_no_grid says, or if one
-// rectangle between two cells is cut into more than most_units parts by the outlines of sheets.
+// The scene is a checked one. The outer box is outer_box_of(scene). Fails for the reasons of why_no_grid, or
+// if the outlines of sheets cut one rectangle between two cells into more than most_units parts.
 [[nodiscard]] base::Result<CellComplex> decompose_grid(const PolyScene& scene,
                                                        const GridOptions& options = {});
 

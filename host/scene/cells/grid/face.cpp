@@ -1,6 +1,6 @@
-// See face.hpp. Strips between successive coordinates u of the outline; what a strip covers
-// of v is kept as a sorted list of borders, and every side parallel to v toggles its two ends in it. A run of
-// strips that cover the same span of v is one rectangle.
+// See face.hpp. The outline is cut into strips between successive coordinates u. The spans of v that a strip
+// covers are a sorted list of borders, and every side parallel to v toggles its two ends in it. Consecutive
+// strips that cover the same span of v are one rectangle.
 #include "host/scene/cells/grid/face.hpp"
 
 #include <algorithm>
@@ -43,13 +43,13 @@ void toggle(std::vector<std::int32_t>& borders, std::int32_t v) {
   }
 }
 
-// A span of v covered since u = from.
+// A span of v that has been covered since u = from.
 struct Run {
   Span v;
   std::int32_t from = 0;
 };
 
-// The runs after u: those of before that go on, and new ones. What ends becomes a rectangle.
+// The runs after u: those that continue, and new ones. A run that ends becomes a rectangle.
 std::vector<Run> next_runs(const std::vector<Run>& before, const std::vector<std::int32_t>& borders,
                            std::int32_t u, GridFace& face) {
   std::vector<Run> runs;
@@ -107,7 +107,7 @@ GridFace grid_face_of(const PolyScene& scene, const PolyFace& face) {
   result.axis = grid_axis_of(scene, face).value();
   result.at = scene.vertices[face.outline[0]][result.axis];
   const auto [u, v] = geometry::other_axes(result.axis);
-  // (u, v) is the cyclic order of the plane's axes except on y, where x comes before z.
+  // (u, v) is the cyclic order of the plane's axes, except on y, where x comes before z.
   result.faces_up = (outline_area(scene, face, u, v) > 0) != (result.axis == 1);
   std::vector<Side> sides;
   for_each_side(scene, face, [&, u = u, v = v](const PolyPoint& a, const PolyPoint& b) {

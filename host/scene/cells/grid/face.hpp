@@ -1,4 +1,4 @@
-// A face parallel to the axes as rectangles.
+// Converts an axis-parallel face to rectangles.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@ namespace sightline::scene {
 struct GridFace {
   std::size_t axis = 0;  // of its normal
   std::int32_t at = 0;
-  bool faces_up = false;                        // the normal points along the axis, not against it
+  bool faces_up = false;                        // the normal points to the positive end of the axis
   std::vector<geometry::Rectangle> rectangles;  // disjoint; together the face without its holes
 };
 
-// The axis of a face's normal; empty if it lies in no plane x, y or z = constant.
+// The axis of a face's normal; empty if the face is in no plane x, y or z = constant.
 [[nodiscard]] std::optional<std::size_t> grid_axis_of(const PolyScene& scene, const PolyFace& face);
 
-// Every side of the face is parallel to an axis.
+// Whether every side of the face is parallel to an axis.
 [[nodiscard]] bool has_grid_sides(const PolyScene& scene, const PolyFace& face);
 
-// Of a face of a checked scene with an axis and sides parallel to the axes. Time k log k for k vertices, plus
-// the steps from one strip to the next.
+// The face is of a checked scene, with an axis and axis-parallel sides. Time k log k for k vertices, plus the
+// steps between strips.
 [[nodiscard]] GridFace grid_face_of(const PolyScene& scene, const PolyFace& face);
 
 }  // namespace sightline::scene

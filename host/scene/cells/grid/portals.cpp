@@ -15,7 +15,7 @@ void GridOpenings::for_each_unit(const Meeting& meeting, Visit visit) const {
     for (unit[u] = meeting.low[u]; unit[u] < meeting.end[u]; ++unit[u]) visit(space_.index(unit), unit);
 }
 
-Rectangle GridOpenings::whole(const Meeting& meeting) const {
+Rectangle GridOpenings::meeting_rectangle(const Meeting& meeting) const {
   const GridPlanes& planes = space_.planes();
   Rectangle result;
   result.axis = meeting.axis;
@@ -44,21 +44,21 @@ std::optional<std::span<const Rectangle>> GridOpenings::between(const GridCell& 
   });
   openings_.clear();
   if (!obstructed) {
-    openings_.push_back(whole(meeting));
+    openings_.push_back(meeting_rectangle(meeting));
   } else if (!closed) {
     gather_covers(meeting);
-    if (!free_.find(whole(meeting), covers_, most_parts_)) return std::nullopt;
+    if (!free_.find(meeting_rectangle(meeting), covers_, most_parts_)) return std::nullopt;
     return free_.rectangles();
   }
   return openings_;
 }
 
-// Parts are cut at their unit's borders, so that one that crosses many units is not painted whole in each.
+// Covers are cut at their unit's borders, so that one across many units is not painted whole for each unit.
 void GridOpenings::gather_covers(const Meeting& meeting) {
   const GridPlanes& planes = space_.planes();
   covers_.clear();
   for_each_unit(meeting, [&](std::size_t unit, const GridUnit& at) {
-    Rectangle face = whole(meeting);
+    Rectangle face = meeting_rectangle(meeting);
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t a = meeting.across[k];
       face.sides[k] = {planes.at(a, at[a]), planes.at(a, at[a] + 1)};

@@ -1,4 +1,4 @@
-// The portals between two boxes of a grid: their common rectangle less the sheets on it, as rectangles.
+// The portals between two boxes of a grid: their common rectangle without the sheets on it, as rectangles.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@ namespace sightline::scene {
 
 class GridOpenings {
  public:
-  // `most_parts`: into how many parts the outlines of sheets may cut one rectangle.
+  // `most_parts` limits the parts into which the outlines of sheets may cut one rectangle.
   GridOpenings(const GridSpace& space, std::size_t most_parts) : space_(space), most_parts_(most_parts) {}
 
-  // The openings where `above` meets `below` on the high face of `below` on `axis`: disjoint, and together
-  // all that is free there. Valid until the next call. Empty if there are too many parts.
+  // The openings where `above` meets `below` on the high face of `below` on `axis`: disjoint, covering all of
+  // the free part. Valid until the next call. Empty if there are too many parts.
   [[nodiscard]] std::optional<std::span<const geometry::Rectangle>> between(const GridCell& below,
                                                                             const GridCell& above,
                                                                             std::size_t axis);
 
  private:
-  // Units low .. end - 1 on both axes of a plane; the units are those below it.
+  // Units low..end - 1 on both axes of a plane; they are the units below the plane.
   struct Meeting {
     std::size_t axis = 0;
     std::array<std::size_t, 2> across{};
@@ -36,7 +36,7 @@ class GridOpenings {
 
   template <class Visit>
   void for_each_unit(const Meeting& meeting, Visit visit) const;
-  [[nodiscard]] geometry::Rectangle whole(const Meeting& meeting) const;
+  [[nodiscard]] geometry::Rectangle meeting_rectangle(const Meeting& meeting) const;
   void gather_covers(const Meeting& meeting);
 
   const GridSpace& space_;

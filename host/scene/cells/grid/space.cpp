@@ -12,7 +12,7 @@ namespace {
 using geometry::Rectangle;
 using geometry::Span;
 
-// The units whose faces in a plane share an area with a rectangle in it, on both other axes.
+// The units whose faces share an area with a rectangle in the same plane, on both other axes.
 struct UnitRange {
   std::array<std::uint32_t, 2> low{};
   std::array<std::uint32_t, 2> end{};
@@ -36,8 +36,8 @@ std::int64_t common_length(const Span& a, const Span& b) {
   return std::int64_t{std::min(a.high, b.high)} - std::max(a.low, b.low);
 }
 
-// Areas of the faces of solids on the planes x = constant, for each face of a unit: what is entered counts
-// positive, what is left negative.
+// By unit, the area of solids' faces on its low x face: positive where a ray along x enters a solid, negative
+// where it leaves one.
 class WindingSums {
  public:
   explicit WindingSums(const GridPlanes& planes)
@@ -58,7 +58,7 @@ class WindingSums {
     }
   }
 
-  // visit(unit) for every unit that is inside a solid: where more was entered than left.
+  // Calls visit(unit) for every unit inside a solid: where more area was entered than left.
   template <class Visit>
   void for_each_inside(Visit visit) const {
     std::size_t unit = 0;
@@ -73,7 +73,7 @@ class WindingSums {
 
  private:
   const GridPlanes& planes_;
-  std::vector<std::int64_t> areas_;  // of the low face of each unit
+  std::vector<std::int64_t> areas_;  // by unit, on its low face
 };
 
 }  // namespace
@@ -119,8 +119,8 @@ void GridSpace::fill_solids(const PolyScene& scene) {
   sums.for_each_inside([&](std::size_t unit) { state_[unit] |= solid_bit; });
 }
 
-// For a rectangle of every two corners, which are enough: what is never used costs no memory, but growing
-// would cost it twice.
+// Reserves space for a rectangle per two corners, which is enough. Reserved memory that is never touched
+// costs nothing; a vector that grows needs its memory twice.
 void GridSpace::reserve_parts(const PolyScene& scene) {
   std::size_t corners = 0;
   for (const PolyBody& body : scene.bodies) {

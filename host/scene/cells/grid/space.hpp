@@ -1,4 +1,4 @@
-// The grid of decompose_grid: which of its units are solid, and where sheets lie between them.
+// The grid of decompose_grid: which units are solid, and where sheets lie between units.
 #pragma once
 
 #include <array>
@@ -15,24 +15,24 @@ namespace sightline::scene {
 // A unit by its numbers along x, y and z, from the low end of the outer box.
 using GridUnit = std::array<std::uint32_t, 3>;
 
-// The planes perpendicular to each axis, ascending, the outer box's included.
+// The planes perpendicular to each axis, ascending, including those of the outer box.
 class GridPlanes {
  public:
-  // Of a scene whose faces are parallel to the axes.
+  // The scene's faces are parallel to the axes.
   GridPlanes(const PolyScene& scene, const geometry::Box& outer);
 
-  // How many units there are along an axis.
+  // The number of units along an axis.
   [[nodiscard]] std::uint32_t units(std::size_t axis) const {
     return static_cast<std::uint32_t>(planes_[axis].size() - 1);
   }
   [[nodiscard]] double all_units() const { return static_cast<double>(units(0)) * units(1) * units(2); }
   // The coordinate where unit number n of an axis begins; units(axis) is where the last one ends.
   [[nodiscard]] std::int32_t at(std::size_t axis, std::uint32_t n) const { return planes_[axis][n]; }
-  // The unit in which `coordinate`, within the outer box, lies; where two meet, the higher one.
+  // The unit that contains `coordinate`, which is within the outer box; at a border, the higher unit.
   [[nodiscard]] std::uint32_t unit_of(std::size_t axis, std::int32_t coordinate) const {
     return unit_of_[axis][static_cast<std::size_t>(coordinate - low_[axis])];
   }
-  // The unit in which what lies just below `coordinate` is.
+  // The unit just below `coordinate`.
   [[nodiscard]] std::uint32_t unit_below(std::size_t axis, std::int32_t coordinate) const {
     const std::uint32_t n = unit_of(axis, coordinate);
     return at(axis, n) == coordinate ? n - 1 : n;
@@ -48,25 +48,25 @@ class GridSpace {
  public:
   static constexpr std::size_t most_units = 0xFFFFFFFF / 3;  // so that their faces are numbered in 32 bits
 
-  // Of planes that make at most so many.
+  // The planes make at most most_units units (precondition).
   GridSpace(const PolyScene& scene, GridPlanes planes);
 
   [[nodiscard]] const GridPlanes& planes() const { return planes_; }
-  // x fastest, then y, then z: the order in which boxes are grown.
+  // x fastest, then y, then z: the order in which boxes grow.
   [[nodiscard]] std::size_t index(const GridUnit& unit) const {
     return (std::size_t{unit[2]} * planes_.units(1) + unit[1]) * planes_.units(0) + unit[0];
   }
   [[nodiscard]] bool solid(std::size_t unit) const { return (state_[unit] & solid_bit) != 0; }
-  // Some part of the unit's high face on `axis` is covered by a sheet.
+  // Whether a sheet covers some part of the unit's high face on `axis`.
   [[nodiscard]] bool obstructed(std::size_t unit, std::size_t axis) const {
     return (state_[unit] >> (first_part_bit + axis) & 1U) != 0;
   }
-  // One rectangle of a sheet covers all of that face.
+  // Whether a single rectangle of a sheet covers all of that face.
   [[nodiscard]] bool closed(std::size_t unit, std::size_t axis) const {
     return (state_[unit] >> (first_whole_bit + axis) & 1U) != 0;
   }
-  // If no rectangle covers all of that face: visit(sides) for those that cover part of it, not cut at the
-  // unit's borders.
+  // If no rectangle covers all of that face, calls visit(sides) for those that cover part of it, not cut at
+  // the unit's borders.
   template <class Visit>
   void for_each_part(std::size_t unit, std::size_t axis, Visit visit) const {
     const std::uint32_t face = face_of(unit, axis);
@@ -82,7 +82,7 @@ class GridSpace {
   using Sides = std::array<geometry::Span, 2>;
 
   // A unit's high face on an axis and a rectangle that covers part of it. A building of a million rooms has
-  // millions, as it has rectangles: what a face tells is not kept with them.
+  // millions of parts, so they do not repeat what is known of their face.
   struct Part {
     std::uint32_t face = 0;
     std::uint32_t rectangle = 0;

@@ -238,9 +238,9 @@ TEST(DecomposeBsp, JoinsWhatIsConvexTogether) {
 
 TEST(DecomposeBsp, NamesWhatStopsIt) {
   const auto empty = decompose_bsp(PolyScene{});
-  EXPECT_EQ(empty.error().found, "there is no face");
+  EXPECT_EQ(empty.error().found, "found no face");
   const auto large = decompose_bsp(generate_boxes(10), {.most_leaves = 20});
-  EXPECT_EQ(large.error().found, "cut by the planes of its faces, space falls into more than 20 cells");
+  EXPECT_EQ(large.error().found, "the planes of the faces cut space into more than 20 cells");
   EXPECT_TRUE(decompose_bsp(generate_boxes(1), {.most_leaves = 7}));
 }
 

@@ -204,7 +204,7 @@ TEST(GenerateScene, TheGeneratedSetHas500DifferentScenes) {
 
 TEST(GenerateScene, WhatCannotBeGeneratedIsNamed) {
   EXPECT_EQ(generate_scene("castles", 1).error().message(),
-            "castles: no such family of scenes; there are boxes, edgeon, touch, aligned, town, triangles, "
+            "castles: no such family of scenes, expected one of boxes, edgeon, touch, aligned, town, triangles, "
             "bricks, rooms, big_rooms, corridors, prisms");
   EXPECT_EQ(generate_scene("rooms", 0).error().message(), "rooms: size: found 0, expected 1..262");
   EXPECT_EQ(generate_scene("rooms", 263).error().message(), "rooms: size: found 263, expected 1..262");
