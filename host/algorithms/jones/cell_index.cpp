@@ -34,7 +34,8 @@ void CellIndex::for_each_bucket(const Box& box, const Do& act) const {
   }
 }
 
-// About a bucket a cell, as nearly cubes as the outer box allows; fewer if cells would stand in very many.
+// Chooses about as many buckets as cells, as nearly cubic as the outer box allows; fewer if cells would be in very many
+// buckets.
 void CellIndex::choose_buckets(const std::vector<Box>& boxes) {
   constexpr std::size_t most_entries_a_cell = 16;
   double volume = 1;

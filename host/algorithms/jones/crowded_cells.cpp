@@ -13,7 +13,7 @@ bool crowded(const scene::ComplexCell& cell) {
   return cell.line_count + cell.opening_count > CrowdedCells::few;
 }
 
-// Of the whole edge, which may be longer than the line.
+// The box of the whole edge, which may be longer than the line.
 Box box_of_edge(const scene::CellComplex& complex, const scene::ComplexEdge& edge) {
   const scene::PolyPoint& from = complex.vertices[edge.from];
   const scene::PolyPoint& to = complex.vertices[edge.to];

@@ -16,7 +16,7 @@
 
 namespace sightline::algorithms::jones {
 
-// In lowest terms; empty if that does not fit 64 bits.
+// In lowest terms; nullopt if that does not fit in 64 bits.
 [[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<std::int64_t>& fraction) {
   return geometry::Rational(fraction.numerator, fraction.denominator);
 }
@@ -35,7 +35,7 @@ class Fragments {
     fragments_.clear();
     limit_ = first_limit;
   }
-  // low < high.
+  // Precondition: low < high.
   void add(std::uint32_t edge, const Stretch<Number>& stretch) {
     if (fragments_.size() >= limit_) {
       unite();
@@ -44,9 +44,9 @@ class Fragments {
     fragments_.push_back({edge, stretch});
   }
 
-  // The union, without edges whose image is a point or that are nowhere before the eye. Empty if an end is
-  // longer than where edges cross, or edges and planes, can be. Of a closed mask, edges exactly beside the
-  // eye are not left out yet; here they are.
+  // The union of the fragments, without edges that are seen end-on or are nowhere before the eye. nullopt if a reduced
+  // end has more bits than where two edges, or an edge and a plane, can cross. A closed mask still admits edges exactly
+  // beside the eye; they are removed here.
   [[nodiscard]] std::optional<picture::LinePicture> picture(const scene::CellComplex& complex,
                                                             const Sight& sight) {
     unite();
@@ -75,7 +75,7 @@ class Fragments {
   };
   static constexpr std::size_t first_limit = std::size_t{1} << 18;
 
-  // Joins what overlaps or touches; afterwards ascending by edge and place.
+  // Joins fragments that overlap or touch, and sorts them by edge and position.
   void unite() {
     std::sort(fragments_.begin(), fragments_.end(), [](const Fragment& a, const Fragment& b) {
       return a.edge != b.edge ? a.edge < b.edge : less(a.stretch.low, b.stretch.low);

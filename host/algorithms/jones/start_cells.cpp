@@ -12,7 +12,8 @@ namespace {
 
 using scene::CellNumber;
 
-// Pieces of free space around the eye, by the place of their first cell in `cells`.
+// The connected pieces of free space around the eye, each cell labelled with the position of its piece's first cell in
+// `cells`.
 std::vector<std::size_t> pieces_of(const PreparedComplex& prepared, const std::vector<CellNumber>& cells,
                                    const geometry::Point3& eye) {
   const scene::CellComplex& complex = prepared.complex();
@@ -42,7 +43,8 @@ std::vector<std::size_t> pieces_of(const PreparedComplex& prepared, const std::v
   return piece;
 }
 
-// A step from the eye along forward, then much less to the right, then much less again up, is in the cell.
+// Whether the cell contains a step from the eye along forward, plus a far smaller step to the right and a far smaller one
+// up.
 bool looks_into(const PreparedComplex& prepared, CellNumber number, const scene::PolyCamera& camera) {
   const scene::CellComplex& complex = prepared.complex();
   for (const scene::HalfSpace& half : complex.bounds_of(complex.cells[number])) {
