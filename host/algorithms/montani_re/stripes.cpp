@@ -10,9 +10,9 @@ namespace sightline::algorithms::montani_re {
 namespace {
 
 constexpr double fraction = 65536;
-constexpr double farthest = 0x1p40;  // abscissas beyond are cut off there
+constexpr double farthest = 0x1p40;  // abscissas are clamped to this magnitude
 
-// Of two sides from `low` up to `high`: which is to the west.
+// Whether the first of two sides, from `low` to `high`, is to the west.
 bool west_of(const StripeSide& a, const StripeSide& b, std::int32_t low, std::int32_t high) {
   return a.at(low) != b.at(low) ? a.at(low) < b.at(low) : a.at(high) < b.at(high);
 }
@@ -26,7 +26,7 @@ void append_band(std::vector<StripeBand>& bands, StripeBand band) {
   }
 }
 
-// One stripe of two regions.
+// Combines one stripe of two regions.
 class StripeCombination {
  public:
   StripeCombination(Operation operation, std::vector<StripeBand>& result)
@@ -76,8 +76,8 @@ class StripeCombination {
     });
   }
 
-  // The lowest sixteenth above a crossing, or the end: sides are straight, so that what is in order at both
-  // ends is so between.
+  // The first sixteenth at or above the lowest crossing, or `high`. Sides are straight, so sides that are in order at
+  // both ends are in order between.
   [[nodiscard]] std::int32_t first_crossing(std::int32_t low, std::int32_t high) const {
     if (ordered_at(high - 1)) return high;
     std::int32_t y = low + 1;
@@ -149,7 +149,7 @@ class Filler {
   std::int32_t units_;
 };
 
-// The silhouette is that of the whole frame; only stripes that the part has are touched.
+// Unites the silhouette, which covers the whole frame, with `part`, changing only the stripes of the part.
 void grow(StripePcs& silhouette, const StripePcs& part) {
   for (std::size_t k = 0; k < part.stripes.size(); ++k) {
     auto& stripe = silhouette.stripes[static_cast<std::size_t>(part.first) + k];
@@ -165,7 +165,7 @@ StripeRaster blank(const StripeFrame& frame) {
   return raster;
 }
 
-// Ordinates of an edge's ends; one that is not before the eye has none, and the edge goes on as it is.
+// Ordinates of an edge's ends. An end that is not before the eye has none; the edge is then extended along its line.
 std::pair<double, std::optional<double>> ends_of(const Image& image, const ImageLine& line) {
   const bool whole = image.weight(line.from) > 0 && image.weight(line.to) > 0;
   if (whole) return {image.ordinate_of(line.from).middle(), image.ordinate_of(line.to).middle()};
@@ -197,7 +197,7 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
                      std::int32_t units) {
   const std::int32_t stripe_count = (frame.height * units + 15) / 16;
   const double stripes_a_pixel = units / 16.0;
-  // Lines beyond the frame are one above and one below: nothing between them is kept.
+  // Lines beyond the frame are moved to just outside it; nothing of them is kept.
   const auto line_at = [&](double y) {
     const double at = std::floor((frame.centre[1] + frame.scale[1] * y) * stripes_a_pixel + 0.5);
     return std::clamp(at, -0x1p30, 0x1p30);
@@ -206,7 +206,7 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
     return std::clamp((frame.centre[0] + frame.scale[0] * image.abscissa(line, y)) * fraction, -farthest,
                       farthest);
   };
-  const double a_stripe = 1 / (frame.scale[1] * stripes_a_pixel);  // of the image
+  const double a_stripe = 1 / (frame.scale[1] * stripes_a_pixel);  // height of a stripe in image units
   StripePcs pcs;
   if (region.empty()) return pcs;
   const auto within = [&](double line) {
@@ -219,7 +219,7 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
     const double low = line_at(band.low.middle());
     const double high = line_at(band.high.middle());
     for (const Side& side : region.sides_of(band)) {
-      // The whole edge between its moved corners, so that faces on both sides of it agree.
+      // Uses the whole edge between its moved corners, so that the faces on both sides of it agree.
       const auto [y, end] = ends_of(image, image.lines()[side.line]);
       const double from = abscissa(side.line, y);
       const double start = line_at(y);
@@ -233,7 +233,7 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
       }
     }
   }
-  // Sides of moved corners may cross.
+  // Sides between moved corners may cross.
   for (auto& stripe : pcs.stripes) {
     std::vector<StripeBand> ordered;
     StripeCombination(Operation::subtract, ordered).run(stripe, {});

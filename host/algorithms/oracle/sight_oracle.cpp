@@ -12,7 +12,7 @@ namespace {
 using geometry::Int128;
 using geometry::Vector3;
 
-// Where on the line a face's plane is crossed: numerator / denominator times the direction.
+// Where the line crosses a face's plane: numerator / denominator times the direction.
 struct Distance {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;  // positive
@@ -47,8 +47,8 @@ class Meetings {
   }
 
  private:
-  // The line runs inside the ring, as seen along it: an odd number of sides crosses the half-plane on one
-  // side of the line.
+  // Whether the line passes through the inside of the ring: as seen along the line, an odd number of sides crosses the
+  // half-plane on one side of it.
   [[nodiscard]] bool passes(const std::vector<scene::VertexIndex>& ring) const {
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -66,7 +66,7 @@ class Meetings {
   const scene::PolyScene& scene_;
   const scene::PolyPoint eye_;
   const Vector3 direction_;
-  Vector3 across_;  // normal of a plane that holds the line
+  Vector3 across_;  // normal of a plane that contains the line
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ EdgeStructure structure_from(Scratch& scratch, EdgeIndex edge, const std::vector
   return structure;
 }
 
-// Where nothing ever changes any direction will do; this one is along nothing in particular.
+// For edges whose structure never changes, any direction is right; this one is not aligned with the axes.
 constexpr Sight anywhere{314159, 271828};
 
 }  // namespace
