@@ -17,13 +17,13 @@ namespace sightline::algorithms::plantinga {
 
 namespace {
 
-// What writer and reader agree on besides the layout (event_file.hpp).
+// Shared by writer and reader, besides the layout (event_file.hpp).
 
 constexpr std::string_view mark = "SIGHTLINE EVENTS\n";
 constexpr std::uint8_t version = 1;
 constexpr std::size_t checksum_size = 8;
 constexpr std::size_t header_size = mark.size() + 1 + 8 + 8;
-// Coefficients of events keep below this (direction.hpp).
+// Coefficients of events are below this (direction.hpp).
 constexpr geometry::Int128 coefficient_limit = geometry::Int128{1} << 104U;
 
 std::uint64_t checksum(const std::uint8_t* bytes, std::size_t count) {
@@ -46,7 +46,7 @@ class Writer {
   void coefficient(Int128 value) {
     const bool negative = value < 0;
     if (negative) value = -value;
-    // Sign and six bits first.
+    // The first byte has the sign and six bits.
     std::uint8_t byte = static_cast<std::uint8_t>((value & 63) | (negative ? 64 : 0));
     for (value >>= 6; value != 0; value >>= 7) {
       bytes_.push_back(static_cast<std::uint8_t>(byte | 128U));
@@ -74,7 +74,7 @@ class Writer {
   Bytes bytes_;
 };
 
-// Nothing in a file of this many bytes needs larger run numbers.
+// A file of at most this many bytes needs no larger run numbers.
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
 class Reader {
@@ -136,7 +136,7 @@ class Reader {
     return value;
   }
 
-  // 0 after an error.
+  // Returns 0 after an error.
   std::uint64_t number(std::uint64_t limit, const char* what) {
     const std::size_t place = at_;
     std::uint64_t value = 0;
@@ -258,7 +258,7 @@ class Reader {
       EdgeStructure after;
       pieces(edge, after);
       if (error_) return;
-      // A change may take away far more than it brings, but not more than was brought before.
+      // A change may remove far more than it adds, but only what earlier changes added.
       append_change(list_, edge, now[edge], after);
       now[edge] = std::move(after);
     }

@@ -15,13 +15,14 @@
 namespace sightline::algorithms::plantinga {
 namespace {
 
-// Edges are studied one by one, by as many threads as asked for; which thread took which does not show.
+// Finds the histories of the edges on several threads. The result does not depend on the distribution of edges among
+// threads.
 class Study {
  public:
   Study(const RotationModel& model, const BuildOptions& options)
       : model_(model), options_(options), parts_(model), histories_(model.edges().size()) {}
 
-  // Empty if a limit was reached.
+  // Returns an error if a limit was reached.
   std::optional<base::Error> run() {
     const unsigned threads = options_.threads != 0 ? options_.threads : base::available_threads();
     base::run_on_threads(options_.trace != nullptr ? 1 : threads, [this] { work(); });
@@ -70,7 +71,7 @@ class Study {
   std::optional<base::Error> stopped_;
 };
 
-// The next multiple of the tolerance, as a direction of whole numbers.
+// The next multiple of the tolerance, as a direction with integer parts.
 Direction moved_up(const Direction& direction, double tolerance) {
   const double angle = std::ceil(direction.angle / tolerance) * tolerance;
   if (!(angle < std::numbers::pi)) return rational_direction(0, -1);

@@ -7,8 +7,7 @@
 namespace sightline::algorithms::plantinga {
 namespace {
 
-// The image of the edge is a point: what is seen of it changes neither before nor after, so that no event
-// tells.
+// Whether the image of the edge is a point. Its visible part is then the same before and after, so no event records it.
 bool seen_end_on(const Segment& edge, const Sight& sight) {
   const Vector3& a = edge.from;
   const Vector3& b = edge.to;

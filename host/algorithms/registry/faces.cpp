@@ -39,7 +39,7 @@ class WillisScene {
     const auto order = frames_.order(camera);
     willis::make_spans(model_, order, camera, window, spans_);
     FaceView view;
-    // A picture of the display's own size is made by the display.
+    // If the picture has the display's size, the display makes it.
     view.faces =
         fits_display(spans_, window) ? displayed(spans_, display_) : willis::resolved(spans_, window);
     view.counts = {

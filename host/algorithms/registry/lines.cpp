@@ -56,7 +56,7 @@ base::Result<PreparedScene> prepare_oracle(const scene::PolyScene& scene) {
 
 namespace native_jones = algorithms::jones;
 
-// A walker serves one view at a time: those that have none to serve wait here.
+// A walker serves one view at a time. Idle walkers are kept here.
 class JonesScene {
  public:
   explicit JonesScene(scene::CellComplex complex) : complex_(std::move(complex)), prepared_(complex_) {}

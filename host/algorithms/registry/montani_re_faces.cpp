@@ -29,7 +29,7 @@ montani_re::StripeFrame frame_of(const scene::PolyCamera& camera, const FaceWind
           window.height};
 }
 
-// What the frame shows and `beyond` of its size more on all sides, rounded outwards.
+// The part of the image that the frame shows, enlarged on every side by `beyond` times its size, rounded outwards.
 montani_re::WindowBounds bounds_of(const montani_re::StripeFrame& frame, bool perspective, double beyond) {
   constexpr double limit = 0x1p36;
   const std::array<std::int32_t, 2> size{frame.width, frame.height};
@@ -72,7 +72,7 @@ class MontaniReScene {
 
   [[nodiscard]] base::Result<FaceView> view(const scene::PolyCamera& camera, const FaceWindow& window) const {
     const montani_re::StripeFrame frame = frame_of(camera, window);
-    // Corners are moved by up to four pixels: borders are kept well away from what is shown.
+    // Corners are moved by up to four pixels, so the borders are kept far from the shown part.
     const montani_re::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
     const bool past_eye = montani_re::face_past_eye(scene_, camera).has_value();
     const montani_re::FaceSet set = montani_re::faces_seen(scene_, camera, {}, past_eye ? &bounds : nullptr);

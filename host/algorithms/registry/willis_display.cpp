@@ -38,7 +38,7 @@ picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, Willis
     }
   }
   device.write(Register::control, PriorityDisplay::show, display.now);
-  // The frame after the one under way, until its blanking begins.
+  // The frame after the current one, until its blanking begins.
   const core::Duration since = display.now.time_since_epoch() % devices::priority_display::frame;
   display.now += devices::priority_display::frame - since + devices::priority_display::line * scan_lines;
   device.advance(display.now);
