@@ -84,21 +84,21 @@ class Horizon {
   void ink_chain(std::span<const Vertex> chain, bool leftwards, const Wake& wake);
   void raise_chain(Columns columns, bool leftwards, Wake& wake);
 
-  // Columns are worked on in blocks of this many, the last of which may reach beyond the masks: so far they are longer
-  // than the screen.
+  // Columns are processed in blocks of this size. The last block may reach beyond the masks, so arrays are that much
+  // longer than the screen.
   static constexpr std::size_t block = 4;
 
   std::size_t columns_;
   std::vector<float> top_;
   std::vector<float> bottom_;
-  std::vector<float> heights_;  // by column, of what was looked at last
-  // Of a chain: the last column not right of a vertex, -1 if none, and the slope of the segment after it.
+  std::vector<float> heights_;  // by column: heights of the line compared last
+  // For each vertex of a chain: the last column not right of it (-1 if none), and the slope of the segment after it.
   std::vector<std::int32_t> vertex_columns_;
   std::vector<float> slopes_;
-  // By column, of all before it: how many are above the top, and 2^16 times how many are below the bottom.
+  // By column: how many columns before it are above the top, plus 2^16 times how many are below the bottom.
   std::vector<std::uint32_t> seen_before_;
   std::vector<Piece> pieces_;
-  std::size_t first_own_ = 0;  // of the segment at hand, in pieces_
+  std::size_t first_own_ = 0;  // first piece of the current segment
 };
 
 }  // namespace sightline::algorithms::skala

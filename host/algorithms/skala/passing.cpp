@@ -1,4 +1,3 @@
-// See passing.hpp.
 #include "host/algorithms/skala/passing.hpp"
 
 #include <algorithm>
@@ -7,7 +6,7 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// Of a vertex on the line from one to another.
+// The parameter of a vertex on the line from one vertex to another.
 double part_of(Vertex from, Vertex to, Vertex at) {
   const double dx = double{to.x} - from.x;
   const double dy = double{to.y} - from.y;

@@ -6,7 +6,7 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// Ends of pieces are numbered: piece n has 2 n and 2 n + 1.
+// Ends of pieces are numbered: piece n has the ends 2 n and 2 n + 1.
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
@@ -22,7 +22,7 @@ void Sheet::line(std::uint32_t layer, const std::vector<Vertex>& corners) {
       {layer, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points.size() - first)});
 }
 
-// To whom every end is joined.
+// The end that each end is joined to, or none.
 std::vector<std::uint32_t> Stitcher::partners() const {
   struct Named {
     std::uint32_t layer;
@@ -54,7 +54,7 @@ void Stitcher::finish(Sheet& sheet) {
   std::vector<Vertex> corners;
   for (std::uint32_t piece = 0; piece < pieces_.size(); ++piece) {
     if (drawn[piece]) continue;
-    // Back to where the line begins, or once around.
+    // Goes back to the start of the line, or once around a closed line.
     std::uint32_t start = 2 * piece;
     while (partner[start] != nobody && partner[start] / 2 != piece) start = partner[start] ^ 1U;
     corners.assign(1, end(start));

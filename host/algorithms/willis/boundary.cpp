@@ -11,7 +11,7 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
-// rho(v), squared.
+// The square of rho(v).
 std::uint64_t squared_radius(const Surface& s, const Point& v) {
   std::uint64_t most = 0;
   for (const Point& w : s.points) most = std::max(most, squared_distance(v, w));
