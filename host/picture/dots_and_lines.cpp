@@ -48,7 +48,7 @@ DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegmen
     const double length = length_of(line);
     const double steps = std::max(1.0, std::ceil(length / step));
     compared.length += length;
-    // The middle of each step stands for it; the ends count for the distance only.
+    // Each step is represented by its middle; the ends are used only for the distance.
     for (double n = 0; n <= 2 * steps; ++n) {
       const bool middle = std::fmod(n, 2) == 1;
       if (!middle && n != 0 && n != 2 * steps) continue;

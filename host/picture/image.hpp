@@ -1,5 +1,4 @@
-// An 8-bit picture in memory: one byte (grey) or three (red, green, blue) a pixel, rows from the top, no
-// padding.
+// An 8-bit image in memory: one byte (grey) or three (red, green, blue) per pixel, rows from the top, no padding.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +22,7 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 
   Image() = default;
-  // All black.
+  // A black image.
   Image(int columns, int rows, int bytes_a_pixel)
       : width(columns),
         height(rows),

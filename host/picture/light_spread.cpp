@@ -12,7 +12,7 @@ namespace sightline::picture {
 
 namespace {
 
-constexpr double reach_sigmas = 4.0;  // beyond lies 6e-5 of a Gaussian
+constexpr double reach_sigmas = 4.0;  // 6e-5 of a Gaussian is beyond
 constexpr int cell_points = 4;
 constexpr int cell_padding = 16;  // cells around the lattice: the widest margin, 64 points
 constexpr int cells_a_side = screen_points / cell_points + 2 * cell_padding;
@@ -33,7 +33,7 @@ std::size_t cell_index(int column, int row) {
   return static_cast<std::size_t>(row) * cells_a_side + static_cast<std::size_t>(column);
 }
 
-// Both passes of the blur; light that would leave the grid stays out.
+// Both passes of the blur. Light that would leave the grid is dropped.
 std::vector<double> blurred(const std::vector<double>& cells, const SpotProfile& profile) {
   std::vector<double> across(cells.size());
   std::vector<double> both(cells.size());
@@ -62,10 +62,10 @@ std::vector<double> blurred(const std::vector<double>& cells, const SpotProfile&
   return both;
 }
 
-// Where the middle of a pixel lies between the middles of two cells.
+// The position of a pixel's middle between the middles of two cells.
 struct Between {
   int cell;      // the lower one
-  double share;  // of the upper one
+  double share;  // weight of the upper one
 };
 
 Between between_cells(int pixel, FilmSize size) {

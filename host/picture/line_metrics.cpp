@@ -12,14 +12,14 @@ namespace sightline::picture {
 namespace {
 
 constexpr double sample_distance = 0.25;
-constexpr double tau = 1;  // pixels: a smaller distance is not distinguished
+constexpr double tau = 1;  // pixels: smaller distances are not distinguished
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t steps_of(double length) {
   return static_cast<std::size_t>(std::max(1.0, std::ceil(length / sample_distance)));
 }
 
-// From every sample of a to the nearest of b; ends included.
+// From every sample of a, ends included, to the nearest point of b.
 std::vector<double> distances(const std::vector<PixelSegment>& a, const NearestSegment& b) {
   std::vector<double> result;
   std::uint32_t near = 0;
@@ -39,7 +39,7 @@ std::vector<PixelSegment> segments_of(const std::vector<MeasuredLine>& lines,
   return segments;
 }
 
-// Length of the parts, measured at the middles of equal steps, that is farther than tau from `others`.
+// Length of the parts, measured at the middles of equal steps, that are farther than tau from `others`.
 double far_length(const MeasuredLine& line, const LineParts& parts, const NearestSegment& others) {
   double far = 0;
   for (const LinePart& part : parts) {
@@ -56,7 +56,7 @@ double far_length(const MeasuredLine& line, const LineParts& parts, const Neares
   return far;
 }
 
-// Both ascending. What does not match is counted on the side that ends first.
+// Both lists ascend. A piece without a match is counted on the side that ends first.
 std::size_t pieces_without_counterpart(const MeasuredLine& line) {
   const LineParts& a = line.visible;
   const LineParts& b = line.drawn;
@@ -75,11 +75,11 @@ std::size_t pieces_without_counterpart(const MeasuredLine& line) {
   return count + (a.size() - i) + (b.size() - j);
 }
 
-// SplitMix64: the same numbers everywhere.
+// SplitMix64: the same numbers on every platform.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
-  // In [0, 1).
+  // A number in [0, 1).
   double operator()() {
     state_ += 0x9e3779b97f4a7c15U;
     std::uint64_t z = state_;
@@ -102,7 +102,7 @@ Rate wrong_visibility(const std::vector<MeasuredLine>& lines, const MetricOption
   struct Edge {
     const MeasuredLine* line;
     LinePart part;
-    double until;  // length of all edges up to the end of this one
+    double until;  // total length of all edges up to the end of this one
   };
   std::vector<Edge> edges;
   double length = 0;
@@ -133,7 +133,7 @@ Rate wrong_visibility(const std::vector<MeasuredLine>& lines, const MetricOption
 Rate rate_of(std::uint64_t wrong, std::uint64_t points) {
   Rate rate{points, wrong, 0, 0, 1};
   if (points == 0) return rate;
-  constexpr double z = 1.959963984540054;  // of the normal distribution: 95 per cent on both sides
+  constexpr double z = 1.959963984540054;  // of the normal distribution: two-sided 95 per cent
   const auto n = static_cast<double>(points);
   const double p = static_cast<double>(wrong) / n;
   const double middle = p + z * z / (2 * n);

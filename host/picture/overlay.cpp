@@ -30,7 +30,7 @@ VectorDrawing empty_overlay(double picture_height) {
   return drawing;
 }
 
-// As large as fits, the usual size at most.
+// As large as fits, but at most the usual size.
 void fitted_text(VectorDrawing& drawing, double x, double y, double room, const std::string& text) {
   const double width = text_width(text_height, text);
   append_text(drawing, legend, x, y, width > room ? text_height * room / width : text_height, text);
@@ -94,7 +94,7 @@ Overlay overlay_of(const PixelGrid& truth, const PixelGrid& drawn, const Overlay
 }
 
 Image overlay_image(const Overlay& overlay) {
-  // Half a pen and a smooth edge on every side, so that the drawing's unit is a pixel.
+  // Leaves half a pen and a smooth edge on every side, so that the drawing's unit is a pixel.
   const auto pixels = [&](double extent) { return static_cast<int>(std::lround(extent + overlay.pen + 1)); };
   return image_of(overlay.drawing,
                   {pixels(overlay.drawing.width), pixels(overlay.drawing.height), overlay.pen});

@@ -18,7 +18,7 @@ double seconds(core::Duration duration) {
   return static_cast<double>(duration.count()) * 1e-9;
 }
 
-// The film's answer to v is v / (1 + v); entry c is the least v that comes out as sRGB code c or higher.
+// The film's response to v is v / (1 + v); entry c is the least v that is encoded as sRGB code c or higher.
 std::array<double, 256> film_thresholds() {
   std::array<double, 256> thresholds{};
   for (std::size_t code = 1; code < thresholds.size(); ++code) {
@@ -51,7 +51,7 @@ PhosphorPhotograph::PhosphorPhotograph(core::Instant shutter_open, core::Instant
   }
 }
 
-// The part of a fading light that falls into the time the shutter is open.
+// The part of a decaying light that is emitted while the shutter is open.
 double PhosphorPhotograph::share_on_film(double share, double tau_seconds, core::Instant flash) const {
   if (flash >= shutter_open_) return share * (1.0 - decay(seconds(shutter_close_ - flash) / tau_seconds));
   return share * decay(seconds(shutter_open_ - flash) / tau_seconds) *
@@ -86,7 +86,7 @@ std::vector<float> PhosphorPhotograph::layer_light(Layer layer) const {
   const FilmSize size{parameters_.pixels_per_point, parameters_.margin_points};
   const auto side = static_cast<std::size_t>(size.pixels());
   std::vector<float> film(side * side);
-  // Light per pixel becomes light per area of a point.
+  // Converts light per pixel to light per area of a point.
   const double pixels_a_point = parameters_.pixels_per_point * parameters_.pixels_per_point;
   const double scale = pixels_a_point / units_a_flash;
   Halo halo;

@@ -19,7 +19,7 @@ bool within(const PixelSegment& segment, const PixelPoint& point) {
   return dx * dx + dy * dy <= boundary_distance * boundary_distance;
 }
 
-// 1 for boundary pixels: those of the rows and, in them, columns that the edge comes near.
+// 1 for boundary pixels, found in the rows and columns near each edge.
 PixelGrid boundary_of(int width, int height, const std::vector<PixelSegment>& edges) {
   PixelGrid boundary(width, height);
   const auto first = [](double value) {
@@ -47,7 +47,7 @@ PixelGrid boundary_of(int width, int height, const std::vector<PixelSegment>& ed
   return boundary;
 }
 
-// None of the pixels around is lit.
+// Whether none of the eight neighbours is lit.
 bool alone(const PixelGrid& grid, std::size_t index) {
   const int column = static_cast<int>(index % static_cast<std::size_t>(grid.width));
   const int row = static_cast<int>(index / static_cast<std::size_t>(grid.width));

@@ -1,5 +1,5 @@
-// Writing PNG with libpng. libpng reports errors by longjmp; only run_encoder sits between the setjmp and the
-// calls that may jump, and it owns nothing that would need a destructor.
+// Writes PNG with libpng. libpng reports errors by longjmp. Only run_encoder is between the setjmp and the calls that may
+// jump, and it owns nothing that needs a destructor.
 #include <png.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void take_warning(png_structp, png_const_charp) {}
 
 void take_bytes(png_structp png, png_bytep data, png_size_t size) {
   auto* encoder = static_cast<Encoder*>(png_get_io_ptr(png));
-  // An exception must not travel through libpng's frames.
+  // An exception must not pass through libpng's frames.
   try {
     encoder->bytes.insert(encoder->bytes.end(), data, data + size);
   } catch (const std::bad_alloc&) {
@@ -50,7 +50,7 @@ void flush_nothing(png_structp) {}
 bool run_encoder(Encoder& encoder, const Image& image, png_textp entries, int entry_count, png_uint_32 pixels_a_metre) {
   if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
   png_set_write_fn(encoder.png, &encoder, take_bytes, flush_nothing);
-  // Fixed, so that the bytes do not depend on libpng's guess: line drawings pack best without prediction.
+  // Fixed, so that the bytes do not depend on libpng's heuristics; line drawings compress best without prediction.
   png_set_compression_level(encoder.png, 9);
   png_set_filter(encoder.png, PNG_FILTER_TYPE_BASE, image.channels == 1 ? PNG_FILTER_NONE : PNG_FILTER_SUB);
   png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(image.width),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int32_t no_point = std::numeric_limits<std::int32_t>::max() / 2;
 
-// How far the lit points of a grid are from any point of it: by column first, the rest when it is asked for.
+// The distance from any point of a grid to its lit points: by column in advance, the rest on demand.
 class NearestLit {
  public:
   explicit NearestLit(const PixelGrid& grid) : grid_(grid), in_column_(grid.values.size(), no_point) {
@@ -27,7 +27,7 @@ class NearestLit {
       in_column_[i - width] = std::min(in_column_[i - width], one_more(in_column_[i]));
   }
 
-  // Squared. Some point is lit (precondition).
+  // The squared distance. Precondition: some point is lit.
   [[nodiscard]] std::int64_t squared(int column, int row) const {
     std::int64_t nearest = std::numeric_limits<std::int64_t>::max();
     const auto look = [&](int there) {
@@ -47,13 +47,13 @@ class NearestLit {
   static std::int32_t one_more(std::int32_t distance) { return std::min(distance, no_point - 1) + 1; }
 
   const PixelGrid& grid_;
-  std::vector<std::int32_t> in_column_;  // points to the nearest lit one above, below or here
+  std::vector<std::int32_t> in_column_;  // distance to the nearest lit point in the same column
 };
 
-// Most points that are apart have a lit one this near, which is found without looking at the whole grid.
+// Most differing points have a lit point within this distance, which is found without searching the whole grid.
 constexpr int beside = 4;
 
-// Squared; empty if there is none within `beside` points in both directions.
+// The squared distance; nullopt if no lit point is within `beside`.
 std::optional<std::int64_t> squared_beside(const PixelGrid& grid, int column, int row) {
   std::optional<std::int64_t> nearest;
   for (int y = std::max(row - beside, 0); y <= std::min(row + beside, grid.height - 1); ++y) {
@@ -64,11 +64,11 @@ std::optional<std::int64_t> squared_beside(const PixelGrid& grid, int column, in
       nearest = std::min(nearest.value_or(std::numeric_limits<std::int64_t>::max()), right * right + up * up);
     }
   }
-  // One outside may be nearer than a corner.
+  // Beyond this distance, a point outside the square may be nearer.
   return nearest && *nearest <= beside * beside ? nearest : std::nullopt;
 }
 
-// One direction: from the lit points of one set to the other.
+// One direction: from the lit points of one set to those of the other.
 struct Direction {
   std::uint64_t lit = 0;
   PointsApart apart;
@@ -90,8 +90,8 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
     direction.distance = {infinite, infinite};
     return direction;
   }
-  std::optional<NearestLit> nearest;  // once it is needed
-  std::vector<std::int64_t> squares;  // of the points that are apart
+  std::optional<NearestLit> nearest;  // created on demand
+  std::vector<std::int64_t> squares;  // squared distances of the differing points
   squares.reserve(static_cast<std::size_t>(direction.apart.all));
   for (int row = 0; row < from.height; ++row) {
     for (int column = 0; column < from.width; ++column) {
@@ -108,7 +108,7 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
     }
   }
   std::sort(squares.begin(), squares.end());
-  // The distances of all lit points in order: those that agree first.
+  // The distances of all lit points in order: the agreeing ones first.
   const std::uint64_t agreeing = direction.lit - direction.apart.all;
   const std::uint64_t usual = direction.lit - 1 - direction.lit / 1000;
   direction.distance.greatest = std::sqrt(static_cast<double>(squares.back()));
