@@ -8,13 +8,13 @@
 // Laws (tests/host/geometry/predicates_test.cpp tests them at random and at the limits):
 //   alternating   swapping two arguments of cross, turn, orientation, normal_of or determinant changes the sign
 //                 and nothing else; turn and orientation of points two of which are equal are 0
-// translation   if all points move by the same vector, functions of points do not change, except an offset
+//   translation   if all points move by the same vector, functions of points do not change, except an offset
 //   additive      turn(a, b, c) = turn(p, a, b) + turn(p, b, c) + turn(p, c, a) for every p; the same holds for
 //                 orientation and the four faces of a tetrahedron
 //   planes        plane_through(a, b, c) is 0 at a, b and c, and orientation(a, b, c, d) at d
 //   flattened     turn(flattened a, b, c along an axis) is that component of normal_of(a, b, c)
 //   segments      on_segment and segments_meet do not depend on the order of a segment's ends or of the
-// segments; segments_meet(a, b, p, p) equals on_segment(a, b, p)
+//                 segments; segments_meet(a, b, p, p) equals on_segment(a, b, p)
 //   rings         doubled_area and locate_in_ring do not depend on where a ring starts; for the reversed ring
 //                 the area changes its sign and the location does not. A point is on the ring iff it is on one
 //                 of its sides.

@@ -1,4 +1,3 @@
-// See dots_and_lines.hpp.
 #include "host/picture/dots_and_lines.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See dxf.hpp.
 #include "host/picture/dxf.hpp"
 
 #include <algorithm>

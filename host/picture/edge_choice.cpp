@@ -1,4 +1,3 @@
-// See edge_choice.hpp.
 #include "host/picture/edge_choice.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See hatching.hpp.
 #include "host/picture/hatching.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See light_spread.hpp.
 #include "host/picture/light_spread.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See line_drawing.hpp.
 #include "host/picture/line_drawing.hpp"
 
 #include <algorithm>

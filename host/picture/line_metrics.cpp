@@ -1,4 +1,3 @@
-// See line_metrics.hpp.
 #include "host/picture/line_metrics.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See line_metrics_near.hpp.
 #include "host/picture/line_metrics_near.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See line_union.hpp.
 #include "host/picture/line_union.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See overlay.hpp.
 #include "host/picture/overlay.hpp"
 
 #include <algorithm>

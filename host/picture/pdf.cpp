@@ -1,4 +1,3 @@
-// See pdf.hpp.
 #include "host/picture/pdf.hpp"
 
 #include <fmt/core.h>

@@ -1,4 +1,3 @@
-// See pen_order.hpp.
 #include "host/picture/pen_order.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See phosphor.hpp.
 #include "host/picture/phosphor.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See pixel_metrics.hpp.
 #include "host/picture/pixel_metrics.hpp"
 
 #include <algorithm>

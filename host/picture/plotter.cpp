@@ -1,4 +1,3 @@
-// See plotter.hpp.
 #include "host/picture/plotter.hpp"
 
 #include <fmt/core.h>

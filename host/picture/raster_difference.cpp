@@ -1,4 +1,3 @@
-// See raster_difference.hpp.
 #include "host/picture/raster_difference.hpp"
 
 #include <algorithm>

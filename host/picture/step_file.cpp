@@ -1,4 +1,3 @@
-// See step_file.hpp.
 #include "host/picture/step_file.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See event_list.hpp.
 #include "host/algorithms/plantinga/event_list.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See frame.hpp.
 #include "host/algorithms/plantinga/frame.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See potential_events.hpp.
 #include "host/algorithms/plantinga/potential_events.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See rotation_model.hpp.
 #include "host/algorithms/plantinga/rotation_model.hpp"
 
 #include <algorithm>

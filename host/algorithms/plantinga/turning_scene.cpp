@@ -1,4 +1,3 @@
-// See turning_scene.hpp.
 #include "host/algorithms/plantinga/turning_scene.hpp"
 
 #include <algorithm>

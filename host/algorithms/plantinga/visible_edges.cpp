@@ -1,4 +1,3 @@
-// See visible_edges.hpp.
 #include "host/algorithms/plantinga/visible_edges.hpp"
 
 #include <array>

@@ -1,4 +1,3 @@
-// See faces.hpp.
 #include "host/algorithms/registry/faces.hpp"
 
 #include <algorithm>

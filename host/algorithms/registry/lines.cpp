@@ -1,4 +1,3 @@
-// See lines.hpp.
 #include "host/algorithms/registry/lines.hpp"
 
 #include <algorithm>

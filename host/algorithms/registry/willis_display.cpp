@@ -1,4 +1,3 @@
-// See willis_display.hpp.
 #include "host/algorithms/registry/willis_display.hpp"
 
 #include <algorithm>

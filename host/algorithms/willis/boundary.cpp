@@ -1,4 +1,3 @@
-// See boundary.hpp.
 #include "host/algorithms/willis/boundary.hpp"
 
 #include <algorithm>

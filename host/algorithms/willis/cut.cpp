@@ -1,4 +1,3 @@
-// See cut.hpp.
 #include "host/algorithms/willis/cut.hpp"
 
 #include <algorithm>

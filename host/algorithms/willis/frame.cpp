@@ -1,4 +1,3 @@
-// See frame.hpp.
 #include "host/algorithms/willis/frame.hpp"
 
 #include <algorithm>

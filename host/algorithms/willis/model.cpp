@@ -1,4 +1,3 @@
-// See model.hpp.
 #include "host/algorithms/willis/model.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See near_pairs.hpp.
 #include "host/algorithms/willis/near_pairs.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See order_cells.hpp.
 #include "host/algorithms/willis/order_cells.hpp"
 
 #include <algorithm>

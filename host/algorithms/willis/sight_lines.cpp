@@ -1,4 +1,3 @@
-// See sight_lines.hpp.
 #include "host/algorithms/willis/sight_lines.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// See spans.hpp.
 #include "host/algorithms/willis/spans.hpp"
 
 #include <algorithm>

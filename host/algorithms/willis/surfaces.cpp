@@ -1,4 +1,3 @@
-// See surfaces.hpp.
 #include "host/algorithms/willis/surfaces.hpp"
 
 #include <algorithm>
