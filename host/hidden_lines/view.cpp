@@ -101,7 +101,7 @@ std::array<double, 3> usual_light(const Camera& camera) {
 }
 
 // Whether an edge of this kind is no side of a face: a line in which bodies pass through each other, or a wire.
-bool is_apart(EdgeKind kind) { return kind == EdgeKind::intersection || kind == EdgeKind::wire; }
+bool is_free_line(EdgeKind kind) { return kind == EdgeKind::intersection || kind == EdgeKind::wire; }
 
 void add_all(std::vector<LineLayer>& layers, std::vector<LineLayer>& more) {
   layers.insert(layers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
@@ -244,7 +244,7 @@ class Views::Work {
     const bool mesh = !source_.scene.surfaces.empty();
     if (find_crossings()) own_scene_ = scene::with_crossings(source_.scene);
     seams_ = !mesh && !options_.edges.are_given();
-    if (seams_ && has_lines_apart()) {
+    if (seams_ && has_free_lines()) {
       chooser_.emplace(scene(), *picture::edge_choice_named("all"));
     } else if (!seams_) {
       if (const auto choice = edge_choice(options_.edges, scene())) chooser_.emplace(scene(), *choice);
@@ -260,7 +260,7 @@ class Views::Work {
                                                                       : algorithm_.prepare(of);
   }
   // Whether there are lines that are not sides of faces: intersections of bodies, and wires.
-  [[nodiscard]] bool has_lines_apart() const { return !scene().crossings.empty() || !scene().wires.empty(); }
+  [[nodiscard]] bool has_free_lines() const { return !scene().crossings.empty() || !scene().wires.empty(); }
 
   // Whether bodies pass through each other and the algorithm draws the lines of intersection; if it does not, adds a
   // note.
@@ -282,13 +282,13 @@ class Views::Work {
 
   // Removes seams. They are only between faces, so lines that are not sides of faces are kept.
   [[nodiscard]] LinePicture without_seams(const LinePicture& picture, const std::optional<ChosenEdges>& chosen, const Camera& camera) const {
-    if (!has_lines_apart()) return picture::without_seams(picture, scene(), camera);
+    if (!has_free_lines()) return picture::without_seams(picture, scene(), camera);
     LinePicture sides;
     LinePicture apart;
     std::size_t edge = 0;
     for (const LinePiece& piece : picture.pieces) {
       while (chosen->edges[edge] < piece.edge) ++edge;
-      (is_apart(chosen->kinds[edge]) ? apart : sides).pieces.push_back(piece);
+      (is_free_line(chosen->kinds[edge]) ? apart : sides).pieces.push_back(piece);
     }
     LinePicture result = picture::without_seams(sides, scene(), camera);
     const auto end_of_sides = static_cast<std::ptrdiff_t>(result.pieces.size());
@@ -313,7 +313,7 @@ class Views::Work {
           const std::string name = b < bodies ? scene().bodies[b].name : "wires";
           layer.label = name.empty() ? fmt::format("body {}", b + 1) : name;
           layer.colour = body_colours[b % body_colours.size()];
-        } else if (!hidden && options_.layers == Layers::kind && chosen_by_user_ && (!seams_ || is_apart(static_cast<EdgeKind>(k)))) {
+        } else if (!hidden && options_.layers == Layers::kind && chosen_by_user_ && (!seams_ || is_free_line(static_cast<EdgeKind>(k)))) {
           layer.label = layer.kind;
         }
         layers.push_back(std::move(layer));
@@ -368,7 +368,7 @@ class Views::Work {
     const picture::ImageWindow window = picture::drawing_window(picture::united_lines(edges, scene(), camera), camera, options_.field);
     const double units = window.units(options_.field);
     const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing, options_.hatch->light.value_or(usual_light(camera))};
-    const auto hatching = picture::hatched(scene(), camera, window, units, wanted);
+    const auto hatching = picture::hatch(scene(), camera, window, units, wanted);
     if (!hatching) return in_file(hatching.error(), "hatch");
     const auto lines = prepared(hatching->scene);
     if (!lines) return in_file(lines.error(), source_.name);

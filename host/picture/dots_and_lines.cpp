@@ -58,8 +58,8 @@ DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegmen
       compared.length_beyond_2 += distance > 2 ? length / steps : 0;
     }
   }
-  const HausdorffDistance there = one_way(std::move(of_lines));
-  const HausdorffDistance back = one_way(std::move(of_dots));
+  const HausdorffDistance there = directed_hausdorff_distance(std::move(of_lines));
+  const HausdorffDistance back = directed_hausdorff_distance(std::move(of_dots));
   compared.hausdorff = {std::max(there.greatest, back.greatest), std::max(there.usual, back.usual)};
   return compared;
 }

@@ -263,7 +263,7 @@ Tone tone_of(double facing) {
   return facing >= all ? Tone::full : Tone::crossed;
 }
 
-base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+base::Result<Hatching> hatch(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                const ImageWindow& window, double units, const HatchOptions& options) {
   return Hatcher(scene, camera, window, units, options).run();
 }

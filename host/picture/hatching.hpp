@@ -47,7 +47,7 @@ inline constexpr std::size_t most_hatch_lines = 2'000'000;
 
 // Hatches faces that are turned to the eye, and sheets. `units` is the number of units of the drawing per unit of the
 // image. Error: there would be more than most_hatch_lines lines.
-[[nodiscard]] base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+[[nodiscard]] base::Result<Hatching> hatch(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                              const ImageWindow& window, double units,
                                              const HatchOptions& options);
 

@@ -23,12 +23,12 @@ struct Image {
 
   Image() = default;
   // A black image.
-  Image(int columns, int rows, int bytes_a_pixel)
+  Image(int columns, int rows, int bytes_per_pixel)
       : width(columns),
         height(rows),
-        channels(bytes_a_pixel),
+        channels(bytes_per_pixel),
         pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
-               static_cast<std::size_t>(bytes_a_pixel)) {}
+               static_cast<std::size_t>(bytes_per_pixel)) {}
 
   // Index of the first byte of the pixel `column` from the left, `row` from the top.
   [[nodiscard]] std::size_t index(int column, int row) const {

@@ -33,7 +33,7 @@ std::size_t cell_index(int column, int row) {
 }
 
 // Both passes of the blur. Light that would leave the grid is dropped.
-std::vector<double> blurred(const std::vector<double>& cells, const SpotProfile& profile) {
+std::vector<double> blur(const std::vector<double>& cells, const SpotProfile& profile) {
   std::vector<double> across(cells.size());
   std::vector<double> both(cells.size());
   const int reach = static_cast<int>(profile.weights.size());
@@ -137,7 +137,7 @@ void Halo::add(std::span<const std::uint64_t> sums, double scale) {
 }
 
 void Halo::spread(double sigma, FilmSize size, std::vector<float>& film) const {
-  const auto halo = blurred(cells_, spot_profile(sigma / cell_points, 1));
+  const auto halo = blur(cells_, spot_profile(sigma / cell_points, 1));
   const int side = size.pixels();
   const double pixels_a_cell = cell_points * size.pixels_per_point;
   const double a_pixel = 1.0 / (pixels_a_cell * pixels_a_cell);

@@ -71,7 +71,7 @@ std::vector<LineStroke> strokes_of(const UnitedLines& lines, const Window& windo
 }
 
 // The requested extent or that of the strokes, extended to the proportions of the field.
-Window framed(const std::vector<LineStroke>& strokes, const DrawingField& field, bool perspective) {
+Window frame(const std::vector<LineStroke>& strokes, const DrawingField& field, bool perspective) {
   const double shorter = std::min(field.width, field.height);
   if (field.extent) {
     const double half = perspective ? half_extent(*field.extent) : *field.extent / 2;
@@ -327,12 +327,12 @@ std::array<double, 2> ImageWindow::in_field(const std::array<double, 2>& place, 
 }
 
 ImageWindow drawing_window(const UnitedLines& lines, const scene::PolyCamera& camera, const DrawingField& field) {
-  DrawingField settled = field;
+  DrawingField adjusted = field;
   constexpr double everything = 1e9;  // exceeds any image of coordinates below 2^18 in parallel projection
   std::vector<LineStroke> strokes;
   if (!field.extent) strokes = strokes_of(lines, square(everything));
-  if (!field.extent && camera.perspective && beyond(strokes)) settled.extent = usual_angle;
-  return framed(strokes, settled, camera.perspective);
+  if (!field.extent && camera.perspective && beyond(strokes)) adjusted.extent = usual_angle;
+  return frame(strokes, adjusted, camera.perspective);
 }
 
 std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window,

@@ -143,20 +143,20 @@ Rate rate_of(std::uint64_t wrong, std::uint64_t points) {
   return rate;
 }
 
-HausdorffDistance one_way(std::vector<double> distances) {
+HausdorffDistance directed_hausdorff_distance(std::vector<double> distances) {
   if (distances.empty()) return {};
   const auto usual = distances.end() - 1 - static_cast<std::ptrdiff_t>(distances.size() / 1000);
   std::nth_element(distances.begin(), usual, distances.end());
   return {*std::max_element(usual, distances.end()), *usual};
 }
 
-HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
-  return one_way(distances(a, NearestSegment(b)));
+HausdorffDistance directed_hausdorff_distance(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
+  return directed_hausdorff_distance(distances(a, NearestSegment(b)));
 }
 
 HausdorffDistance hausdorff_distance(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
-  const HausdorffDistance there = one_way(a, b);
-  const HausdorffDistance back = one_way(b, a);
+  const HausdorffDistance there = directed_hausdorff_distance(a, b);
+  const HausdorffDistance back = directed_hausdorff_distance(b, a);
   return {std::max(there.greatest, back.greatest), std::max(there.usual, back.usual)};
 }
 
@@ -165,9 +165,9 @@ double LineMetrics::share(double length) const {
   return true_length > 0 ? length / true_length : infinity;
 }
 
-LineMetrics line_metrics(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn,
+LineMetrics line_metrics(const std::vector<ReferenceLine>& reference, const std::vector<DrawnPiece>& drawn,
                          const MetricOptions& options) {
-  const std::vector<MeasuredLine> lines = measured_lines(truth, drawn);
+  const std::vector<MeasuredLine> lines = measured_lines(reference, drawn);
   std::vector<PixelSegment> seen;
   std::vector<PixelSegment> pieces;
   if (options.distances) {
@@ -195,10 +195,10 @@ LineMetrics line_metrics(const std::vector<ReferenceLine>& truth, const std::vec
   return metrics;
 }
 
-LineDifference line_difference(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn,
+LineDifference line_difference(const std::vector<ReferenceLine>& reference, const std::vector<DrawnPiece>& drawn,
                                double least) {
   LineDifference difference;
-  for (const MeasuredLine& line : measured_lines(truth, drawn)) {
+  for (const MeasuredLine& line : measured_lines(reference, drawn)) {
     const auto add = [&](std::vector<PixelSegment>& to, const LineParts& parts, double shortest) {
       for (const LinePart& part : parts)
         if ((part.high - part.low) * line.length > shortest) to.push_back(part_of(line.image, part));

@@ -102,7 +102,7 @@ struct MetricOptions {
   bool distances = true;  // false: hausdorff, missing_far and extra_far stay 0, which takes a tenth of the time
 };
 
-[[nodiscard]] LineMetrics line_metrics(const std::vector<ReferenceLine>& truth,
+[[nodiscard]] LineMetrics line_metrics(const std::vector<ReferenceLine>& reference,
                                        const std::vector<DrawnPiece>& drawn,
                                        const MetricOptions& options = {});
 
@@ -113,7 +113,7 @@ struct LineDifference {
   std::vector<PixelSegment> extra;
 };
 // Omits parts of missing and extra that are at most `least` pixels long.
-[[nodiscard]] LineDifference line_difference(const std::vector<ReferenceLine>& truth,
+[[nodiscard]] LineDifference line_difference(const std::vector<ReferenceLine>& reference,
                                              const std::vector<DrawnPiece>& drawn, double least = 0);
 
 }  // namespace sightline::picture

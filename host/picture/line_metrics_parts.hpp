@@ -26,9 +26,9 @@ using LineParts = std::vector<LinePart>;  // ascending, disjoint, each of a posi
 [[nodiscard]] double distance(const PixelPoint& point, const PixelSegment& segment);
 
 // The greatest distance, and the distance that all but one in a thousand do not exceed. 0 if there are none.
-[[nodiscard]] HausdorffDistance one_way(std::vector<double> distances);
+[[nodiscard]] HausdorffDistance directed_hausdorff_distance(std::vector<double> distances);
 // Distances from `b` of points of `a`, a quarter of a pixel apart.
-[[nodiscard]] HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b);
+[[nodiscard]] HausdorffDistance directed_hausdorff_distance(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b);
 
 // A line with its visible and its drawn parts.
 struct MeasuredLine {
@@ -40,7 +40,7 @@ struct MeasuredLine {
 };
 
 // Lines ascend by number. A line unknown to the reference has no visible parts.
-[[nodiscard]] std::vector<MeasuredLine> measured_lines(const std::vector<ReferenceLine>& truth,
+[[nodiscard]] std::vector<MeasuredLine> measured_lines(const std::vector<ReferenceLine>& reference,
                                                        const std::vector<DrawnPiece>& drawn);
 
 }  // namespace sightline::picture

@@ -27,7 +27,7 @@ Int128 along(std::int64_t a, std::int64_t b, const Rational& s) {
   return Int128{a} * (s.denominator() - s.numerator()) + Int128{b} * s.numerator();
 }
 
-ImageRatio reduced(const ImageRatio& ratio) {
+ImageRatio reduce(const ImageRatio& ratio) {
   if (ratio.denominator == 0) return ratio;
   const Int128 divisor = geometry::common_divisor(ratio.numerator, ratio.denominator);
   return {ratio.numerator / divisor, ratio.denominator / divisor};
@@ -65,7 +65,7 @@ ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
   const Vector& b = image.ends[1];
   const bool upright = camera.perspective ? Int128{a[0]} * b[2] == Int128{b[0]} * a[2] : a[0] == b[0];
   const std::size_t axis = upright ? 1 : 0;
-  const auto ratio = [&](const Rational& s) { return reduced(image.ratio(axis, s, camera.perspective)); };
+  const auto ratio = [&](const Rational& s) { return reduce(image.ratio(axis, s, camera.perspective)); };
   segment.low = ratio(piece.low);
   segment.high = ratio(piece.high);
   if (compare(segment.low, segment.high) > 0) std::swap(segment.low, segment.high);

@@ -39,7 +39,7 @@ struct Overlay {
                                  const PixelPoint& high, const OverlayCaption& caption);
 // Pixels that are not 0 are lit; those lit in both with different values count as extra. Precondition: both grids have
 // the same size.
-[[nodiscard]] Overlay overlay_of(const PixelGrid& truth, const PixelGrid& drawn,
+[[nodiscard]] Overlay overlay_of(const PixelGrid& reference, const PixelGrid& drawn,
                                  const OverlayCaption& caption);
 
 // One pixel per unit, surrounded by the pen's width: 1027 pixels wide for lines.

@@ -214,7 +214,7 @@ double distance_from_line(const PenPlace& p, const PenPlace& a, const PenPlace& 
 }
 
 // Each run is extended while all points that it skips are near to it.
-Corners straightened(const Corners& line, std::span<const PenPlace> places, double tolerance) {
+Corners straighten(const Corners& line, std::span<const PenPlace> places, double tolerance) {
   constexpr std::size_t longest_run = 1000;
   Corners result{line[0]};
   std::size_t from = 0;
@@ -275,17 +275,17 @@ class Tour {
   }
 
   // A place where a line can begin.
-  struct Door {
+  struct StartPlace {
     std::uint32_t line;
     std::uint32_t corner;
   };
 
   void nearest_first() {
-    std::vector<Door> doors;
+    std::vector<StartPlace> starts;
     std::vector<PenPlace> at;
     for (std::uint32_t n = 0; n < count_; ++n) {
       const auto add = [&](std::size_t corner) {
-        doors.push_back({n, static_cast<std::uint32_t>(corner)});
+        starts.push_back({n, static_cast<std::uint32_t>(corner)});
         at.push_back(places_[lines_[n][corner]]);
       };
       if (is_closed(n)) {
@@ -296,7 +296,7 @@ class Tour {
       }
     }
     std::vector<bool> done(count_, false);
-    std::vector<std::uint32_t> left(doors.size());
+    std::vector<std::uint32_t> left(starts.size());
     std::iota(left.begin(), left.end(), 0U);
     Cells cells(at);
     cells.fill(left);
@@ -306,7 +306,7 @@ class Tour {
     for (std::uint32_t n = 0; n < count_; ++n) {
       // Searching many nearly empty cells is slow.
       if (4 * open < filled) {
-        left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t d) { return done[doors[d].line]; }), left.end());
+        left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t d) { return done[starts[d].line]; }), left.end());
         cells.fill(left);
         filled = open = left.size();
       }
@@ -315,7 +315,7 @@ class Tour {
       cells.around(
           pen,
           [&](std::uint32_t d) {
-            if (is_beyond(pen, at[d], nearest) || done[doors[d].line]) return;
+            if (is_beyond(pen, at[d], nearest) || done[starts[d].line]) return;
             const double distance = length_between(pen, at[d]);
             if (distance < nearest || (distance == nearest && d < best)) {
               nearest = distance;
@@ -323,7 +323,7 @@ class Tour {
             }
           },
           [&](double from) { return nearest <= from; });
-      const Door door = doors[best];
+      const StartPlace door = starts[best];
       done[door.line] = true;
       const bool closed = is_closed(door.line);
       open -= closed ? lines_[door.line].size() - 1 : std::min<std::size_t>(lines_[door.line].size(), 2);
@@ -555,7 +555,7 @@ VectorDrawing in_pen_order(const VectorDrawing& drawing, const Paper& paper, con
     joins.join(options.join, options.join);
     if (drawing.layers[layer].dash == 0) joins.join(options.min_gap, std::max(options.min_gap / 8, options.join));
     lines = joins.result();
-    for (Corners& line : lines) line = straightened(line, places, options.straight);
+    for (Corners& line : lines) line = straighten(line, places, options.straight);
     for (const std::uint32_t begun : Tour(places, lines, pen).run()) {
       Corners& line = lines[begun / 2];
       if (begun % 2 == 1) std::reverse(line.begin(), line.end());

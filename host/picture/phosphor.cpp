@@ -11,7 +11,7 @@ namespace sightline::picture {
 
 namespace {
 
-constexpr double units_a_flash = 4294967296.0;  // 2^32: a point may flash for an hour before a sum overflows
+constexpr double units_per_flash = 4294967296.0;  // 2^32: a point may flash for an hour before a sum overflows
 
 double seconds(core::Duration duration) {
   return static_cast<double>(duration.count()) * 1e-9;
@@ -70,7 +70,7 @@ void PhosphorPhotograph::stroke(const core::Stroke& stroke) {
     LatticeSums& sums = sums_[stroke.intensity][layer];
     if (sums.empty()) sums.resize(std::size_t{screen_points} * screen_points);
     sums[point] +=
-        static_cast<std::uint64_t>(luminance_[stroke.intensity] * shares[layer] * units_a_flash + 0.5);
+        static_cast<std::uint64_t>(luminance_[stroke.intensity] * shares[layer] * units_per_flash + 0.5);
   }
 }
 
@@ -86,8 +86,8 @@ std::vector<float> PhosphorPhotograph::layer_light(Layer layer) const {
   const auto side = static_cast<std::size_t>(size.pixels());
   std::vector<float> film(side * side);
   // Converts light per pixel to light per area of a point.
-  const double pixels_a_point = parameters_.pixels_per_point * parameters_.pixels_per_point;
-  const double scale = pixels_a_point / units_a_flash;
+  const double area_of_point = parameters_.pixels_per_point * parameters_.pixels_per_point;
+  const double scale = area_of_point / units_per_flash;
   Halo halo;
   for (int intensity = 0; intensity < intensity_levels; ++intensity) {
     const LatticeSums& sums = sums_[static_cast<std::size_t>(intensity)][layer];

@@ -74,25 +74,25 @@ double PixelMetrics::interior_mismatch() const {
   return ratio(different_inside, pixels - boundary_pixels);
 }
 
-PixelMetrics pixel_metrics(const PixelGrid& truth, const PixelGrid& drawn,
+PixelMetrics pixel_metrics(const PixelGrid& reference, const PixelGrid& drawn,
                            const std::vector<PixelSegment>& projected_edges) {
-  assert(truth.width == drawn.width && truth.height == drawn.height);
-  const PixelGrid boundary = boundary_of(truth.width, truth.height, projected_edges);
+  assert(reference.width == drawn.width && reference.height == drawn.height);
+  const PixelGrid boundary = boundary_of(reference.width, reference.height, projected_edges);
   PixelMetrics metrics;
-  for (std::size_t i = 0; i < truth.values.size(); ++i) {
-    const bool different = truth.values[i] != drawn.values[i];
+  for (std::size_t i = 0; i < reference.values.size(); ++i) {
+    const bool different = reference.values[i] != drawn.values[i];
     const bool on_boundary = boundary.values[i] != 0;
     ++metrics.pixels;
     metrics.boundary_pixels += on_boundary ? 1U : 0U;
     metrics.different_on_boundary += different && on_boundary ? 1U : 0U;
     metrics.different_inside += different && !on_boundary ? 1U : 0U;
-    metrics.lit += truth.values[i] != 0 ? 1U : 0U;
-    const bool missing = truth.values[i] != 0 && drawn.values[i] == 0;
-    const bool extra = truth.values[i] == 0 && drawn.values[i] != 0;
+    metrics.lit += reference.values[i] != 0 ? 1U : 0U;
+    const bool missing = reference.values[i] != 0 && drawn.values[i] == 0;
+    const bool extra = reference.values[i] == 0 && drawn.values[i] != 0;
     metrics.missing += missing ? 1U : 0U;
     metrics.extra += extra ? 1U : 0U;
     metrics.missing_far += missing && alone(drawn, i) ? 1U : 0U;
-    metrics.extra_far += extra && alone(truth, i) ? 1U : 0U;
+    metrics.extra_far += extra && alone(reference, i) ? 1U : 0U;
   }
   return metrics;
 }

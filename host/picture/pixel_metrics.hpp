@@ -56,7 +56,7 @@ struct PixelMetrics {
 };
 
 // Precondition: both have the same size.
-[[nodiscard]] PixelMetrics pixel_metrics(const PixelGrid& truth, const PixelGrid& drawn,
+[[nodiscard]] PixelMetrics pixel_metrics(const PixelGrid& reference, const PixelGrid& drawn,
                                          const std::vector<PixelSegment>& projected_edges);
 
 }  // namespace sightline::picture

@@ -26,8 +26,8 @@ struct PngFile {
   TextEntries text;
 };
 
-// `pixels_a_millimetre`, if given, is stored as the image's size on paper (chunk pHYs), rounded to pixels per metre.
-[[nodiscard]] base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text = {}, double pixels_a_millimetre = 0);
+// `pixels_per_millimetre`, if given, is stored as the image's size on paper (chunk pHYs), rounded to pixels per metre.
+[[nodiscard]] base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text = {}, double pixels_per_millimetre = 0);
 [[nodiscard]] base::Result<base::Done> write_png(const std::string& path, const Image& image,
                                                  const TextEntries& text = {});
 

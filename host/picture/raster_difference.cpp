@@ -70,7 +70,7 @@ std::optional<std::int64_t> squared_beside(const PixelGrid& grid, int column, in
 // One direction: from the lit points of one set to those of the other.
 struct Direction {
   std::uint64_t lit = 0;
-  PointsApart apart;
+  DifferingPoints apart;
   HausdorffDistance distance;
 };
 
@@ -118,10 +118,10 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
 
 }  // namespace
 
-RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& drawn) {
-  assert(truth.width == drawn.width && truth.height == drawn.height);
-  const Direction there = direction_of(truth, drawn);
-  const Direction back = direction_of(drawn, truth);
+RasterDifference raster_difference(const PixelGrid& reference, const PixelGrid& drawn) {
+  assert(reference.width == drawn.width && reference.height == drawn.height);
+  const Direction there = direction_of(reference, drawn);
+  const Direction back = direction_of(drawn, reference);
   return {there.lit,
           back.lit,
           there.apart,
@@ -130,16 +130,16 @@ RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& draw
            std::max(there.distance.usual, back.distance.usual)}};
 }
 
-Image difference_image(const PixelGrid& truth, const PixelGrid& drawn, int pixels) {
-  assert(truth.width == drawn.width && truth.height == drawn.height && pixels >= 1);
-  Image image(truth.width * pixels, truth.height * pixels, 3);
+Image difference_image(const PixelGrid& reference, const PixelGrid& drawn, int pixels) {
+  assert(reference.width == drawn.width && reference.height == drawn.height && pixels >= 1);
+  Image image(reference.width * pixels, reference.height * pixels, 3);
   for (int y = 0; y < image.height; ++y) {
-    const int row = truth.height - 1 - y / pixels;
+    const int row = reference.height - 1 - y / pixels;
     for (int x = 0; x < image.width; ++x) {
-      const bool in_truth = truth.at(x / pixels, row) != 0;
+      const bool in_reference = reference.at(x / pixels, row) != 0;
       const bool in_drawn = drawn.at(x / pixels, row) != 0;
-      const Colour colour = in_truth && in_drawn ? difference_colours::agreed
-                            : in_truth           ? difference_colours::missing
+      const Colour colour = in_reference && in_drawn ? difference_colours::agreed
+                            : in_reference           ? difference_colours::missing
                             : in_drawn           ? difference_colours::extra
                                                  : Colour{255, 255, 255};
       const std::size_t at = image.index(x, y);

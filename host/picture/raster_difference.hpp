@@ -24,19 +24,19 @@
 namespace sightline::picture {
 
 // The number of points of one set that are not in the other, and of those farther from it than 1 and than 2.
-struct PointsApart {
+struct DifferingPoints {
   std::uint64_t all = 0;
   std::uint64_t beyond_1 = 0;
   std::uint64_t beyond_2 = 0;
 
-  friend bool operator==(const PointsApart&, const PointsApart&) = default;
+  friend bool operator==(const DifferingPoints&, const DifferingPoints&) = default;
 };
 
 struct RasterDifference {
   std::uint64_t lit_in_truth = 0;
   std::uint64_t lit_in_drawn = 0;
-  PointsApart missing;  // only in the reference
-  PointsApart extra;    // only in the drawing
+  DifferingPoints missing;  // only in the reference
+  DifferingPoints extra;    // only in the drawing
   // Over all lit points of both sets; agreeing points have distance 0. `usual` is exceeded by one point in a thousand, in
   // the worse of the two directions. Infinite if exactly one set is empty.
   HausdorffDistance hausdorff;
@@ -45,10 +45,10 @@ struct RasterDifference {
 };
 
 // Points that are not 0 are lit. Precondition: both have the same size.
-[[nodiscard]] RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& drawn);
+[[nodiscard]] RasterDifference raster_difference(const PixelGrid& reference, const PixelGrid& drawn);
 
 // The difference in three colours on white: lit in both grey, missing orange, extra blue (difference_colours). A point is
 // `pixels` pixels wide and high, at least 1. Precondition: both have the same size.
-[[nodiscard]] Image difference_image(const PixelGrid& truth, const PixelGrid& drawn, int pixels = 1);
+[[nodiscard]] Image difference_image(const PixelGrid& reference, const PixelGrid& drawn, int pixels = 1);
 
 }  // namespace sightline::picture

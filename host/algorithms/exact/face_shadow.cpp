@@ -59,7 +59,7 @@ constexpr unsigned is_negative(const geometry::Int128& value) {
 }
 
 // All corners are on the same side, or (impossible for a convex face) every side crosses.
-constexpr bool is_apart(unsigned to_left) { return to_left == 0 || to_left == all_four; }
+constexpr bool cannot_hide(unsigned to_left) { return to_left == 0 || to_left == all_four; }
 constexpr bool alternates(unsigned to_left) { return to_left == 0b0101 || to_left == 0b1010; }
 
 // The part of an edge beyond a plane, given the plane's values at its ends, one of which is positive.
@@ -150,15 +150,15 @@ bool EdgeShadow<Sight>::add(const Occluder& occluder) {
                           is_negative(-sides[3]) << 3;
     const unsigned not_right = is_negative(~sides[0]) | is_negative(~sides[1]) << 1 | is_negative(~sides[2]) << 2 |
                                is_negative(~sides[3]) << 3;
-    if ((a <= 0 && b <= 0) || (is_apart(left) && is_apart(not_right)))
+    if ((a <= 0 && b <= 0) || (cannot_hide(left) && cannot_hide(not_right)))
       return false;
     if (alternates(left) || alternates(not_right)) {
       cast_corners(occluder, beyond<Number>(a, b));
     } else if (left == not_right) {
       cast_four(occluder, beyond<Number>(a, b), left, true, true);
     } else {
-      if (!is_apart(left)) cast_four(occluder, beyond<Number>(a, b), left, true, false);
-      if (!is_apart(not_right)) cast_four(occluder, beyond<Number>(a, b), not_right, false, true);
+      if (!cannot_hide(left)) cast_four(occluder, beyond<Number>(a, b), left, true, false);
+      if (!cannot_hide(not_right)) cast_four(occluder, beyond<Number>(a, b), not_right, false, true);
     }
   }
   return left_.whole() && (!split_ || right_.whole());

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double cells_an_occluder = 0.25;
 constexpr double most_cells_a_side = 1024;
-constexpr std::uint32_t most_entries_an_occluder = 32;  // on average
+constexpr std::uint32_t most_entries_per_occluder = 32;  // on average
 
 template <class Visit>
 void for_cells(const ImageGrid::Cells& cells, std::uint32_t side, Visit visit) {
@@ -25,7 +25,7 @@ ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::u
   side_ = static_cast<std::uint32_t>(
       std::clamp(std::sqrt(static_cast<double>(bounds.size()) * cells_an_occluder), 1.0, most_cells_a_side));
   // Occluders that cover much of the image are entered in many cells each; then the grid gets fewer cells.
-  const std::uint64_t most = std::uint64_t{most_entries_an_occluder} * bounds.size() + 4096;
+  const std::uint64_t most = std::uint64_t{most_entries_per_occluder} * bounds.size() + 4096;
   while (side_ > 1 && entries_needed(bounds) > most) side_ /= 2;
   for (std::uint32_t cell = 0; cell < side_; ++cell)
     first_steps_.push_back(static_cast<std::uint16_t>(((cell << 15) + side_ - 1) / side_));

@@ -15,7 +15,7 @@ namespace sightline::algorithms::exact {
 namespace {
 
 // The listener of a search without a trace: its calls compile to nothing.
-struct Unwatched {
+struct NoListener {
   void edge(const picture::LineEdge&) {}
   template <class Shadow>
   void compared(const picture::LineEdge&, const Occluder&, bool, const Shadow&) {}
@@ -23,9 +23,9 @@ struct Unwatched {
 };
 
 // Reports to a Trace what is visible of an edge after each comparison.
-class Watched {
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(trace) {}
+  explicit TraceListener(Trace& trace) : trace_(trace) {}
 
   void edge(const picture::LineEdge& edge) { trace_.edge(edge); }
   template <class Shadow>
@@ -119,7 +119,7 @@ class Search {
   }
 
   [[nodiscard]] bool may_hide_all(std::uint32_t number, const ImageBounds& bounds, std::uint32_t depth) const {
-    if (number == nobody) return false;
+    if (number == no_occluder) return false;
     const ImageBounds& cover = view_.occluder_bounds[number];
     return view_.occluder_depths[number] <= depth && cover.low[0] <= bounds.low[0] && cover.low[1] <= bounds.low[1] &&
            bounds.high[0] <= cover.high[0] && bounds.high[1] <= cover.high[1];
@@ -149,8 +149,8 @@ class Search {
   static constexpr std::size_t enough = 4;
   std::array<std::uint32_t, batch + enough> near_{};  // ranks of occluders
   std::size_t near_count_ = 0;
-  static constexpr std::uint32_t nobody = ~0U;
-  std::uint32_t last_ = nobody;  // the last occluder that hid the rest of an edge: it may hide the next edge, too
+  static constexpr std::uint32_t no_occluder = ~0U;
+  std::uint32_t last_ = no_occluder;  // the last occluder that hid the rest of an edge: it may hide the next edge, too
   const picture::ChosenEdges* chosen_;
   Listener& listener_;
 };
@@ -217,7 +217,7 @@ picture::LinePicture by_edge(std::span<const SeenPart> parts, std::span<const st
 // From this many edges on, edges are compared in image order: then the occluders near an edge are mostly those near the
 // edge before it, and are still in the cache.
 constexpr std::size_t fewest_edges_ordered = 50'000;
-constexpr std::size_t fewest_faces_a_job = 8;  // limits the number of threads
+constexpr std::size_t fewest_faces_per_job = 8;  // limits the number of threads
 
 template <class Listener>
 picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener,
@@ -241,7 +241,7 @@ void fetch(const View& view, std::uint32_t edge) {
 
 picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                     const picture::ChosenEdges* chosen, unsigned jobs) {
-  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_a_job));
+  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_per_job));
   std::vector<std::uint32_t> order;
   std::vector<SeenPart> parts(jobs);
   {
@@ -251,8 +251,8 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
     base::for_parts(jobs, order.size(), [&](std::size_t number, std::size_t begin, std::size_t end) {
       SeenPart& part = parts[number];
       part.counts.reserve(end - begin);
-      Unwatched nobody;
-      Search<Unwatched> search(view, grid, chosen, nobody);
+      NoListener no_occluder;
+      Search<NoListener> search(view, grid, chosen, no_occluder);
       for (std::size_t i = begin; i < end; ++i) {
         if (i + ahead < end) fetch(view, order[i + ahead]);
         if (i + 2 * ahead < end) __builtin_prefetch(&mesh.edges[order[i + 2 * ahead]]);
@@ -270,13 +270,13 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                    const picture::ChosenEdges* chosen, unsigned jobs) {
-  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, Unwatched(), chosen);
+  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, NoListener(), chosen);
   return search_ordered(mesh, camera, chosen, jobs);
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace& trace) {
   const EdgeMesh mesh = make_edge_mesh(scene);
-  return search_edges(mesh, camera, Watched(trace));
+  return search_edges(mesh, camera, TraceListener(trace));
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {

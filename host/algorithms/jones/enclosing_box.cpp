@@ -53,7 +53,7 @@ Box enclosing_box(Box box, std::span<const geometry::Plane> planes,
       const geometry::Plane& plane = planes[half.plane];
       const geometry::Vector3 normal = half.turned ? geometry::negated(plane.normal) : plane.normal;
       changed = tighten(box, normal, half.turned ? -plane.offset : plane.offset) || changed;
-      if (without_points(box)) return box;
+      if (is_empty(box)) return box;
     }
     if (!changed) break;
   }

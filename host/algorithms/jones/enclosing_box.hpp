@@ -15,7 +15,7 @@ namespace sightline::algorithms::jones {
 [[nodiscard]] geometry::Box enclosing_box(geometry::Box box, std::span<const geometry::Plane> planes,
                                           std::span<const scene::HalfSpace> halves);
 
-[[nodiscard]] constexpr bool without_points(const geometry::Box& box) {
+[[nodiscard]] constexpr bool is_empty(const geometry::Box& box) {
   return box.low[0] > box.high[0] || box.low[1] > box.high[1] || box.low[2] > box.high[2];
 }
 

@@ -17,10 +17,10 @@
 namespace sightline::algorithms::jones {
 
 // In lowest terms; nullopt if that does not fit in 64 bits.
-[[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<std::int64_t>& fraction) {
+[[nodiscard]] inline std::optional<geometry::Rational> reduce(const Fraction<std::int64_t>& fraction) {
   return geometry::Rational(fraction.numerator, fraction.denominator);
 }
-[[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<geometry::Int128>& fraction) {
+[[nodiscard]] inline std::optional<geometry::Rational> reduce(const Fraction<geometry::Int128>& fraction) {
   const geometry::Int128 divisor = geometry::common_divisor(fraction.denominator, fraction.numerator);
   const geometry::Int128 denominator = fraction.denominator / divisor;
   if (denominator > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
@@ -60,8 +60,8 @@ class Fragments {
       if (sight.perspective() && geometry::dot(sight.forward(), from) <= 0 &&
           geometry::dot(sight.forward(), to) <= 0)
         continue;
-      const auto low = reduced(fragment.stretch.low);
-      const auto high = reduced(fragment.stretch.high);
+      const auto low = reduce(fragment.stretch.low);
+      const auto high = reduce(fragment.stretch.high);
       if (!low || !high) return std::nullopt;
       picture.pieces.push_back({{edge.from, edge.to}, *low, *high});
     }

@@ -35,7 +35,7 @@ class PreparedComplex {
     return index_.cells_at(*complex_, planes_, point);
   }
   // Null if the cell is not crowded.
-  [[nodiscard]] const CrowdedCell* crowded(scene::CellNumber cell) const {
+  [[nodiscard]] const CrowdedCell* find_crowded(scene::CellNumber cell) const {
     return crowded_.find(*complex_, cell);
   }
   // The greatest magnitude of a component of a normal, and of a plane's value at a point within the coordinate limit.
@@ -44,7 +44,7 @@ class PreparedComplex {
 
  private:
   void measure();
-  void find_ways_in();
+  void find_entrances();
 
   const scene::CellComplex* complex_;
   std::vector<geometry::Plane> planes_;

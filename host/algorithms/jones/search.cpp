@@ -6,6 +6,6 @@ namespace sightline::algorithms::jones {
 template class Search<NarrowArithmetic>;
 template class Search<MediumArithmetic>;
 template class Search<WideArithmetic>;
-template class Search<WideArithmetic, Watched>;
+template class Search<WideArithmetic, TraceListener>;
 
 }  // namespace sightline::algorithms::jones

@@ -58,7 +58,7 @@ struct Reached {
   std::vector<std::uint32_t> cells;
 };
 
-template <class Arithmetic, class Listener = Unwatched>
+template <class Arithmetic, class Listener = NoListener>
 class Search {
  public:
   explicit Search(Listener listener = {}) : listener_(listener) {}
@@ -94,13 +94,13 @@ class Search {
     void visit(const Waiting& waiting);
     void take_mask(const Waiting& waiting);
     [[nodiscard]] bool may_see(const geometry::Box& box) const;
-    void see_all();
+    void set_whole_view();
     template <class Part>
     void draw_line(std::uint32_t edge, const Part& part);
     void draw_rest(std::uint32_t edge, Stretch<Number> left);
     [[nodiscard]] bool hidden(const geometry::Vector3& from, const geometry::Vector3& to);
-    void look_out(const Waiting& waiting, std::uint32_t opening);
-    void look_through(std::uint32_t number, bool from_negative_side, std::uint32_t depth);
+    void test_opening(const Waiting& waiting, std::uint32_t opening);
+    void queue_cell_beyond(std::uint32_t number, bool from_negative_side, std::uint32_t depth);
     [[nodiscard]] bool faces_eye(std::uint32_t number, bool from_negative_side);
     void make_planes(const scene::ComplexOpening& opening, Reached::Opening& state);
     [[nodiscard]] std::span<const Side> first_mask(std::uint32_t first_plane, std::uint32_t count);
@@ -121,7 +121,7 @@ class Search {
   std::vector<std::int8_t> signs_;
   std::vector<std::uint8_t> cutting_planes_;  // 1 for the sides of an opening that cut something off the mask
   std::size_t hiding_side_ = 0;              // the side of the mask beyond which the last hidden line lay
-  std::vector<std::uint32_t> met_openings_;  // of a crowded cell, those the mask may meet
+  std::vector<std::uint32_t> openings_met_;  // of a crowded cell, those the mask may meet
   Fragments<Number> fragments_;
   [[no_unique_address]] Listener listener_;
 };
@@ -137,11 +137,11 @@ base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prep
   Pass pass{prepared, reached, Sight(camera), *this, {}};
   planes_.push_back(pass.sight.template before_eye<Number>());
   if (start.outside) {
-    pass.see_all();
+    pass.set_whole_view();
     pass.draw_outer_faces();
     for (const std::uint32_t number : prepared.entrances()) {
       const bool from_negative_side = prepared.complex().openings[number].cells[0] == scene::outside;
-      if (pass.faces_eye(number, from_negative_side)) pass.look_through(number, from_negative_side, 0);
+      if (pass.faces_eye(number, from_negative_side)) pass.queue_cell_beyond(number, from_negative_side, 0);
     }
   }
   for (const scene::CellNumber cell : start.cells) waiting_.push_back({cell, 1, waiting_sides_.size(), 0});
@@ -178,7 +178,7 @@ void Search<Arithmetic, Listener>::Pass::visit(const Waiting& waiting) {
   const scene::ComplexCell& cell = complex.cells[waiting.cell];
   const auto lines = complex.lines_of(cell);
   const auto openings = complex.openings_of(cell);
-  const CrowdedCell* const crowded = prepared.crowded(waiting.cell);
+  const CrowdedCell* const crowded = prepared.find_crowded(waiting.cell);
   const auto draw = [&](std::size_t i) {
     draw_line(lines.edge(i), [&] {
       const scene::ComplexLine line = lines[i];
@@ -188,24 +188,24 @@ void Search<Arithmetic, Listener>::Pass::visit(const Waiting& waiting) {
   };
   if (crowded == nullptr) {
     for (std::size_t i = 0; i < lines.size(); ++i) draw(i);
-    for (std::size_t i = openings.size(); i-- > 0;) look_out(waiting, openings[i]);
+    for (std::size_t i = openings.size(); i-- > 0;) test_opening(waiting, openings[i]);
     return;
   }
   const auto meets = [this](const geometry::Box& box) { return may_see(box); };
   crowded->lines.for_each_that(meets, draw);
-  search.met_openings_.clear();
-  crowded->openings.for_each_that(meets, [&](std::uint32_t i) { search.met_openings_.push_back(i); });
-  std::sort(search.met_openings_.begin(), search.met_openings_.end(), std::greater<>());
-  for (const std::uint32_t i : search.met_openings_) look_out(waiting, openings[i]);
+  search.openings_met_.clear();
+  crowded->openings.for_each_that(meets, [&](std::uint32_t i) { search.openings_met_.push_back(i); });
+  std::sort(search.openings_met_.begin(), search.openings_met_.end(), std::greater<>());
+  for (const std::uint32_t i : search.openings_met_) test_opening(waiting, openings[i]);
 }
 
 template <class Arithmetic, class Listener>
-void Search<Arithmetic, Listener>::Pass::look_out(const Waiting& waiting, std::uint32_t opening) {
+void Search<Arithmetic, Listener>::Pass::test_opening(const Waiting& waiting, std::uint32_t opening) {
   const auto& cells = prepared.complex().openings[opening].cells;
   const bool from_negative_side = cells[0] == waiting.cell;
   if (cells[from_negative_side ? 1 : 0] == scene::outside) return;
   if (faces_eye(opening, from_negative_side)) {
-    look_through(opening, from_negative_side, waiting.depth);
+    queue_cell_beyond(opening, from_negative_side, waiting.depth);
   } else {
     search.listener_.portal(opening, cells[from_negative_side ? 1 : 0], PortalTest::faces_away);
   }
@@ -213,7 +213,7 @@ void Search<Arithmetic, Listener>::Pass::look_out(const Waiting& waiting, std::u
 
 // Pushes the cell beyond an opening that faces the eye, if any of it is seen through the opening and the current mask.
 template <class Arithmetic, class Listener>
-void Search<Arithmetic, Listener>::Pass::look_through(std::uint32_t number, bool from_negative_side,
+void Search<Arithmetic, Listener>::Pass::queue_cell_beyond(std::uint32_t number, bool from_negative_side,
                                             std::uint32_t depth) {
   const scene::ComplexOpening& opening = prepared.complex().openings[number];
   ++counts.openings_tested;
@@ -328,7 +328,7 @@ auto Search<Arithmetic, Listener>::Pass::clipped_by_sides(std::span<const Side> 
 extern template class Search<NarrowArithmetic>;
 extern template class Search<MediumArithmetic>;
 extern template class Search<WideArithmetic>;
-extern template class Search<WideArithmetic, Watched>;
+extern template class Search<WideArithmetic, TraceListener>;
 
 }  // namespace sightline::algorithms::jones
 

@@ -10,7 +10,7 @@ namespace sightline::algorithms::jones {
 
 template <class Arithmetic, class Listener>
 void Search<Arithmetic, Listener>::Pass::take_mask(const Waiting& waiting) {
-  see_all();
+  set_whole_view();
   if (waiting.side_count == 0) return;
   const auto first = search.waiting_sides_.begin() + static_cast<std::ptrdiff_t>(waiting.first_side);
   search.mask_.assign(first, first + static_cast<std::ptrdiff_t>(waiting.side_count));
@@ -22,7 +22,7 @@ void Search<Arithmetic, Listener>::Pass::take_mask(const Waiting& waiting) {
 
 // The current mask is everything before the eye.
 template <class Arithmetic, class Listener>
-void Search<Arithmetic, Listener>::Pass::see_all() {
+void Search<Arithmetic, Listener>::Pass::set_whole_view() {
   search.mask_.clear();
   search.mask_planes_.clear();
   if (search.cutting_sides_.empty()) search.cutting_sides_.resize(1);

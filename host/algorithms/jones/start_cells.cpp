@@ -45,7 +45,7 @@ std::vector<std::size_t> pieces_of(const PreparedComplex& prepared, const std::v
 
 // Whether the cell contains a step from the eye along forward, plus a far smaller step to the right and a far smaller one
 // up.
-bool looks_into(const PreparedComplex& prepared, CellNumber number, const scene::PolyCamera& camera) {
+bool contains_point_ahead(const PreparedComplex& prepared, CellNumber number, const scene::PolyCamera& camera) {
   const scene::CellComplex& complex = prepared.complex();
   for (const scene::HalfSpace& half : complex.bounds_of(complex.cells[number])) {
     const geometry::Plane& plane = prepared.planes()[half.plane];
@@ -65,7 +65,7 @@ std::vector<CellNumber> cells_around_eye(const PreparedComplex& prepared, const 
   const std::vector<std::size_t> piece = pieces_of(prepared, cells, camera.eye);
   std::size_t chosen = 0;
   for (std::size_t i = cells.size(); i-- > 0;) {
-    if (looks_into(prepared, cells[i], camera)) chosen = piece[i];
+    if (contains_point_ahead(prepared, cells[i], camera)) chosen = piece[i];
   }
   std::vector<CellNumber> start;
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -38,7 +38,7 @@ class Trace {
 };
 
 // The listener that does nothing.
-struct Unwatched {
+struct NoListener {
   static constexpr bool enough() { return false; }
   template <class Planes>
   void entered(scene::CellNumber, std::uint32_t, const Planes&) {}
@@ -51,9 +51,9 @@ struct Unwatched {
 };
 
 // Forwards everything to a Trace.
-class Watched {
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(&trace) {}
+  explicit TraceListener(Trace& trace) : trace_(&trace) {}
 
   [[nodiscard]] bool enough() const { return trace_->enough(); }
 

@@ -85,7 +85,7 @@ base::Result<View> visible_edges(const scene::CellComplex& complex, const scene:
   trace.start(start->cells, start->outside);
   Reached reached(complex);
   // The widest numbers suffice for every view and give the same result.
-  Search<WideArithmetic, Watched> search{Watched(trace)};
+  Search<WideArithmetic, TraceListener> search{TraceListener(trace)};
   return search.run(prepared, reached, camera, *start);
 }
 

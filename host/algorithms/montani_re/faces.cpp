@@ -250,7 +250,7 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
 
 void FaceSetBuilder::add_isolated_edge(std::uint32_t v, std::uint32_t w) {
   const std::uint32_t line = line_between(v, w);
-  if (line != none) set_.lone.push_back(line);
+  if (line != none) set_.isolated.push_back(line);
 }
 
 FaceSet FaceSetBuilder::take() {

@@ -79,7 +79,7 @@ struct FaceSet {
   std::vector<OutlineQuad> outlines;
   std::vector<picture::LineEdge> edges;  // by line of the image: vertices of the image
   std::uint64_t edge_on = 0;             // number of faces left out
-  std::vector<std::uint32_t> lone;       // lines of isolated edges (isolated_edges.hpp)
+  std::vector<std::uint32_t> isolated;       // lines of isolated edges (isolated_edges.hpp)
   std::optional<Window> window;          // the window to which the regions are clipped
 
   [[nodiscard]] std::span<const OutlineQuad> outline_of(const Face& face) const {

@@ -85,7 +85,7 @@ std::int64_t divisor_of(const scene::PolyCamera& camera) {
 }
 
 FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera, const SeenScene& seen,
-                 const PyramidFrame& frame, const WindowBounds* window, const std::vector<picture::LineEdge>& lone) {
+                 const PyramidFrame& frame, const WindowBounds* window, const std::vector<picture::LineEdge>& isolated) {
   FaceSetBuilder builder(camera.perspective, divisor_of(camera));
   builder.reserve(seen.vertices.size(), seen.faces.size());
   for (const std::array<std::int64_t, 3>& p : seen.vertices) {
@@ -101,7 +101,7 @@ FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera,
     std::copy(face.holes.begin(), face.holes.end(), rings.begin() + 1);
     builder.add_face(rings, static_cast<std::uint32_t>(one.body), static_cast<std::uint32_t>(one.index));
   }
-  for (const picture::LineEdge& edge : lone) builder.add_isolated_edge(edge.from, edge.to);
+  for (const picture::LineEdge& edge : isolated) builder.add_isolated_edge(edge.from, edge.to);
   return builder.take();
 }
 
@@ -128,15 +128,15 @@ FaceSet faces_seen(const scene::PolyScene& scene, const scene::PolyCamera& camer
 
 std::vector<FaceSet> faces_before_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
   std::vector<FaceSet> sets;
-  const std::vector<picture::LineEdge> lone = isolated_edges(scene, camera);
+  const std::vector<picture::LineEdge> isolated = isolated_edges(scene, camera);
   const SeenScene seen(scene, camera);
   if (seen.past_eye() == nullptr) {
-    sets.push_back(make_set(scene, camera, seen, {}, nullptr, lone));
+    sets.push_back(make_set(scene, camera, seen, {}, nullptr, isolated));
     return sets;
   }
   for (const Pyramid& pyramid : pyramids) {
-    FaceSet set = make_set(scene, camera, seen, pyramid.frame, &pyramid.window, lone);
-    if (!set.faces.empty() || !set.lone.empty()) sets.push_back(std::move(set));
+    FaceSet set = make_set(scene, camera, seen, pyramid.frame, &pyramid.window, isolated);
+    if (!set.faces.empty() || !set.isolated.empty()) sets.push_back(std::move(set));
   }
   return sets;
 }

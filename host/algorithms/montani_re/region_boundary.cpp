@@ -164,7 +164,7 @@ double signed_area(const Image& image, const RegionLoop& loop) {
   return sum / 2;
 }
 
-TrapezoidPcs united(const Image& image, std::span<const std::uint32_t> faces,
+TrapezoidPcs unite_regions(const Image& image, std::span<const std::uint32_t> faces,
                     std::span<const TrapezoidPcs> regions) {
   TrapezoidPcs result;
   for (const std::uint32_t face : faces) result = combine(image, result, regions[face], Operation::unite);

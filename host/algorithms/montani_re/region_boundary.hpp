@@ -31,7 +31,7 @@ using RegionLoop = std::vector<RegionCorner>;
 [[nodiscard]] double signed_area(const Image& image, const RegionLoop& loop);
 
 // The union of several faces, as the paper draws a class of equal priority at once: shared edges vanish.
-[[nodiscard]] TrapezoidPcs united(const Image& image, std::span<const std::uint32_t> faces,
+[[nodiscard]] TrapezoidPcs unite_regions(const Image& image, std::span<const std::uint32_t> faces,
                                   std::span<const TrapezoidPcs> regions);
 
 }  // namespace sightline::algorithms::montani_re

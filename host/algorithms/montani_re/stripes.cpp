@@ -94,10 +94,10 @@ class StripeCombination {
     bool in_a = false;
     bool in_b = false;
     for (std::size_t k = 0; k < row_.size();) {
-      const bool before = kept(operation_, in_a, in_b);
+      const bool before = in_result(operation_, in_a, in_b);
       const StripeSide& side = row_[k].side;
       for (; k < row_.size() && row_[k].side == side; ++k) (row_[k].of_a ? in_a : in_b) ^= true;
-      if (kept(operation_, in_a, in_b) != before) sides.push_back(side);
+      if (in_result(operation_, in_a, in_b) != before) sides.push_back(side);
     }
     return sides;
   }
@@ -174,7 +174,7 @@ std::pair<double, std::optional<double>> ends_of(const Image& image, const Image
 
 }  // namespace
 
-std::array<double, 2> pixels_a_unit(const scene::PolyCamera& camera, double size) {
+std::array<double, 2> pixels_per_unit(const scene::PolyCamera& camera, double size) {
   const auto length = [](const scene::PolyPoint& v) {
     const double x = v[0];
     const double y = v[1];
@@ -196,17 +196,17 @@ std::uint64_t StripePcs::side_count() const {
 StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const StripeFrame& frame,
                      std::int32_t units) {
   const std::int32_t stripe_count = (frame.height * units + 15) / 16;
-  const double stripes_a_pixel = units / 16.0;
+  const double stripes_per_pixel = units / 16.0;
   // Lines beyond the frame are moved to just outside it; nothing of them is kept.
   const auto line_at = [&](double y) {
-    const double at = std::floor((frame.centre[1] + frame.scale[1] * y) * stripes_a_pixel + 0.5);
+    const double at = std::floor((frame.centre[1] + frame.scale[1] * y) * stripes_per_pixel + 0.5);
     return std::clamp(at, -0x1p30, 0x1p30);
   };
   const auto abscissa = [&](std::uint32_t line, double y) {
     return std::clamp((frame.centre[0] + frame.scale[0] * image.abscissa(line, y)) * fraction, -farthest,
                       farthest);
   };
-  const double a_stripe = 1 / (frame.scale[1] * stripes_a_pixel);  // height of a stripe in image units
+  const double stripe_height = 1 / (frame.scale[1] * stripes_per_pixel);  // height of a stripe in image units
   StripePcs pcs;
   if (region.empty()) return pcs;
   const auto within = [&](double line) {
@@ -224,7 +224,7 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
       const double from = abscissa(side.line, y);
       const double start = line_at(y);
       const double slope = end ? (abscissa(side.line, *end) - from) / (line_at(*end) - start)
-                               : (abscissa(side.line, y + 1) - from) * a_stripe;
+                               : (abscissa(side.line, y + 1) - from) * stripe_height;
       for (std::int32_t k = within(low); k < within(high); ++k) {
         auto& stripe = pcs.stripes[static_cast<std::size_t>(k - pcs.first)];
         if (stripe.empty()) stripe.emplace_back();

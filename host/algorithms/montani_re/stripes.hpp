@@ -29,7 +29,7 @@ struct StripeFrame {
 };
 
 // The scale of both axes for `size` pixels per unit of the image as PolyCamera defines it.
-[[nodiscard]] std::array<double, 2> pixels_a_unit(const scene::PolyCamera& camera, double size);
+[[nodiscard]] std::array<double, 2> pixels_per_unit(const scene::PolyCamera& camera, double size);
 
 struct StripeSide {
   std::int64_t bottom = 0;  // abscissas in 1/65536 pixel at the lower and the upper end of the stripe

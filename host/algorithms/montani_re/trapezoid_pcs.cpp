@@ -12,7 +12,7 @@ namespace sightline::algorithms::montani_re {
 
 Combiner::Combiner(const Image& image, Operation operation) : image_(image), operation_(operation) {
   for (std::size_t in = 0; in < kept_.size(); ++in)
-    kept_[in] = kept(operation, (in & inside_a) != 0, (in & inside_b) != 0);
+    kept_[in] = in_result(operation, (in & inside_a) != 0, (in & inside_b) != 0);
 }
 
 void Combiner::operator()(TrapezoidPcs& a, const TrapezoidPcs& b) {

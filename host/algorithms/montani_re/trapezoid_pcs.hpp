@@ -59,7 +59,7 @@ void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, con
 enum class Operation { unite, intersect, subtract };
 
 // Whether a point belongs to the result, given whether it is in a and in b.
-[[nodiscard]] constexpr bool kept(Operation operation, bool in_a, bool in_b) {
+[[nodiscard]] constexpr bool in_result(Operation operation, bool in_a, bool in_b) {
   switch (operation) {
     case Operation::unite: return in_a || in_b;
     case Operation::intersect: return in_a && in_b;

@@ -22,7 +22,7 @@ class EdgePieces {
  public:
   explicit EdgePieces(const FaceSet& set) : set_(set) {
     found_.reserve(2 * set.faces.size());
-    for (const std::uint32_t line : set.lone) {
+    for (const std::uint32_t line : set.isolated) {
       const geometry::IntervalSet seen = seen_of_isolated_edge(set, line);
       for (const geometry::Interval& interval : seen.intervals()) unite(line, interval);
     }

@@ -91,10 +91,10 @@ double total_length(const std::vector<ScreenSegment>& lines) {
 
 }  // namespace
 
-DrawnError drawn_error(const std::vector<ScreenSegment>& truth, const std::vector<ScreenSegment>& drawn,
+DrawnError drawn_error(const std::vector<ScreenSegment>& reference, const std::vector<ScreenSegment>& drawn,
                        double distance) {
-  return {total_length(truth), total_length(drawn), unmatched(truth, drawn, distance),
-          unmatched(drawn, truth, distance)};
+  return {total_length(reference), total_length(drawn), unmatched(reference, drawn, distance),
+          unmatched(drawn, reference, distance)};
 }
 
 }  // namespace sightline::algorithms::oracle

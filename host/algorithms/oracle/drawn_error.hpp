@@ -24,7 +24,7 @@ struct DrawnError {
   double extra = 0;         // of drawn_length, farther than the distance from everything true
 };
 
-[[nodiscard]] DrawnError drawn_error(const std::vector<ScreenSegment>& truth,
+[[nodiscard]] DrawnError drawn_error(const std::vector<ScreenSegment>& reference,
                                      const std::vector<ScreenSegment>& drawn, double distance);
 
 }  // namespace sightline::algorithms::oracle

@@ -26,7 +26,7 @@ SightFan::SightFan(const Matter& matter, const RealLine& line, const geometry::P
   milestones_.erase(std::unique(milestones_.begin(), milestones_.end()), milestones_.end());
 }
 
-void SightFan::take_shadows(IntervalSet& seen) const {
+void SightFan::subtract_shadows(IntervalSet& seen) const {
   for (std::size_t m = 0; m + 1 < milestones_.size() && !seen.empty(); ++m) {
     take_stretch(seen, milestones_[m], milestones_[m + 1]);
     if (m > 0) take_crossing(seen, milestones_[m]);

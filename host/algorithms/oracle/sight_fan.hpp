@@ -20,7 +20,7 @@ class SightFan {
   SightFan(const Matter& matter, const RealLine& line, const geometry::Point& eye);
 
   // Removes from `seen` the coordinates, along the line relative to the eye, that matter hides.
-  void take_shadows(geometry::IntervalSet& seen) const;
+  void subtract_shadows(geometry::IntervalSet& seen) const;
 
  private:
   // The ray's position on one of the two cross axes: inside unit `before` (== `after`); on grid line `line`, passing from

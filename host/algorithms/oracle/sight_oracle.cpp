@@ -71,22 +71,22 @@ class Meetings {
 
 }  // namespace
 
-std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLine& line) {
+std::optional<FaceHit> nearest_face(const scene::PolyScene& scene, const SightLine& line) {
   const Meetings meetings(scene, line);
-  std::optional<MetFace> nearest;
+  std::optional<FaceHit> nearest;
   Distance least;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
       const auto distance = meetings.with(scene.bodies[b].faces[f]);
       if (!distance || (nearest && !distance->less(least))) continue;
-      nearest = MetFace{b, f};
+      nearest = FaceHit{b, f};
       least = *distance;
     }
   }
   return nearest;
 }
 
-bool meet_together(const scene::PolyScene& scene, const SightLine& line, const MetFace& first, const MetFace& second) {
+bool hit_at_same_point(const scene::PolyScene& scene, const SightLine& line, const FaceHit& first, const FaceHit& second) {
   const Meetings meetings(scene, line);
   const auto one = meetings.with(scene.bodies[first.body].faces[first.face]);
   const auto other = meetings.with(scene.bodies[second.body].faces[second.face]);

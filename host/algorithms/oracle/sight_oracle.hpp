@@ -17,11 +17,11 @@
 
 namespace sightline::algorithms::oracle {
 
-struct MetFace {
+struct FaceHit {
   std::size_t body = 0;
   std::size_t face = 0;
 
-  friend bool operator==(const MetFace&, const MetFace&) = default;
+  friend bool operator==(const FaceHit&, const FaceHit&) = default;
 };
 
 struct SightLine {
@@ -30,10 +30,10 @@ struct SightLine {
 };
 
 // The face met first; of faces met at the same point, the first in the scene's order. Precondition: the scene is checked.
-[[nodiscard]] std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLine& line);
+[[nodiscard]] std::optional<FaceHit> nearest_face(const scene::PolyScene& scene, const SightLine& line);
 
 // Whether the sight line meets both faces at the same point.
-[[nodiscard]] bool meet_together(const scene::PolyScene& scene, const SightLine& line, const MetFace& first, const MetFace& second);
+[[nodiscard]] bool hit_at_same_point(const scene::PolyScene& scene, const SightLine& line, const FaceHit& first, const FaceHit& second);
 
 // Whether no face is met strictly between the eye and the point.
 [[nodiscard]] bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye,

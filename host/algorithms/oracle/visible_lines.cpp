@@ -72,7 +72,7 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
   const std::int64_t length = std::int64_t{line.to[line.axis]} - line.from[line.axis];
   IntervalSet seen(start, start + length);
   keep_window(seen, line.axis, r, window);
-  if (!seen.empty()) SightFan(matter, line, eye).take_shadows(seen);
+  if (!seen.empty()) SightFan(matter, line, eye).subtract_shadows(seen);
   const auto parameter = [&](const Rational& x) {
     return Rational(x.numerator() - start * x.denominator(), x.denominator() * length);
   };

@@ -138,7 +138,7 @@ std::array<double, 2> simplest_between(double low, double high, int depth) {
 }
 
 // (x : z) rotated by `quarters` right angles.
-Sight turned(Sight s, int quarters) {
+Sight rotate(Sight s, int quarters) {
   for (int i = 0; i < ((quarters % 4) + 4) % 4; ++i) s = {s.z, -s.x};
   return s;
 }
@@ -251,13 +251,13 @@ std::optional<Sight> sight_between(const Direction& a, const Direction& b) {
     const double low = std::tan(std::abs(turn) - width / 4);
     const double high = std::tan(std::abs(turn) + width / 4);
     if (low < 0) {
-      sight = turned({0, 1}, quarters);
+      sight = rotate({0, 1}, quarters);
     } else {
       const auto [p, q] = simplest_between(low, high, 60);
       if (!(p < static_cast<double>(sight_limit) && q < static_cast<double>(sight_limit)))
         return std::nullopt;
       const Sight found{static_cast<std::int64_t>(turn < 0 ? -p : p), static_cast<std::int64_t>(q)};
-      sight = turned(found, quarters);
+      sight = rotate(found, quarters);
     }
   }
   const double after = ahead(a.angle, sight);

@@ -358,8 +358,8 @@ class Gatherer {
 
 std::vector<Direction> candidates_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
                                      const std::vector<Occluder>& occluders, Trace* trace) {
-  if (trace != nullptr) return Gatherer<Watched>(model, parts, edge, occluders, Watched(*trace)).gather();
-  return Gatherer<Unwatched>(model, parts, edge, occluders, {}).gather();
+  if (trace != nullptr) return Gatherer<TraceListener>(model, parts, edge, occluders, TraceListener(*trace)).gather();
+  return Gatherer<NoListener>(model, parts, edge, occluders, {}).gather();
 }
 
 }  // namespace sightline::algorithms::plantinga

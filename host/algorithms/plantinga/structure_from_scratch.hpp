@@ -44,7 +44,7 @@ struct WideArithmetic {
   [[nodiscard]] static auto depth(std::int64_t n) { return geometry::WideInteger<61>(n); }
 };
 
-template <class Arithmetic, class Listener = Unwatched>
+template <class Arithmetic, class Listener = NoListener>
 class FromScratch {
   using Number = typename Arithmetic::Number;
   using Across = typename Arithmetic::Across;

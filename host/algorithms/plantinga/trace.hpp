@@ -56,7 +56,7 @@ class Trace {
 };
 
 // The listener that does nothing.
-struct Unwatched {
+struct NoListener {
   template <class Fraction>
   void hides(EdgeIndex, FaceIndex, const Fraction&, const Fraction&) {}
   void potential(EventKind, EdgeIndex, std::uint32_t, std::uint32_t, const Direction&) {}
@@ -64,9 +64,9 @@ struct Unwatched {
 };
 
 // Forwards everything to a Trace.
-class Watched {
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(&trace) {}
+  explicit TraceListener(Trace& trace) : trace_(&trace) {}
 
   template <class Fraction>
   void hides(EdgeIndex edge, FaceIndex face, const Fraction& low, const Fraction& high) {

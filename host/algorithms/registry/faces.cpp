@@ -40,7 +40,7 @@ class WillisScene {
     FaceView view;
     // If the picture has the display's size, the display makes it.
     view.faces =
-        fits_display(spans_, window) ? displayed(spans_, display_) : willis::resolved(spans_, window);
+        fits_display(spans_, window) ? show_on_display(spans_, display_) : willis::resolve_priorities(spans_, window);
     view.counts = {
         {"distances", order.size()}, {"surfaces", spans_.surfaces.size()}, {"spans", spans_.spans.size()}};
     return view;

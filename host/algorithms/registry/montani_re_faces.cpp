@@ -23,7 +23,7 @@ namespace {
 namespace montani_re = algorithms::montani_re;
 
 montani_re::StripeFrame frame_of(const scene::PolyCamera& camera, const FaceWindow& window) {
-  return {montani_re::pixels_a_unit(camera, window.scale),
+  return {montani_re::pixels_per_unit(camera, window.scale),
           {window.left, window.height - window.top},
           window.width,
           window.height};

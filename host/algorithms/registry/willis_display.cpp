@@ -24,7 +24,7 @@ bool fits_display(const algorithms::willis::FrameSpans& frame,
                      [](const auto& surface) { return surface.face < last_colour; });
 }
 
-picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, WillisDisplay& display) {
+picture::PixelGrid show_on_display(const algorithms::willis::FrameSpans& frame, WillisDisplay& display) {
   PriorityDisplay& device = display.device;
   device.write(Register::control, PriorityDisplay::empty, display.now);
   for (const auto& surface : frame.surfaces) {

@@ -20,6 +20,6 @@ struct WillisDisplay {
 
 // Writes the frame into the display's list during vertical blanking, and waits until the display has scanned it.
 // Precondition: fits_display.
-[[nodiscard]] picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, WillisDisplay& display);
+[[nodiscard]] picture::PixelGrid show_on_display(const algorithms::willis::FrameSpans& frame, WillisDisplay& display);
 
 }  // namespace sightline::registry

@@ -259,7 +259,7 @@ class Areas {
   bool continues_ = false;  // the area is continued in the nearer row
 };
 
-void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Walked& walked, const View& view,
+void add_facets(const scene::HeightGrid& grid, const Surface& surface, const WalkResult& walked, const View& view,
                 picture::VectorDrawing& drawing) {
   if (surface.rows() < 2 || surface.columns() < 2) return;
   Sheet sheet(drawing, std::clamp(view.columns, fewest_columns, most_columns));
@@ -298,7 +298,7 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
   if (grid.heights.empty()) return drawing;
   // About the number of points in a picture of slices; unused reserved memory costs nothing.
   drawing.points.reserve(grid.heights.size());
-  const Walked walked = walking(order, drawing);
+  const WalkResult walked = walking(order, drawing);
   if (view.subject == Subject::surface) add_facets(grid, surface, walked, view, drawing);
   // On a net, the silhouette is drawn like the lines of the net.
   if (view.subject == Subject::surface) drawing.layers[silhouettes].colour = drawing.layers[along_rows].colour;
@@ -307,10 +307,10 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
 
 // Paints the cells of all surfaces from far to near; at the same place, the one on the eye's side last. If surfaces pass
 // through each other within a cell, the uppermost surface of each part of the cell is painted again.
-class FacetsTogether {
+class MultiSurfaceFacets {
  public:
-  FacetsTogether(std::span<const scene::HeightGrid> grids, const std::vector<Surface>& surfaces, const std::vector<Walk>& orders,
-                 const std::vector<Walked>& walked, const View& view, picture::VectorDrawing& drawing)
+  MultiSurfaceFacets(std::span<const scene::HeightGrid> grids, const std::vector<Surface>& surfaces, const std::vector<Walk>& orders,
+                 const std::vector<WalkResult>& walked, const View& view, picture::VectorDrawing& drawing)
       : grid_(grids[0]),
         surfaces_(surfaces),
         orders_(orders),
@@ -468,7 +468,7 @@ class FacetsTogether {
   const scene::HeightGrid& grid_;  // the first; all have the same coordinates
   const std::vector<Surface>& surfaces_;
   const std::vector<Walk>& orders_;
-  const std::vector<Walked>& walked_;
+  const std::vector<WalkResult>& walked_;
   const Surface& any_;
   Sheet sheet_;
   double towards_eye_;  // 1 if greater heights are nearer to the eye, else -1
@@ -504,8 +504,8 @@ picture::VectorDrawing draw(std::span<const scene::HeightGrid> grids, const View
   }
   const auto meetings = static_cast<std::uint32_t>(drawing.layers.size());
   drawing.layers.push_back({"intersections", {150, 0, 110}});
-  const std::vector<Walked> walked = walk(orders, drawing, meetings);
-  if (view.subject == Subject::surface) FacetsTogether(grids, surfaces, orders, walked, view, drawing).add();
+  const std::vector<WalkResult> walked = walk(orders, drawing, meetings);
+  if (view.subject == Subject::surface) MultiSurfaceFacets(grids, surfaces, orders, walked, view, drawing).add();
   return drawing;
 }
 

@@ -29,7 +29,7 @@ LinePart leading_part(std::span<const double> from, std::span<const double> to) 
   return part;
 }
 
-std::vector<Piece> seen_where(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
+std::vector<Piece> visible_pieces(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
                               const std::vector<Piece>& after) {
   std::vector<LinePart> parts;
   const auto take = [&](const std::vector<Piece>& pieces, double low, double high) {

@@ -20,7 +20,7 @@ using Leads = std::vector<double>;
 
 // The visible pieces of a line. `before` is visible as long as nothing else of its cell is drawn, `after` once the other
 // surfaces of the cell are drawn. The result is `before` where the line leads and `after` elsewhere.
-[[nodiscard]] std::vector<Piece> seen_where(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
+[[nodiscard]] std::vector<Piece> visible_pieces(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
                                             const std::vector<Piece>& after);
 
 // A point on a side of a triangle: the numbers of the side's ends and the parameter from the first. It does not depend on

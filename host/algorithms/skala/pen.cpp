@@ -7,7 +7,7 @@ namespace sightline::algorithms::skala {
 namespace {
 
 // Ends of pieces are numbered: piece n has the ends 2 n and 2 n + 1.
-constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_end = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> Stitcher::partners() const {
     if (a.joint != b.joint) return a.joint < b.joint;
     return a.layer != b.layer ? a.layer < b.layer : a.end < b.end;
   });
-  std::vector<std::uint32_t> partner(2 * pieces_.size(), nobody);
+  std::vector<std::uint32_t> partner(2 * pieces_.size(), no_end);
   for (std::size_t i = 0; i + 1 < named.size(); ++i) {
     if (named[i].joint != named[i + 1].joint || named[i].layer != named[i + 1].layer) continue;
     partner[named[i].end] = named[i + 1].end;
@@ -56,9 +56,9 @@ void Stitcher::finish(Sheet& sheet) {
     if (drawn[piece]) continue;
     // Goes back to the start of the line, or once around a closed line.
     std::uint32_t start = 2 * piece;
-    while (partner[start] != nobody && partner[start] / 2 != piece) start = partner[start] ^ 1U;
+    while (partner[start] != no_end && partner[start] / 2 != piece) start = partner[start] ^ 1U;
     corners.assign(1, end(start));
-    for (std::uint32_t at = start; at != nobody && !drawn[at / 2]; at = partner[at ^ 1U]) {
+    for (std::uint32_t at = start; at != no_end && !drawn[at / 2]; at = partner[at ^ 1U]) {
       drawn[at / 2] = true;
       corners.push_back(end(at ^ 1U));
     }

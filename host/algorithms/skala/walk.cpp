@@ -26,15 +26,15 @@ struct Corner {
 };
 
 // The listener that does nothing. Walks with a listener are compiled separately.
-struct Unwatched {
+struct NoListener {
   void line(std::span<const Vertex>, const std::vector<Piece>&) {}
   template <class Screen>
   void row_ended(const Screen&) {}
 };
 
-class Watched {
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(&trace) {}
+  explicit TraceListener(Trace& trace) : trace_(&trace) {}
   void line(std::span<const Vertex> line, const std::vector<Piece>& seen) { trace_->line(line, seen); }
   template <class Screen>
   void row_ended(const Screen& screen) {
@@ -65,12 +65,12 @@ class Walker {
         all_edges_(net_ || !lines_ || view_.silhouette),
         diagonals_(!lines_ || view_.silhouette),
         rims_(view_.rims && view_.subject != Subject::surface),
-        net_only_(!gapped && std::is_same_v<Listener, Unwatched> && lines_ && net_ && !view_.silhouette && view_.visibility && surface_.whole() &&
+        net_only_(!gapped && std::is_same_v<Listener, NoListener> && lines_ && net_ && !view_.silhouette && view_.visibility && surface_.whole() &&
                   surface_.columns() > 1),
         slices_only_(!gapped && lines_ && !all_edges_ && view_.visibility && surface_.whole() && surface_.columns() > 2),
         dots_(lines_ && (!surface_.whole() || surface_.columns() == 1)) {}
 
-  Walked go() {
+  WalkResult go() {
     begin();
     for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) {
       if (net_only_) {
@@ -101,15 +101,15 @@ class Walker {
     if (!defined) return;
     diagonals_ ? cover(row, column, Half::far) : cover(row, column);
   }
-  // A cell through which other surfaces pass is drawn twice: rehearse() finds what is visible of it alone, perform()
+  // A cell through which other surfaces pass is drawn twice: draw_alone() finds what is visible of it alone, draw_among()
   // draws it among the other surfaces.
-  void rehearse(std::size_t row, std::size_t column) {
+  void draw_alone(std::size_t row, std::size_t column) {
     pass_ = Pass::alone;
     seen_alone_.clear();
     cell(row, column);
     pass_ = Pass::usual;
   }
-  void perform(std::size_t row, std::size_t column, std::span<const Walk* const> rivals, double towards_eye) {
+  void draw_among(std::size_t row, std::size_t column, std::span<const Walk* const> rivals, double towards_eye) {
     pass_ = Pass::among;
     next_alone_ = 0;
     rivals_ = rivals;
@@ -130,7 +130,7 @@ class Walker {
     wake_ = {};
     listener_.row_ended(horizon_);
   }
-  Walked end() {
+  WalkResult end() {
     for (Pen& pen : column_pens_) pen.lift(sheet_);
     stitcher_.finish(sheet_);
     return std::move(walked_);
@@ -249,7 +249,7 @@ class Walker {
       seen_alone_.push_back(horizon_.pieces());
       return false;
     }
-    seen_among_ = seen_where(from, to, leading(), seen_alone_[next_alone_++], horizon_.pieces());
+    seen_among_ = visible_pieces(from, to, leading(), seen_alone_[next_alone_++], horizon_.pieces());
     return !seen_among_.empty();
   }
 
@@ -465,7 +465,7 @@ class Walker {
   std::vector<std::int32_t> far_columns_;
   Stitcher stitcher_;
   std::vector<Piece> unhidden_;
-  Walked walked_;
+  WalkResult walked_;
   // Used if several surfaces pass through each other.
   enum class Pass { usual, alone, among };
   Pass pass_ = Pass::usual;
@@ -477,7 +477,7 @@ class Walker {
 };
 
 template <class Listener>
-Walked walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener listener) {
+WalkResult walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener listener) {
   if (order.surface->whole()) {
     Horizon screen(columns_of(*order.view));
     return Walker<Listener, Horizon>(order, drawing, listener, screen).go();
@@ -487,9 +487,9 @@ Walked walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener lis
 }
 
 // Draws several surfaces at once.
-class TogetherWalk {
+class MultiSurfaceWalk {
  public:
-  TogetherWalk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings)
+  MultiSurfaceWalk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings)
       : orders_(orders),
         surface_(*orders[0].surface),
         sheet_(drawing, columns_of(*orders[0].view)),
@@ -498,7 +498,7 @@ class TogetherWalk {
         visibility_(orders[0].view->visibility),
         towards_eye_(surface_.to_eye()[2] >= 0 ? 1 : -1) {
     walkers_.reserve(orders.size());
-    for (const Walk& order : orders) walkers_.emplace_back(order, drawing, Unwatched(), screen_);
+    for (const Walk& order : orders) walkers_.emplace_back(order, drawing, NoListener(), screen_);
     for (std::size_t i = 0; i < orders.size(); ++i) {
       rivals_.emplace_back();
       for (std::size_t j = 0; j < orders.size(); ++j)
@@ -506,14 +506,14 @@ class TogetherWalk {
     }
   }
 
-  std::vector<Walked> go() {
+  std::vector<WalkResult> go() {
     for (auto& walker : walkers_) walker.begin();
     for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) {
       for (auto& walker : walkers_) walker.begin_strip(row);
       for (std::size_t column = 0; column < surface_.columns(); ++column) cell(row, column);
       for (auto& walker : walkers_) walker.end_row();
     }
-    std::vector<Walked> result;
+    std::vector<WalkResult> result;
     for (auto& walker : walkers_) result.push_back(walker.end());
     stitcher_.finish(sheet_);
     return result;
@@ -538,11 +538,11 @@ class TogetherWalk {
   void passing_cell(std::size_t row, std::size_t column, const Coverage::Saved& saved) {
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       screen_.restore(saved);
-      walkers_[i].rehearse(row, column);
+      walkers_[i].draw_alone(row, column);
       screen_.restore(saved);
       for (std::size_t j = 0; j < orders_.size(); ++j)
         if (j != i) walkers_[j].cover_cell(row, column);
-      walkers_[i].perform(row, column, rivals_[i], towards_eye_);
+      walkers_[i].draw_among(row, column, rivals_[i], towards_eye_);
     }
   }
 
@@ -653,7 +653,7 @@ class TogetherWalk {
   std::uint32_t meetings_;
   bool visibility_;
   double towards_eye_;  // 1 if greater heights are nearer to the eye, else -1
-  std::vector<Walker<Unwatched, GappedHorizon>> walkers_;
+  std::vector<Walker<NoListener, GappedHorizon>> walkers_;
   std::vector<std::vector<const Walk*>> rivals_;  // by surface: all others
   std::vector<std::pair<double, std::size_t>> turns_;
   Stitcher stitcher_;
@@ -662,16 +662,16 @@ class TogetherWalk {
 
 }  // namespace
 
-Walked walk(const Walk& order, picture::VectorDrawing& drawing) {
-  return walk_for(order, drawing, Unwatched());
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing) {
+  return walk_for(order, drawing, NoListener());
 }
-Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
-  return walk_for(order, drawing, Watched(trace));
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
+  return walk_for(order, drawing, TraceListener(trace));
 }
 
-std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings) {
+std::vector<WalkResult> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings) {
   if (orders.empty()) return {};
-  return TogetherWalk(orders, drawing, meetings).go();
+  return MultiSurfaceWalk(orders, drawing, meetings).go();
 }
 
 }  // namespace sightline::algorithms::skala

@@ -32,18 +32,18 @@ struct Walk {
   std::uint32_t first_layer = 0;  // of the drawing: where the layers of Layer start
 };
 
-struct Walked {
+struct WalkResult {
   std::vector<bool> seen;  // surfaces: by row * (columns - 1) + column, whether the cell is visible; otherwise empty
 };
 
 // Adds lines to the drawing, whose layers must exist. A surface with holes takes a GappedHorizon.
-Walked walk(const Walk& order, picture::VectorDrawing& drawing);
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing);
 // The same, reporting to `trace`.
-Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace);
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace);
 
 // Draws several surfaces with the same coordinates at once, cell by cell; in a cell, the surface on the eye's side comes
 // first. If two pass through each other within a cell, each line of the cell is compared with the other surfaces where
 // they are on the eye's side of it, and the line in which they meet is added to the layer `meetings`.
-std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings);
+std::vector<WalkResult> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings);
 
 }  // namespace sightline::algorithms::skala

@@ -48,7 +48,7 @@ bool reach_each_other(const Surface& s, const Surface& t, BoundaryShape shape) {
   return reaches(t, s, shape) || reaches(s, t, shape);
 }
 
-bool clustered(const Surface& s, const Surface& t, const PairRules& rules) {
+bool form_cluster(const Surface& s, const Surface& t, const PairRules& rules) {
   return (can_obscure(s, t, rules.rule90) || can_obscure(t, s, rules.rule90)) &&
          reach_each_other(s, t, rules.shape);
 }

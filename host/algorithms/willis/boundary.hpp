@@ -34,7 +34,7 @@ struct PairRules {
 // Whether either reaches the other.
 [[nodiscard]] bool reach_each_other(const Surface& s, const Surface& t, BoundaryShape shape);
 
-[[nodiscard]] bool clustered(const Surface& s, const Surface& t, const PairRules& rules);
+[[nodiscard]] bool form_cluster(const Surface& s, const Surface& t, const PairRules& rules);
 
 // Areas of the boundaries of a wall of length 1 in plan.
 [[nodiscard]] double oval_area();           // pi + 2

@@ -91,7 +91,7 @@ std::optional<std::array<Surface, 2>> segment_cut(const Surface& s, const std::o
 
 }  // namespace
 
-std::optional<std::array<Surface, 2>> halved(const Surface& s) {
+std::optional<std::array<Surface, 2>> halve(const Surface& s) {
   if (s.points.size() == 2) {
     return segment_cut(s, middle(s.points[0], s.points[1]));
   }

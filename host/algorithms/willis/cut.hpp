@@ -11,7 +11,7 @@ namespace sightline::algorithms::willis {
 // Two pieces, separated by a chord whose ends are corners or middles of edges: the chord for which the greater diameter
 // of the pieces is least, and among equals the lesser one, too. A wall in plan is halved. A middle that is not on the
 // lattice is moved to the nearest lattice point of the edge; nullopt if there is none.
-[[nodiscard]] std::optional<std::array<Surface, 2>> halved(const Surface& s);
+[[nodiscard]] std::optional<std::array<Surface, 2>> halve(const Surface& s);
 
 // The pieces before and behind a plane that has corners of the surface on both sides; nullopt if a new corner would not
 // be on the lattice.

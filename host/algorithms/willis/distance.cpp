@@ -129,7 +129,7 @@ double reach(const Point& p, const std::vector<Point>& polygon) {
 }
 
 // Yes, no, or nullopt if it is too close to decide.
-std::optional<bool> settled(double distance, double uncertain, std::uint64_t limit) {
+std::optional<bool> decide(double distance, double uncertain, std::uint64_t limit) {
   const auto bound = static_cast<double>(limit);
   uncertain += bound * 0x1p-52;
   if (distance + uncertain < bound) return true;
@@ -182,7 +182,7 @@ bool edges_within(const Point& a, const Point& b, const Point& c, const Point& d
   const double size = static_cast<double>(squared_distance(a, c)) +
                       static_cast<double>(squared_distance(a, b)) +
                       static_cast<double>(squared_distance(c, d));
-  const auto answer = settled(*distance, size * crossing_rounding, limit);
+  const auto answer = decide(*distance, size * crossing_rounding, limit);
   return answer ? *answer : edges_within_exactly(a, b, c, d, exact(limit));
 }
 
@@ -295,7 +295,7 @@ bool within_exactly(const Point& p, const std::vector<Point>& polygon, const Vec
 }
 
 bool within(const Point& p, const std::vector<Point>& polygon, const Vector3& normal, std::uint64_t limit) {
-  const auto answer = settled(to_polygon(p, polygon, normal), reach(p, polygon) * rounding, limit);
+  const auto answer = decide(to_polygon(p, polygon, normal), reach(p, polygon) * rounding, limit);
   return answer ? *answer : within_exactly(p, polygon, normal, limit);
 }
 

@@ -76,7 +76,7 @@ class Unclustering {
 
   [[nodiscard]] ResidualReason reason_of(std::uint32_t a, std::uint32_t b) const {
     if (const auto reason = obstacle(a, b)) return *reason;
-    return halved(model_.pieces[larger(a, b)]) ? ResidualReason::pieces : ResidualReason::lattice;
+    return halve(model_.pieces[larger(a, b)]) ? ResidualReason::pieces : ResidualReason::lattice;
   }
 
   // Where two surfaces touch, cutting one would make the other the larger, and so on without end.
@@ -99,7 +99,7 @@ class Unclustering {
     bool any = false;
     for (const std::uint32_t piece : marked) {
       if (model_.pieces.size() >= options_.limits.pieces) break;
-      auto halves = halved(model_.pieces[piece]);
+      auto halves = halve(model_.pieces[piece]);
       if (!halves) continue;
       any = true;
       if (trace_ != nullptr) trace_->cut(piece, *halves, static_cast<std::uint32_t>(model_.pieces.size()));

@@ -44,7 +44,7 @@ struct Place {
 };
 
 // nullopt if a cut would need a point off the lattice.
-std::optional<Division> divided(const Set& set, const SurfacePlane& plane) {
+std::optional<Division> divide(const Set& set, const SurfacePlane& plane) {
   Division division;
   std::vector<std::array<std::optional<Place>, 2>> places(set.surfaces.size());
   const auto put = [&](Part part, Surface s) {
@@ -147,7 +147,7 @@ class Builder {
   [[nodiscard]] std::optional<std::pair<SurfacePlane, Division>> division_of(const Set& set) const {
     if (set.conflicts.empty()) return std::nullopt;
     for (const SurfacePlane& plane : candidates(set)) {
-      auto division = divided(set, plane);
+      auto division = divide(set, plane);
       if (!division) continue;
       std::size_t pieces = pieces_ - set.surfaces.size();
       for (const Set& part : *division) pieces += part.surfaces.size();

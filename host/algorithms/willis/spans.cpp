@@ -190,7 +190,7 @@ void make_spans(const Model& model, std::span<const std::uint32_t> order, const 
   for (std::size_t i = 0; i < order.size(); ++i) maker.add(order[i], static_cast<std::uint32_t>(i + 1));
 }
 
-picture::PixelGrid resolved(const FrameSpans& frame, const ImageWindow& window) {
+picture::PixelGrid resolve_priorities(const FrameSpans& frame, const ImageWindow& window) {
   picture::PixelGrid faces(window.width, window.height);
   // Later surfaces have higher priority.
   for (const SurfaceSpans& surface : frame.surfaces) {

@@ -60,7 +60,7 @@ void make_spans(const Model& model, std::span<const std::uint32_t> order, const 
                 const ImageWindow& window, FrameSpans& frame);
 
 // At each point, the face number + 1 of the highest priority, or 0. The bottom row is first.
-[[nodiscard]] picture::PixelGrid resolved(const FrameSpans& frame, const ImageWindow& window);
+[[nodiscard]] picture::PixelGrid resolve_priorities(const FrameSpans& frame, const ImageWindow& window);
 
 // 1 where the face to the left or below differs, otherwise 0.
 [[nodiscard]] picture::PixelGrid outlines(const picture::PixelGrid& faces);
