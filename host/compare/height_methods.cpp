@@ -62,7 +62,7 @@ HeightPicture draw_twin(const HeightGrid& grid, const View& view) {
 // --- the native algorithm
 
 std::optional<std::string> why_no_native(const HeightGrid&, const View& view) {
-  if (view.zoom != 1) return "its drawings have any size, and are not cut";
+  if (view.zoom != 1) return "it has no zoom, because its drawings can have any size";
   return std::nullopt;
 }
 

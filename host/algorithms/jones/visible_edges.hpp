@@ -62,7 +62,7 @@ inline constexpr std::string_view plane_too_long =
     "a plane of the cell complex has coefficients beyond those of planes through points of a scene";
 // A sight line does not end, or a line ends where nothing crosses it.
 inline constexpr std::string_view no_complex =
-    "the cells and openings are no cell complex: they contradict each other";
+    "the cells and openings contradict each other: they are not a cell complex";
 
 // Computes views of one complex from many eyes. The time of a view depends only on what it sees. For one thread at a
 // time; several Walkers may share the prepared complex, which must outlive them. Takes memory for each cell and each

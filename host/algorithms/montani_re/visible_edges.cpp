@@ -130,7 +130,7 @@ base::Error passing_through(const Face& f, const Face& g) {
   const auto name = [](const Face& face) {
     return "face " + std::to_string(face.index) + " of body " + std::to_string(face.body);
   };
-  return {"", "montani-re", name(f) + " and " + name(g) + " pass through each other: neither has priority"};
+  return {"", "montani-re", name(f) + " and " + name(g) + " pass through each other, so neither has priority"};
 }
 
 // Joins pieces of several windows: pieces of one edge that touch on a border become one. An edge that is not before the

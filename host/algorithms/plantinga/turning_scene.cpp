@@ -22,8 +22,8 @@ std::optional<std::string> why_not(const scene::PolyScene& scene) {
 }
 
 std::optional<std::string> why_not_view(const scene::PolyScene&, const scene::PolyCamera& camera) {
-  if (camera.perspective) return "only parallel projection turns";
-  if (!sight_of(camera)) return "only turns about the y axis: the line of sight must be parallel to y = 0";
+  if (camera.perspective) return "it draws parallel projections only";
+  if (!sight_of(camera)) return "it turns scenes about the y axis only, so the line of sight must be parallel to y = 0";
   return std::nullopt;
 }
 

@@ -146,7 +146,7 @@ base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& sce
                                                      const FaceOptions& options) {
   const auto found = std::find(stripe_thicknesses.begin(), stripe_thicknesses.end(), options.stripe);
   if (found == stripe_thicknesses.end())
-    return base::Error{"", "stripe", "there are stripes of 8, 4, 2, 1, 1/2 and 1/4 pixels"};
+    return base::Error{"", "stripe", "the thickness is not available", "8, 4, 2, 1, 1/2 or 1/4 pixels"};
   const auto made = std::make_shared<const MontaniReScene>(
       scene, static_cast<std::int32_t>(16 / *found),
       options.one_silhouette ? montani_re::Silhouette::whole : montani_re::Silhouette::neighbours);

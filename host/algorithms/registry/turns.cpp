@@ -172,7 +172,7 @@ base::Result<plantinga::EventList> events_of(const plantinga::RotationModel& mod
       constexpr double degree = std::numbers::pi / 180;
       return base::Error{
           .file = options.found,
-          .found = fmt::format("events of a tolerance of {:g} degrees, expected {:g}: name another file",
+          .found = fmt::format("found events with a tolerance of {:g} degrees, expected {:g}: name another file",
                                read->tolerance / degree, options.tolerance / degree)};
     }
     return read;

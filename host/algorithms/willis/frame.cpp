@@ -9,12 +9,12 @@ std::optional<std::string> plan_error(const Model& model, const scene::PolyCamer
   if (!model.plan) return std::nullopt;
   if (!camera.perspective) {
     if (camera.forward[model.vertical] == 0) return std::nullopt;
-    return "in plan the direction of view is level";
+    return "in plan the direction of view must be level";
   }
   const std::int32_t height = camera.eye[model.vertical];
   for (const Surface& wall : model.pieces) {
     if (height >= wall.low && height <= wall.high) continue;
-    return std::string("in plan the eye is between the feet and the tops of all walls: found ") +
+    return std::string("in plan the eye must be between the feet and the tops of all walls: found ") +
            "xyz"[model.vertical] + " = " + std::to_string(height) + ", expected " + std::to_string(wall.low) +
            " to " + std::to_string(wall.high) + " of a wall";
   }

@@ -170,7 +170,7 @@ base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions
   if (!surfaces) return std::move(surfaces.error());
   Model model = make_model(std::move(*surfaces), options, trace);
   if (model.tests > options.limits.tests)
-    return base::Error{.found = "found " + std::to_string(model.tests) + " pairs of " + std::to_string(model.pieces.size()) + " pieces to be kept apart by cuts",
+    return base::Error{.found = "found " + std::to_string(model.tests) + " pairs of " + std::to_string(model.pieces.size()) + " pieces to be separated by cuts",
                        .expected = "at most " + std::to_string(options.limits.tests) + " pairs"};
   return model;
 }

@@ -182,7 +182,7 @@ base::Result<std::vector<Surface>> walls_of(const scene::PolyScene& scene, std::
       const auto rings = pieces.convex(scene.bodies[b].faces[f]);
       auto wall = rings && rings->size() == 1 ? wall_of(scene, rings->front(), pieces.plane(), vertical)
                                               : std::nullopt;
-      if (!wall) return error_at(b, f, "in plan every face is level or a rectangle with two vertical sides");
+      if (!wall) return error_at(b, f, "in plan every face must be level or a rectangle with two vertical sides");
       wall->face = number;
       wall->body = static_cast<std::uint32_t>(b);
       walls.push_back(std::move(*wall));
