@@ -47,8 +47,8 @@ struct ImageBounds {
 };
 
 struct ViewPoint {
-  std::array<std::uint16_t, 2> seen{};  // raster steps; only of points before the eye
-  std::uint32_t depth = 0;              // ascends with forward . at; 0: not before the eye, in perspective
+  std::array<std::uint16_t, 2> seen{};  // raster steps; only of points in front of the eye
+  std::uint32_t depth = 0;              // ascends with forward . at; 0: not in front of the eye, in perspective
 };
 
 // Three integers of 20 bits each.
@@ -100,7 +100,7 @@ struct View {
     return {p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
   }
   [[nodiscard]] bool before_eye(const ViewPoint& p) const { return !perspective || p.depth != 0; }
-  // Of an edge with an end before the eye. The bounds of a crossing are one step larger, because its ends are rounded.
+  // Of an edge with an end in front of the eye. The bounds of a crossing are one step larger, because its ends are rounded.
   [[nodiscard]] ImageBounds bounds_of(std::uint32_t number) const {
     const picture::LineEdge& edge = mesh->edges[number];
     if (number >= mesh->first_line()) return bounds_of_line(edge);
@@ -112,7 +112,7 @@ struct View {
   [[nodiscard]] LinePoint line_point(const LineEnd& end) const {
     return {geometry::difference(end.p, eye), geometry::difference(end.q, eye), end.a, end.b};
   }
-  // Extends the bounds by the part before the eye of the segment from vertex p to vertex q, except q itself.
+  // Extends the bounds by the part in front of the eye of the segment from vertex p to vertex q, except q itself.
   void extend(ImageBounds& bounds, std::uint32_t p, std::uint32_t q) const {
     const bool p_before = before_eye(points[p]);
     if (p_before) extend(bounds, points[p]);

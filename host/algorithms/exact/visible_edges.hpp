@@ -2,7 +2,7 @@
 // hidden-line drawing of closed polyhedra and sheets; faces may have holes.
 //
 // Rule: a point of an edge is hidden iff it is hidden in the limit from both sides of the image line of the
-// edge by faces strictly nearer. Every edge is drawn. In perspective only what is before the eye is seen.
+// edge by faces strictly nearer. Every edge is drawn. In perspective only what is in front of the eye is seen.
 //
 // Method: a face of a solid that is turned away hides nothing that a front face does not hide as well, and edges between
 // two such faces are hidden by their own solid. The other faces go into a grid over the image, nearest first. Each edge

@@ -44,7 +44,7 @@ class Fragments {
     fragments_.push_back({edge, stretch});
   }
 
-  // The union of the fragments, without edges that are seen end-on or are nowhere before the eye. nullopt if a reduced
+  // The union of the fragments, without edges that are seen end-on or are nowhere in front of the eye. nullopt if a reduced
   // end has more bits than where two edges, or an edge and a plane, can cross. A closed mask still admits edges exactly
   // beside the eye; they are removed here.
   [[nodiscard]] std::optional<picture::LinePicture> picture(const scene::CellComplex& complex,

@@ -20,7 +20,7 @@ void Search<Arithmetic, Listener>::Pass::take_mask(const Waiting& waiting) {
   if (search.cutting_sides_.size() < waiting.side_count) search.cutting_sides_.resize(waiting.side_count);
 }
 
-// The current mask is everything before the eye.
+// The current mask is everything in front of the eye.
 template <class Arithmetic, class Listener>
 void Search<Arithmetic, Listener>::Pass::set_whole_view() {
   search.mask_.clear();

@@ -17,7 +17,7 @@ namespace sightline::algorithms::montani_re {
 // the result fits 62 bits over 62.
 [[nodiscard]] geometry::Rational zero_between(geometry::Int128 p, geometry::Int128 q);
 
-// The part of the edge before the eye whose image is neither to the west of the line `west` nor to the east of the line
+// The part of the edge in front of the eye whose image is neither to the west of the line `west` nor to the east of the line
 // `east`. nullopt if it is empty or a point.
 [[nodiscard]] std::optional<geometry::Interval> part_between(const Image& image, std::uint32_t edge,
                                                              std::uint32_t west, std::uint32_t east);

@@ -263,7 +263,7 @@ base::Result<FaceSet> faces_of(const scene::PolyScene& scene, const scene::PolyC
   if (const auto past = face_past_eye(scene, camera)) {
     return base::Error{"", "montani-re",
                        "face " + std::to_string((*past)[1]) + " of body " + std::to_string((*past)[0]) +
-                           " is partly before and partly behind the eye, so its image is infinite"};
+                           " is partly in front of and partly behind the eye, so its image is infinite"};
   }
   return faces_seen(scene, camera);
 }

@@ -2,8 +2,8 @@
 // regions in the image.
 //
 // Left out are faces seen edge-on (they have no area, so they are in no relation), faces of solids that are turned away,
-// and faces behind the eye. In perspective, the image of a face that is partly before and partly behind the eye runs to
-// infinity; then the space before the eye is divided into pyramids, each with its own window (pyramids.hpp).
+// and faces behind the eye. In perspective, the image of a face that is partly in front of and partly behind the eye runs to
+// infinity; then the space in front of the eye is divided into pyramids, each with its own window (pyramids.hpp).
 #pragma once
 
 #include <array>
@@ -109,14 +109,14 @@ class FaceSetBuilder {
   // Clips all faces added later to a window; these may reach behind the eye. Precondition: all vertices are added.
   void clip_to(const WindowBounds& bounds);
   // Returns false and adds nothing if the face is seen edge-on or is outside the window. Precondition: without a window
-  // all vertices are before the eye.
+  // all vertices are in front of the eye.
   bool add_face(const Rings& rings, std::uint32_t body, std::uint32_t index);
   // Adds an edge that is compared with each face separately (isolated_edges.hpp).
   void add_isolated_edge(std::uint32_t v, std::uint32_t w);
   [[nodiscard]] FaceSet take();
 
  private:
-  // Returns `none` if the image of the edge is a point or the edge is not before the eye.
+  // Returns `none` if the image of the edge is a point or the edge is not in front of the eye.
   [[nodiscard]] std::uint32_t line_between(std::uint32_t v, std::uint32_t w);
   void measure(Face& face) const;
   void find_inner_sides(Face& face) const;
@@ -128,8 +128,8 @@ class FaceSetBuilder {
   std::vector<std::uint32_t> line_before_;   // by line: the preceding line at the same lower vertex
 };
 
-// Vertices keep the scene's numbers. Precondition: the scene is checked. The error names a face that is partly before and
-// partly behind the eye.
+// Vertices keep the scene's numbers. Precondition: the scene is checked. The error names a face that is partly in front of
+// and partly behind the eye.
 [[nodiscard]] base::Result<FaceSet> faces_of(const scene::PolyScene& scene, const scene::PolyCamera& camera);
 
 }  // namespace sightline::algorithms::montani_re

@@ -3,7 +3,7 @@
 // west at an ordinate.
 //
 // A vertex is (x, y, z) in the camera's frame: x to the right, y up, z away. Its image is (x / z, y / z) in perspective,
-// otherwise (x, y). A vertex that is not before the eye (z <= 0 in perspective) has no image, but the lines through it do
+// otherwise (x, y). A vertex that is not in front of the eye (z <= 0 in perspective) has no image, but the lines through it do
 // (window.hpp). With |x|, |y|, |z| < 2^37, a line's coefficients have 75 bits, an ordinate 151 over 151 bits, and both
 // questions 303 bits, as the types of the WideIntegers derive. A question is answered in floating point if the error
 // bound allows, by identity if the lines meet in the given point, and exactly otherwise.
@@ -91,7 +91,7 @@ class Image {
   [[nodiscard]] const std::vector<ImageLine>& lines() const { return lines_; }
   [[nodiscard]] std::int64_t weight(std::uint32_t v) const { return perspective_ ? vertices_[v].z : 1; }
 
-  // Whether an end of the line is before the eye, and the first end that is.
+  // Whether an end of the line is in front of the eye, and the first end that is.
   [[nodiscard]] bool before_eye(std::uint32_t line) const {
     return weight(lines_[line].from) > 0 || weight(lines_[line].to) > 0;
   }
@@ -123,11 +123,11 @@ class Image {
     const auto& l = lines_[line].approximate;
     return 0x1p-49 * (std::abs(l[0]) * largest_.x + std::abs(l[1]) * largest_.y + std::abs(l[2]) * largest_.weight);
   }
-  // X and Y of the image of a vertex before the eye, each with a relative error of at most 2^-52.
+  // X and Y of the image of a vertex in front of the eye, each with a relative error of at most 2^-52.
   [[nodiscard]] double approximate_x(std::uint32_t vertex) const { return points_[vertex].image_x; }
   [[nodiscard]] double approximate_y(std::uint32_t vertex) const { return points_[vertex].image_y; }
 
-  // Precondition: the vertex is before the eye.
+  // Precondition: the vertex is in front of the eye.
   [[nodiscard]] Ordinate ordinate_of(std::uint32_t vertex) const {
     const double value = points_[vertex].image_y;
     const double error = std::abs(value) * 0x1p-52;

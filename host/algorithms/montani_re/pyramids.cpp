@@ -39,7 +39,7 @@ struct SeenFace {
   bool past_eye = false;  // partly behind the eye
 };
 
-// The part of a scene before the eye, in the camera's frame.
+// The part of a scene in front of the eye, in the camera's frame.
 struct SeenScene {
   SeenScene(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
     const geometry::Vector3 right = geometry::vector_of(camera.right);

@@ -1,5 +1,5 @@
-// Divides the space before the eye into five pyramids, for views with a face that is partly before and partly behind the
-// eye: one straight ahead, |x| <= 2 z and |y| <= 2 z, and four to the sides, such as |y| <= 2 x and 0 <= z <= x. In each,
+// Divides the space in front of the eye into five pyramids, for views with a face that is partly in front of and partly
+// behind the eye: one straight ahead, |x| <= 2 z and |y| <= 2 z, and four to the sides, such as |y| <= 2 x and 0 <= z <= x. In each,
 // the image is a rectangle, to which all faces are clipped (window.hpp). The pyramids overlap, so that whatever lies on
 // the border of one is well inside another.
 //
@@ -25,7 +25,7 @@ struct PyramidFrame {
 
 [[nodiscard]] bool before_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                               scene::VertexIndex vertex);
-// Body and face of the first face that may be seen and is partly before and partly behind the eye.
+// Body and face of the first face that may be seen and is partly in front of and partly behind the eye.
 [[nodiscard]] std::optional<std::array<std::size_t, 2>> face_past_eye(const scene::PolyScene& scene,
                                                                       const scene::PolyCamera& camera);
 
@@ -34,7 +34,7 @@ struct PyramidFrame {
 [[nodiscard]] FaceSet faces_seen(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                  const PyramidFrame& frame = {}, const WindowBounds* window = nullptr);
 
-// Everything before the eye: one set without a window if possible, otherwise one set for every pyramid that contains
+// Everything in front of the eye: one set without a window if possible, otherwise one set for every pyramid that contains
 // something. Precondition: the scene is checked.
 [[nodiscard]] std::vector<FaceSet> faces_before_eye(const scene::PolyScene& scene,
                                                     const scene::PolyCamera& camera);

@@ -165,7 +165,7 @@ StripeRaster blank(const StripeFrame& frame) {
   return raster;
 }
 
-// Ordinates of an edge's ends. An end that is not before the eye has none; the edge is then extended along its line.
+// Ordinates of an edge's ends. An end that is not in front of the eye has none; the edge is then extended along its line.
 std::pair<double, std::optional<double>> ends_of(const Image& image, const ImageLine& line) {
   const bool whole = image.weight(line.from) > 0 && image.weight(line.to) > 0;
   if (whole) return {image.ordinate_of(line.from).middle(), image.ordinate_of(line.to).middle()};

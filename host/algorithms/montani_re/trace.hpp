@@ -13,7 +13,7 @@ namespace sightline::algorithms::montani_re {
 class Trace {
  public:
   virtual ~Trace() = default;
-  // The faces that may be seen, each with its region of stripes. `whole`: these are all faces before the eye; otherwise
+  // The faces that may be seen, each with its region of stripes. `whole`: these are all faces in front of the eye; otherwise
   // those of one of several pyramids.
   virtual void faces(const FaceSet& set, bool whole) = 0;
   // All pairs are tested.

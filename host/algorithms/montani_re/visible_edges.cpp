@@ -178,7 +178,7 @@ base::Result<LineView> visible_edges(const scene::PolyScene& scene, const scene:
     }
     view.counts += seen.counts;
   }
-  // One set without a window needs no joining: no border cuts anything, and all edges are before the eye.
+  // One set without a window needs no joining: no border cuts anything, and all edges are in front of the eye.
   if (sets.size() != 1 || sets[0].window) join(view.picture, scene, camera);
   return view;
 }

@@ -3,7 +3,7 @@
 // An edge is drawn where it bounds the visible region of one of its faces. If an edge lies exactly behind the outline of
 // a nearer face, only that outline is drawn; then the pictures of `exact` and of this algorithm are equal as sets of
 // points (picture::image_set), otherwise by ==. Lines that bound no region are added (isolated_edges.hpp). If a face is
-// partly before and partly behind the eye, the pyramids of pyramids.hpp are drawn one by one and their pieces joined.
+// partly in front of and partly behind the eye, the pyramids of pyramids.hpp are drawn one by one and their pieces joined.
 #pragma once
 
 #include <vector>

@@ -4,7 +4,7 @@
 // hides a point from one side iff the sight line to it, moved a little to that side, passes through the inside of the
 // face strictly nearer than the point. So a face through the point does not hide it, a face seen edge-on hides nothing,
 // and an edge exactly behind the common edge of two front faces is hidden. Every edge of edges_of is drawn. In
-// perspective only what is before the eye (forward . d >= 0) is seen; an edge whose image is a point is not.
+// perspective only what is in front of the eye (forward . d >= 0) is seen; an edge whose image is a point is not.
 //
 // Method: each edge is cut where its image crosses the image of a face's edge and where it meets the plane of a face.
 // Between two cuts nothing changes, so one point is tested against every face, by counting the edges that a ray in the

@@ -23,7 +23,7 @@ struct PairRules {
 };
 
 // Property 6: whether s can hide any part of t from some eye to which both are turned: t has a point behind the plane of
-// s, and s has one before the plane of t. False for two faces of one convex solid and for two faces in one plane.
+// s, and s has one in front of the plane of t. False for two faces of one convex solid and for two faces in one plane.
 [[nodiscard]] bool can_obscure(const Surface& s, const Surface& t, bool rule90 = false);
 
 // Whether p is inside or on the boundary of s.

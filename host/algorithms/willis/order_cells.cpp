@@ -192,7 +192,7 @@ class Builder {
   std::vector<Task> tasks_;
 };
 
-// 1 if the eye is before the plane, 0 if in it, -1 if behind it. In orthographic views the eye is infinitely far back.
+// 1 if the eye is in front of the plane, 0 if in it, -1 if behind it. In orthographic views the eye is infinitely far back.
 int side_of_eye(const SurfacePlane& plane, const scene::PolyCamera& camera) {
   if (!camera.perspective)
     return -geometry::sign(geometry::dot(plane.normal, geometry::vector_of(camera.forward)));

@@ -14,7 +14,7 @@ namespace sightline::algorithms::willis {
 namespace {
 
 constexpr double overlap = 1e-6;  // of pieces of a face, in points
-constexpr double nearest = 1e-3;  // scene units before the eye, where surfaces are clipped
+constexpr double nearest = 1e-3;  // scene units in front of the eye, where surfaces are clipped
 
 using SpaceVector = geometry::RealVector;
 

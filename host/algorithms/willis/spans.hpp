@@ -31,7 +31,7 @@ struct ImageWindow {
 // A window straight ahead, with `extent` across the shorter side of the picture: in degrees, or in scene units for
 // parallel projection.
 [[nodiscard]] ImageWindow window_ahead(const scene::PolyCamera& camera, int width, int height, double extent);
-// A window that shows the whole part of the scene before the eye, but at most 90 degrees.
+// A window that shows the whole part of the scene in front of the eye, but at most 90 degrees.
 [[nodiscard]] ImageWindow window_around(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                         int width, int height);
 
