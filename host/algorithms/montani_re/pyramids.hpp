@@ -1,7 +1,7 @@
 // Divides the space in front of the eye into five pyramids, for views with a face that is partly in front of and partly
-// behind the eye: one straight ahead, |x| <= 2 z and |y| <= 2 z, and four to the sides, such as |y| <= 2 x and 0 <= z <= x. In each,
-// the image is a rectangle, to which all faces are clipped (window.hpp). The pyramids overlap, so that whatever lies on
-// the border of one is well inside another.
+// behind the eye: one straight ahead, |x| <= 2 z and |y| <= 2 z, and four to the sides, such as |y| <= 2 x and 0 <= z <=
+// x. In each, the image is a rectangle, to which all faces are clipped (window.hpp). The pyramids overlap, so that
+// whatever lies on the border of one is well inside another.
 //
 // A pyramid's frame is the camera's frame with axes exchanged, so sizes do not change. A frame may be mirrored, which
 // does not change hidden lines.
