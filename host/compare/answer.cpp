@@ -242,7 +242,7 @@ std::vector<MethodView> method_views(const HeightComparison& comparison) {
 }
 
 base::Json json_of(const picture::RasterDifference& difference) {
-  const auto apart = [](const picture::PointsApart& points) {
+  const auto apart = [](const picture::DifferingPoints& points) {
     return Json{{"points", points.all}, {"beyond_1", points.beyond_1}, {"beyond_2", points.beyond_2}};
   };
   return {{"lit_in_truth", difference.lit_in_truth},

@@ -108,8 +108,8 @@ class InkDistances {
     });
     const InkBounds bounds = ink_bounds(ink);
     if (known == known_.end()) {
-      const double of_ink = picture::one_way(shows_lines(ink) ? ink.ink : border_of(ink.dots), lines).greatest;
-      known = known_.insert(known_.end(), {&ink, &lines, of_ink, bounds.of_lines ? picture::one_way(lines, ink.ink).greatest : 0});
+      const double of_ink = picture::directed_hausdorff_distance(shows_lines(ink) ? ink.ink : border_of(ink.dots), lines).greatest;
+      known = known_.insert(known_.end(), {&ink, &lines, of_ink, bounds.of_lines ? picture::directed_hausdorff_distance(lines, ink.ink).greatest : 0});
     }
     to.add(name_of(ink) + (shows_lines(ink) ? ": ink" : ": border"), known->of_ink, bounds.of_ink * bounds_times);
     if (bounds.of_lines) to.add(name_of(ink) + ": lines", known->of_lines, *bounds.of_lines * bounds_times);

@@ -121,7 +121,7 @@ std::vector<picture::PixelSegment> image_of_edges(const PolyScene& scene, const 
 struct FaceTruth::Sights {
   PolyScene scene;  // as used by the sight lines
   oracle::PixelSight at;
-  std::vector<oracle::MetFace> faces;  // by number, less 1
+  std::vector<oracle::FaceHit> faces;  // by number, less 1
 };
 
 FaceTruth::FaceTruth(const PolyScene& scene, const PolyCamera& camera, const registry::FaceWindow& window)
@@ -178,7 +178,7 @@ ComparedFaces FaceTruth::compare(std::string name, PixelGrid drawn, std::size_t 
       const std::uint32_t right = faces_.at(column, row);
       const std::uint32_t shown = drawn.at(column, row);
       if (right == shown || right == 0 || shown == 0) continue;
-      if (oracle::meet_together(sights_->scene, sights_->at(column, row), sights_->faces[right - 1], sights_->faces[shown - 1]))
+      if (oracle::hit_at_same_point(sights_->scene, sights_->at(column, row), sights_->faces[right - 1], sights_->faces[shown - 1]))
         truth.set(column, row, shown);
     }
   }

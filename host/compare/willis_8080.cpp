@@ -30,7 +30,7 @@ base::Result<registry::FaceView> view_on_8080(const scene::PolyScene& scene, con
   willis::FrameSpans spans;
   willis::make_spans(*model, order.pieces, camera, window, spans);
   registry::FaceView view;
-  view.faces = willis::resolved(spans, window);
+  view.faces = willis::resolve_priorities(spans, window);
   view.counts = {{"pieces", model->pieces.size()}, {"facing", order.pieces.size()}, {wrong_orders_name, order.wrong},
                  {t_states_name, static_cast<std::uint64_t>(run->frames.at(1).computing.count())}};
   return view;

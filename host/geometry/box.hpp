@@ -1,12 +1,11 @@
 // Integer points, boxes and rectangles parallel to the axes.
 //
-// Coordinates are below 2^15 in magnitude (coordinate_limit, checked where files are read), so that
-// differences fit 17 bits, products of two fit 34, and a volume fits 51: int32 holds a coordinate, int64
-// everything made of three. Axis 0, 1, 2 is x (right), y (up), z (away from the viewer), in the paper i, j,
-// k.
+// Coordinates are below 2^15 in magnitude (coordinate_limit, checked when files are read), so differences fit in 17 bits,
+// products of two in 34, and a volume in 51: int32 holds a coordinate, int64 everything computed from three. Axes 0, 1, 2
+// are x (right), y (up), z (away from the viewer), in the paper i, j, k.
 //
-// Laws: a contains b iff it contains both corners of b; a overlaps b iff b overlaps a, and iff the box of the larger
-// low and the smaller high coordinates has a volume; what is empty overlaps nothing; the six faces of a box bound it.
+// Laws: a contains b iff it contains both corners of b; a overlaps b iff b overlaps a, and iff the box of the greater low
+// and the lesser high coordinates has a volume; an empty box overlaps nothing; the six faces of a box bound it.
 #pragma once
 
 #include <array>
@@ -19,7 +18,7 @@ inline constexpr std::int32_t coordinate_limit = 1 << 15;  // every |coordinate|
 
 using Point = std::array<std::int32_t, 3>;
 
-// low..high on one axis.
+// The interval low..high on one axis.
 struct Span {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -29,7 +28,7 @@ struct Span {
   // Ends included.
   [[nodiscard]] constexpr bool contains(std::int32_t c) const { return low <= c && c <= high; }
   [[nodiscard]] constexpr bool contains(Span s) const { return low <= s.low && s.high <= high; }
-  // More than a point in common.
+  // Whether they have more than a point in common.
   [[nodiscard]] constexpr bool overlaps(Span s) const {
     return (low > s.low ? low : s.low) < (high < s.high ? high : s.high);
   }
@@ -58,7 +57,7 @@ struct Box {
     for (std::size_t a = 0; a < 3; ++a) inside = inside && low[a] < p[a] && p[a] < high[a];
     return inside;
   }
-  // A common volume, not just a common surface.
+  // Whether they have a common volume, not just a common surface.
   [[nodiscard]] constexpr bool overlaps(const Box& b) const {
     return span(0).overlaps(b.span(0)) && span(1).overlaps(b.span(1)) && span(2).overlaps(b.span(2));
   }
@@ -77,7 +76,7 @@ struct Rectangle {
   std::array<Span, 2> sides{};
 
   [[nodiscard]] constexpr bool empty() const { return sides[0].empty() || sides[1].empty(); }
-  // A common area.
+  // Whether they have a common area.
   [[nodiscard]] constexpr bool overlaps(const Rectangle& r) const {
     return axis == r.axis && at == r.at && sides[0].overlaps(r.sides[0]) && sides[1].overlaps(r.sides[1]);
   }

@@ -1,7 +1,6 @@
-// Finds the boxes that intersect something: a binary tree over them, each node with the bounds of what is below
-// it.
+// Finds the boxes that intersect a query: a binary tree in which each node has the bounds of its subtree.
 //
-// Law: what is visited is what a test of every box one by one finds, each once.
+// Law: the boxes visited are those that a test of every box finds, each once.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +13,7 @@
 
 namespace sightline::geometry {
 
-// Whether a segment has a point in a box or at most `margin` from it in each coordinate.
+// Whether a segment has a point in a box or within `margin` of it in each coordinate.
 [[nodiscard]] inline bool segment_meets(const Point& from, const Point& to, const Box& box, double margin) {
   double begin = 0;
   double end = 1;
@@ -34,7 +33,7 @@ namespace sightline::geometry {
 
 class BoxTree {
  public:
-  // Keeps a copy. Time n log n.
+  // Copies the boxes. Takes n log n time.
   explicit BoxTree(std::span<const Box> boxes) : boxes_(boxes.begin(), boxes.end()) {
     order_.reserve(boxes_.size());
     for (std::uint32_t i = 0; i < boxes_.size(); ++i) order_.push_back(i);
@@ -42,13 +41,14 @@ class BoxTree {
     build(0, order_.size(), 0);
   }
 
-  // visit(number) for every box that has a point, of its surface even, in common with `query`; in no
-  // particular order, but always the same.
+  // Calls visit(number) for every box that has a point (including its surface) in common with `query`. The order is
+  // unspecified, but reproducible.
   template <class Visit>
   void for_each_touching(const Box& query, Visit visit) const {
     for_each_that([&query](const Box& box) { return touch(box, query); }, visit);
   }
-  // The same for boxes that `meets`, which must hold for a box if it does for one within.
+  // The same for boxes for which `meets` is true. Precondition: if it is true for a box, it is true for every box that
+  // contains it.
   template <class Meets, class Visit>
   void for_each_that(const Meets& meets, Visit visit) const {
     search(0, order_.size(), meets, visit);
@@ -61,7 +61,7 @@ class BoxTree {
     return common;
   }
 
-  // The node of order_[begin, end) is its middle one; those before and after it are the nodes below.
+  // The node of order_[begin, end) is its middle element; the elements before and after it are its subtrees.
   void build(std::size_t begin, std::size_t end, std::size_t axis) {
     if (begin == end) return;
     const std::size_t middle = begin + (end - begin) / 2;
@@ -96,7 +96,7 @@ class BoxTree {
 
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> order_;
-  std::vector<Box> around_;  // by place in order_
+  std::vector<Box> around_;  // by position in order_
 };
 
 }  // namespace sightline::geometry

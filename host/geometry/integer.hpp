@@ -1,4 +1,4 @@
-// The integers of 128 bits in which most exact predicates are evaluated. What outgrows them is a WideInteger
+// The 128-bit integers in which most exact predicates are evaluated. For larger values there is WideInteger
 // (wide_integer.hpp).
 #pragma once
 
@@ -7,8 +7,7 @@
 
 namespace sightline::geometry {
 
-// __extension__ because -Wpedantic is right that ISO C++ has no such types. g++ 12 and clang 14 have them,
-// clang also for wasm32.
+// __extension__ because ISO C++ has no such types (-Wpedantic). g++ 12 and clang 14 have them, clang also for wasm32.
 __extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): an alias-declaration cannot carry it
 __extension__ typedef unsigned __int128 Unsigned128;  // NOLINT(modernize-use-using)
 
@@ -17,12 +16,12 @@ template <class Number>
   return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0);
 }
 
-// -2^127 has one, too.
+// Correct for -2^127, too.
 [[nodiscard]] constexpr Unsigned128 magnitude(Int128 n) {
   return n < 0 ? -static_cast<Unsigned128>(n) : static_cast<Unsigned128>(n);
 }
 
-// That of 0 and n is n. By halving and subtracting (Stein 1967), without a branch on which is the larger: twice as fast as
+// The divisor of 0 and n is n. Binary algorithm (Stein 1967) without a branch on which number is larger: twice as fast as
 // std::gcd.
 [[nodiscard]] constexpr std::uint64_t common_divisor(std::uint64_t m, std::uint64_t n) {
   if (m == 0 || n == 0) return m | n;
@@ -31,14 +30,15 @@ template <class Number>
   n >>= std::countr_zero(n);
   while (m != n) {
     const std::uint64_t difference = m - n;
-    const std::uint64_t swapped = -static_cast<std::uint64_t>(m < n);  // all ones if so
+    const std::uint64_t swapped = -static_cast<std::uint64_t>(m < n);  // all ones if true
     n += difference & swapped;                                         // the smaller
     m = ((difference ^ swapped) - swapped) >> std::countr_zero(difference);
   }
   return n << twos;
 }
 
-// Not negative; that of 0 and n is |n|. Not both -2^127, nor one of them with 0: the result is below 2^127.
+// Not negative; the divisor of 0 and n is |n|. Precondition: not both are -2^127, nor one of them with 0 the other; the
+// result is below 2^127.
 [[nodiscard]] constexpr Int128 common_divisor(Int128 a, Int128 b) {
   Unsigned128 m = magnitude(a);
   Unsigned128 n = magnitude(b);

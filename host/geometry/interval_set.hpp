@@ -1,9 +1,8 @@
-// A set of closed intervals with rational ends on a line, as left over when open intervals are taken away.
+// A set of closed intervals with rational ends on a line: the rest when open intervals are subtracted.
 //
-// Laws: intervals are in ascending order, do not touch, and have a positive length: what is left as a single
-// point is dropped, because a point draws nothing. Two sets of the same points are therefore equal by ==. An
-// operation done twice is done once; operations of one kind may change places; intersect(low, high) subtracts
-// what is below low and what is above high.
+// Laws: intervals ascend, do not touch, and have a positive length; an isolated point is dropped, because a point draws
+// nothing. Sets with the same points are therefore equal by ==. Operations are idempotent; operations of one kind
+// commute; intersect(low, high) subtracts everything below low and above high.
 #pragma once
 
 #include <vector>
@@ -25,11 +24,11 @@ class IntervalSet {
   // [low, high]; empty unless low < high.
   IntervalSet(const Rational& low, const Rational& high);
 
-  // Subtracts the open interval (low, high); no effect if it is empty.
+  // Subtracts the open interval (low, high). Has no effect if it is empty.
   void subtract(const Rational& low, const Rational& high);
-  // Keeps what lies in [low, high]; nothing is left if low >= high.
+  // Keeps the part in [low, high], which is empty if low >= high.
   void intersect(const Rational& low, const Rational& high);
-  // Adds [low, high]; no effect if low >= high.
+  // Adds [low, high]. Has no effect if low >= high.
   void unite(const Rational& low, const Rational& high);
 
   [[nodiscard]] const std::vector<Interval>& intervals() const { return intervals_; }

@@ -1,20 +1,20 @@
 // Signs of determinants of integer points: side of a plane, turn, crossing of segments.
 //
-// Limit: every |coordinate| is below 2^18 (predicate_coordinate_limit), so that the components of a
-// difference are below 2^19, of a cross product of two differences at most 2^39, a determinant of three
-// differences below 2^60: all in int64. determinant(Vector...) takes three such cross products (normals) and
-// stays below 2^120: Int128. Nothing rounds and there is no tolerance: zero means exactly on.
+// Limit: every |coordinate| is below 2^18 (predicate_coordinate_limit). Then the components of a difference are below
+// 2^19, those of a cross product of two differences at most 2^39, and a determinant of three differences is below 2^60:
+// all in int64. determinant(Vector...) takes three such cross products (normals) and is below 2^120: Int128. Nothing is
+// rounded and there is no tolerance: zero means exactly on.
 //
 // Laws (tests/host/geometry/predicates_test.cpp tests them at random and at the limits):
 //   alternating   swapping two arguments of cross, turn, orientation, normal_of or determinant changes the sign
 //                 and nothing else; turn and orientation of points two of which are equal are 0
-//   translation   functions of points do not change, an offset apart, when all points move by the same vector
+//   translation   if all points move by the same vector, functions of points do not change, except an offset
 //   additive      turn(a, b, c) = turn(p, a, b) + turn(p, b, c) + turn(p, c, a) for every p; the same holds for
 //                 orientation and the four faces of a tetrahedron
 //   planes        plane_through(a, b, c) is 0 at a, b and c, and orientation(a, b, c, d) at d
 //   flattened     turn(flattened a, b, c along an axis) is that component of normal_of(a, b, c)
 //   segments      on_segment and segments_meet do not depend on the order of a segment's ends or of the
-//                 segments; segments_meet(a, b, p, p) is on_segment(a, b, p)
+//                 segments; segments_meet(a, b, p, p) equals on_segment(a, b, p)
 //   rings         doubled_area and locate_in_ring do not depend on where a ring starts; for the reversed ring
 //                 the area changes its sign and the location does not. A point is on the ring iff it is on one
 //                 of its sides.
@@ -52,17 +52,17 @@ using Vector3 = std::array<std::int64_t, 3>;
   return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
-// The operands' components below 2^31.
+// Precondition: the components of the operands are below 2^31.
 [[nodiscard]] constexpr Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// A normal by a difference (2^39 by 2^19), or less.
+// For a normal and a difference (2^39 by 2^19), or less.
 [[nodiscard]] constexpr std::int64_t dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Any two vectors with components below 2^62.
+// Precondition: the components of the vectors are below 2^62.
 [[nodiscard]] constexpr Int128 wide_dot(const Vector3& a, const Vector3& b) {
   return Int128{a[0]} * b[0] + Int128{a[1]} * b[1] + Int128{a[2]} * b[2];
 }
@@ -74,7 +74,7 @@ using Vector3 = std::array<std::int64_t, 3>;
          a[2] * (Int128{b[0]} * c[1] - Int128{b[1]} * c[0]);
 }
 
-// (b - a) x (c - a): points to the side from which a, b, c turn counterclockwise; zero if they are on a line.
+// (b - a) x (c - a): points to the side from which a, b, c turn counterclockwise; zero if they are collinear.
 [[nodiscard]] constexpr Vector3 normal_of(const Point3& a, const Point3& b, const Point3& c) {
   return cross(difference(b, a), difference(c, a));
 }
@@ -90,7 +90,7 @@ struct Plane {
   Vector3 normal{};
   std::int64_t offset = 0;
 
-  // Positive on the side the normal points to, 0 on the plane.
+  // Positive on the side that the normal points to, 0 on the plane.
   [[nodiscard]] constexpr std::int64_t at(const Point3& p) const {
     return dot(normal, vector_of(p)) - offset;
   }
@@ -105,8 +105,7 @@ struct Plane {
 
 // --- in a plane
 
-// The axis along which a plane with this normal is best looked at: its largest component, the first of
-// equals.
+// The best axis for projecting a plane with this normal: that of the largest component, the first among equals.
 [[nodiscard]] constexpr std::size_t dominant_axis(const Vector3& normal) {
   std::size_t best = 0;
   for (std::size_t a = 1; a < 3; ++a) {
@@ -117,7 +116,7 @@ struct Plane {
   return best;
 }
 
-// The point without coordinate `axis`, the other two in cyclic order: a ring keeps its turn as seen from the
+// The point without coordinate `axis`, the other two in cyclic order: a ring keeps its orientation as seen from the
 // positive end of the axis.
 [[nodiscard]] constexpr Point2 flattened(const Point3& p, std::size_t axis) {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
@@ -129,7 +128,7 @@ struct Plane {
          (std::int64_t{b[1]} - a[1]) * (std::int64_t{c[0]} - a[0]);
 }
 
-// p is on the closed segment a, b (which may be a point).
+// Whether p is on the closed segment a, b (which may be a point).
 [[nodiscard]] constexpr bool on_segment(const Point2& a, const Point2& b, const Point2& p) {
   const auto between = [](std::int32_t m, std::int32_t n, std::int32_t c) {
     return m < n ? m <= c && c <= n : n <= c && c <= m;
@@ -137,7 +136,7 @@ struct Plane {
   return turn(a, b, p) == 0 && between(a[0], b[0], p[0]) && between(a[1], b[1], p[1]);
 }
 
-// The closed segments have a point in common.
+// Whether the closed segments have a point in common.
 [[nodiscard]] constexpr bool segments_meet(const Point2& a, const Point2& b, const Point2& c,
                                            const Point2& d) {
   const int c_side = sign(turn(a, b, c));
@@ -148,7 +147,7 @@ struct Plane {
   return on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) || on_segment(c, d, b);
 }
 
-// Twice the area of a ring, positive if it goes counterclockwise. At most 2^23 points.
+// Twice the area of a ring, positive if it is counterclockwise. At most 2^23 points.
 [[nodiscard]] constexpr std::int64_t doubled_area(std::span<const Point2> ring) {
   std::int64_t area = 0;
   for (std::size_t i = 2; i < ring.size(); ++i) area += turn(ring[0], ring[i - 1], ring[i]);

@@ -1,9 +1,9 @@
 // An exact fraction of two 64-bit integers, in lowest terms, the denominator positive.
 //
-// Laws: equal values have equal parts, so == is exact; order is total and exact (cross products in 128 bits,
-// which any two int64 pairs fit); mediant(a, b) lies strictly between a < b. There is no arithmetic: a sum of
-// two fractions may need twice the bits, and the predicates that use this type are written so as not to need
-// one. Limit: both parts given are above -2^63, the denominator is not 0 (asserted).
+// Laws: equal values have equal parts, so == is exact; the order is total and exact (any two int64 products fit in 128
+// bits); mediant(a, b) lies strictly between a < b. There is no arithmetic: a sum of two fractions may need twice the
+// bits, and the predicates that use this type avoid sums. Precondition: both given parts are above -2^63, the denominator
+// is not 0 (asserted).
 #pragma once
 
 #include <cassert>
@@ -30,7 +30,7 @@ class Rational {
 
   [[nodiscard]] constexpr std::int64_t numerator() const { return numerator_; }
   [[nodiscard]] constexpr std::int64_t denominator() const { return denominator_; }
-  // Correct to the last place while both parts are below 2^53.
+  // Exact to the last place if both parts are below 2^53.
   [[nodiscard]] constexpr double to_double() const {
     return static_cast<double>(numerator_) / static_cast<double>(denominator_);
   }
@@ -48,7 +48,7 @@ class Rational {
   std::int64_t denominator_ = 1;
 };
 
-// A fraction strictly between a and b (a < b), no longer than the longer of the two by more than a bit.
+// A fraction strictly between a and b (a < b); its parts have at most one bit more than the longer parts of a and b.
 [[nodiscard]] constexpr Rational mediant(const Rational& a, const Rational& b) {
   return {a.numerator() + b.numerator(), a.denominator() + b.denominator()};
 }

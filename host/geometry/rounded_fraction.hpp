@@ -1,4 +1,4 @@
-// A fraction of wide integers rounded to one of 64 bits: for a place along a line that was decided exactly and is now drawn.
+// Rounds a fraction of wide integers to 64 bits, for a point on a line that was computed exactly and is now drawn.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace sightline::geometry {
 
-// The nearest multiple of 2^-60, halves upwards; 0 <= numerator <= denominator, which is not 0 (precondition). Keeps the order.
+// The nearest multiple of 2^-60, halves rounded up. Precondition: 0 <= numerator <= denominator, which is not 0. Keeps
+// the order.
 template <unsigned bits>
 [[nodiscard]] constexpr Rational rounded_fraction(const WideInteger<bits>& numerator, const WideInteger<bits>& denominator) {
   constexpr unsigned places = 60;

@@ -1,6 +1,6 @@
-// Vectors of doubles: for measuring and drawing. What is decided is decided by the integers of predicates.hpp.
+// Vectors of doubles, for measuring and drawing. Decisions are made with the integers of predicates.hpp.
 //
-// Each sum is taken from the first component to the last, and unit divides each component once: results are the same bits
+// Sums are taken from the first component to the last, and unit divides each component once, so results are bit-identical
 // everywhere.
 #pragma once
 
@@ -31,7 +31,7 @@ template <class Integer>
 
 [[nodiscard]] inline double length(const RealVector& v) { return std::sqrt(dot(v, v)); }
 
-// Of the same direction and length 1; of no length, the vector itself.
+// The vector of the same direction and length 1; a vector of length 0 is returned unchanged.
 [[nodiscard]] inline RealVector unit(const RealVector& v) {
   const double size = length(v);
   return size > 0 ? RealVector{v[0] / size, v[1] / size, v[2] / size} : v;

@@ -1,20 +1,20 @@
-// Signed integers of more than 128 bits whose overflow the compiler rules out: what exact predicates fall
-// back on when products outgrow 128 bits.
+// Signed integers of more than 128 bits whose overflow is excluded at compile time, for exact predicates whose products
+// exceed 128 bits.
 //
-// The type states a bound: |n| < 2^bits for every value n of WideInteger<bits>. Each operation has the type
-// of the bound that follows from those of its operands:
+// The type states a bound: |n| < 2^bits for every value n of WideInteger<bits>. The type of each result has the bound
+// that follows from those of the operands:
 //   a + b, a - b   max(bits of a, bits of b) + 1      -a   bits of a
 //   a * b          bits of a + bits of b               a.shifted<k>()   bits of a + k
-// so that a formula is a derivation of its own bound, and no result can wrap. A value goes into a wider type
-// by itself. Into a narrower one it goes by narrow<bits>(), and into a WideInteger from a built-in integer by
-// the explicit constructor: in both cases the caller states why the bound holds, and an assertion checks it.
+// so a formula is a derivation of its own bound, and no result can wrap. A value converts implicitly to a wider type. It
+// converts to a narrower type by narrow<bits>(), and from a built-in integer by the explicit constructor: in both cases
+// the caller states why the bound holds, and an assertion checks it.
 //
-// Two's complement, least limb first, in the fewest limbs that hold bits and sign. No memory is allocated.
-// Limbs of 8 and 32 bits exist for tests and for machines without products of 128 bits.
+// Two's complement, least limb first, in as few limbs as hold the bits and the sign. No memory is allocated. Limbs of 8
+// and 32 bits exist for tests and for machines without 128-bit products.
 //
-// Laws: those of the ring of integers; sign(a - b) is the order; divide(a, b) gives q and r with a = q b + r,
-// |r| < |b|, r 0 or with the sign of a; square_root(a) is the greatest r with r r <= a; common_divisor
-// divides both and is divided by whatever divides both.
+// Laws: those of the ring of integers; sign(a - b) is the order; divide(a, b) gives q and r with a = q b + r, |r| < |b|,
+// r 0 or with the sign of a; square_root(a) is the greatest r with r r <= a; common_divisor divides both and is a
+// multiple of every common divisor.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@
 
 namespace sightline::geometry {
 
-// Twice holds a product of two limbs and two limbs more.
+// Twice can hold a product of two limbs plus two limbs.
 template <class Limb>
 struct LimbTraits;
 template <>
@@ -48,7 +48,7 @@ struct LimbTraits<std::uint64_t> {
   using SignedTwice = Int128;
 };
 
-// Bits of the limb; 0 for 0.
+// The number of bits of the limb; 0 for 0.
 template <class Limb>
 [[nodiscard]] constexpr unsigned limb_length(Limb limb) {
   unsigned length = 0;
@@ -72,7 +72,7 @@ class WideInteger {
   using Limbs = std::array<Limb, limbs>;
 
   constexpr WideInteger() = default;
-  // |value| < 2^bits (precondition).
+  // Precondition: |value| < 2^bits.
   constexpr explicit WideInteger(Int128 value) {
     assert(bits > 127 || (magnitude(value) >> (bits & 127U)) == 0);
 #pragma GCC unroll 8
@@ -80,13 +80,13 @@ class WideInteger {
       limb_[i] = static_cast<Limb>(value >> (i * limb_bits < 128 ? i * limb_bits : 127));
     }
   }
-  // A narrower one loses nothing.
+  // Implicit, because widening loses nothing.
   template <unsigned fewer>
   constexpr WideInteger(const WideInteger<fewer, Limb>& value)  // NOLINT(google-explicit-constructor)
       requires(fewer < bits) {
     copy(value);
   }
-  // In two's complement; |value| < 2^bits (precondition).
+  // From two's complement. Precondition: |value| < 2^bits.
   [[nodiscard]] static constexpr WideInteger of_limbs(const Limbs& limbs_of_value) {
     WideInteger value;
     value.limb_ = limbs_of_value;
@@ -97,7 +97,7 @@ class WideInteger {
   [[nodiscard]] constexpr const Limbs& limbs_of_value() const {
     return limb_;
   }
-  // Of |this|, without sign.
+  // The limbs of |this|, unsigned.
   [[nodiscard]] constexpr Limbs limbs_of_magnitude() const {
     return negative() ? negative_of(limb_) : limb_;
   }
@@ -110,7 +110,7 @@ class WideInteger {
     for (const Limb limb : limb_) any = static_cast<Limb>(any | limb);
     return any != 0 ? 1 : 0;
   }
-  // Bits of the magnitude; 0 for 0.
+  // The number of bits of the magnitude; 0 for 0.
   [[nodiscard]] constexpr unsigned length() const {
     const Limbs parts = limbs_of_magnitude();
     for (std::size_t i = limbs; i-- > 0;) {
@@ -118,14 +118,14 @@ class WideInteger {
     }
     return 0;
   }
-  // Zeros below the lowest 1 of a number that is not 0.
+  // The number of zeros below the lowest 1. Precondition: the number is not 0.
   [[nodiscard]] constexpr unsigned trailing_zeros() const {
     std::size_t i = 0;
     while (limb_[i] == 0) ++i;
     const auto lowest = static_cast<Limb>(limb_[i] & (~limb_[i] + 1U));
     return static_cast<unsigned>(i) * limb_bits + limb_length(lowest) - 1;
   }
-  // |this| < 2^fewer (precondition).
+  // Precondition: |this| < 2^fewer.
   template <unsigned fewer>
   [[nodiscard]] constexpr WideInteger<fewer, Limb> narrow() const {
     static_assert(fewer <= bits);
@@ -143,7 +143,7 @@ class WideInteger {
     }
     return static_cast<Int128>(value);
   }
-  // Wrong by at most one part in 2^52.
+  // The relative error is at most 2^-52.
   [[nodiscard]] double to_double() const {
     static_assert(bits < 1023);
     if constexpr (limbs == 1 && limb_bits == 64) {
@@ -209,8 +209,8 @@ class WideInteger {
     if constexpr (small<Product>) {
       product.take(two_limbs() * other.two_limbs());
     } else {
-      // First of the limbs as numbers without sign, which takes a negative factor for one greater by 2^(bits
-      // of its limbs). The product has as many limbs as the factors together, or one less.
+      // The product of the limbs as unsigned numbers, in which a negative factor counts as greater by 2^(bits of its
+      // limbs). The product has as many limbs as the factors together, or one less.
       constexpr std::size_t other_limbs = WideInteger<more, Limb>::limbs;
 #pragma GCC unroll 4
       for (std::size_t i = 0; i < limbs; ++i) {
@@ -244,7 +244,7 @@ class WideInteger {
     }
     return result;
   }
-  // this 2^by, which is below 2^bits (precondition).
+  // this 2^by. Precondition: the result is below 2^bits.
   [[nodiscard]] constexpr WideInteger shifted_within(unsigned by) const {
     assert(length() == 0 || length() + by <= bits);
     WideInteger result;
@@ -265,8 +265,8 @@ class WideInteger {
   friend class WideInteger;
   using Twice = typename LimbTraits<Limb>::Twice;
 
-  // The compiler's own integers compute results of at most two limbs in the fewest instructions. Wrong only
-  // in what a Twice has above two limbs.
+  // Results of at most two limbs are computed with built-in integers, which take the fewest instructions. Only bits of a
+  // Twice above two limbs are wrong.
   template <class Result>
   static constexpr bool small = Result::limbs <= 2;
   [[nodiscard]] constexpr Twice two_limbs() const {
@@ -283,7 +283,7 @@ class WideInteger {
     if constexpr (limbs == 2) limb_[1] = static_cast<Limb>(value >> limb_bits);
   }
 
-  // All limbs above the highest.
+  // The value of all limbs above the highest.
   [[nodiscard]] constexpr Limb sign_fill() const {
     return negative() ? static_cast<Limb>(~Limb{0}) : Limb{0};
   }
@@ -306,7 +306,7 @@ class WideInteger {
       for (std::size_t i = given; i < limbs; ++i) limb_[i] = value.sign_fill();
     }
   }
-  // Takes `value` & mask away from the limbs from `from` on, modulo what they hold.
+  // Subtracts `value` & mask from the limbs from index `from` on, modulo their range.
   template <std::size_t from, std::size_t count>
   constexpr void subtract_above(const std::array<Limb, count>& value, Limb mask) {
     Limb borrow = 0;
@@ -343,7 +343,7 @@ template <unsigned a, unsigned b, class Limb>
   return !(x < y);
 }
 
-// --- division and roots, for the few places that need them: in time by their size, as done by hand
+// --- division and roots, for the few places that need them: by the schoolbook methods, in quadratic time
 
 template <unsigned a, unsigned b, class Limb>
 struct Division {
@@ -351,7 +351,7 @@ struct Division {
   WideInteger<b, Limb> remainder;
 };
 
-// Rounded towards 0; y is not 0. Knuth, The Art of Computer Programming 2, section 4.3.1, algorithm D.
+// Rounds towards 0. Precondition: y is not 0. Knuth, The Art of Computer Programming 2, section 4.3.1, algorithm D.
 template <unsigned a, unsigned b, class Limb>
 [[nodiscard]] constexpr Division<a, b, Limb> divide(const WideInteger<a, Limb>& x,
                                                     const WideInteger<b, Limb>& y) {
@@ -366,7 +366,7 @@ template <unsigned a, unsigned b, class Limb>
   while (m > 0 && dividend[m - 1] == 0) --m;
   std::size_t n = Divisor::limbs;
   while (divisor[n - 1] == 0) --n;
-  // Both shifted so that the divisor's highest limb is at least half of what a limb holds.
+  // Both are shifted so that the divisor's highest limb has its top bit set.
   const unsigned shift = limb_bits - limb_length(divisor[n - 1]);
   const auto joined = [shift](Limb high, Limb low) {
     return static_cast<Limb>((Twice{high} << limb_bits | low) >> (limb_bits - shift));
@@ -377,7 +377,7 @@ template <unsigned a, unsigned b, class Limb>
   for (std::size_t i = n; i-- > 0;) divisor[i] = joined(divisor[i], i > 0 ? divisor[i - 1] : Limb{0});
   typename Dividend::Limbs quotient{};
   for (std::size_t j = m >= n ? m - n + 1 : 0; j-- > 0;) {
-    // From the highest limbs, a digit is never too small and at most 2 too large (theorem B there).
+    // A digit estimated from the highest limbs is never too small and at most 2 too large (theorem B there).
     constexpr Twice most = static_cast<Limb>(~Limb{0});
     const Twice guess = (Twice{rest[j + n]} << limb_bits | rest[j + n - 1]) / divisor[n - 1];
     auto digit = static_cast<Limb>(guess < most ? guess : most);
@@ -415,15 +415,15 @@ template <unsigned a, unsigned b, class Limb>
   return result;
 }
 
-// The greatest integer whose square is at most n, which is not negative.
+// The greatest integer whose square is at most n. Precondition: n is not negative.
 template <unsigned bits, class Limb>
 [[nodiscard]] constexpr WideInteger<bits / 2 + 1, Limb> square_root(const WideInteger<bits, Limb>& n) {
   using Root = WideInteger<bits / 2 + 1, Limb>;
   assert(!n.negative());
   const unsigned length = n.length();
   if (length == 0) return {};
-  // Newton's iteration from above: a start not below the root falls to it and then falls no more. The root of
-  // the upper half of n, rounded up, has half of the root's digits right, and each step doubles them.
+  // Newton's iteration from above: a start that is at least the root falls to it and then stops falling. The root of the
+  // upper half of n, rounded up, has half of the root's digits right, and each step doubles them.
   Root root;
   if (length <= 6) {
     root = Root((Int128{1} << (length + 1) / 2) - 1);
@@ -439,7 +439,7 @@ template <unsigned bits, class Limb>
   }
 }
 
-// Not negative; that of 0 and n is |n|. By subtraction and halving.
+// Not negative; the divisor of 0 and n is |n|. By subtraction and halving.
 template <unsigned a, unsigned b, class Limb>
 [[nodiscard]] constexpr auto common_divisor(const WideInteger<a, Limb>& x, const WideInteger<b, Limb>& y) {
   using Divisor = WideInteger<(a > b ? a : b), Limb>;

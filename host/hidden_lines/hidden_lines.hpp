@@ -1,4 +1,5 @@
-// Hidden-line removal: reads a scene of polyhedra, finds what a camera sees of its edges, and makes a drawing and a file of that.
+// Hidden-line removal: reads a scene of polyhedra, finds which parts of its edges a camera sees, and makes a drawing and
+// a file of them.
 //
 //   const auto scene = hidden_lines::load("part.obj");
 //   if (!scene) return fail(scene.error().message());
@@ -8,13 +9,14 @@
 //   if (!file) return fail(file.error().message());
 //   // file->bytes is the SVG.
 //
-// What is seen is decided in integers and fractions, without tolerances: a scene is rounded to a grid once, when it is read
-// (host/scene/read/poly_import.hpp), and everything after that is exact. Doubles say only where a line lies on the paper.
-// The algorithm is `exact` (host/algorithms/exact) unless ViewOptions names another one of host/algorithms/registry/lines.hpp.
+// Visibility is decided in integers and fractions, without tolerances: a scene is rounded to a grid once, when it is read
+// (host/scene/read/poly_import.hpp), and everything after that is exact. Doubles are only used for positions on the
+// paper. The algorithm is `exact` (host/algorithms/exact) unless ViewOptions names another one of
+// host/algorithms/registry/lines.hpp.
 //
-// Nothing here prints, ends the process or throws. A function that can fail returns a base::Result; the kind of its base::Error says
-// whether the input (bad_input), the request (usage) or a file (io) is wrong. `notes` are sentences that a person should read: what was
-// changed or left out. Equal input gives equal bytes.
+// Nothing here prints, ends the process or throws. A function that can fail returns a base::Result; the kind of its
+// base::Error tells whether the input (bad_input), the request (usage) or a file (io) is wrong. `notes` are sentences to
+// show to the user about what was changed or left out. Equal input gives equal bytes.
 #pragma once
 
 #include <array>
@@ -41,116 +43,122 @@ namespace sightline::hidden_lines {
 
 // --- Scenes
 
-// The polyhedra (`scene`, in steps of its grid; `scene.step` is a step in the unit of the file), the name used in errors, and what was
-// changed while reading (`report`).
+// The polyhedra (`scene`, in steps of its grid; `scene.step` is the length of a step in the unit of the file), the name
+// used in errors, and the changes made while reading (`report`).
 using Scene = scene::LoadedScene;
-// The eye (in steps) and three orthogonal directions of integers; host/scene/model/aim_camera.hpp makes one from any direction.
-// `Scene::scene.camera` is the file's own, or one from above, right and in front.
+// The eye (in steps) and three orthogonal integer directions; host/scene/model/aim_camera.hpp makes one from any
+// direction. `Scene::scene.camera` is the file's own camera, or one from above, right and in front.
 using Camera = scene::PolyCamera;
 using LoadOptions = scene::PolyImportOptions;
-// Damage of a mesh, such as faces turned the wrong way, is mended.
+// Repairs damage of a mesh, such as faces turned the wrong way.
 inline const LoadOptions mending{.mend = true};
 
-// What a name stands for: a built-in scene ("house"), a generated one (FAMILY-SIZE or FAMILY-SIZE-SEED, such as "boxes-100-7"), or the
-// path of a file (JSON, OFF, OBJ, STL, PLY, glTF, 3MF; its text says which). Reads the file and nothing else.
-// Error usage: a generated scene of an impossible size. Error io: there is no such file, or it cannot be read.
+// Finds a scene by name: a built-in scene ("house"), a generated one (FAMILY-SIZE or FAMILY-SIZE-SEED, such as
+// "boxes-100-7"), or the path of a file (JSON, OFF, OBJ, STL, PLY, glTF or 3MF, recognized by its text). Reads that file
+// only.
+// Error usage: a generated scene of an impossible size. Error io: the file does not exist or cannot be read.
 [[nodiscard]] base::Result<scene::SceneFile> find(const std::string& name);
 
-// Reads and checks what was found, or a text (SceneFile::text, its format by SceneFile::name and its first bytes).
+// Reads and checks a scene from find(), or from a text (SceneFile::text; its format is recognized by SceneFile::name and
+// its first bytes).
 // Error bad_input: the first fault, with its place in the file.
 [[nodiscard]] base::Result<Scene> load(scene::SceneFile file, const LoadOptions& options = mending);
-// The same of a name; errors also as those of find.
+// Finds and reads a scene by name. Errors also as those of find.
 [[nodiscard]] base::Result<Scene> load(const std::string& name, const LoadOptions& options = mending);
-// Vertices, faces with holes, bodies and lines in memory, in any unit; faces counterclockwise seen from outside.
-// Error bad_input: a coordinate that is no finite number, an index without a vertex, or what a file of them is refused for.
+// Vertices, faces with holes, bodies and lines in memory, in any unit; faces are counterclockwise as seen from outside.
+// Error bad_input: a coordinate that is not a finite number, an index without a vertex, or a fault for which a file would
+// be rejected.
 [[nodiscard]] base::Result<Scene> load(scene::PolyMesh mesh, const LoadOptions& options = mending);
 
-// What was changed while a scene was read: rounding, and what was mended or passed over.
+// Describes what was changed while a scene was read: rounding, repairs and omissions.
 [[nodiscard]] std::vector<std::string> notes_of(const scene::PolyImportReport& report);
 
 // --- Views
 
 // Which edges are drawn.
 struct EdgeOptions {
-  // "feature": silhouettes, boundaries, creases, borders of materials, lines in which bodies pass through each other, and lines without
-  // faces. "all": also edges between faces in one plane. Or kinds with commas between them: picture::edge_kind_names.
-  // Empty: "feature", and of a scene that is no mesh all edges but those across which the visible surface is flat.
+  // "feature": silhouettes, boundaries, creases, borders of materials, lines in which bodies pass through each other, and
+  // lines without faces. "all": also edges between coplanar faces. Or kinds separated by commas:
+  // picture::edge_kind_names.
+  // Empty: "feature" for a mesh; for other scenes, all edges except those across which the visible surface is flat.
   std::string kinds;
-  // Degrees by which the faces at a crease bend more. Empty: 30 for a mesh, 0 for all other scenes.
+  // Minimum angle in degrees between the faces at a crease. nullopt: 30 for a mesh, 0 for all other scenes.
   std::optional<double> crease = {};
 
   [[nodiscard]] bool are_given() const { return !kinds.empty() || crease.has_value(); }
 };
 
-// Error usage: no kind of that name, or no finite number.
+// Error usage: an unknown kind, or an angle that is not a finite number.
 [[nodiscard]] base::Result<base::Done> check(const EdgeOptions& options);
-// What the options mean for a scene; empty: all edges. They were checked (precondition).
+// The edges that the options choose for a scene; nullopt: all edges. Precondition: the options were checked.
 [[nodiscard]] std::optional<picture::EdgeChoice> edge_choice(const EdgeOptions& options, const scene::PolyScene& scene);
 
 struct HatchOptions {
   double angle = 45;   // degrees on the paper, counterclockwise from the horizontal
-  double spacing = 1;  // of the densest lines, in the unit of the field
-  // Towards the light, in the axes of the file, of any length but 0. Empty: from above left, behind the eye.
+  double spacing = 1;  // distance of the densest lines, in the unit of the field
+  // Direction towards the light, in the axes of the file, of any length except 0. nullopt: from above left, behind the
+  // eye.
   std::optional<std::array<double, 3>> light = {};
 };
 
-// How visible lines are divided into layers of the drawing. Hidden lines and hatching are layers of their own.
+// How visible lines are divided into layers of the drawing. Hidden lines and hatching have layers of their own.
 enum class Layers : std::uint8_t { kind, body, one };
 
 struct ViewOptions {
   std::string algorithm = "exact";  // see registry::line_algorithms
   EdgeOptions edges = {};
-  bool hidden = false;  // hidden parts of the edges are drawn, too: dashed
+  bool hidden = false;  // also draw the hidden parts of the edges, dashed
   Layers layers = Layers::kind;
   std::optional<HatchOptions> hatch = {};  // faces are shaded by lines
-  picture::DrawingField field = {};        // the size of the drawing, and how much of the image it shows
-  bool strokes = false;                    // Drawing::strokes is filled in
-  unsigned jobs = 1;                       // threads for a view, if the algorithm can use more than one; the result is the same
+  picture::DrawingField field = {};        // the size of the drawing, and the part of the image that it shows
+  bool strokes = false;                    // fill in Drawing::strokes
+  unsigned jobs = 1;                       // threads for a view, if the algorithm can use several; the result is the same
 };
 
-// A straight line of a drawing, each stretch of the paper once.
+// A straight line of a drawing. Strokes do not overlap.
 struct Stroke {
-  std::array<double, 2> from{};  // in the unit of the field from its bottom left
+  std::array<double, 2> from{};  // in the unit of the field, from its bottom left
   std::array<double, 2> to{};
   std::string kind;  // of picture::edge_kind_names, "hatching" or "cross-hatching"
   std::string layer;
   bool hidden = false;
-  std::vector<std::array<std::array<double, 3>, 2>> edges = {};  // that lie there: both ends, in the unit of the file
+  std::vector<std::array<std::array<double, 3>, 2>> edges = {};  // the edges that lie there: both ends, in the unit of the file
   std::vector<std::uint32_t> faces = {};                         // at these edges: numbers in the file from 1, ascending
 };
 
 struct Drawing {
   picture::VectorDrawing picture;
-  // Exact: the visible pieces of the edges chosen, by the numbers of their vertices and fractions of their length; edges across which
-  // the surface is flat are still among them.
+  // The exact visible pieces of the chosen edges, by vertex numbers and fractions of their length. Edges across which the
+  // surface is flat are included.
   picture::LinePicture visible = {};
-  std::vector<registry::AlgorithmCount> counts = {};  // what the algorithm did
-  std::optional<std::size_t> edges = {};              // how many were chosen; empty: all of the scene
+  std::vector<registry::AlgorithmCount> counts = {};  // the algorithm's counts
+  std::optional<std::size_t> edges = {};              // number of chosen edges; nullopt: all of the scene
   std::optional<std::array<std::size_t, picture::edge_kind_count>> by_kind = {};
-  std::size_t pieces = 0;       // drawn, hatching apart
+  std::size_t pieces = 0;       // drawn, without hatching
   double visible_length = 0;    // of `visible`, see picture::image_length
-  std::size_t hatch_lines = 0;  // before any was hidden
+  std::size_t hatch_lines = 0;  // before hidden parts are removed
   std::size_t hatch_pieces = 0;
   std::size_t stroke_count = 0;
   double drawn_length = 0;  // of all strokes, in the unit of the field
   std::vector<Stroke> strokes = {};
-  std::vector<std::string> notes = {};  // of hidden_lines::view; Views has its own
+  std::vector<std::string> notes = {};  // of hidden_lines::view; for Views see Views::notes
 };
 
-// Many views of one scene: what they share is made once.
+// Many views of one scene. The data that they share is computed once.
 class Views {
  public:
-  // `scene` outlives the views. `cameras`: of a scene of cells the real lines of its matter, those of the outer box among them, are drawn
-  // if all of these look in perspective from within a cell and no edges are asked for; otherwise, and of every other scene, the edges of
-  // its faces.
-  // Error usage: an option is wrong (Error::file is its name), or the algorithm does not apply to the scene. Error bad_input: it failed.
+  // Precondition: `scene` outlives the views. `cameras` matter for a scene of cells: the real lines of its matter,
+  // including those of the outer box, are drawn if all cameras are perspective cameras inside a cell and no edges are
+  // chosen. Otherwise, and for every other scene, the edges of its faces are drawn.
+  // Error usage: an option is wrong (Error::file is its name), or the algorithm does not apply to the scene. Error
+  // bad_input: the algorithm failed.
   [[nodiscard]] static base::Result<Views> of(const Scene& scene, const ViewOptions& options = {}, std::span<const Camera> cameras = {});
   Views(Views&&) noexcept;
   Views& operator=(Views&&) noexcept;
   ~Views();
 
-  // The eye is in no solid and on no face (precondition, see scene::eye_error).
-  // Error bad_input: the algorithm does not apply to the view; there would be too many lines of hatching.
+  // Precondition: the eye is in no solid and on no face (see scene::eye_error).
+  // Error bad_input: the algorithm does not apply to the view, or there would be too many lines of hatching.
   [[nodiscard]] base::Result<Drawing> at(const Camera& camera) const;
   [[nodiscard]] const std::vector<std::string>& notes() const;
 
@@ -160,38 +168,39 @@ class Views {
   std::unique_ptr<const Work> work_;
 };
 
-// One view; errors as those of Views.
+// A single view. Errors as those of Views.
 [[nodiscard]] base::Result<Drawing> view(const Scene& scene, const Camera& camera, const ViewOptions& options = {});
 
-// The visible pieces of all edges, without a drawing. The scene is a checked one (precondition).
-// Error bad_input: the algorithm does not apply to the scene or to the view. Error usage: no algorithm of that name.
+// The visible pieces of all edges, without a drawing. Precondition: the scene is checked.
+// Error bad_input: the algorithm does not apply to the scene or to the view. Error usage: no algorithm has this name.
 [[nodiscard]] base::Result<registry::LineView> visible_edges(const scene::PolyScene& scene, const Camera& camera,
                                                              std::string_view algorithm = "exact");
 
-// Drawing::strokes as text: a JSON object on a line for each, its ends moved by `margin` to the right and up and rounded to a millionth.
+// Drawing::strokes as text: one JSON object per line. Ends are moved by `margin` to the right and up and rounded to a
+// millionth.
 [[nodiscard]] std::string json_lines(std::span<const Stroke> strokes, double margin = 0);
 
 // --- Files
 
 enum class Format : std::uint8_t { svg, png, hpgl, pdf, dxf, steps };
-// "svg", "png", "plt" or "hpgl", "pdf", "dxf", "steps", in small or capital letters; empty for anything else.
+// "svg", "png", "plt" or "hpgl", "pdf", "dxf", "steps", in lower or upper case; nullopt for anything else.
 [[nodiscard]] std::optional<Format> format_named(std::string_view ending);
 
 struct WriteOptions {
   Format format = Format::svg;
   std::string title = {};
-  picture::Paper paper = {};      // millimetres; of all formats, of PNG if it is a sheet
+  picture::Paper paper = {};      // millimetres; for all formats; for PNG only with `sheet`
   picture::ImageSize image = {};  // PNG: pixels
-  bool sheet = false;             // PNG: of the paper with its margin instead of the drawing alone
-  bool as_found = false;          // lines stay in their order; otherwise a pen travels little in the air, see picture/pen_order.hpp
-  double min_gap = 0;             // mm: shorter gaps between lines are drawn over
+  bool sheet = false;             // PNG: draw the paper with its margin instead of only the drawing
+  bool as_found = false;          // keep the lines' order; otherwise it is optimized for a pen (picture/pen_order.hpp)
+  double min_gap = 0;             // mm: shorter gaps between lines are closed
   picture::HpglOptions plotter = {};
 };
 
-// What the drawing costs a pen.
+// What plotting the drawing takes.
 struct PenPlot {
   double down = 0;  // mm drawn
-  double up = 0;    // mm in the air
+  double up = 0;    // mm travelled with the pen up
   std::size_t lifts = 0;
   std::size_t pens = 0;
   std::string_view plotter;
@@ -200,12 +209,12 @@ struct PenPlot {
 
 struct Written {
   std::string bytes;                // of the file
-  std::vector<std::string> layers;  // those with lines, in the order of the pens
-  std::optional<PenPlot> plot;      // of all formats but PNG
+  std::vector<std::string> layers;  // layers with lines, in the order of the pens
+  std::optional<PenPlot> plot;      // for all formats except PNG
   std::vector<std::string> notes;
 };
 
-// Error io: a PNG of that size is not possible.
+// Error io: a PNG of this size is impossible.
 [[nodiscard]] base::Result<Written> write(const picture::VectorDrawing& drawing, const WriteOptions& options = {});
 
 }  // namespace sightline::hidden_lines

@@ -1,4 +1,4 @@
-// Scenes by name, from a text and from memory; see hidden_lines.hpp.
+// Loads scenes by name, from a text and from memory; see hidden_lines.hpp.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@
 namespace sightline::hidden_lines {
 namespace {
 
-// Of a mesh in memory; the readers of files make none that has these.
+// Checks a mesh from memory for faults that the file readers exclude.
 std::optional<base::Error> fault_of(const scene::PolyMesh& mesh) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     for (const double coordinate : mesh.vertices[v])
@@ -89,7 +89,7 @@ base::Result<Scene> load(scene::PolyMesh mesh, const LoadOptions& options) {
   if (!import) return std::move(import.error());
   loaded.scene = std::move(import->scene);
   loaded.report = std::move(import->report);
-  // What was mended is in order.
+  // A repaired mesh needs no check.
   if (loaded.report.mended) return loaded;
   scene::SceneReading reading;
   reading.errors = scene::check_poly_scene(loaded.scene);

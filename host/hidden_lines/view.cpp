@@ -1,4 +1,4 @@
-// Views of a scene, and their drawings; see hidden_lines.hpp.
+// Views of a scene and their drawings; see hidden_lines.hpp.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -31,12 +31,12 @@ using picture::LineLayer;
 using picture::LinePicture;
 using picture::LinePiece;
 
-// Pens that are easily distinguished on white paper.
+// Pen colours that are easily distinguished on white paper.
 constexpr std::array<picture::Colour, 8> body_colours{picture::Colour{0, 0, 0}, {200, 0, 0},   {0, 0, 200},   {0, 130, 0},
                                                       {200, 100, 0},            {130, 0, 130}, {0, 130, 130}, {110, 110, 110}};
 
-// The body of an edge: of an edge of several bodies and of a line in which two cross the first one. That of a wire is the number of
-// bodies.
+// The body of an edge. For an edge of several bodies, and for a line in which two bodies cross, it is the first of them;
+// for a wire it is the number of bodies.
 class BodyOfEdge {
  public:
   explicit BodyOfEdge(const scene::PolyScene& scene) : scene_(scene), firsts_(scene::first_face_numbers(scene)), edges_(scene) {}
@@ -58,7 +58,8 @@ class BodyOfEdge {
   scene::EdgeTable edges_;
 };
 
-// Edges as a person knows them: by their ends in the unit of the file and by their faces. The ends of crossings are on no grid.
+// Describes edges in terms of the file: by their ends in the unit of the file and by their faces. The ends of crossings
+// are not on the grid.
 class EdgesInFile {
  public:
   explicit EdgesInFile(const scene::PolyScene& scene) : scene_(scene), edges_(scene) {}
@@ -100,7 +101,7 @@ std::array<double, 3> usual_light(const Camera& camera) {
 }
 
 // Whether an edge of this kind is no side of a face: a line in which bodies pass through each other, or a wire.
-bool is_apart(EdgeKind kind) { return kind == EdgeKind::intersection || kind == EdgeKind::wire; }
+bool is_free_line(EdgeKind kind) { return kind == EdgeKind::intersection || kind == EdgeKind::wire; }
 
 void add_all(std::vector<LineLayer>& layers, std::vector<LineLayer>& more) {
   layers.insert(layers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
@@ -226,7 +227,7 @@ class Views::Work {
     return matter_ ? matter_->scene() : own_scene_ ? *own_scene_ : source_.scene;
   }
 
-  // Real lines are drawn by an algorithm that draws more than edges of faces, unless edges of faces are asked for.
+  // Real lines are drawn if the algorithm can draw lines other than edges of faces, and the options do not choose edges.
   void find_matter(std::span<const Camera> cameras) {
     if (!source_.cells || !algorithm_.draws_crossings || options_.edges.are_given() || cameras.empty()) return;
     const auto leave_out_box = [&](std::string_view reason) { note(fmt::format("the outer box is left out: {}", reason)); };
@@ -243,7 +244,7 @@ class Views::Work {
     const bool mesh = !source_.scene.surfaces.empty();
     if (find_crossings()) own_scene_ = scene::with_crossings(source_.scene);
     seams_ = !mesh && !options_.edges.are_given();
-    if (seams_ && has_lines_apart()) {
+    if (seams_ && has_free_lines()) {
       chooser_.emplace(scene(), *picture::edge_choice_named("all"));
     } else if (!seams_) {
       if (const auto choice = edge_choice(options_.edges, scene())) chooser_.emplace(scene(), *choice);
@@ -258,10 +259,11 @@ class Views::Work {
     return options_.jobs > 1 && algorithm_.prepare_threads != nullptr ? algorithm_.prepare_threads(of, options_.jobs)
                                                                       : algorithm_.prepare(of);
   }
-  // Lines that are no sides of faces: what bodies pass through each other in, and wires.
-  [[nodiscard]] bool has_lines_apart() const { return !scene().crossings.empty() || !scene().wires.empty(); }
+  // Whether there are lines that are not sides of faces: intersections of bodies, and wires.
+  [[nodiscard]] bool has_free_lines() const { return !scene().crossings.empty() || !scene().wires.empty(); }
 
-  // Whether there are lines in which bodies pass through each other, and they are drawn; if not drawn, a note.
+  // Whether bodies pass through each other and the algorithm draws the lines of intersection; if it does not, adds a
+  // note.
   [[nodiscard]] bool find_crossings() {
     if (source_.kind != scene::SceneKind::polyhedra) return false;
     const auto crossings = scene::crossings_of(source_.scene, 1);
@@ -278,15 +280,15 @@ class Views::Work {
     return whole;
   }
 
-  // Seams are between faces; lines that are no sides of faces are none.
+  // Removes seams. They are only between faces, so lines that are not sides of faces are kept.
   [[nodiscard]] LinePicture without_seams(const LinePicture& picture, const std::optional<ChosenEdges>& chosen, const Camera& camera) const {
-    if (!has_lines_apart()) return picture::without_seams(picture, scene(), camera);
+    if (!has_free_lines()) return picture::without_seams(picture, scene(), camera);
     LinePicture sides;
     LinePicture apart;
     std::size_t edge = 0;
     for (const LinePiece& piece : picture.pieces) {
       while (chosen->edges[edge] < piece.edge) ++edge;
-      (is_apart(chosen->kinds[edge]) ? apart : sides).pieces.push_back(piece);
+      (is_free_line(chosen->kinds[edge]) ? apart : sides).pieces.push_back(piece);
     }
     LinePicture result = picture::without_seams(sides, scene(), camera);
     const auto end_of_sides = static_cast<std::ptrdiff_t>(result.pieces.size());
@@ -296,8 +298,8 @@ class Views::Work {
     return result;
   }
 
-  // A picture as layers: by body if that is asked for, and by kind where the kinds are known; of kinds that share a label those
-  // before others keep what they have in common. Hidden lines are one layer of a drawing.
+  // Divides a picture into layers: by body if requested, and by kind where the kinds are known. Where kinds share a
+  // label, the earlier kind keeps the common parts. Hidden lines are one layer of a drawing.
   [[nodiscard]] std::vector<LineLayer> divided(const LinePicture& picture, const std::optional<ChosenEdges>& chosen, bool hidden) const {
     const std::size_t kinds = chosen ? picture::edge_kind_count : 1;
     const bool by_body = options_.layers == Layers::body && !hidden;
@@ -311,7 +313,7 @@ class Views::Work {
           const std::string name = b < bodies ? scene().bodies[b].name : "wires";
           layer.label = name.empty() ? fmt::format("body {}", b + 1) : name;
           layer.colour = body_colours[b % body_colours.size()];
-        } else if (!hidden && options_.layers == Layers::kind && chosen_by_user_ && (!seams_ || is_apart(static_cast<EdgeKind>(k)))) {
+        } else if (!hidden && options_.layers == Layers::kind && chosen_by_user_ && (!seams_ || is_free_line(static_cast<EdgeKind>(k)))) {
           layer.label = layer.kind;
         }
         layers.push_back(std::move(layer));
@@ -329,13 +331,13 @@ class Views::Work {
       layers[layer].picture.pieces.push_back(piece);
     }
     if (seams_ && !by_body) {
-      // Sides of faces are one layer of the drawing.
+      // Sides of faces become one layer of the drawing.
       std::stable_partition(layers.begin(), layers.end(), [](const LineLayer& layer) { return layer.label != layer.kind; });
     }
     return layers;
   }
 
-  // Into a window if one is given. The layers' pictures are given up.
+  // Draws into the given window, or chooses one. Clears the layers' pictures.
   void draw(std::vector<LineLayer>& layers, const scene::PolyScene& of, const Camera& camera,
             const std::optional<picture::ImageWindow>& given, Drawing& result) const {
     const picture::DrawingField& field = options_.field;
@@ -366,7 +368,7 @@ class Views::Work {
     const picture::ImageWindow window = picture::drawing_window(picture::united_lines(edges, scene(), camera), camera, options_.field);
     const double units = window.units(options_.field);
     const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing, options_.hatch->light.value_or(usual_light(camera))};
-    const auto hatching = picture::hatched(scene(), camera, window, units, wanted);
+    const auto hatching = picture::hatch(scene(), camera, window, units, wanted);
     if (!hatching) return in_file(hatching.error(), "hatch");
     const auto lines = prepared(hatching->scene);
     if (!lines) return in_file(lines.error(), source_.name);
@@ -391,10 +393,10 @@ class Views::Work {
   const Scene& source_;
   const ViewOptions options_;
   const registry::LineAlgorithm& algorithm_;
-  std::optional<MatterScene> matter_;          // of a scene of cells: its real lines are drawn, not the edges of faces
+  std::optional<MatterScene> matter_;          // for a scene of cells whose real lines are drawn instead of the edges of faces
   std::optional<scene::PolyScene> own_scene_;  // with crossings
-  bool chosen_by_user_ = false;                // or by the scene; else kinds are known for the list of strokes alone
-  bool seams_ = false;                         // are left out: of a scene that is no mesh, and of which nothing is asked
+  bool chosen_by_user_ = false;                // or by the scene; otherwise kinds are used only for the list of strokes
+  bool seams_ = false;                         // leave out seams: of a scene that is not a mesh and for which no edges are chosen
   std::optional<picture::EdgeChooser> chooser_;
   registry::PreparedScene prepared_;
   std::vector<std::string> notes_;
@@ -439,7 +441,7 @@ base::Result<registry::LineView> visible_edges(const scene::PolyScene& scene, co
 std::string json_lines(std::span<const Stroke> strokes, double margin) {
   const auto moved = [margin](const std::array<double, 2>& end) {
     base::Json point = base::Json::array();
-    constexpr double parts = 1e6;  // finer than any file of a drawing
+    constexpr double parts = 1e6;  // finer than the resolution of any drawing file
     for (const double c : end) point.push_back(std::round((c + margin) * parts) / parts);
     return point;
   };

@@ -1,4 +1,4 @@
-// Drawings as files; see hidden_lines.hpp.
+// Writes drawings as files; see hidden_lines.hpp.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -14,7 +14,7 @@
 namespace sightline::hidden_lines {
 namespace {
 
-// Of a sheet every millimetre has as many pixels as ImageSize::unit says.
+// With `sheet`, every millimetre has ImageSize::unit pixels.
 picture::Image image_on(const picture::VectorDrawing& drawing, const WriteOptions& options) {
   if (!options.sheet) return image_of(drawing, options.image);
   const picture::VectorDrawing sheet = with_margin(drawing, options.paper);
@@ -23,7 +23,8 @@ picture::Image image_on(const picture::VectorDrawing& drawing, const WriteOption
   return image_of(sheet, size);
 }
 
-// `counted`: the seconds, where the file itself says them. Of a file for a plotter, layers that share a pen are one.
+// `counted` is the plotting time if the file itself determines it. In a file for a plotter, layers that share a pen count
+// as one.
 PenPlot plot_of(picture::VectorDrawing drawing, const WriteOptions& options, std::optional<double> counted) {
   if (options.format == Format::hpgl || options.format == Format::steps) {
     const auto last = static_cast<std::uint32_t>(picture::pen_count(options.plotter)) - 1;
@@ -68,7 +69,7 @@ base::Result<Written> write(const picture::VectorDrawing& with_empty, const Writ
     written.bytes.assign(bytes->begin(), bytes->end());
     return written;
   }
-  // DXF has dashed lines of its own.
+  // DXF has its own dashed lines.
   const picture::VectorDrawing lines = options.format == Format::dxf ? found : with_dashes(found);
   picture::VectorDrawing drawing = options.as_found ? lines : in_pen_order(lines, options.paper, {.min_gap = options.min_gap});
   std::optional<double> seconds;

@@ -1,4 +1,4 @@
-// See apng.hpp. A frame's IDAT is taken over from the encoded PNG; the ones after the first become fdAT.
+// A frame's IDAT chunks are copied from the encoded PNG; those of later frames become fdAT.
 #include "host/picture/apng.hpp"
 
 #include <array>
@@ -32,7 +32,7 @@ std::uint32_t get32(std::span<const std::uint8_t> bytes) {
   return value;
 }
 
-// Length, type, data, code over type and data.
+// Length, type, data, and the checksum of type and data.
 void put_chunk(base::Bytes& bytes, std::string_view type, std::span<const std::uint8_t> data) {
   put32(bytes, static_cast<std::uint32_t>(data.size()));
   const std::size_t begin = bytes.size();
@@ -47,7 +47,7 @@ struct Chunk {
   std::span<const std::uint8_t> whole;
 };
 
-// Of a PNG that was just encoded, and is therefore in order.
+// Visits the chunks of a PNG that was just encoded and is therefore well-formed.
 template <class Visit>
 void for_chunks(const base::Bytes& png, Visit&& visit) {
   std::size_t at = signature_size;
@@ -89,8 +89,8 @@ base::Result<base::Done> ApngWriter::add(const Image& image, FrameTime time) {
   put32(control, 0);  // and top
   put16(control, time.numerator);
   put16(control, time.denominator);
-  control.push_back(0);  // left as it is when the next one comes,
-  control.push_back(0);  // which replaces it
+  control.push_back(0);  // keep this frame when the next one comes
+  control.push_back(0);  // replace instead of blending
   put_chunk(body_, "fcTL", control);
   if (frames_ == 0) append(head_, std::span(*png).first(signature_size));
   for_chunks(*png, [&](const Chunk& chunk) {

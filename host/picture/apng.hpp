@@ -1,9 +1,9 @@
-// Animated PNG: pictures of one size, one after the other, each for the same time or for its own, repeated forever.
+// Animated PNG: a sequence of pictures of equal size, each shown for a common or an individual time, repeated forever.
 //
-// The first picture is also what a reader without animation shows. Every frame is whole: nothing is said of
-// what stayed the same. No time stamp, no host name: equal pictures give equal bytes.
-// Source: PNG specification, third edition (W3C), sections 11.3.6 (acTL, fcTL, fdAT) and 5.6 (order); the
-// pictures themselves are encoded as png.hpp does. Debian's libpng does not write animations.
+// A reader without animation shows the first picture. Every frame is complete; unchanged parts are not omitted. There is
+// no time stamp and no host name: equal pictures give equal bytes.
+// Source: PNG specification, third edition (W3C), sections 11.3.6 (acTL, fcTL, fdAT) and 5.6 (order). The pictures
+// themselves are encoded by png.hpp, because Debian's libpng does not write animations.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,18 @@ struct FrameTime {  // numerator / denominator seconds
   std::uint16_t denominator = 25;  // not 0
 };
 
-// Frames are added one by one, so that only their compressed bytes are kept.
+// Frames are added one by one, so only their compressed bytes are kept.
 class ApngWriter {
  public:
-  // The text is written once. `plays` 0: without end.
+  // The text is written once. `plays` 0: endless.
   explicit ApngWriter(FrameTime time = {}, std::uint32_t plays = 0, TextEntries text = {});
 
-  // An error if encode_png does not accept the picture, or it is not of the size and channels of the first one.
+  // Error: encode_png does not accept the picture, or its size or channels differ from those of the first one.
   [[nodiscard]] base::Result<base::Done> add(const Image& image) { return add(image, time_); }
-  // The same, shown for a time of its own.
+  // The same, with an individual time.
   [[nodiscard]] base::Result<base::Done> add(const Image& image, FrameTime time);
 
-  // The file: an error if there is no frame.
+  // The file. Error: there is no frame.
   [[nodiscard]] base::Result<base::Bytes> finish() const;
 
   [[nodiscard]] std::uint32_t frames() const { return frames_; }

@@ -1,4 +1,4 @@
-// Where a camera sees points, in doubles: for measuring and drawing, never to decide what is visible.
+// Computes in doubles where a camera sees points, for measuring and drawing, never to decide visibility.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace sightline::picture {
 
-// Right, up and forward from the eye, in units of the scene. Forward is 1 without perspective, so that right and up divided by it are the
-// place in the image, as PolyCamera defines it.
+// Right, up and forward components from the eye, in units of the scene. Forward is 1 in parallel projection, so dividing
+// right and up by it gives the position in the image as PolyCamera defines it.
 using SeenPoint = geometry::RealVector;
 
 class CameraView {
@@ -23,18 +23,18 @@ class CameraView {
 
   [[nodiscard]] SeenPoint at(const geometry::RealVector& point) const { return from_eye(geometry::difference(point, eye_)); }
   [[nodiscard]] SeenPoint at(const scene::PolyPoint& point) const { return at(geometry::real_vector(point)); }
-  // Of a point that far from the eye.
+  // For a point given relative to the eye.
   [[nodiscard]] SeenPoint from_eye(const geometry::RealVector& d) const {
     return {along(0, d), along(1, d), perspective_ ? along(2, d) : 1};
   }
-  // Right, up or forward (0, 1, 2), as the camera has it and of length 1.
+  // Right, up or forward (0, 1, 2): as given by the camera, and normalized.
   [[nodiscard]] const geometry::RealVector& direction(std::size_t number) const { return directions_[number]; }
   [[nodiscard]] geometry::RealVector axis(std::size_t number) const { return geometry::unit(directions_[number]); }
-  // Of the direction.
+  // The length of direction(number).
   [[nodiscard]] double length(std::size_t number) const { return lengths_[number]; }
 
  private:
-  // Divided once: the sum is exact where the point is one of the scene.
+  // Divides only once: the sum is exact for points of the scene.
   [[nodiscard]] double along(std::size_t number, const geometry::RealVector& d) const {
     return geometry::dot(d, directions_[number]) / lengths_[number];
   }

@@ -1,4 +1,3 @@
-// See dots_and_lines.hpp.
 #include "host/picture/dots_and_lines.hpp"
 
 #include <algorithm>
@@ -48,7 +47,7 @@ DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegmen
     const double length = length_of(line);
     const double steps = std::max(1.0, std::ceil(length / step));
     compared.length += length;
-    // The middle of each step stands for it; the ends count for the distance only.
+    // Each step is represented by its middle; the ends are used only for the distance.
     for (double n = 0; n <= 2 * steps; ++n) {
       const bool middle = std::fmod(n, 2) == 1;
       if (!middle && n != 0 && n != 2 * steps) continue;
@@ -59,8 +58,8 @@ DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegmen
       compared.length_beyond_2 += distance > 2 ? length / steps : 0;
     }
   }
-  const HausdorffDistance there = one_way(std::move(of_lines));
-  const HausdorffDistance back = one_way(std::move(of_dots));
+  const HausdorffDistance there = directed_hausdorff_distance(std::move(of_lines));
+  const HausdorffDistance back = directed_hausdorff_distance(std::move(of_dots));
   compared.hausdorff = {std::max(there.greatest, back.greatest), std::max(there.usual, back.usual)};
   return compared;
 }

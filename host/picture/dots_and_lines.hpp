@@ -1,9 +1,10 @@
-// Lit points compared with lines in floating point: a truth that does not share the rounding of what is measured, so that
-// rounding is part of the error.
+// Compares lit points with lines in floating point. The lines are a reference that does not share the rounding of the
+// dots, so rounding counts as error.
 //
-// A dot is compared with the nearest place of any line, a place of a line with the nearest dot; lines are sampled every
-// quarter of a point. A right picture of dots is within 0.5 points of its lines in the direction across, and dots of
-// neighbouring columns of a line are up to 1.41 apart: so the distances of a perfect raster are not 0, but below 1.
+// The distance of a dot is that to the nearest point of any line; the distance of a point of a line is that to the
+// nearest dot. Lines are sampled every quarter of a point. In a correct picture, dots are within 0.5 points of their
+// lines across, and dots in adjacent columns of a line are up to 1.41 apart. So the distances of a perfect raster are not
+// 0, but below 1.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +17,15 @@ namespace sightline::picture {
 
 struct DotsAndLines {
   std::uint64_t dots = 0;
-  std::uint64_t dots_beyond_1 = 0;  // farther than 1 point from every line: too many
+  std::uint64_t dots_beyond_1 = 0;  // farther than 1 point from every line: extra
   std::uint64_t dots_beyond_2 = 0;
   double length = 0;           // of the lines, points
-  double length_beyond_1 = 0;  // of it, farther than 1 point from every dot: missing
+  double length_beyond_1 = 0;  // farther than 1 point from every dot: missing
   double length_beyond_2 = 0;
-  HausdorffDistance hausdorff;  // of dots and lines, in points, as hausdorff_distance() has it
+  HausdorffDistance hausdorff;  // between dots and lines, in points, as in hausdorff_distance()
 };
 
-// What is not 0 is a dot: a segment of no length for each.
+// One segment of length 0 for each pixel that is not 0.
 [[nodiscard]] std::vector<PixelSegment> dot_segments(const PixelGrid& dots);
 
 [[nodiscard]] DotsAndLines dots_and_lines(const PixelGrid& dots, const std::vector<PixelSegment>& lines);

@@ -1,4 +1,3 @@
-// See dxf.hpp.
 #include "host/picture/dxf.hpp"
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 namespace sightline::picture {
 namespace {
 
-// Letters, digits, $, - and _: what a name may have.
+// A layer name may have letters, digits, $, - and _.
 std::string layer_name(std::size_t number, std::string_view label) {
   std::string name = std::to_string(number + 1) + "-";
   for (const char c : label) {
@@ -79,7 +78,7 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
     put(0, "LAYER");
     put(2, layer_name(layer, drawing.layers[layer].label));
     put(70, "64");
-    // 7 is black on white; then the colours of the first pens: red, yellow, green, cyan, blue, magenta.
+    // 7 is black on white; then the first pen colours: red, yellow, green, cyan, blue, magenta.
     put(62, layer == 0 ? "7" : std::to_string(1 + (layer - 1) % 6));
     put(6, drawing.layers[layer].dash > 0 ? "DASHED" : "CONTINUOUS");
   }
@@ -111,7 +110,7 @@ std::string dxf_of(const VectorDrawing& drawing, const Paper& paper) {
       put(0, "POLYLINE");
       put(8, name);
       put(66, "1");
-      if (drawing.layers[layer].dash > 0) put(70, "128");  // dashes go on around corners
+      if (drawing.layers[layer].dash > 0) put(70, "128");  // dashes continue around corners
       for (const int code : {10, 20, 30}) number(code, 0);
       for (const std::string& at : places) {
         put(0, "VERTEX");

@@ -1,5 +1,5 @@
-// A drawing as DXF of AutoCAD release 12, which every program for drawings and cutters reads: millimetres, a layer with
-// a colour for each layer of the drawing, polylines.
+// A drawing as DXF of AutoCAD release 12, which every CAD and cutting program reads: polylines in millimetres, with one
+// coloured layer for each layer of the drawing.
 // Source: Autodesk, AutoCAD Release 12 Customization Manual, chapter 11.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace sightline::picture {
 
-// Positions are millimetres from the paper's bottom left corner. Facets have no place in it and are left out.
+// Positions are millimetres from the paper's bottom left corner. The format has no facets; they are omitted.
 [[nodiscard]] std::string dxf_of(const VectorDrawing& drawing, const Paper& paper);
 
 }  // namespace sightline::picture

@@ -1,4 +1,3 @@
-// See edge_choice.hpp.
 #include "host/picture/edge_choice.hpp"
 
 #include <algorithm>
@@ -74,7 +73,7 @@ EdgeChooser::EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice
   std::sort(wires_on_.begin(), wires_on_.end());
 }
 
-// Without surfaces each face is one.
+// Without surfaces in the scene, each face is a surface.
 void EdgeChooser::find_surfaces() {
   const bool mesh = !scene_.surfaces.empty();
   surfaces_.resize(mesh ? scene_.surfaces.size() : face_count(scene_));
@@ -104,14 +103,14 @@ void EdgeChooser::find_surfaces() {
   }
 }
 
-// Whether two surfaces bend more than the angle; `agree`: they pass their edge in opposite directions.
+// Whether the angle between two surfaces exceeds that of a crease. `agree`: they pass their edge in opposite directions.
 bool EdgeChooser::bends(std::uint32_t a, std::uint32_t b, bool agree) const {
   const auto& m = surfaces_[a].direction;
   const auto& n = surfaces_[b].direction;
   double cosine = geometry::dot(m, n);
   if (!agree) cosine = -cosine;
   if (choice_.crease > 0) return cosine < std::cos(choice_.crease * std::numbers::pi / 180);
-  if (!scene_.surfaces.empty()) return true;  // another surface
+  if (!scene_.surfaces.empty()) return true;  // they are different surfaces
   const geometry::Vector3& v = surfaces_[a].normal;
   const geometry::Vector3& w = surfaces_[b].normal;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -159,12 +158,12 @@ ChosenEdges EdgeChooser::at(const scene::PolyCamera& camera) const {
     if (uses.size() == 2) {
       const std::uint32_t a = surface_of_[uses[0].face];
       const std::uint32_t b = surface_of_[uses[1].face];
-      // Passed in the same direction, one of them has to be thought turned.
+      // If both pass the edge in the same direction, one of them must be reversed.
       const int facing_b = uses[0].upwards != uses[1].upwards ? facing[b] : -facing[b];
       if (a != b && (facing[a] > 0) != (facing_b > 0)) kind = EdgeKind::silhouette;
     }
     if (!choice_.kinds[number_of(kind)]) {
-      // An outline that is not wanted may be a crease that is.
+      // If silhouettes are not chosen, the edge may still be a chosen crease.
       kind = kinds_[e];
       if (!choice_.kinds[number_of(kind)]) continue;
     }

@@ -1,10 +1,11 @@
-// Which edges of a scene are drawn, and as what: the outline, creases, rims, not the net of triangles.
+// Decides which edges of a scene are drawn and as which kind: silhouettes, creases and boundaries, but not the net of
+// triangles.
 //
-// Two faces at an edge are in one plane if they are of one surface (PolyScene::surfaces), or, in a scene
-// without surfaces, if they are coplanar; an edge between them is never chosen unless all are. What faces the
-// eye is decided for a surface as a whole, by the sum of its faces' areas and a corner of its largest one;
-// edge-on counts as turned away; where faces cross, one that is turned away hides the line. Angles are those
-// between the surfaces' planes in the coordinates of the file.
+// Two faces at an edge are in one plane if they belong to one surface (PolyScene::surfaces) or, in a scene without
+// surfaces, if they are coplanar. An edge between them is only chosen if all edges are. Whether a surface is turned to
+// the eye is decided for the whole surface, by the sum of its faces' areas and a corner of its largest face; edge-on
+// counts as turned away. Where faces cross, a face that is turned away hides the line. Angles are those between the
+// surfaces' planes in the coordinates of the file.
 #pragma once
 
 #include <array>
@@ -23,16 +24,16 @@
 
 namespace sightline::picture {
 
-// In the order in which an edge that is several of them is named.
+// An edge of several kinds has the first of them.
 enum class EdgeKind : std::uint8_t {
   silhouette,  // between a face turned to the eye and one turned away
   junction,    // of three or more faces
   boundary,    // of one face
-  crease,      // between two that bend by more than the angle
+  crease,      // between two faces that bend by more than the angle
   border,      // between two materials
   intersection,  // where two faces cross: PolyScene::crossings
   wire,        // a line of no face, or one between two faces that is none of the above
-  flat,        // the others: drawn only where all edges are
+  flat,        // all other edges: drawn only if all are
 };
 inline constexpr std::size_t edge_kind_count = 8;
 inline constexpr std::array<std::string_view, edge_kind_count> edge_kind_names{"silhouette", "junction",     "boundary", "crease",
@@ -42,34 +43,34 @@ struct EdgeChoice {
   std::array<bool, edge_kind_count> kinds{true, true, true, true, true, true, true, false};
   double crease = 30;  // degrees
 
-  // Creases from nothing on, and what is flat, too.
+  // Whether all edges are drawn, flat ones included.
   [[nodiscard]] bool all() const { return kinds[static_cast<std::size_t>(EdgeKind::flat)]; }
 };
 
-// "all", "feature", or names of kinds with commas between them; junctions always belong to it. Empty for anything else.
+// "all", "feature", or names of kinds separated by commas; junctions are always included. nullopt for anything else.
 [[nodiscard]] std::optional<EdgeChoice> edge_choice_named(std::string_view text);
 
 // The edges chosen for one camera, ascending.
 struct ChosenEdges {
   std::vector<LineEdge> edges;
   std::vector<EdgeKind> kinds;
-  // Of each edge: all its surfaces are those of solids and turned away, so that it is not seen.
+  // By edge: 1 if all its surfaces belong to solids and are turned away, so that it is hidden.
   std::vector<std::uint8_t> turned_away;
-  // Of each edge: the surfaces at it, whose faces do not hide it; empty in a scene without surfaces.
-  std::vector<std::uint32_t> first_surface = {0};  // and where the last one's end
+  // By edge: the surfaces that it belongs to, whose faces do not hide it. Empty in a scene without surfaces.
+  std::vector<std::uint32_t> first_surface = {0};  // by edge, and the end of the last one
   std::vector<std::uint32_t> surfaces;
 
   [[nodiscard]] std::span<const std::uint32_t> surfaces_at(std::size_t edge) const {
     return std::span(surfaces).subspan(first_surface[edge], first_surface[edge + 1] - first_surface[edge]);
   }
-  // How many of each kind.
+  // Number of edges by kind.
   [[nodiscard]] std::array<std::size_t, edge_kind_count> counts() const;
 };
 
-// What of a choice does not depend on the camera.
+// The part of a choice that does not depend on the camera.
 class EdgeChooser {
  public:
-  // The scene outlives the chooser.
+  // The scene must outlive the chooser.
   EdgeChooser(const scene::PolyScene& scene, const EdgeChoice& choice);
 
   [[nodiscard]] ChosenEdges at(const scene::PolyCamera& camera) const;
@@ -90,13 +91,13 @@ class EdgeChooser {
   const scene::PolyScene& scene_;
   EdgeChoice choice_;
   scene::EdgeTable edges_;
-  std::vector<std::uint32_t> surface_of_;  // of each face
+  std::vector<std::uint32_t> surface_of_;  // by face
   std::vector<Surface> surfaces_;
   std::vector<EdgeKind> kinds_;  // without an eye
-  std::vector<std::array<std::uint32_t, 2>> wires_on_;  // PolyScene::wires_on, with the number of the edge; ascending
+  std::vector<std::array<std::uint32_t, 2>> wires_on_;  // PolyScene::wires_on by edge number; ascending
 };
 
-// What of a picture is of these edges.
+// The pieces of a picture that belong to these edges.
 [[nodiscard]] LinePicture only(const LinePicture& picture, const ChosenEdges& chosen);
 
 }  // namespace sightline::picture

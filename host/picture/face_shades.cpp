@@ -10,7 +10,7 @@ namespace sightline::picture {
 
 namespace {
 
-// Muted, so that light and shade tell more than hue.
+// Muted, so that brightness shows more than hue.
 constexpr std::array<Shade, 7> hues{{{0xD9, 0x8C, 0x6A},
                                      {0x8F, 0xB0, 0x79},
                                      {0x7F, 0x9F, 0xC4},
@@ -24,7 +24,7 @@ double face_brightness(const std::array<std::int64_t, 3>& normal) {
   const auto y = static_cast<double>(normal[1]);
   const auto z = static_cast<double>(normal[2]);
   const double length = std::sqrt(x * x + y * y + z * z);
-  // Every direction of an axis gets a brightness of its own.
+  // Each of the six axis directions has a different brightness.
   return length > 0 ? 0.74 + (0.11 * x + 0.24 * y - 0.17 * z) / length : 1;
 }
 

@@ -1,4 +1,4 @@
-// Colours for the faces of a scene, and pictures in them.
+// Colours for the faces of a scene, and images in these colours.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@ namespace sightline::picture {
 
 using Shade = std::array<std::uint8_t, 3>;  // red, green, blue
 
-// By face number over all bodies: a hue for every body, lit from above and one side.
+// By face number over all bodies: one hue per body, lit from above and from one side.
 [[nodiscard]] std::vector<Shade> face_shades(const scene::PolyScene& scene);
 
 inline constexpr Shade sky{0xD8, 0xE6, 0xF2};
-// Of face numbers + 1; 0 is sky.
+// `faces` has face numbers + 1; 0 is sky.
 [[nodiscard]] Image shaded_image(const PixelGrid& faces, const std::vector<Shade>& shades);
 
 }  // namespace sightline::picture

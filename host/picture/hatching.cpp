@@ -1,4 +1,3 @@
-// See hatching.hpp.
 #include "host/picture/hatching.hpp"
 
 #include <algorithm>
@@ -19,12 +18,12 @@ namespace {
 
 using geometry::RealVector;
 
-// Lines of one direction: line k is where `across` . p = start + k * step in the image.
+// Parallel lines: line k is where `across` . p = start + k * step in the image.
 struct HatchFamily {
   std::array<double, 2> across{};
   double start = 0;
   double step = 0;
-  std::int64_t first = 0;  // that the window meets
+  std::int64_t first = 0;  // of those that meet the window
   std::int64_t last = -1;
 };
 
@@ -95,7 +94,7 @@ class Hatcher {
 
   [[nodiscard]] const scene::PolyPoint& at(scene::VertexIndex v) const { return result_.scene.vertices[v]; }
 
-  // Which lines meet the face's image: all of the window if a part of the face is behind the eye.
+  // The range of lines that meet the face's image; all lines of the window if a part of the face is behind the eye.
   [[nodiscard]] std::pair<std::int64_t, std::int64_t> range(const scene::PolyFace& face, const HatchFamily& family) const {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -130,7 +129,7 @@ class Hatcher {
     }
   }
 
-  // Of points from which the line is seen in the image: through the eye in perspective, along the view without.
+  // The plane of the points that appear on the line: through the eye in perspective, otherwise parallel to the view.
   std::uint32_t plane_of_line(std::size_t which, std::int64_t k) {
     const HatchFamily& family = families_[which];
     const auto [known, added] = planes_.try_emplace({which, k}, static_cast<std::uint32_t>(result_.scene.cut_planes.size()));
@@ -166,15 +165,15 @@ class Hatcher {
 
   const scene::PolyCamera& camera_;
   CameraView view_;
-  std::array<RealVector, 3> axes_;  // of length 1
+  std::array<RealVector, 3> axes_;  // normalized
   RealVector light_;
   std::array<HatchFamily, 2> families_;
-  std::vector<SeenPoint> image_;  // of each vertex
+  std::vector<SeenPoint> image_;  // by vertex
   std::map<std::pair<std::size_t, std::int64_t>, std::uint32_t> planes_;  // of lines in use
   Hatching result_;
 };
 
-// A straight line of the image: where it is across a direction, and from where to where along it.
+// A straight line of the image: its position across a direction, and its range along it.
 struct Ruled {
   double offset = 0;
   double low = 0;
@@ -193,10 +192,10 @@ Ruled ruled(const ImageEnds& ends, const std::array<double, 2>& along) {
   return {(across(ends[0]) + across(ends[1])) / 2, std::min(at(ends[0]), at(ends[1])), std::max(at(ends[0]), at(ends[1]))};
 }
 
-// Lines of the image along a direction.
+// Lines of the image in one direction.
 struct Along {
   std::array<double, 2> direction{};
-  double near = 0;  // lines nearer than this lie on one line
+  double near = 0;  // lines closer together than this count as one line
 
   [[nodiscard]] bool has(const ImageEnds& ends) const {
     const double off = (ends[1][1] - ends[0][1]) * direction[0] - (ends[1][0] - ends[0][0]) * direction[1];
@@ -204,7 +203,7 @@ struct Along {
   }
 };
 
-// Takes from lines along the direction what lies on other such lines.
+// Subtracts, from lines in the direction, the parts that lie on other such lines.
 template <class IsTaken, class IsDrawn>
 void take_out(UnitedLines& lines, const Along& along, const IsTaken& is_taken, const IsDrawn& is_drawn) {
   std::vector<Ruled> drawn;
@@ -228,7 +227,7 @@ void take_out(UnitedLines& lines, const Along& along, const IsTaken& is_taken, c
       kept.push_back(line);
       continue;
     }
-    // What is left, as points between the ends; these are in homogeneous coordinates.
+    // The rest, as points between the ends, which are in homogeneous coordinates.
     std::sort(covered.begin(), covered.end());
     const bool rises = ruled({{ends[0], ends[0]}}, along.direction).low == at.low;
     const auto point = [&](double place) {
@@ -264,7 +263,7 @@ Tone tone_of(double facing) {
   return facing >= all ? Tone::full : Tone::crossed;
 }
 
-base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+base::Result<Hatching> hatch(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                const ImageWindow& window, double units, const HatchOptions& options) {
   return Hatcher(scene, camera, window, units, options).run();
 }
@@ -273,7 +272,7 @@ void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> 
   const auto kind_of = [&](const UnitedLine& line) -> std::string_view { return layers[line.layer].kind; };
   for (const std::string_view kind : {hatching_kind, cross_hatching_kind}) {
     const auto is_hatching = [&](const UnitedLine& line) { return kind_of(line) == kind; };
-    // All of a kind are parallel: the longest says how.
+    // All lines of a kind are parallel: the longest gives the direction.
     Along along;
     double longest = 0;
     for (const UnitedLine& line : lines.lines) {

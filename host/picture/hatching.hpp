@@ -1,10 +1,10 @@
-// Hatching: faces shaded by parallel lines on the paper, denser where less light falls on them, as one does with a pen.
+// Hatching: faces are shaded by parallel lines on the paper, which are denser where less light falls on the face.
 //
-// The lines of a direction lie at whole multiples of the spacing from one corner of the window, so that they go on from
-// face to face. A face takes every fourth of them, every second or all, as the angle to the light grows, and where it is
-// darkest all of them and every second across. Rounded is only the plane through the eye and such a line, once, to a
-// normal of 38 bits; where it cuts a face, and what is seen of that, is exact.
-// Left out: shadows that bodies cast.
+// The lines of a direction are at whole multiples of the spacing from one corner of the window, so they continue from
+// face to face. As the angle to the light grows, a face takes every fourth line, every second or all; the darkest faces
+// take all, and every second line across. Only the plane through the eye and such a line is rounded, once, to a normal of
+// 38 bits; where it cuts a face, and which parts are visible, is exact.
+// Not modelled: shadows that bodies cast.
 #pragma once
 
 #include <array>
@@ -23,36 +23,37 @@
 namespace sightline::picture {
 
 struct HatchOptions {
-  double angle = 45;                // degrees, counterclockwise from the horizontal of the paper
-  double spacing = 1;               // of the densest lines, in units of the drawing
-  std::array<double, 3> light{};    // towards the light, of any length but 0, in the axes of the scene
+  double angle = 45;                // degrees on the paper, counterclockwise from the horizontal
+  double spacing = 1;               // distance of the densest lines, in units of the drawing
+  std::array<double, 3> light{};    // towards the light, of any length except 0, in the axes of the scene
 };
 
-// How dark a face is, by the share of light that its direction loses: which lines it takes.
+// The tone of a face: which lines it takes, according to the light that it loses by its direction.
 enum class Tone : std::uint8_t { light, fourth, half, full, crossed };
 // `facing`: the cosine of the angle between the normal, turned to the eye, and the direction of the light.
 [[nodiscard]] Tone tone_of(double facing);
 
 struct Hatching {
-  scene::PolyScene scene;           // with the lines as crossings behind its own
-  ChosenEdges lines;                // all that were added, ascending
-  std::vector<std::uint8_t> across;  // of each line: one of those across
+  scene::PolyScene scene;           // the given scene, with the lines appended to its crossings
+  ChosenEdges lines;                // all added lines, ascending
+  std::vector<std::uint8_t> across;  // by line: 1 if it belongs to the lines across
 };
 
-// Kinds of layers of what is seen of these lines.
+// The layer kinds of the visible parts of these lines.
 inline constexpr std::string_view hatching_kind = "hatching";
 inline constexpr std::string_view cross_hatching_kind = "cross-hatching";
 
 inline constexpr std::size_t most_hatch_lines = 2'000'000;
 
-// Of faces that are turned to the eye, and of sheets; for a drawing with this window, of `units` to one of the image.
-// An error if there were more than most_hatch_lines.
-[[nodiscard]] base::Result<Hatching> hatched(const scene::PolyScene& scene, const scene::PolyCamera& camera,
+// Hatches faces that are turned to the eye, and sheets. `units` is the number of units of the drawing per unit of the
+// image. Error: there would be more than most_hatch_lines lines.
+[[nodiscard]] base::Result<Hatching> hatch(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                              const ImageWindow& window, double units,
                                              const HatchOptions& options);
 
-// Takes from the hatching what lies on a visible line of another layer: an edge along the hatching may be one of its lines but for
-// rounding, within a millionth of the window. Then takes from hidden lines what lies on the hatching that is left.
+// Removes hatching that lies on a visible line of another layer: an edge in the direction of the hatching may coincide
+// with one of its lines up to rounding (a millionth of the window). Then removes the parts of hidden lines that lie on
+// the remaining hatching.
 void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window);
 
 }  // namespace sightline::picture

@@ -8,7 +8,7 @@
 namespace sightline::picture {
 namespace {
 
-// At equal distances, between which colours run straight.
+// At equal distances; colours between them are interpolated linearly.
 constexpr std::array<Colour, 6> colours{{{50, 38, 116}, {44, 90, 158}, {32, 138, 152}, {72, 180, 112}, {168, 210, 74}, {252, 232, 64}}};
 
 std::uint8_t between(std::uint8_t a, std::uint8_t b, double part) {

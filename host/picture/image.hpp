@@ -1,5 +1,4 @@
-// An 8-bit picture in memory: one byte (grey) or three (red, green, blue) a pixel, rows from the top, no
-// padding.
+// An 8-bit image in memory: one byte (grey) or three (red, green, blue) per pixel, rows from the top, no padding.
 #pragma once
 
 #include <cstddef>
@@ -23,13 +22,13 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 
   Image() = default;
-  // All black.
-  Image(int columns, int rows, int bytes_a_pixel)
+  // A black image.
+  Image(int columns, int rows, int bytes_per_pixel)
       : width(columns),
         height(rows),
-        channels(bytes_a_pixel),
+        channels(bytes_per_pixel),
         pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
-               static_cast<std::size_t>(bytes_a_pixel)) {}
+               static_cast<std::size_t>(bytes_per_pixel)) {}
 
   // Index of the first byte of the pixel `column` from the left, `row` from the top.
   [[nodiscard]] std::size_t index(int column, int row) const {

@@ -1,4 +1,4 @@
-// See lettering.hpp. A sign is drawn on a lattice 4 or 5 wide and 6 high.
+// A sign is drawn on a lattice 4 or 5 units wide and 6 high.
 #include "host/picture/lettering.hpp"
 
 #include <array>
@@ -9,14 +9,14 @@ namespace {
 constexpr double lattice_height = 6;
 constexpr int gap = 2;  // between signs
 
-// Two characters are a point, a blank lifts the pen. The first is x; the second is y, a to c being -1 to -3. The width is that of
-// the sign.
+// Two characters are a point; a blank lifts the pen. The first is x; the second is y, with a to c for -1 to -3. `width`
+// is the sign's width.
 struct Sign {
   int width;
   std::string_view strokes;
 };
 
-// From the blank on, in the order of ASCII.
+// In ASCII order, from the blank.
 constexpr std::array<Sign, 95> signs{{
     {2, ""},                                                // blank
     {0, "0602 00"},                                         // !

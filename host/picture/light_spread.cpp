@@ -1,4 +1,3 @@
-// See light_spread.hpp.
 #include "host/picture/light_spread.hpp"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace sightline::picture {
 
 namespace {
 
-constexpr double reach_sigmas = 4.0;  // beyond lies 6e-5 of a Gaussian
+constexpr double reach_sigmas = 4.0;  // 6e-5 of a Gaussian is beyond
 constexpr int cell_points = 4;
 constexpr int cell_padding = 16;  // cells around the lattice: the widest margin, 64 points
 constexpr int cells_a_side = screen_points / cell_points + 2 * cell_padding;
@@ -33,8 +32,8 @@ std::size_t cell_index(int column, int row) {
   return static_cast<std::size_t>(row) * cells_a_side + static_cast<std::size_t>(column);
 }
 
-// Both passes of the blur; light that would leave the grid stays out.
-std::vector<double> blurred(const std::vector<double>& cells, const SpotProfile& profile) {
+// Both passes of the blur. Light that would leave the grid is dropped.
+std::vector<double> blur(const std::vector<double>& cells, const SpotProfile& profile) {
   std::vector<double> across(cells.size());
   std::vector<double> both(cells.size());
   const int reach = static_cast<int>(profile.weights.size());
@@ -62,10 +61,10 @@ std::vector<double> blurred(const std::vector<double>& cells, const SpotProfile&
   return both;
 }
 
-// Where the middle of a pixel lies between the middles of two cells.
+// The position of a pixel's middle between the middles of two cells.
 struct Between {
   int cell;      // the lower one
-  double share;  // of the upper one
+  double share;  // weight of the upper one
 };
 
 Between between_cells(int pixel, FilmSize size) {
@@ -138,7 +137,7 @@ void Halo::add(std::span<const std::uint64_t> sums, double scale) {
 }
 
 void Halo::spread(double sigma, FilmSize size, std::vector<float>& film) const {
-  const auto halo = blurred(cells_, spot_profile(sigma / cell_points, 1));
+  const auto halo = blur(cells_, spot_profile(sigma / cell_points, 1));
   const int side = size.pixels();
   const double pixels_a_cell = cell_points * size.pixels_per_point;
   const double a_pixel = 1.0 / (pixels_a_cell * pixels_a_cell);

@@ -1,4 +1,3 @@
-// See line_drawing.hpp.
 #include "host/picture/line_drawing.hpp"
 
 #include <algorithm>
@@ -19,10 +18,10 @@ namespace {
 
 using Place = std::array<double, 2>;
 
-// x and y within these.
+// Limits of x and y.
 using Window = ImageWindow;
 
-// Cuts the part of t in [0, 1] away where from + t (to - from) is negative; false if nothing is left.
+// Removes the part of t in [0, 1] where from + t (to - from) is negative. Returns false if nothing is left.
 bool cut(double from, double to, double& low, double& high) {
   if (from < 0 && to < 0) return false;
   if (from < 0) low = std::max(low, from / (from - to));
@@ -30,14 +29,14 @@ bool cut(double from, double to, double& low, double& high) {
   return low < high;
 }
 
-// The line in a window, which must be bounded in perspective; false if nothing of it is there.
+// Clips a line to a window, which must be bounded in perspective. Returns false if nothing is left.
 bool place_in(const UnitedLine& line, const Window& window, LineStroke& stroke) {
   const std::array<double, 3>& a = line.from;
   const std::array<double, 3>& b = line.to;
   double t0 = 0;
   double t1 = 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    // Homogeneous: x >= low w and x <= high w, w being the depth.
+    // Homogeneous: x >= low w and x <= high w, where w is the depth.
     if (!cut(a[axis] - window.low[axis] * a[2], b[axis] - window.low[axis] * b[2], t0, t1)) return false;
     if (!cut(window.high[axis] * a[2] - a[axis], window.high[axis] * b[2] - b[axis], t0, t1)) return false;
   }
@@ -71,8 +70,8 @@ std::vector<LineStroke> strokes_of(const UnitedLines& lines, const Window& windo
   return strokes;
 }
 
-// The wanted extent, or that of the strokes, made as wide or as high as the field is.
-Window framed(const std::vector<LineStroke>& strokes, const DrawingField& field, bool perspective) {
+// The requested extent or that of the strokes, extended to the proportions of the field.
+Window frame(const std::vector<LineStroke>& strokes, const DrawingField& field, bool perspective) {
   const double shorter = std::min(field.width, field.height);
   if (field.extent) {
     const double half = perspective ? half_extent(*field.extent) : *field.extent / 2;
@@ -103,7 +102,7 @@ Window framed(const std::vector<LineStroke>& strokes, const DrawingField& field,
   return bounds;
 }
 
-// Whether the image is wider than can be fitted, beyond which all of it would be corners.
+// Whether the image is too wide to be fitted: its middle would be too small to see.
 bool beyond(const std::vector<LineStroke>& strokes) {
   const double half = half_extent(widest_fitted_angle);
   return std::any_of(strokes.begin(), strokes.end(), [half](const LineStroke& stroke) {
@@ -112,11 +111,11 @@ bool beyond(const std::vector<LineStroke>& strokes) {
   });
 }
 
-// Where strokes meet: their ends, 2 n where stroke n begins and 2 n + 1 where it ends, by place, ascending.
+// The places where strokes meet. The ends of stroke n are 2 n and 2 n + 1; they are sorted by place.
 struct Meetings {
   std::vector<std::uint32_t> ends;
-  std::vector<std::uint32_t> starts;    // of the ends at each place
-  std::vector<std::uint32_t> place_of;  // of each end
+  std::vector<std::uint32_t> starts;    // first end at each place
+  std::vector<std::uint32_t> place_of;  // by end
 
   explicit Meetings(std::span<const LineStroke> strokes) : place_of(2 * strokes.size()) {
     const auto at = [&strokes](std::uint32_t end) -> const Place& {
@@ -140,10 +139,10 @@ class Pen {
   Pen(VectorDrawing& drawing, const Window& window, const DrawingField& field)
       : drawing_(drawing), window_(window), field_(field) {}
 
-  // Each stroke is continued with the first of those left that begins or ends where it ends.
+  // Continues each stroke with the first remaining one that begins or ends at its end.
   void lines(std::span<const LineStroke> strokes, std::uint32_t layer) {
     const Meetings meetings(strokes);
-    std::vector<std::uint32_t> next(meetings.starts.begin(), meetings.starts.end() - 1);  // of each place
+    std::vector<std::uint32_t> next(meetings.starts.begin(), meetings.starts.end() - 1);  // by place
     std::vector<bool> drawn(strokes.size(), false);
     for (std::uint32_t i = 0; i < strokes.size(); ++i) {
       if (drawn[i]) continue;
@@ -154,7 +153,7 @@ class Pen {
       std::uint32_t place = meetings.place_of[2 * i + 1];
       for (bool found = true; found;) {
         found = false;
-        // What is drawn is passed once.
+        // Each drawn stroke is skipped only once.
         while (next[place] < meetings.starts[place + 1] && !found) {
           const std::uint32_t end = meetings.ends[next[place]++];
           if (drawn[end / 2]) continue;
@@ -190,7 +189,7 @@ class Pen {
   const DrawingField& field_;
 };
 
-// The layers of a drawing, see LineLayer.
+// The number of the drawing's layer for each layer; see LineLayer.
 std::vector<std::uint32_t> drawing_layers(std::span<const LineLayer> layers) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -201,7 +200,7 @@ std::vector<std::uint32_t> drawing_layers(std::span<const LineLayer> layers) {
   return numbers;
 }
 
-// For each stroke the length of all strokes that it is connected with.
+// For each stroke, the total length of the strokes that it is connected with.
 std::vector<double> connected_lengths(std::span<const double> lengths, const Meetings& meetings) {
   std::vector<std::uint32_t> parents(lengths.size());
   std::iota(parents.begin(), parents.end(), std::uint32_t{0});
@@ -218,7 +217,7 @@ std::vector<double> connected_lengths(std::span<const double> lengths, const Mee
   return sums;
 }
 
-// Finds strokes that pass through a place; a line that ends behind another one ends on it.
+// Finds strokes that pass through a place, as they do where a line ends behind another one.
 class PassingStrokes {
  public:
   PassingStrokes(std::span<const LineStroke> strokes, const Window& window) : strokes_(strokes), window_(window) {
@@ -235,7 +234,7 @@ class PassingStrokes {
     tree_.emplace(boxes);
   }
 
-  // Whether one that does not end there passes through the place, but for rounding.
+  // Whether a stroke that does not end there passes through the place, up to rounding.
   [[nodiscard]] bool any_at(const Place& place) const {
     geometry::Box at;
     for (std::size_t a = 0; a < 2; ++a) at.low[a] = at.high[a] = cell(place[a], a);
@@ -263,8 +262,8 @@ class PassingStrokes {
   std::optional<geometry::BoxTree> tree_;
 };
 
-// See DrawingField::min_length. A line goes on through a place where just two strokes meet, if both are of one layer of the
-// drawing.
+// See DrawingField::min_length. A line continues through a place where exactly two strokes meet, if both belong to one
+// layer of the drawing.
 void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer> layers, const Window& window,
                      const DrawingField& field) {
   const std::vector<std::uint32_t> numbers = drawing_layers(layers);
@@ -284,7 +283,7 @@ void leave_out_short(std::vector<LineStroke>& strokes, std::span<const LineLayer
     line = {i};
     std::vector<std::uint32_t> free_ends;
     for (const std::uint32_t side : {0U, 1U}) {
-      std::uint32_t end = 2 * i + side;  // where the line goes on
+      std::uint32_t end = 2 * i + side;  // where the line continues
       while (true) {
         const std::uint32_t place = meetings.place_of[end];
         if (ends_at(place) == 1) free_ends.push_back(end);
@@ -328,17 +327,17 @@ std::array<double, 2> ImageWindow::in_field(const std::array<double, 2>& place, 
 }
 
 ImageWindow drawing_window(const UnitedLines& lines, const scene::PolyCamera& camera, const DrawingField& field) {
-  DrawingField settled = field;
-  constexpr double everything = 1e9;  // more than any image of coordinates below 2^18 without perspective
+  DrawingField adjusted = field;
+  constexpr double everything = 1e9;  // exceeds any image of coordinates below 2^18 in parallel projection
   std::vector<LineStroke> strokes;
   if (!field.extent) strokes = strokes_of(lines, square(everything));
-  if (!field.extent && camera.perspective && beyond(strokes)) settled.extent = usual_angle;
-  return framed(strokes, settled, camera.perspective);
+  if (!field.extent && camera.perspective && beyond(strokes)) adjusted.extent = usual_angle;
+  return frame(strokes, adjusted, camera.perspective);
 }
 
 std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window,
                                    const DrawingField& field) {
-  // The window's own rounding clips nothing: what is beyond it by less is placed on its border.
+  // The window's own rounding must not clip: what is beyond it by less is placed on its border.
   ImageWindow wider = window;
   for (std::size_t a = 0; a < 2; ++a) {
     const double slack = 1e-9 * (window.high[a] - window.low[a]) + 1e-14 * std::max(-window.low[a], window.high[a]);
@@ -346,7 +345,7 @@ std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const Lin
     wider.high[a] += slack;
   }
   std::vector<LineStroke> strokes = strokes_of(lines, wider);
-  // What only touches the border, or is finer than --strokes can say, is a point.
+  // A shorter stroke is a point: it only touches the border, or is finer than the resolution of --strokes.
   constexpr double least = 1.5e-6;
   const auto is_point = [&](const LineStroke& stroke) {
     const std::array<double, 2> from = window.in_field(stroke.from, field);
@@ -356,7 +355,7 @@ std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const Lin
   strokes.erase(std::remove_if(strokes.begin(), strokes.end(), is_point), strokes.end());
   std::sort(strokes.begin(), strokes.end(), [](const LineStroke& a, const LineStroke& b) {
     if (a.layer != b.layer) return a.layer < b.layer;
-    // Not <=>, which the arrays of libc++ 14 do not have.
+    // Not <=>, which arrays in libc++ 14 do not support.
     return a.from != b.from ? a.from < b.from : a.to < b.to;
   });
   if (field.min_length > 0) leave_out_short(strokes, layers, window, field);

@@ -1,9 +1,9 @@
-// An exact line picture as a drawing: lines that coincide united, projected, cut to a window, lines that follow each other
-// joined, hidden ones as a layer of dashed lines.
+// Makes a drawing of an exact line picture: coinciding lines are united, lines are projected, clipped to a window and
+// joined, and hidden lines become a layer of dashed lines.
 //
-// In three steps, which a caller may take one by one: united_lines (line_union.hpp) gives each stretch of the image once;
-// drawing_window chooses what is shown; strokes_in places the stretches in it. line_drawing joins strokes to lines.
-// The camera's image (see PolyCamera) is placed undistorted in the middle of the drawing's field.
+// The steps can be called one by one: united_lines (line_union.hpp) unites coinciding parts; drawing_window chooses the
+// part of the image shown; strokes_in places the lines in it; line_drawing joins strokes to lines. The camera's image
+// (see PolyCamera) is placed undistorted in the middle of the drawing's field.
 #pragma once
 
 #include <array>
@@ -19,63 +19,64 @@
 
 namespace sightline::picture {
 
-// Angle of the image of a camera in perspective that is shown when a scene is all around the eye.
+// Angle of the shown image of a perspective camera when the scene surrounds the eye.
 inline constexpr double widest_fitted_angle = 120;  // degrees
 inline constexpr double usual_angle = 90;
 
 struct DrawingField {
-  double width = 200;  // of the drawing; its unit is what dashes are measured in
+  double width = 200;  // of the drawing; dashes are measured in the same unit
   double height = 200;
-  // The image's extent across the shorter side: degrees in perspective (0 < angle < 180), otherwise scene
-  // units. Without it the picture is fitted to the field; where a perspective picture is wider than
-  // widest_fitted_angle, it is cut to usual_angle.
+  // The image's extent across the shorter side: degrees in perspective (0 < angle < 180), otherwise scene units. If
+  // absent, the picture is fitted to the field; a perspective picture wider than widest_fitted_angle is cut to
+  // usual_angle.
   std::optional<double> extent;
-  // Units of the drawing for one of the scene, without perspective, instead of an extent: the middle of what is drawn is
-  // that of the field, and nothing is cut off. The drawing is larger than the field where it has to be.
+  // Units of the drawing per unit of the scene in parallel projection, instead of an extent. The middle of the drawn
+  // lines is placed in the middle of the field, and nothing is clipped; the drawing is larger than the field if
+  // necessary.
   std::optional<double> scale = {};
-  double dash = 2;  // of hidden lines, and the gap after it three quarters of that
-  // Lines shorter than this are left out, unless they close a gap: both of their ends meet other lines, at an end or within.
+  double dash = 2;  // of hidden lines; the gap is three quarters as long
+  // Shorter lines are left out, unless they close a gap: both of their ends meet other lines, at an end or between ends.
   double min_length = 0;
 };
 
-// The part of the image that a drawing shows; it is as wide and as high as the drawing.
+// The part of the image that a drawing shows. It has the drawing's proportions.
 struct ImageWindow {
   std::array<double, 2> low{};
   std::array<double, 2> high{};
 
-  // Units of the field for one of the image.
+  // Units of the field per unit of the image.
   [[nodiscard]] double units(const DrawingField& field) const { return field.scale ? *field.scale : field.width / (high[0] - low[0]); }
-  // Where a place of the image lies in the field, in its unit from the bottom left.
+  // The position in the field of a place of the image, in the field's unit from the bottom left.
   [[nodiscard]] std::array<double, 2> in_field(const std::array<double, 2>& place, const DrawingField& field) const;
 };
 
-// A straight line of a drawing: a stretch of the image that is drawn once.
+// A straight line of a drawing. Strokes do not overlap.
 struct LineStroke {
-  std::array<double, 2> from{};  // in the image; the lower of both ends, by x and then by y
+  std::array<double, 2> from{};  // in the image; the lesser end, by x and then by y
   std::array<double, 2> to{};
-  std::uint32_t layer = 0;         // of the layers that were united
-  std::uint32_t first_source = 0;  // of UnitedLines::sources
+  std::uint32_t layer = 0;         // index of the given layers
+  std::uint32_t first_source = 0;  // index into UnitedLines::sources
   std::uint32_t source_count = 0;
 };
 
 [[nodiscard]] ImageWindow drawing_window(const UnitedLines& lines, const scene::PolyCamera& camera, const DrawingField& field);
-// By layer, and then ascending. A stroke on the border of the window is in it as a whole.
+// Ordered by layer, then by position. A stroke on the border of the window belongs to it completely.
 [[nodiscard]] std::vector<LineStroke> strokes_in(const UnitedLines& lines, std::span<const LineLayer> layers,
                                                  const ImageWindow& window, const DrawingField& field);
 [[nodiscard]] VectorDrawing line_drawing(std::span<const LineStroke> strokes, std::span<const LineLayer> layers,
                                          const ImageWindow& window, const DrawingField& field);
 
-// All steps: pictures of this scene from this camera, which share no piece of an edge.
+// All steps. Precondition: the pictures are of this scene from this camera and share no piece of an edge.
 [[nodiscard]] VectorDrawing line_drawing(std::span<const LineLayer> layers, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera, const DrawingField& field);
-// With one layer, "visible".
+// The same with one layer, "visible".
 [[nodiscard]] VectorDrawing line_drawing(const LinePicture& picture, const scene::PolyScene& scene,
                                          const scene::PolyCamera& camera, const DrawingField& field);
 
 // The layer of hidden lines.
 [[nodiscard]] LineLayer hidden_layer(LinePicture picture, std::string kind = {});
 
-// Every edge whole, hidden or not: what a wire frame shows.
+// All edges whole, hidden or not: a wire frame.
 [[nodiscard]] LinePicture wire_frame(const scene::PolyScene& scene);
 
 }  // namespace sightline::picture

@@ -1,4 +1,3 @@
-// See line_metrics.hpp.
 #include "host/picture/line_metrics.hpp"
 
 #include <algorithm>
@@ -12,14 +11,14 @@ namespace sightline::picture {
 namespace {
 
 constexpr double sample_distance = 0.25;
-constexpr double tau = 1;  // pixels: a smaller distance is not distinguished
+constexpr double tau = 1;  // pixels: smaller distances are not distinguished
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t steps_of(double length) {
   return static_cast<std::size_t>(std::max(1.0, std::ceil(length / sample_distance)));
 }
 
-// From every sample of a to the nearest of b; ends included.
+// From every sample of a, ends included, to the nearest point of b.
 std::vector<double> distances(const std::vector<PixelSegment>& a, const NearestSegment& b) {
   std::vector<double> result;
   std::uint32_t near = 0;
@@ -39,7 +38,7 @@ std::vector<PixelSegment> segments_of(const std::vector<MeasuredLine>& lines,
   return segments;
 }
 
-// Length of the parts, measured at the middles of equal steps, that is farther than tau from `others`.
+// Length of the parts, measured at the middles of equal steps, that are farther than tau from `others`.
 double far_length(const MeasuredLine& line, const LineParts& parts, const NearestSegment& others) {
   double far = 0;
   for (const LinePart& part : parts) {
@@ -56,7 +55,7 @@ double far_length(const MeasuredLine& line, const LineParts& parts, const Neares
   return far;
 }
 
-// Both ascending. What does not match is counted on the side that ends first.
+// Both lists ascend. A piece without a match is counted on the side that ends first.
 std::size_t pieces_without_counterpart(const MeasuredLine& line) {
   const LineParts& a = line.visible;
   const LineParts& b = line.drawn;
@@ -75,11 +74,11 @@ std::size_t pieces_without_counterpart(const MeasuredLine& line) {
   return count + (a.size() - i) + (b.size() - j);
 }
 
-// SplitMix64: the same numbers everywhere.
+// SplitMix64: the same numbers on every platform.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
-  // In [0, 1).
+  // A number in [0, 1).
   double operator()() {
     state_ += 0x9e3779b97f4a7c15U;
     std::uint64_t z = state_;
@@ -102,7 +101,7 @@ Rate wrong_visibility(const std::vector<MeasuredLine>& lines, const MetricOption
   struct Edge {
     const MeasuredLine* line;
     LinePart part;
-    double until;  // length of all edges up to the end of this one
+    double until;  // total length of all edges up to the end of this one
   };
   std::vector<Edge> edges;
   double length = 0;
@@ -133,7 +132,7 @@ Rate wrong_visibility(const std::vector<MeasuredLine>& lines, const MetricOption
 Rate rate_of(std::uint64_t wrong, std::uint64_t points) {
   Rate rate{points, wrong, 0, 0, 1};
   if (points == 0) return rate;
-  constexpr double z = 1.959963984540054;  // of the normal distribution: 95 per cent on both sides
+  constexpr double z = 1.959963984540054;  // of the normal distribution: two-sided 95 per cent
   const auto n = static_cast<double>(points);
   const double p = static_cast<double>(wrong) / n;
   const double middle = p + z * z / (2 * n);
@@ -144,20 +143,20 @@ Rate rate_of(std::uint64_t wrong, std::uint64_t points) {
   return rate;
 }
 
-HausdorffDistance one_way(std::vector<double> distances) {
+HausdorffDistance directed_hausdorff_distance(std::vector<double> distances) {
   if (distances.empty()) return {};
   const auto usual = distances.end() - 1 - static_cast<std::ptrdiff_t>(distances.size() / 1000);
   std::nth_element(distances.begin(), usual, distances.end());
   return {*std::max_element(usual, distances.end()), *usual};
 }
 
-HausdorffDistance one_way(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
-  return one_way(distances(a, NearestSegment(b)));
+HausdorffDistance directed_hausdorff_distance(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
+  return directed_hausdorff_distance(distances(a, NearestSegment(b)));
 }
 
 HausdorffDistance hausdorff_distance(const std::vector<PixelSegment>& a, const std::vector<PixelSegment>& b) {
-  const HausdorffDistance there = one_way(a, b);
-  const HausdorffDistance back = one_way(b, a);
+  const HausdorffDistance there = directed_hausdorff_distance(a, b);
+  const HausdorffDistance back = directed_hausdorff_distance(b, a);
   return {std::max(there.greatest, back.greatest), std::max(there.usual, back.usual)};
 }
 
@@ -166,9 +165,9 @@ double LineMetrics::share(double length) const {
   return true_length > 0 ? length / true_length : infinity;
 }
 
-LineMetrics line_metrics(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn,
+LineMetrics line_metrics(const std::vector<ReferenceLine>& reference, const std::vector<DrawnPiece>& drawn,
                          const MetricOptions& options) {
-  const std::vector<MeasuredLine> lines = measured_lines(truth, drawn);
+  const std::vector<MeasuredLine> lines = measured_lines(reference, drawn);
   std::vector<PixelSegment> seen;
   std::vector<PixelSegment> pieces;
   if (options.distances) {
@@ -196,10 +195,10 @@ LineMetrics line_metrics(const std::vector<ReferenceLine>& truth, const std::vec
   return metrics;
 }
 
-LineDifference line_difference(const std::vector<ReferenceLine>& truth, const std::vector<DrawnPiece>& drawn,
+LineDifference line_difference(const std::vector<ReferenceLine>& reference, const std::vector<DrawnPiece>& drawn,
                                double least) {
   LineDifference difference;
-  for (const MeasuredLine& line : measured_lines(truth, drawn)) {
+  for (const MeasuredLine& line : measured_lines(reference, drawn)) {
     const auto add = [&](std::vector<PixelSegment>& to, const LineParts& parts, double shortest) {
       for (const LinePart& part : parts)
         if ((part.high - part.low) * line.length > shortest) to.push_back(part_of(line.image, part));

@@ -1,4 +1,3 @@
-// See line_metrics_near.hpp.
 #include "host/picture/line_metrics_near.hpp"
 
 #include <algorithm>
@@ -54,7 +53,7 @@ int NearestSegment::row_of(double y) const {
   return static_cast<int>(std::clamp((y - low_.y) / side_, 0.0, static_cast<double>(rows_ - 1)));
 }
 
-// Row by row: the columns the segment has within the row, and one more on either side for rounding.
+// Row by row: the columns that the segment has within the row, and one more on either side for rounding.
 template <class Visit>
 void NearestSegment::for_squares(const PixelSegment& segment, Visit&& visit) const {
   const int last = row_of(std::max(segment.a.y, segment.b.y));
@@ -78,7 +77,7 @@ void NearestSegment::for_squares(const PixelSegment& segment, Visit&& visit) con
 
 void NearestSegment::look(int column, int row, const PixelPoint& point, Found& found) const {
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
-  // A segment that is nearest to the point within this square is no nearer than the square; less for rounding.
+  // A segment nearest to the point inside this square is at least as far away as the square; a little less for rounding.
   const double dx = std::abs(low_.x + (column + 0.5) * side_ - point.x) - 0.501 * side_;
   const double dy = std::abs(low_.y + (row + 0.5) * side_ - point.y) - 0.501 * side_;
   const double least = (dx > 0 ? dx * dx : 0) + (dy > 0 ? dy * dy : 0);
@@ -96,8 +95,8 @@ double NearestSegment::distance(const PixelPoint& point, std::uint32_t& nearest)
   Found found{nearest, square_of_distance(segments_[nearest], point)};
   const int column = column_of(point.x);
   const int row = row_of(point.y);
-  // A square of ring n is at least n - 1 sides away from every point of the middle one, and from points
-  // outside all squares, for which the middle one is the nearest.
+  // A square of ring n is at least n - 1 sides away from every point of the middle square, and from points outside all
+  // squares for which the middle one is the nearest.
   for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
     const double least = std::max(ring - 1, 0) * side_;
     if (found.square_of_distance <= least * least) break;

@@ -1,5 +1,5 @@
-// Finds the segment nearest to a point of the screen: segments sorted into squares, searched from the
-// point's own square outwards.
+// Finds the segment nearest to a point of the screen: segments are sorted into squares, which are searched outwards from
+// the point's own square.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,16 @@ namespace sightline::picture {
 
 class NearestSegment {
  public:
-  // Finite segments.
+  // Precondition: the segments are finite.
   explicit NearestSegment(const std::vector<PixelSegment>& segments);
 
-  // To the nearest point of any segment; infinite if there are none.
+  // The distance to the nearest point of any segment; infinite if there are none.
   [[nodiscard]] double distance(const PixelPoint& point) const {
     std::uint32_t any = 0;
     return distance(point, any);
   }
-  // The same; `nearest` is a segment that may be near, such as that of the point before, and becomes the nearest.
+  // The same. `nearest` is a segment that is probably near, such as that of the previous point, and is set to the
+  // nearest.
   [[nodiscard]] double distance(const PixelPoint& point, std::uint32_t& nearest) const;
 
  private:
@@ -39,7 +40,7 @@ class NearestSegment {
   double side_ = 1;
   int columns_ = 1;
   int rows_ = 1;
-  std::vector<std::uint32_t> first_;  // of each square in entries_, and one more
+  std::vector<std::uint32_t> first_;  // by square: start in entries_, and the end of the last
   std::vector<std::uint32_t> entries_;
 };
 

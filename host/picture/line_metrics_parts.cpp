@@ -1,4 +1,3 @@
-// See line_metrics_parts.hpp.
 #include "host/picture/line_metrics_parts.hpp"
 
 #include <algorithm>
@@ -89,10 +88,10 @@ double distance(const PixelPoint& point, const PixelSegment& segment) {
   return std::hypot(point.x - foot.x, point.y - foot.y);
 }
 
-std::vector<MeasuredLine> measured_lines(const std::vector<ReferenceLine>& truth,
+std::vector<MeasuredLine> measured_lines(const std::vector<ReferenceLine>& reference,
                                          const std::vector<DrawnPiece>& drawn) {
   std::vector<const ReferenceLine*> order;
-  for (const ReferenceLine& line : truth) order.push_back(&line);
+  for (const ReferenceLine& line : reference) order.push_back(&line);
   std::sort(order.begin(), order.end(),
             [](const ReferenceLine* a, const ReferenceLine* b) { return a->id < b->id; });
   std::vector<MeasuredLine> lines;

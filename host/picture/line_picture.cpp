@@ -33,13 +33,13 @@ Int128 wide_dot(const Vector& a, const Vector& b) {
   return Int128{a[0]} * b[0] + Int128{a[1]} * b[1] + Int128{a[2]} * b[2];
 }
 
-// A face at an edge: a direction in the face, away from the edge, not along it. Below 2^19.
+// A face at an edge, as a direction in the face, away from the edge and not along it. Below 2^19.
 struct Spoke {
   LineEdge edge;
   Vector away{};
 };
 
-// Spokes of the edges of a picture, ascending by edge. Vertices at the same point count as the first of them.
+// Spokes of the edges of a picture, ascending by edge. Equal points count as one vertex, the first of them.
 class Spokes {
  public:
   Spokes(const scene::PolyScene& scene, const LinePicture& picture)
@@ -62,7 +62,7 @@ class Spokes {
   }
 
  private:
-  // Of the vertices, those at the same point as an end of an edge of the picture. Most are at none.
+  // Finds the vertices at the same points as ends of edges of the picture. Most vertices are at none.
   void find_equal_points(const LinePicture& picture) {
     std::vector<scene::PolyPoint> ends;
     scene::VertexPool<std::int32_t> pool(ends);
@@ -80,7 +80,8 @@ class Spokes {
     }
   }
 
-  // Of a large scene few edges are seen, and the spokes of all would be most of what its drawing needs.
+  // Only edges of the picture get spokes: in a large scene few edges are visible, and the spokes of all would take most
+  // of the memory.
   void find_edges(const LinePicture& picture) {
     for (const LinePiece& piece : picture.pieces) {
       const LineEdge known = known_as(piece.edge.from, piece.edge.to);
@@ -130,8 +131,8 @@ class Spokes {
     return false;
   }
 
-  // The face is to the left of every ring, seen against the normal. Any corner beside the line of a side
-  // gives a direction in the face or exactly out of it.
+  // Every ring has the face to its left, as seen from the end of the normal. Any corner that is not on the line of a side
+  // gives a direction into the face or exactly out of it.
   void add_ring(const std::vector<VertexIndex>& ring, const std::vector<VertexIndex>& corners,
                 const Vector& normal) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -152,13 +153,13 @@ class Spokes {
 
   const scene::PolyScene& scene_;
   std::vector<VertexIndex> first_at_;
-  std::vector<bool> drawn_;                 // an edge of the picture ends at the vertex
+  std::vector<bool> drawn_;                 // by vertex: an edge of the picture ends there
   std::vector<LineEdge> edges_;             // ascending
-  std::vector<std::uint32_t> first_edge_;  // of each vertex
+  std::vector<std::uint32_t> first_edge_;  // by vertex
   std::vector<Spoke> spokes_;
 };
 
-// Directions about an axis, counted from the direction of the eye.
+// Directions about an axis, measured from the direction of the eye.
 class Circle {
  public:
   Circle(const Vector& axis, const Vector& eye) : axis_(axis), eye_(eye) {}

@@ -22,18 +22,18 @@ using geometry::sign;
 using geometry::vector_of;
 using Vector = geometry::Vector3;
 
-// The value at parameter s of what is a at s = 0 and b at s = 1, times the denominator of s.
+// The value at parameter s of a linear quantity that is a at s = 0 and b at s = 1, times the denominator of s.
 Int128 along(std::int64_t a, std::int64_t b, const Rational& s) {
   return Int128{a} * (s.denominator() - s.numerator()) + Int128{b} * s.numerator();
 }
 
-ImageRatio reduced(const ImageRatio& ratio) {
+ImageRatio reduce(const ImageRatio& ratio) {
   if (ratio.denominator == 0) return ratio;
   const Int128 divisor = geometry::common_divisor(ratio.numerator, ratio.denominator);
   return {ratio.numerator / divisor, ratio.denominator / divisor};
 }
 
-// One edge as the camera has it: right, up and forward of both ends.
+// An edge in the camera's frame: right, up and forward of both ends.
 struct EdgeImage {
   std::array<Vector, 2> ends;
 
@@ -65,14 +65,14 @@ ImageSegment segment_of(const LinePiece& piece, const scene::PolyScene& scene,
   const Vector& b = image.ends[1];
   const bool upright = camera.perspective ? Int128{a[0]} * b[2] == Int128{b[0]} * a[2] : a[0] == b[0];
   const std::size_t axis = upright ? 1 : 0;
-  const auto ratio = [&](const Rational& s) { return reduced(image.ratio(axis, s, camera.perspective)); };
+  const auto ratio = [&](const Rational& s) { return reduce(image.ratio(axis, s, camera.perspective)); };
   segment.low = ratio(piece.low);
   segment.high = ratio(piece.high);
   if (compare(segment.low, segment.high) > 0) std::swap(segment.low, segment.high);
   return segment;
 }
 
-// Where a place on a crossing is seen, not scaled by lengths; its ends are no points of the grid.
+// The image of a point of a crossing, not scaled by lengths; its ends are not points of the grid.
 std::array<double, 2> crossing_image(const LineEdge& edge, double s, const scene::PolyScene& scene,
                                      const scene::PolyCamera& camera) {
   const geometry::RealVector from = scene::place_of(scene, edge.from);

@@ -1,11 +1,10 @@
-// The image of an exact line picture: where its pieces lie in the image plane, merged where they overlap.
+// The image of an exact line picture: its pieces in the image plane, merged where they overlap.
 //
-// Two algorithms may draw the same image from different edges (an edge exactly behind another is seen through
-// neither, or both, by convention): ImageSet is the set of points drawn, canonical, so that == compares it.
+// Two algorithms may draw the same image from different edges (whether an edge exactly behind another is visible is a
+// convention). ImageSet is the set of points drawn, in a canonical form that == compares.
 //
-// Sizes: with coordinates below 2^18, camera vectors below 2^15 and parameters of 60 over 60 bits, an image
-// coordinate is a fraction of 99 over 99 bits; such fractions are compared by their continued fractions,
-// which need no wider products.
+// Sizes: with coordinates below 2^18, camera vectors below 2^15 and parameters of 60 over 60 bits, an image coordinate is
+// a fraction of 99 over 99 bits. Such fractions are compared by their continued fractions, which need no wider products.
 #pragma once
 
 #include <array>
@@ -19,8 +18,7 @@
 
 namespace sightline::picture {
 
-// A fraction in lowest terms, the denominator positive; -1/0 and 1/0 are the ends of an image that runs out
-// to infinity.
+// A fraction in lowest terms with a positive denominator; -1/0 and 1/0 are the ends of an image that runs to infinity.
 struct ImageRatio {
   geometry::Int128 numerator = 0;
   geometry::Int128 denominator = 1;
@@ -28,14 +26,14 @@ struct ImageRatio {
   friend bool operator==(const ImageRatio&, const ImageRatio&) = default;
 };
 
-// Negative, zero or positive as a is less than, equal to or greater than b.
+// Negative, zero or positive: a is less than, equal to, greater than b.
 [[nodiscard]] int compare(const ImageRatio& a, const ImageRatio& b);
 
 struct ImageSegment {
-  // The plane of all sight lines through the image line: normal and offset, in lowest terms, the first that
-  // is not zero positive; relative to the eye in perspective (offset 0), to the origin otherwise.
+  // The plane of all sight lines through the image line: normal and offset in lowest terms, the first nonzero number
+  // positive; relative to the eye in perspective (offset 0), otherwise to the origin.
   std::array<std::int64_t, 4> line{};
-  // Along the line, as right / forward (or up / forward where right is constant), not scaled by lengths.
+  // The position along the line, as right / forward (or up / forward if right is constant), not scaled by lengths.
   ImageRatio low;
   ImageRatio high;
 
@@ -48,11 +46,11 @@ struct ImageSet {
   friend bool operator==(const ImageSet&, const ImageSet&) = default;
 };
 
-// The line of the image on which an edge lies: the plane that ImageSegment::line has in lowest terms. The normal is zero if the
-// edge is seen as a point.
+// The plane through the eye and an edge, which determines its line in the image, but not in lowest terms (see
+// ImageSegment::line). The normal is zero if the edge is seen as a point.
 [[nodiscard]] std::array<std::int64_t, 4> image_plane(const LineEdge& edge, const scene::PolyScene& scene,
                                                       const scene::PolyCamera& camera);
-// The same plane, its numbers without a common divisor, the first that is not zero positive.
+// The same plane with coprime numbers, the first nonzero number positive.
 template <class Integer>
 [[nodiscard]] std::array<Integer, 4> in_lowest_terms(std::array<Integer, 4> plane) {
   geometry::Int128 common = 0;
@@ -68,17 +66,17 @@ template <class Integer>
   for (Integer& part : plane) part /= divisor;
   return plane;
 }
-// Where the point of an edge with this parameter lies along right (axis 0) or up (1), as ImageSegment::low, but not in lowest
-// terms.
+// The position along right (axis 0) or up (1) of the point of an edge with this parameter, like ImageSegment::low, but
+// not in lowest terms.
 [[nodiscard]] ImageRatio image_coordinate(const LineEdge& edge, const geometry::Rational& parameter, std::size_t axis,
                                           const scene::PolyScene& scene, const scene::PolyCamera& camera);
 
-// The picture is one of these vertices under this camera; pieces whose image is a point are left out.
+// Pieces whose image is a point are left out. Precondition: the picture is of this scene from this camera.
 [[nodiscard]] ImageSet image_set(const LinePicture& picture, const scene::PolyScene& scene,
                                  const scene::PolyCamera& camera);
 
-// Total length of all pieces in the image plane at unit focal length (in perspective), as the definition of
-// PolyCamera has it; in scene units otherwise. Overlapping pieces count each.
+// Total length of all pieces in the image plane: in perspective at unit focal length, as PolyCamera defines it; otherwise
+// in scene units. Overlapping pieces are counted separately.
 [[nodiscard]] double image_length(const LinePicture& picture, const scene::PolyScene& scene,
                                   const scene::PolyCamera& camera);
 

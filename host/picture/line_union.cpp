@@ -1,4 +1,3 @@
-// See line_union.hpp.
 #include "host/picture/line_union.hpp"
 
 #include <algorithm>
@@ -18,7 +17,8 @@ namespace {
 
 using geometry::Int128;
 
-// A plane through the eye, so a line of the image: normal and offset, in lowest terms, the first that is not zero positive.
+// A plane through the eye, which determines a line of the image: normal and offset in lowest terms, the first nonzero
+// number positive.
 using LineKey = std::array<Int128, 4>;
 
 std::uint64_t hash_of(const LineKey& key) {
@@ -39,7 +39,7 @@ class LineUnion {
         scene_(scene),
         camera_(camera),
         view_(camera) {
-    // Planes of faces are wanted by number where there are crossings.
+    // The planes of faces are only needed for crossings.
     if (scene.crossings.empty()) return;
     for (const scene::PolyBody& body : scene.bodies)
       for (const scene::PolyFace& face : body.faces) faces_.push_back(&face);
@@ -68,27 +68,27 @@ class LineUnion {
     const LinePiece* piece = nullptr;
     std::uint32_t layer = 0;
   };
-  // Of an item of `group_`, on its line of the image.
+  // An end of an item of `group_` on the image line.
   struct End {
-    std::uint32_t item = 0;  // among those of its line
-    bool high = false;       // of the piece's parameters
+    std::uint32_t item = 0;  // index in `group_`
+    bool high = false;       // at the high end of the piece's parameters
     SeenPoint at{};
     double place = 0;      // along the line
-    double tolerance = 0;  // of `place`: beyond it, doubles decide
-    ImageRatio ratio = {};  // the exact place; only of ends that others are near
+    double tolerance = 0;  // error bound of `place`; beyond it, doubles decide
+    ImageRatio ratio = {};  // the exact place; only for ends with others nearby
   };
   struct Span {
     std::uint32_t item = 0;
     std::uint32_t low = 0;  // ranks of its ends
     std::uint32_t high = 0;
   };
-  // Where a span begins or ends.
+  // The start or end of a span.
   struct Event {
     std::uint32_t rank = 0;
     bool begins = false;
     std::uint32_t layer = 0;
   };
-  // From rank to rank, kept by one layer.
+  // A range of ranks, assigned to one layer.
   struct Stretch {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
@@ -107,7 +107,8 @@ class LineUnion {
     return {line[0], line[1], line[2], line[3]};
   }
 
-  // A combination of the line's two planes that is zero at the eye. A line drawn on one face was cut by a plane of sight.
+  // A combination of the crossing's two planes that is zero at the eye. A line drawn on one face was cut by a plane of
+  // sight.
   [[nodiscard]] LineKey crossing_key(const scene::PolyCrossing& crossing) const {
     const bool on_face = crossing.face_a == crossing.face_b;
     const geometry::Plane b = on_face ? scene_.cut_planes[crossing.plane] : plane_of(crossing.face_b);
@@ -117,7 +118,7 @@ class LineUnion {
     const auto at_eye = [&](const geometry::Plane& plane) {
       return camera_.perspective ? Int128{plane.at(camera_.eye)} : geometry::wide_dot(plane.normal, forward);
     };
-    // Common factors first: normals have 39 bits, the values 60.
+    // Common factors are removed first: normals have 39 bits, the values 60.
     Int128 of_a = at_eye(b);
     Int128 of_b = at_eye(a);
     if (const Int128 divisor = geometry::common_divisor(of_a, of_b); divisor != 0) {
@@ -155,7 +156,7 @@ class LineUnion {
     const LineEdge& first = items_[run[0]].piece->edge;
     const bool one_edge = std::all_of(run.begin(), run.end(), [&](std::uint32_t i) { return items_[i].piece->edge == first; });
     if (one_edge) {
-      // Its pieces share no stretch.
+      // A single piece overlaps nothing.
       for (const std::uint32_t i : run) {
         result_.lines.push_back({end_of(i, false), end_of(i, true), items_[i].layer,
                                  static_cast<std::uint32_t>(result_.sources.size()), 1});
@@ -163,7 +164,7 @@ class LineUnion {
       }
       return;
     }
-    // Different lines with one hash are next to impossible.
+    // Equal hashes of different lines are extremely rare.
     rest_ = run;
     while (!rest_.empty()) {
       const LineEdge edge = items_[rest_[0]].piece->edge;
@@ -188,7 +189,7 @@ class LineUnion {
     return n[k] != 0;
   }
 
-  // Of a point of an edge: from + s (to - from).
+  // The point from + s (to - from) of an edge.
   [[nodiscard]] SeenPoint end_of(std::uint32_t item, bool high) const {
     const LinePiece& piece = *items_[item].piece;
     const double s = (high ? piece.high : piece.low).to_double();
@@ -214,7 +215,7 @@ class LineUnion {
     return along(1) * view_.length(0) >= along(0) * view_.length(1) ? 0 : 1;
   }
 
-  // Adds the ends of an item of `group_`. In perspective a line of the image ends at infinity where its edge passes the eye.
+  // Adds the ends of an item of `group_`. In perspective, the image ends at infinity where the edge passes the eye.
   void place_ends(std::uint32_t item, std::size_t axis) {
     // The places are computed to about 10^-10 of a step.
     constexpr double error = 1e-9;
@@ -243,9 +244,9 @@ class LineUnion {
 
   [[nodiscard]] const LinePiece& piece_of(const End& end) const { return *items_[group_[end.item]].piece; }
 
-  // Negative, zero or positive.
+  // Negative, zero or positive: a is less than, equal to, greater than b.
   static int compare_exactly(const ImageRatio& a, const ImageRatio& b) {
-    // Ends at vertices are short.
+    // Ends at vertices are short fractions.
     const auto is_short = [](const ImageRatio& r) {
       constexpr std::int64_t limit = std::int64_t{1} << 62;
       return r.denominator > 0 && r.denominator < limit && r.numerator < limit && r.numerator > -limit;
@@ -254,7 +255,7 @@ class LineUnion {
     return compare(a, b);
   }
 
-  // Sorts the ends along the line and numbers their places in `ranks_`; equal places have one number.
+  // Sorts the ends along the line and numbers their places in `ranks_`; equal places have the same number.
   void rank_ends(std::size_t axis) {
     std::vector<End>& ends = ends_;
     const auto earlier = [](const End& a, const End& b) { return a.item != b.item ? a.item < b.item : a.high < b.high; };
@@ -297,7 +298,7 @@ class LineUnion {
     }
   }
 
-  // `group_`, all on the line of this edge.
+  // Unites `group_`, whose items are all on the image line of this edge.
   void unite(const LineEdge& edge) {
     const std::size_t axis = axis_of(edge);
     ends_.clear();
@@ -320,7 +321,7 @@ class LineUnion {
     add_stretches();
   }
 
-  // The first layer that is active keeps the stretch.
+  // The first active layer keeps the stretch.
   void sweep() {
     events_.clear();
     for (const Span& span : spans_) {
@@ -351,7 +352,7 @@ class LineUnion {
     }
   }
 
-  // Between two ends at infinity nothing says where a line is: it gets an end between them.
+  // A stretch between two ends at infinity does not determine a line, so it gets an end between them.
   void divide_endless() {
     if (stretches_.size() != 1 || std::max(places_.front()[2], places_.back()[2]) > least_depth) return;
     const Stretch whole = stretches_.front();
@@ -359,7 +360,7 @@ class LineUnion {
     stretches_ = {{0, 1, whole.layer}, {1, whole.high, whole.layer}};
   }
 
-  // With the edges that lie on each.
+  // Adds the stretches with the edges that lie on each.
   void add_stretches() {
     sources_.clear();
     for (const Span& span : spans_) {
@@ -390,16 +391,16 @@ class LineUnion {
   std::vector<Item> items_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> by_line_;  // hash of the line, item
   UnitedLines result_;
-  // Of the line at work.
+  // For the current line.
   std::vector<std::uint32_t> rest_;
   std::vector<std::uint32_t> group_;
   std::vector<End> ends_;
-  std::vector<std::uint32_t> ranks_;  // of the ends
-  std::vector<SeenPoint> places_;    // of each rank
+  std::vector<std::uint32_t> ranks_;  // by end
+  std::vector<SeenPoint> places_;    // by rank
   std::vector<Span> spans_;
   std::vector<Event> events_;
-  std::vector<std::uint32_t> active_;  // layers, ascending, each once
-  std::vector<std::size_t> spans_of_;  // of each layer: how many are active
+  std::vector<std::uint32_t> active_;  // ascending, without duplicates
+  std::vector<std::size_t> spans_of_;  // by layer: number of active spans
   std::vector<Stretch> stretches_;
   std::vector<std::pair<std::uint32_t, LineEdge>> sources_;  // of stretches
 };

@@ -1,12 +1,12 @@
-// Each stretch of a line of the image once: pieces of different edges that lie on one line of the image are united.
+// Unites pieces of different edges that lie on one line of the image, so that each part of the line is drawn once.
 //
-// Edges that coincide in the image are common: bricks side by side, any view along an axis, an edge exactly behind
-// another. Where pieces overlap, the first layer that has one there keeps the stretch; hidden layers come last, so that no
-// dash lies on a visible line. Pieces of one layer that touch on one line become one. What is seen as a point is left out.
+// Edges that coincide in the image are common: bricks side by side, a view along an axis, an edge exactly behind another.
+// Where pieces overlap, the first layer with a piece there keeps the stretch; hidden layers come last, so that no dash
+// lies on a visible line. Pieces of one layer that touch on one line are joined. Edges seen as points are left out.
 //
-// Exact for edges between vertices: they are grouped by the plane through the eye and the edge, and within a group ends that are
-// near each other are compared as fractions. Ends of crossings (PolyScene::crossings), which have more than 128 bits, are equal
-// to others within 10^-9 of their place in the image.
+// Exact for edges between vertices: they are grouped by the plane through the eye and the edge, and ends in a group that
+// are near each other are compared as fractions. Ends of crossings (PolyScene::crossings), which have more than 128 bits,
+// are equal to others if they are within 10^-9 of their place in the image.
 #pragma once
 
 #include <array>
@@ -21,19 +21,20 @@
 
 namespace sightline::picture {
 
-// Pieces that are drawn with one pen. Layers that follow each other and have the same label and colour, and are hidden or not, are
-// one layer of a drawing.
+// Pieces that are drawn with one pen. Consecutive layers with the same label, colour and `hidden` are one layer of a
+// drawing.
 struct LineLayer {
   std::string label;
   LinePicture picture;
   Colour colour = {};     // black
-  std::string kind = {};  // of the edges, as strokes are named; empty: not known
+  std::string kind = {};  // kind of the edges, as in Stroke::kind; empty: unknown
   bool hidden = false;    // drawn dashed
 };
 
 struct UnitedLine {
-  // Ends: right, up and depth of points of source edges, relative to the eye, by axes of length 1; depth is 1 without
-  // perspective. In perspective a line may reach infinity, where its depth is 0, and one of a single edge may pass the eye.
+  // The ends are points of source edges: right, up and depth relative to the eye, along axes of length 1; depth is 1 in
+  // parallel projection. In perspective a line may reach infinity, where its depth is 0, and a line of a single edge may
+  // pass the eye.
   std::array<double, 3> from{};
   std::array<double, 3> to{};
   std::uint32_t layer = 0;
@@ -43,15 +44,15 @@ struct UnitedLine {
 
 struct UnitedLines {
   std::vector<UnitedLine> lines;
-  // Edges that lie on each line, ascending for each: of a visible line those with a visible piece there, else hidden ones.
+  // The edges on each line, ascending: for a visible line those with a visible piece there, otherwise hidden ones.
   std::vector<LineEdge> sources;
 };
 
-// The pictures are of this scene from this camera and share no piece of an edge.
+// Precondition: the pictures are of this scene from this camera and share no piece of an edge.
 [[nodiscard]] UnitedLines united_lines(std::span<const LineLayer> layers, const scene::PolyScene& scene,
                                        const scene::PolyCamera& camera);
 
-// What of whole edges, from parameter 0 to 1 and ascending, the visible picture does not have.
+// The parts of whole edges (from parameter 0 to 1, ascending) that the visible picture lacks.
 [[nodiscard]] LinePicture hidden_pieces(const LinePicture& edges, const LinePicture& visible);
 
 }  // namespace sightline::picture

@@ -1,4 +1,3 @@
-// See overlay.hpp.
 #include "host/picture/overlay.hpp"
 
 #include <algorithm>
@@ -30,22 +29,22 @@ VectorDrawing empty_overlay(double picture_height) {
   return drawing;
 }
 
-// As large as fits, the usual size at most.
-void fitted_text(VectorDrawing& drawing, double x, double y, double room, const std::string& text) {
+// As large as fits, but at most the usual size.
+void append_fitted_text(VectorDrawing& drawing, double x, double y, double room, const std::string& text) {
   const double width = text_width(text_height, text);
   append_text(drawing, legend, x, y, width > room ? text_height * room / width : text_height, text);
 }
 
 void add_legend(VectorDrawing& drawing, const OverlayCaption& caption) {
   append_line(drawing, legend, 0, legend_height - 1, picture_side, legend_height - 1);
-  fitted_text(drawing, border, legend_height - 40, picture_side - 2 * border, caption.title);
+  append_fitted_text(drawing, border, legend_height - 40, picture_side - 2 * border, caption.title);
   constexpr double column = (picture_side - border) / 3;
   constexpr double swatch = 40;
   double x = border;
   for (const auto& [layer, text] : {std::pair{agreed, &caption.agreed}, std::pair{missing, &caption.missing},
                                     std::pair{extra, &caption.extra}}) {
     append_line(drawing, layer, x, border + text_height / 2, x + swatch, border + text_height / 2);
-    fitted_text(drawing, x + swatch + border, border, column - swatch - 2 * border, *text);
+    append_fitted_text(drawing, x + swatch + border, border, column - swatch - 2 * border, *text);
     x += column;
   }
 }
@@ -68,23 +67,23 @@ Overlay overlay_of(const LineDifference& difference, const PixelPoint& low, cons
   return overlay;
 }
 
-Overlay overlay_of(const PixelGrid& truth, const PixelGrid& drawn, const OverlayCaption& caption) {
-  assert(truth.width == drawn.width && truth.height == drawn.height);
-  const double scale = picture_side / truth.width;
-  Overlay overlay{empty_overlay(truth.height * scale), std::max(2.0, std::floor(0.85 * scale))};
+Overlay overlay_of(const PixelGrid& reference, const PixelGrid& drawn, const OverlayCaption& caption) {
+  assert(reference.width == drawn.width && reference.height == drawn.height);
+  const double scale = picture_side / reference.width;
+  Overlay overlay{empty_overlay(reference.height * scale), std::max(2.0, std::floor(0.85 * scale))};
   const auto layer_at = [&](int column, int row) {
-    const std::uint32_t there = truth.at(column, row);
+    const std::uint32_t there = reference.at(column, row);
     const std::uint32_t here = drawn.at(column, row);
     if (there == 0 && here == 0) return legend;  // nothing to draw
     if (here == 0) return missing;
     return there == here ? agreed : extra;
   };
-  for (int row = 0; row < truth.height; ++row) {
+  for (int row = 0; row < reference.height; ++row) {
     const double y = (row + 0.5) * scale + legend_height;
-    for (int column = 0; column < truth.width;) {
+    for (int column = 0; column < reference.width;) {
       const std::uint32_t layer = layer_at(column, row);
       const int first = column;
-      while (column < truth.width && layer_at(column, row) == layer) ++column;
+      while (column < reference.width && layer_at(column, row) == layer) ++column;
       if (layer != legend)
         append_line(overlay.drawing, layer, (first + 0.5) * scale, y, (column - 0.5) * scale, y);
     }
@@ -94,7 +93,7 @@ Overlay overlay_of(const PixelGrid& truth, const PixelGrid& drawn, const Overlay
 }
 
 Image overlay_image(const Overlay& overlay) {
-  // Half a pen and a smooth edge on every side, so that the drawing's unit is a pixel.
+  // Leaves half a pen and a smooth edge on every side, so that the drawing's unit is a pixel.
   const auto pixels = [&](double extent) { return static_cast<int>(std::lround(extent + overlay.pen + 1)); };
   return image_of(overlay.drawing,
                   {pixels(overlay.drawing.width), pixels(overlay.drawing.height), overlay.pen});

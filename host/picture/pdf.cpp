@@ -1,4 +1,3 @@
-// See pdf.hpp.
 #include "host/picture/pdf.hpp"
 
 #include <fmt/core.h>
@@ -16,7 +15,7 @@
 namespace sightline::picture {
 namespace {
 
-// Objects in their order, and where each begins: what the table at the end of the file says.
+// Collects the objects and the position of each for the cross-reference table at the end of the file.
 class PdfFile {
  public:
   PdfFile() : text_("%PDF-1.5\n%\xe2\xe3\xcf\xd3\n") {}
@@ -56,10 +55,10 @@ class PdfPage {
         across_((paper.width - 2 * paper.margin) / drawing.width),
         up_((paper.height - 2 * paper.margin) / drawing.height) {}
 
-  // In millimetres, of which the page's unit is 1/72 inch.
+  // In millimetres; the page's unit is 1/72 inch.
   std::string content(const Paper& paper) {
     base::append(text_, "{:.6f} 0 0 {:.6f} 0 0 cm\n1 J 1 j {:.3f} w\n", 72 / 25.4, 72 / 25.4, paper.pen);
-    // Facets only meet: a line of their own colour is around each, or the paper would shine through.
+    // Each facet has a line of its own colour around it; otherwise the paper would shine through between facets.
     const bool with_line = drawing_.areas.empty();
     text_ += "0.05 w\n";
     const auto area = [this, with_line](const auto& each) {
@@ -79,7 +78,7 @@ class PdfPage {
         std::string before = place(line.first);
         if (line.count == 1) base::append(text_, "{} m\n{} l\nS\n", before, before);
         bool begun = false;
-        // What is shorter than a thousandth of a millimetre is no piece of a line.
+        // Parts of a line shorter than a thousandth of a millimetre are skipped.
         for (std::uint32_t i = 1; i < line.count; ++i) {
           std::string at = place(line.first + i);
           if (at == before) continue;
@@ -116,7 +115,7 @@ class PdfPage {
 }  // namespace
 
 std::string pdf_of(const VectorDrawing& drawing, const Paper& paper, const std::string& title) {
-  // 1 catalogue, 2 pages, 3 page, 4 content, 5 about, from 6 on the layers.
+  // Objects: 1 catalogue, 2 pages, 3 page, 4 content, 5 about, layers from 6 on.
   constexpr std::size_t first_layer = 6;
   std::string all;
   std::string names;

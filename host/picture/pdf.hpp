@@ -1,5 +1,5 @@
-// A drawing as PDF 1.5, in millimetres, with a layer (optional content) for each layer of the drawing. No dates and no
-// compression: the same drawing is the same bytes.
+// A drawing as PDF 1.5, in millimetres, with a layer (optional content) for each layer of the drawing. Without dates and
+// compression: the same drawing gives the same bytes.
 // Source: Adobe, PDF Reference, fifth edition (version 1.6), 4.10 (optional content), 3.4 (file structure).
 #pragma once
 

@@ -29,7 +29,7 @@ class Dots {
       std::fill_n(image_.pixels.begin() + first, scale_, std::uint8_t{0});
     }
   }
-  // Along one of the eight directions, without the first point.
+  // Along one of the eight directions, excluding the first point.
   void line(PenPoint from, PenPoint to) {
     const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
     for (int n = 1; n <= steps; ++n)

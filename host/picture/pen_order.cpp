@@ -1,4 +1,3 @@
-// See pen_order.hpp.
 #include "host/picture/pen_order.hpp"
 
 #include <algorithm>
@@ -22,7 +21,7 @@ double length_between(const PenPlace& a, const PenPlace& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-// Whether a distance is certainly above a limit, by its square: nearly always as good as a comparison of the distance
+// Whether a distance is certainly above a limit, tested by its square: nearly always equivalent to comparing the distance
 // itself, which takes ten times as long to compute.
 bool is_beyond(const PenPlace& a, const PenPlace& b, double limit) {
   const double x = a.x - b.x;
@@ -34,7 +33,7 @@ bool is_beyond(const PenPlace& a, const PenPlace& b, double limit) {
 using Corners = std::vector<std::uint32_t>;  // points of the drawing
 constexpr std::uint32_t no_end = std::numeric_limits<std::uint32_t>::max();
 
-// Places in cells about a given number of which hold two.
+// A grid over places, in which cells hold about two each.
 class Cells {
  public:
   explicit Cells(std::span<const PenPlace> places) : places_(places) {}
@@ -60,8 +59,8 @@ class Cells {
     for (const std::uint32_t m : members) members_[at[cell_of(places_[m])]++] = m;
   }
 
-  // Calls visit(member) for those in rings of cells around a place, until done(distance) says that nothing
-  // farther than that is wanted.
+  // Calls visit(member) for the members of rings of cells around a place, until done(distance) returns true, which means
+  // that nothing farther away is needed.
   template <class Visit, class Done>
   void around(const PenPlace& place, Visit visit, Done done) const {
     const std::int64_t column = column_of(place.x);
@@ -104,7 +103,7 @@ class Cells {
 
 // --- joining
 
-// Ends of lines, 2 n the first and 2 n + 1 the last point of line n, and which two of them are joined.
+// Ends of lines (2 n the first and 2 n + 1 the last point of line n) and which pairs of them are joined.
 class Joins {
  public:
   Joins(std::span<const PenPlace> places, const std::vector<Corners>& lines) : places_(places), lines_(lines) {
@@ -115,7 +114,7 @@ class Joins {
     partner_.assign(ends_.size(), no_end);
   }
 
-  // The nearest first; of those that are equally near (in steps of `unit`) the straightest.
+  // Joins the nearest ends first, and of those equally near (in steps of `unit`) the straightest continuation.
   void join(double distance, double unit) {
     if (!(distance > 0) || ends_.empty()) return;
     std::vector<std::uint32_t> open;
@@ -136,7 +135,7 @@ class Joins {
             if (b <= a || is_beyond(ends_[a], ends_[b], distance)) return;
             const double length = length_between(ends_[a], ends_[b]);
             if (length > distance) return;
-            if (b == (a ^ 1U) && lines_[a / 2].size() < 3) return;  // a line and back
+            if (b == (a ^ 1U) && lines_[a / 2].size() < 3) return;  // it would go back along the line
             pairs.push_back({std::floor(length / unit), turn(a, b), a, b});
           },
           [&](double from) { return from > distance; });
@@ -153,7 +152,7 @@ class Joins {
     }
   }
 
-  // The lines, joined.
+  // The joined lines.
   [[nodiscard]] std::vector<Corners> result() const {
     std::vector<Corners> joined;
     std::vector<bool> done(lines_.size(), false);
@@ -188,7 +187,7 @@ class Joins {
     const PenPlace in = direction(b);
     return 1 + out.x * in.x + out.y * in.y;
   }
-  // Out of the line, of length 1.
+  // Outwards from the line's end, of length 1.
   [[nodiscard]] PenPlace direction(std::uint32_t end) const {
     const Corners& line = lines_[end / 2];
     const PenPlace& tip = ends_[end];
@@ -203,7 +202,7 @@ class Joins {
   std::vector<std::uint32_t> partner_;
 };
 
-// --- corners that are none
+// --- corners on straight lines
 
 double distance_from_line(const PenPlace& p, const PenPlace& a, const PenPlace& b) {
   const double length = length_between(a, b);
@@ -214,8 +213,8 @@ double distance_from_line(const PenPlace& p, const PenPlace& a, const PenPlace& 
   return std::abs((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / length;
 }
 
-// Each run is as long as all points passed over are near to it.
-Corners straightened(const Corners& line, std::span<const PenPlace> places, double tolerance) {
+// Each run is extended while all points that it skips are near to it.
+Corners straighten(const Corners& line, std::span<const PenPlace> places, double tolerance) {
   constexpr std::size_t longest_run = 1000;
   Corners result{line[0]};
   std::size_t from = 0;
@@ -235,13 +234,13 @@ Corners straightened(const Corners& line, std::span<const PenPlace> places, doub
 
 // --- the order
 
-// A tour through lines, each in one of two directions; ends are numbered as in Joins.
+// A tour through lines, each traversed in one of two directions; ends are numbered as in Joins.
 class Tour {
  public:
   Tour(std::span<const PenPlace> places, std::vector<Corners>& lines, const PenPlace& start)
       : places_(places), lines_(lines), start_(start), count_(static_cast<std::uint32_t>(lines.size())) {}
 
-  // The order of ends at which lines are begun.
+  // Returns the tour as the end at which each line is begun.
   std::vector<std::uint32_t> run() {
     if (count_ == 0) return {};
     nearest_first();
@@ -267,7 +266,7 @@ class Tour {
     return corners.size() > 3 && a.x == b.x && a.y == b.y;
   }
 
-  // Closed lines begin at this corner.
+  // Makes a closed line begin at this corner.
   void rotate(std::uint32_t line, std::size_t corner) {
     Corners& corners = lines_[line];
     corners.pop_back();
@@ -275,18 +274,18 @@ class Tour {
     corners.push_back(corners.front());
   }
 
-  // A place where a line can be begun.
-  struct Door {
+  // A place where a line can begin.
+  struct StartPlace {
     std::uint32_t line;
     std::uint32_t corner;
   };
 
   void nearest_first() {
-    std::vector<Door> doors;
+    std::vector<StartPlace> starts;
     std::vector<PenPlace> at;
     for (std::uint32_t n = 0; n < count_; ++n) {
       const auto add = [&](std::size_t corner) {
-        doors.push_back({n, static_cast<std::uint32_t>(corner)});
+        starts.push_back({n, static_cast<std::uint32_t>(corner)});
         at.push_back(places_[lines_[n][corner]]);
       };
       if (is_closed(n)) {
@@ -297,7 +296,7 @@ class Tour {
       }
     }
     std::vector<bool> done(count_, false);
-    std::vector<std::uint32_t> left(doors.size());
+    std::vector<std::uint32_t> left(starts.size());
     std::iota(left.begin(), left.end(), 0U);
     Cells cells(at);
     cells.fill(left);
@@ -305,9 +304,9 @@ class Tour {
     std::size_t open = left.size();
     PenPlace pen = start_;
     for (std::uint32_t n = 0; n < count_; ++n) {
-      // Cells that are nearly all empty are slow to search.
+      // Searching many nearly empty cells is slow.
       if (4 * open < filled) {
-        left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t d) { return done[doors[d].line]; }), left.end());
+        left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t d) { return done[starts[d].line]; }), left.end());
         cells.fill(left);
         filled = open = left.size();
       }
@@ -316,7 +315,7 @@ class Tour {
       cells.around(
           pen,
           [&](std::uint32_t d) {
-            if (is_beyond(pen, at[d], nearest) || done[doors[d].line]) return;
+            if (is_beyond(pen, at[d], nearest) || done[starts[d].line]) return;
             const double distance = length_between(pen, at[d]);
             if (distance < nearest || (distance == nearest && d < best)) {
               nearest = distance;
@@ -324,7 +323,7 @@ class Tour {
             }
           },
           [&](double from) { return nearest <= from; });
-      const Door door = doors[best];
+      const StartPlace door = starts[best];
       done[door.line] = true;
       const bool closed = is_closed(door.line);
       open -= closed ? lines_[door.line].size() - 1 : std::min<std::size_t>(lines_[door.line].size(), 2);
@@ -361,7 +360,7 @@ class Tour {
     }
   }
 
-  // In the order: where line i is begun and left; before the first is the start, after the last nothing.
+  // By position in the tour: where line i is begun and left. Before the first line is the start; after the last, nothing.
   [[nodiscard]] std::uint32_t entry(std::uint32_t i) const { return order_[i]; }
   [[nodiscard]] const PenPlace& left_at(std::int64_t i) const {
     return i < 0 ? start_ : ends_[order_[static_cast<std::size_t>(i)] ^ 1U];
@@ -380,7 +379,7 @@ class Tour {
     note(first, last);
   }
 
-  // Lines first to last go between `after` and the one behind it, in the other direction if `turned`.
+  // Moves lines first to last between `after` and the next line, reversed if `turned`.
   void move(std::uint32_t first, std::uint32_t last, std::int64_t after, bool turned) {
     if (turned) turn_round(first, last);
     if (after > last) {
@@ -393,7 +392,8 @@ class Tour {
   }
 
   void improve() {
-    // Turning and moving costs as much as lies between: far ones are left alone in large drawings.
+    // Reversing and moving take time in proportion to the distance in the tour, so distant pairs are skipped in large
+    // drawings.
     reach_ = std::max<std::int64_t>(1000, 30'000'000 / count_);
     std::vector<std::uint32_t> waiting(count_);
     for (std::uint32_t i = 0; i < count_; ++i) waiting[i] = order_[count_ - 1 - i] / 2;
@@ -424,8 +424,8 @@ class Tour {
   bool improve_at(std::uint32_t e) {
     constexpr double least_gain = 1e-9;
     const std::int64_t i = position_[e / 2];
-    const bool leaves = order_[static_cast<std::size_t>(i)] != e;  // e is where its line is left
-    // The way that is given up: behind e, or before it.
+    const bool leaves = order_[static_cast<std::size_t>(i)] != e;  // e is the end at which its line is left
+    // The travel that is replaced: after e, or before it.
     const double old = leaves ? to_next(ends_[e], i + 1) : length_between(left_at(i - 1), ends_[e]);
     for (std::size_t k = 0; k < most_neighbours; ++k) {
       const std::uint32_t f = neighbours_[e * most_neighbours + k];
@@ -436,19 +436,19 @@ class Tour {
       if (!is_near(i, j)) continue;
       const bool f_leaves = order_[static_cast<std::size_t>(j)] != f;
       if (leaves && f_leaves && j > i) {
-        // i+1 .. j the other way round.
+        // Reverse i+1 .. j.
         const double gain = old + to_next(ends_[f], j + 1) - link -
                             to_next(ends_[entry(static_cast<std::uint32_t>(i + 1))], j + 1);
         if (gain > least_gain) return turn(i + 1, j);
       }
       if (!leaves && !f_leaves && j < i) {
-        // j .. i-1 the other way round.
+        // Reverse j .. i-1.
         const double gain = old + length_between(left_at(j - 1), ends_[f]) - link -
                             length_between(left_at(j - 1), left_at(i - 1));
         if (gain > least_gain) return turn(j, i - 1);
       }
       for (std::int64_t more = 0; more < 3; ++more) {
-        // The lines from f on that are moved next to e: f itself comes next to it.
+        // The lines from f on that are moved, with f next to e.
         const std::int64_t first = f_leaves ? j - more : j;
         const std::int64_t last = f_leaves ? j : j + more;
         const std::int64_t after = leaves ? i : i - 1;
@@ -479,7 +479,7 @@ class Tour {
     return true;
   }
 
-  // Where the way to them and on is shortest.
+  // Chooses the corner of each closed line that gives the least travel.
   void begin_closed_lines() {
     for (std::int64_t i = 0; i < count_; ++i) {
       const std::uint32_t line = order_[static_cast<std::size_t>(i)] / 2;
@@ -504,12 +504,12 @@ class Tour {
   std::int64_t reach_ = 0;
   std::vector<PenPlace> ends_;
   std::vector<std::uint32_t> order_;     // the end at which each line is begun
-  std::vector<std::uint32_t> position_;  // of each line in the order
+  std::vector<std::uint32_t> position_;  // by line: position in the order
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::uint32_t> touched_;
 };
 
-// Points of a drawing on paper.
+// The points of a drawing on paper.
 std::vector<PenPlace> places_on(const VectorDrawing& drawing, const Paper& paper) {
   const double across = (paper.width - 2 * paper.margin) / drawing.width;
   const double up = (paper.height - 2 * paper.margin) / drawing.height;
@@ -519,7 +519,7 @@ std::vector<PenPlace> places_on(const VectorDrawing& drawing, const Paper& paper
   return places;
 }
 
-// Calls visit(place before it or null, place) for the corners of all lines, pen by pen; null: the pen is lowered here.
+// Calls visit(previous place or null, place) for the corners of all lines, pen by pen. Null: the pen is lowered here.
 template <class Visit, class Change>
 void for_corners(const VectorDrawing& drawing, const Paper& paper, Visit visit, Change change) {
   const std::vector<PenPlace> places = places_on(drawing, paper);
@@ -555,7 +555,7 @@ VectorDrawing in_pen_order(const VectorDrawing& drawing, const Paper& paper, con
     joins.join(options.join, options.join);
     if (drawing.layers[layer].dash == 0) joins.join(options.min_gap, std::max(options.min_gap / 8, options.join));
     lines = joins.result();
-    for (Corners& line : lines) line = straightened(line, places, options.straight);
+    for (Corners& line : lines) line = straighten(line, places, options.straight);
     for (const std::uint32_t begun : Tour(places, lines, pen).run()) {
       Corners& line = lines[begun / 2];
       if (begun % 2 == 1) std::reverse(line.begin(), line.end());
@@ -592,7 +592,7 @@ PenTravel pen_travel(const VectorDrawing& drawing, const Paper& paper) {
 
 double plot_seconds(const VectorDrawing& drawing, const Paper& paper, const PlotterSpeeds& speeds) {
   const auto seconds = [&](double length, double speed) {
-    // From rest to rest: the top speed is reached if there is room for it.
+    // From rest to rest: the top speed is reached if the distance is long enough.
     const double ramp = speed * speed / speeds.acceleration;
     return length >= ramp ? length / speed + speed / speeds.acceleration : 2 * std::sqrt(length / speeds.acceleration);
   };

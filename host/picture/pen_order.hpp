@@ -1,11 +1,11 @@
-// The way of a pen: lines joined, short gaps closed, corners that are none left out, and an order in which the pen
-// travels little in the air. Every plotter and every program that drives one gets its lines in this order.
+// Optimizes the travel of a pen: joins lines, closes short gaps, removes corners on straight lines, and orders the lines
+// so that the pen travels little in the air. All files for plotters and for programs that drive them have this order.
 //
-// Lines of a layer whose ends meet become one, the straightest continuation first where several meet; so the
-// pen is lifted as rarely as the drawing allows. Then the order: the nearest end next, from the bottom left
-// corner, a line in either direction and a closed one from any of its corners; improved by turning parts of
-// the way round and by moving up to three lines elsewhere as long as that shortens it (2-opt and Or-opt over
-// near neighbours). Deterministic. Layers keep their order, and each begins where the one before it ended.
+// Lines of a layer whose ends meet become one, straightest continuation first; so the pen is lifted as rarely as the
+// drawing allows. Lines are ordered by the nearest end, starting at the bottom left corner; a line is drawn in either
+// direction, a closed line from any corner. The order is then improved by reversing parts of the tour and by moving up to
+// three lines elsewhere while that shortens it (2-opt and Or-opt over near neighbours). Deterministic. Layers keep their
+// order, and each begins where the one before it ended.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@
 namespace sightline::picture {
 
 struct PenOptions {
-  double join = 0.005;      // mm: ends so near to each other are one place
-  double min_gap = 0;       // mm: gaps between ends shorter than this are drawn
-  double straight = 0.001;  // mm: a corner so near to the straight line is left out
+  double join = 0.005;      // mm: ends this near to each other are one place
+  double min_gap = 0;       // mm: shorter gaps between ends are closed
+  double straight = 0.001;  // mm: a corner this near to the straight line is removed
 };
 
-// The same drawing in the order of a pen on this paper, which says what a millimetre is. Facets stay as they are.
+// The same drawing in pen order on this paper, which defines the millimetre. Facets are unchanged.
 [[nodiscard]] VectorDrawing in_pen_order(const VectorDrawing& drawing, const Paper& paper, const PenOptions& options = {});
 
-// What a drawing costs a pen, in its order of lines and layers, from the paper's bottom left corner on.
+// What plotting a drawing takes, in its order of lines and layers, starting at the paper's bottom left corner.
 struct PenTravel {
   double down = 0;  // mm drawn
-  double up = 0;    // mm in the air
+  double up = 0;    // mm travelled with the pen up
   std::size_t lifts = 0;
   std::size_t lines = 0;
   std::size_t pens = 0;  // layers with lines
@@ -42,7 +42,7 @@ struct PlotterSpeeds {
   double lift = 0;       // to raise or lower the pen
   double pen_change = 0;
 };
-// Seconds that the drawing takes: each straight line from rest to rest.
+// The plotting time in seconds, if each straight line is drawn from rest to rest.
 [[nodiscard]] double plot_seconds(const VectorDrawing& drawing, const Paper& paper, const PlotterSpeeds& speeds);
 
 }  // namespace sightline::picture

@@ -12,7 +12,7 @@ int sign(int value) {
   return (value > 0) - (value < 0);
 }
 
-// The nearest unit, halves upwards.
+// Rounds to the nearest unit, halves up.
 std::int64_t units(int steps, const PlotterPaper& paper) {
   const std::int64_t twice = 2 * steps * paper.micrometres_per_step + hpgl_unit_micrometres;
   const std::int64_t whole = twice / (2 * hpgl_unit_micrometres);

@@ -1,4 +1,3 @@
-// See phosphor.hpp.
 #include "host/picture/phosphor.hpp"
 
 #include <algorithm>
@@ -12,13 +11,13 @@ namespace sightline::picture {
 
 namespace {
 
-constexpr double units_a_flash = 4294967296.0;  // 2^32: a point may flash for an hour before a sum overflows
+constexpr double units_per_flash = 4294967296.0;  // 2^32: a point may flash for an hour before a sum overflows
 
 double seconds(core::Duration duration) {
   return static_cast<double>(duration.count()) * 1e-9;
 }
 
-// The film's answer to v is v / (1 + v); entry c is the least v that comes out as sRGB code c or higher.
+// The film's response to v is v / (1 + v); entry c is the least v that is encoded as sRGB code c or higher.
 std::array<double, 256> film_thresholds() {
   std::array<double, 256> thresholds{};
   for (std::size_t code = 1; code < thresholds.size(); ++code) {
@@ -51,7 +50,7 @@ PhosphorPhotograph::PhosphorPhotograph(core::Instant shutter_open, core::Instant
   }
 }
 
-// The part of a fading light that falls into the time the shutter is open.
+// The part of a decaying light that is emitted while the shutter is open.
 double PhosphorPhotograph::share_on_film(double share, double tau_seconds, core::Instant flash) const {
   if (flash >= shutter_open_) return share * (1.0 - decay(seconds(shutter_close_ - flash) / tau_seconds));
   return share * decay(seconds(shutter_open_ - flash) / tau_seconds) *
@@ -71,7 +70,7 @@ void PhosphorPhotograph::stroke(const core::Stroke& stroke) {
     LatticeSums& sums = sums_[stroke.intensity][layer];
     if (sums.empty()) sums.resize(std::size_t{screen_points} * screen_points);
     sums[point] +=
-        static_cast<std::uint64_t>(luminance_[stroke.intensity] * shares[layer] * units_a_flash + 0.5);
+        static_cast<std::uint64_t>(luminance_[stroke.intensity] * shares[layer] * units_per_flash + 0.5);
   }
 }
 
@@ -86,9 +85,9 @@ std::vector<float> PhosphorPhotograph::layer_light(Layer layer) const {
   const FilmSize size{parameters_.pixels_per_point, parameters_.margin_points};
   const auto side = static_cast<std::size_t>(size.pixels());
   std::vector<float> film(side * side);
-  // Light per pixel becomes light per area of a point.
-  const double pixels_a_point = parameters_.pixels_per_point * parameters_.pixels_per_point;
-  const double scale = pixels_a_point / units_a_flash;
+  // Converts light per pixel to light per area of a point.
+  const double area_of_point = parameters_.pixels_per_point * parameters_.pixels_per_point;
+  const double scale = area_of_point / units_per_flash;
   Halo halo;
   for (int intensity = 0; intensity < intensity_levels; ++intensity) {
     const LatticeSums& sums = sums_[static_cast<std::size_t>(intensity)][layer];

@@ -1,4 +1,3 @@
-// See pixel_metrics.hpp.
 #include "host/picture/pixel_metrics.hpp"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ bool within(const PixelSegment& segment, const PixelPoint& point) {
   return dx * dx + dy * dy <= boundary_distance * boundary_distance;
 }
 
-// 1 for boundary pixels: those of the rows and, in them, columns that the edge comes near.
+// 1 for boundary pixels, found in the rows and columns near each edge.
 PixelGrid boundary_of(int width, int height, const std::vector<PixelSegment>& edges) {
   PixelGrid boundary(width, height);
   const auto first = [](double value) {
@@ -47,7 +46,7 @@ PixelGrid boundary_of(int width, int height, const std::vector<PixelSegment>& ed
   return boundary;
 }
 
-// None of the pixels around is lit.
+// Whether none of the eight neighbours is lit.
 bool alone(const PixelGrid& grid, std::size_t index) {
   const int column = static_cast<int>(index % static_cast<std::size_t>(grid.width));
   const int row = static_cast<int>(index / static_cast<std::size_t>(grid.width));
@@ -75,25 +74,25 @@ double PixelMetrics::interior_mismatch() const {
   return ratio(different_inside, pixels - boundary_pixels);
 }
 
-PixelMetrics pixel_metrics(const PixelGrid& truth, const PixelGrid& drawn,
+PixelMetrics pixel_metrics(const PixelGrid& reference, const PixelGrid& drawn,
                            const std::vector<PixelSegment>& projected_edges) {
-  assert(truth.width == drawn.width && truth.height == drawn.height);
-  const PixelGrid boundary = boundary_of(truth.width, truth.height, projected_edges);
+  assert(reference.width == drawn.width && reference.height == drawn.height);
+  const PixelGrid boundary = boundary_of(reference.width, reference.height, projected_edges);
   PixelMetrics metrics;
-  for (std::size_t i = 0; i < truth.values.size(); ++i) {
-    const bool different = truth.values[i] != drawn.values[i];
+  for (std::size_t i = 0; i < reference.values.size(); ++i) {
+    const bool different = reference.values[i] != drawn.values[i];
     const bool on_boundary = boundary.values[i] != 0;
     ++metrics.pixels;
     metrics.boundary_pixels += on_boundary ? 1U : 0U;
     metrics.different_on_boundary += different && on_boundary ? 1U : 0U;
     metrics.different_inside += different && !on_boundary ? 1U : 0U;
-    metrics.lit += truth.values[i] != 0 ? 1U : 0U;
-    const bool missing = truth.values[i] != 0 && drawn.values[i] == 0;
-    const bool extra = truth.values[i] == 0 && drawn.values[i] != 0;
+    metrics.lit += reference.values[i] != 0 ? 1U : 0U;
+    const bool missing = reference.values[i] != 0 && drawn.values[i] == 0;
+    const bool extra = reference.values[i] == 0 && drawn.values[i] != 0;
     metrics.missing += missing ? 1U : 0U;
     metrics.extra += extra ? 1U : 0U;
     metrics.missing_far += missing && alone(drawn, i) ? 1U : 0U;
-    metrics.extra_far += extra && alone(truth, i) ? 1U : 0U;
+    metrics.extra_far += extra && alone(reference, i) ? 1U : 0U;
   }
   return metrics;
 }

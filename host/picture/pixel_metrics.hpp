@@ -1,12 +1,12 @@
-// The number of pixels in which two rasters differ (PMR), counted separately near the images of edges and elsewhere.
+// Counts the pixels in which two rasters differ (PMR), separately near the images of edges and elsewhere.
 //
-// A pixel has a number: of the face seen there, a grey, or 1 and 0 for lit and dark. Column c, row r has its
-// middle at (c, r), rows from the bottom, as points of a screen have. A pixel is a boundary pixel iff its
-// middle is within 0.75 pixels of a projected edge, hidden or not; there rounding may choose either side.
-// Elsewhere, in the interior, exact algorithms must agree.
+// The value of a pixel is the number of the face seen there, a grey, or 1 for lit and 0 for dark. Column c, row r has its
+// middle at (c, r), rows from the bottom, like the points of a screen. A pixel is a boundary pixel iff its middle is
+// within 0.75 pixels of a projected edge, hidden or not; there, rounding may choose either side. Elsewhere, in the
+// interior, exact algorithms must agree.
 //
-// Laws: equal rasters differ nowhere; exchanging them changes nothing but which side is lit; boundary and
-// interior add up to all pixels. Source: the suite's cross-check of algorithms, sections 3 and 4.
+// Laws: equal rasters have no differences; exchanging the rasters only exchanges missing and extra; boundary and interior
+// pixels add up to all pixels. Source: the suite's cross-check of algorithms, sections 3 and 4.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace sightline::picture {
 struct PixelGrid {
   int width = 0;
   int height = 0;
-  std::vector<std::uint32_t> values;  // width * height, the bottom row first
+  std::vector<std::uint32_t> values;  // width * height, bottom row first
 
   PixelGrid() = default;
   PixelGrid(int columns, int rows)
@@ -41,22 +41,22 @@ struct PixelMetrics {
   std::uint64_t boundary_pixels = 0;
   std::uint64_t different_on_boundary = 0;
   std::uint64_t different_inside = 0;
-  std::uint64_t lit = 0;      // pixels of the truth that are not 0
-  std::uint64_t missing = 0;  // 0 in the picture, not in the truth
-  std::uint64_t extra = 0;    // 0 in the truth, not in the picture
-  // Of missing and extra, those with no lit pixel of the other picture among their eight neighbours.
+  std::uint64_t lit = 0;      // pixels of the reference that are not 0
+  std::uint64_t missing = 0;  // 0 in the picture, not in the reference
+  std::uint64_t extra = 0;    // 0 in the reference, not in the picture
+  // Of missing and extra, those without a lit pixel of the other raster among their eight neighbours.
   std::uint64_t missing_far = 0;
   std::uint64_t extra_far = 0;
 
   [[nodiscard]] std::uint64_t different() const { return different_on_boundary + different_inside; }
-  // PMR: of all pixels.
+  // PMR: as a share of all pixels.
   [[nodiscard]] double mismatch() const;
   [[nodiscard]] double boundary_mismatch() const;  // of the boundary pixels
   [[nodiscard]] double interior_mismatch() const;  // of the others
 };
 
-// Both of the same size (precondition).
-[[nodiscard]] PixelMetrics pixel_metrics(const PixelGrid& truth, const PixelGrid& drawn,
+// Precondition: both have the same size.
+[[nodiscard]] PixelMetrics pixel_metrics(const PixelGrid& reference, const PixelGrid& drawn,
                                          const std::vector<PixelSegment>& projected_edges);
 
 }  // namespace sightline::picture

@@ -1,4 +1,3 @@
-// See plotter.hpp.
 #include "host/picture/plotter.hpp"
 
 #include <fmt/core.h>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr double units_a_millimetre = 1000.0 / static_cast<double>(hpgl_unit_micrometres);
 
-// A4 and A3 of a metric machine, ANSI A and B of the other.
+// A4 and A3 for a metric machine, ANSI A and B for the other.
 constexpr std::array<PlotterPaperLimits, 4> desktop_papers{
     PlotterPaperLimits{"A4", 297, 210, 11040, 7721}, PlotterPaperLimits{"A3", 420, 297, 16158, 11040},
     PlotterPaperLimits{"Letter", 279.4, 215.9, 10365, 7962}, PlotterPaperLimits{"Tabloid", 431.8, 279.4, 16640, 10365}};
@@ -35,7 +34,7 @@ constexpr std::array plotter_rows{
             desktop_papers,
             0,
             0},
-    // 300 steps a second, at once.
+    // 300 steps per second, without acceleration.
     Plotter{"calcomp",
             "CalComp 565, one pen, a drum of 11 inches",
             1,
@@ -53,7 +52,7 @@ const PlotterPaperLimits* limits_for(const Plotter& plotter, const Paper& paper)
   return nullptr;
 }
 
-// From the drawing to plotter units. The x axis of a named plotter is along the longer side of its paper.
+// Converts from the drawing to plotter units. The x axis of a named plotter is along the longer side of its paper.
 class OnPlotter {
  public:
   OnPlotter(const VectorDrawing& drawing, const Paper& paper, const Plotter* plotter)
@@ -72,7 +71,7 @@ class OnPlotter {
   [[nodiscard]] std::array<std::int64_t, 2> at(DrawingPoint point) const {
     const double x = margin_ + double{point.x} * across_;
     const double y = margin_ + double{point.y} * up_;
-    // Upright paper lies on its side: its top is to the left.
+    // Upright paper lies on its side, with its top to the left.
     return upright_ ? std::array{units(height_ - y + shift_[0]), units(x + shift_[1])}
                     : std::array{units(x + shift_[0]), units(y + shift_[1])};
   }
@@ -156,7 +155,7 @@ std::string hpgl_of(const VectorDrawing& drawing, const Paper& paper, const Hpgl
       const auto first = place.at(drawing.points[line.first]);
       const auto differs = [&](const DrawingPoint& p) { return place.at(p) != first; };
       const auto points = drawing.points.begin() + static_cast<std::ptrdiff_t>(line.first);
-      // A line shorter than a unit is none; a dot is.
+      // A line shorter than a unit is skipped; a dot is drawn.
       if (line.count > 1 && std::none_of(points, points + static_cast<std::ptrdiff_t>(line.count), differs)) continue;
       const int pen = pen_of_layer(layer, options);
       if (pen != held) base::append(text, "SP{};\n", pen);

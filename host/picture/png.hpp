@@ -1,8 +1,8 @@
-// PNG files, 8-bit grey and 8-bit RGB: the pictures the program writes, and the approved ones the tests read
-// back.
+// Reads and writes PNG files, 8-bit grey and 8-bit RGB: the pictures that the program writes, and the approved ones that
+// the tests read.
 //
-// No time stamp, no host name: equal pictures give equal bytes. Text entries are tEXt chunks (Latin-1). Left
-// out: everything the program never writes (palettes, alpha, 16 bits, interlacing); the reader says so.
+// There is no time stamp and no host name: equal pictures give equal bytes. Text entries are tEXt chunks (Latin-1). Not
+// supported: what the program never writes (palettes, alpha, 16 bits, interlacing); the reader reports it as an error.
 // Source: PNG specification, second edition (ISO/IEC 15948), sections 5, 11.2.2, 11.3.4 and 11.3.5.3.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace sightline::picture {
 
 using TextEntries = std::vector<std::pair<std::string, std::string>>;  // keyword (1 to 79 bytes), text
 
-// Largest width and height that is written or read.
+// Greatest width and height that can be written or read.
 inline constexpr int png_size_limit = 8192;
 
 struct PngFile {
@@ -26,12 +26,12 @@ struct PngFile {
   TextEntries text;
 };
 
-// With `pixels_a_millimetre` the file says how large the image is on paper (chunk pHYs), rounded to pixels a metre.
-[[nodiscard]] base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text = {}, double pixels_a_millimetre = 0);
+// `pixels_per_millimetre`, if given, is stored as the image's size on paper (chunk pHYs), rounded to pixels per metre.
+[[nodiscard]] base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text = {}, double pixels_per_millimetre = 0);
 [[nodiscard]] base::Result<base::Done> write_png(const std::string& path, const Image& image,
                                                  const TextEntries& text = {});
 
-// `name` names the file in error messages.
+// `name` is the name of the file in errors.
 [[nodiscard]] base::Result<PngFile> decode_png(const base::Bytes& bytes, const std::string& name);
 [[nodiscard]] base::Result<PngFile> read_png(const std::string& path);
 

@@ -1,5 +1,5 @@
-// Reading PNG. The chunks are walked here, so that an error can name its byte; libpng then checks the sums
-// and unpacks, through its interface that returns errors instead of jumping.
+// Reads PNG. The chunks are walked here, so that an error can give its byte; libpng then verifies the checksums and
+// unpacks, through its interface that returns errors instead of jumping.
 #include <png.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ base::Error at_byte(const std::string& name, std::size_t byte, std::string found
   return {name, "byte " + std::to_string(byte), std::move(found), std::move(expected)};
 }
 
-// `at` is the first byte of the chunk's data.
+// `at` is the position of the chunk's data.
 base::Result<base::Done> check_header(const base::Bytes& bytes, std::size_t at, std::uint32_t length,
                                       const std::string& name) {
   if (length != 13) return at_byte(name, at, "a header of " + std::to_string(length) + " bytes", "13");
@@ -56,13 +56,13 @@ base::Result<TextEntries> walk_chunks(const base::Bytes& bytes, const std::strin
     const std::uint32_t length = big_endian(bytes, at);
     const std::size_t data = at + 8;
     if (length > bytes.size() - at - chunk_overhead) {
-      return at_byte(name, at, "a chunk of " + std::to_string(length) + " bytes that the file ends in",
+      return at_byte(name, at, "a chunk of " + std::to_string(length) + " bytes that extends beyond the end of the file",
                      "at most " + std::to_string(bytes.size() - at - chunk_overhead));
     }
     const std::string type(bytes.begin() + static_cast<std::ptrdiff_t>(at + 4),
                            bytes.begin() + static_cast<std::ptrdiff_t>(data));
     if (first != (type == "IHDR"))
-      return at_byte(name, at + 4, first ? "no IHDR" : "a second IHDR", "one, in front");
+      return at_byte(name, at + 4, first ? "no IHDR" : "a second IHDR", "exactly one, as the first chunk");
     if (first) {
       if (const auto header = check_header(bytes, data, length, name); !header) return header.error();
     }

@@ -1,5 +1,5 @@
-// Writing PNG with libpng. libpng reports errors by longjmp; only run_encoder sits between the setjmp and the
-// calls that may jump, and it owns nothing that would need a destructor.
+// Writes PNG with libpng. libpng reports errors by longjmp. Only run_encoder is between the setjmp and the calls that may
+// jump, and it owns nothing that needs a destructor.
 #include <png.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void take_warning(png_structp, png_const_charp) {}
 
 void take_bytes(png_structp png, png_bytep data, png_size_t size) {
   auto* encoder = static_cast<Encoder*>(png_get_io_ptr(png));
-  // An exception must not travel through libpng's frames.
+  // An exception must not pass through libpng's frames.
   try {
     encoder->bytes.insert(encoder->bytes.end(), data, data + size);
   } catch (const std::bad_alloc&) {
@@ -47,17 +47,17 @@ void take_bytes(png_structp png, png_bytep data, png_size_t size) {
 
 void flush_nothing(png_structp) {}
 
-bool run_encoder(Encoder& encoder, const Image& image, png_textp entries, int entry_count, png_uint_32 pixels_a_metre) {
+bool run_encoder(Encoder& encoder, const Image& image, png_textp entries, int entry_count, png_uint_32 pixels_per_metre) {
   if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
   png_set_write_fn(encoder.png, &encoder, take_bytes, flush_nothing);
-  // Fixed, so that the bytes do not depend on libpng's guess: line drawings pack best without prediction.
+  // Fixed, so that the bytes do not depend on libpng's heuristics; line drawings compress best without prediction.
   png_set_compression_level(encoder.png, 9);
   png_set_filter(encoder.png, PNG_FILTER_TYPE_BASE, image.channels == 1 ? PNG_FILTER_NONE : PNG_FILTER_SUB);
   png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(image.width),
                static_cast<png_uint_32>(image.height), 8,
                image.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (pixels_a_metre > 0) png_set_pHYs(encoder.png, encoder.info, pixels_a_metre, pixels_a_metre, PNG_RESOLUTION_METER);
+  if (pixels_per_metre > 0) png_set_pHYs(encoder.png, encoder.info, pixels_per_metre, pixels_per_metre, PNG_RESOLUTION_METER);
   if (entry_count > 0) png_set_text(encoder.png, encoder.info, entries, entry_count);
   png_write_info(encoder.png, encoder.info);
   for (int row = 0; row < image.height; ++row) {
@@ -85,7 +85,7 @@ bool well_formed(const TextEntries& text) {
 
 }  // namespace
 
-base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text, double pixels_a_millimetre) {
+base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text, double pixels_per_millimetre) {
   if (!well_formed(image)) {
     return base::Error{"PNG", "",
                        std::to_string(image.width) + " by " + std::to_string(image.height) + " pixels of " +
@@ -109,7 +109,7 @@ base::Result<base::Bytes> encode_png(const Image& image, const TextEntries& text
   if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
   if (encoder.info == nullptr ||
       !run_encoder(encoder, image, entries.data(), static_cast<int>(entries.size()),
-                   static_cast<png_uint_32>(std::lround(1000 * pixels_a_millimetre)))) {
+                   static_cast<png_uint_32>(std::lround(1000 * pixels_per_millimetre)))) {
     return base::Error{"PNG", "", encoder.message.empty() ? "out of memory" : encoder.message, ""};
   }
   return std::move(encoder.bytes);

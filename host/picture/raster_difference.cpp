@@ -1,4 +1,3 @@
-// See raster_difference.hpp.
 #include "host/picture/raster_difference.hpp"
 
 #include <algorithm>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr std::int32_t no_point = std::numeric_limits<std::int32_t>::max() / 2;
 
-// How far the lit points of a grid are from any point of it: by column first, the rest when it is asked for.
+// The distance from any point of a grid to its lit points: by column in advance, the rest on demand.
 class NearestLit {
  public:
   explicit NearestLit(const PixelGrid& grid) : grid_(grid), in_column_(grid.values.size(), no_point) {
@@ -27,7 +26,7 @@ class NearestLit {
       in_column_[i - width] = std::min(in_column_[i - width], one_more(in_column_[i]));
   }
 
-  // Squared. Some point is lit (precondition).
+  // The squared distance. Precondition: some point is lit.
   [[nodiscard]] std::int64_t squared(int column, int row) const {
     std::int64_t nearest = std::numeric_limits<std::int64_t>::max();
     const auto look = [&](int there) {
@@ -47,13 +46,13 @@ class NearestLit {
   static std::int32_t one_more(std::int32_t distance) { return std::min(distance, no_point - 1) + 1; }
 
   const PixelGrid& grid_;
-  std::vector<std::int32_t> in_column_;  // points to the nearest lit one above, below or here
+  std::vector<std::int32_t> in_column_;  // distance to the nearest lit point in the same column
 };
 
-// Most points that are apart have a lit one this near, which is found without looking at the whole grid.
+// Most differing points have a lit point within this distance, which is found without searching the whole grid.
 constexpr int beside = 4;
 
-// Squared; empty if there is none within `beside` points in both directions.
+// The squared distance; nullopt if no lit point is within `beside`.
 std::optional<std::int64_t> squared_beside(const PixelGrid& grid, int column, int row) {
   std::optional<std::int64_t> nearest;
   for (int y = std::max(row - beside, 0); y <= std::min(row + beside, grid.height - 1); ++y) {
@@ -64,14 +63,14 @@ std::optional<std::int64_t> squared_beside(const PixelGrid& grid, int column, in
       nearest = std::min(nearest.value_or(std::numeric_limits<std::int64_t>::max()), right * right + up * up);
     }
   }
-  // One outside may be nearer than a corner.
+  // Beyond this distance, a point outside the square may be nearer.
   return nearest && *nearest <= beside * beside ? nearest : std::nullopt;
 }
 
-// One direction: from the lit points of one set to the other.
+// One direction: from the lit points of one set to those of the other.
 struct Direction {
   std::uint64_t lit = 0;
-  PointsApart apart;
+  DifferingPoints apart;
   HausdorffDistance distance;
 };
 
@@ -90,8 +89,8 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
     direction.distance = {infinite, infinite};
     return direction;
   }
-  std::optional<NearestLit> nearest;  // once it is needed
-  std::vector<std::int64_t> squares;  // of the points that are apart
+  std::optional<NearestLit> nearest;  // created on demand
+  std::vector<std::int64_t> squares;  // squared distances of the differing points
   squares.reserve(static_cast<std::size_t>(direction.apart.all));
   for (int row = 0; row < from.height; ++row) {
     for (int column = 0; column < from.width; ++column) {
@@ -108,7 +107,7 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
     }
   }
   std::sort(squares.begin(), squares.end());
-  // The distances of all lit points in order: those that agree first.
+  // The distances of all lit points in order: the agreeing ones first.
   const std::uint64_t agreeing = direction.lit - direction.apart.all;
   const std::uint64_t usual = direction.lit - 1 - direction.lit / 1000;
   direction.distance.greatest = std::sqrt(static_cast<double>(squares.back()));
@@ -119,10 +118,10 @@ Direction direction_of(const PixelGrid& from, const PixelGrid& to) {
 
 }  // namespace
 
-RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& drawn) {
-  assert(truth.width == drawn.width && truth.height == drawn.height);
-  const Direction there = direction_of(truth, drawn);
-  const Direction back = direction_of(drawn, truth);
+RasterDifference raster_difference(const PixelGrid& reference, const PixelGrid& drawn) {
+  assert(reference.width == drawn.width && reference.height == drawn.height);
+  const Direction there = direction_of(reference, drawn);
+  const Direction back = direction_of(drawn, reference);
   return {there.lit,
           back.lit,
           there.apart,
@@ -131,16 +130,16 @@ RasterDifference raster_difference(const PixelGrid& truth, const PixelGrid& draw
            std::max(there.distance.usual, back.distance.usual)}};
 }
 
-Image difference_image(const PixelGrid& truth, const PixelGrid& drawn, int pixels) {
-  assert(truth.width == drawn.width && truth.height == drawn.height && pixels >= 1);
-  Image image(truth.width * pixels, truth.height * pixels, 3);
+Image difference_image(const PixelGrid& reference, const PixelGrid& drawn, int pixels) {
+  assert(reference.width == drawn.width && reference.height == drawn.height && pixels >= 1);
+  Image image(reference.width * pixels, reference.height * pixels, 3);
   for (int y = 0; y < image.height; ++y) {
-    const int row = truth.height - 1 - y / pixels;
+    const int row = reference.height - 1 - y / pixels;
     for (int x = 0; x < image.width; ++x) {
-      const bool in_truth = truth.at(x / pixels, row) != 0;
+      const bool in_reference = reference.at(x / pixels, row) != 0;
       const bool in_drawn = drawn.at(x / pixels, row) != 0;
-      const Colour colour = in_truth && in_drawn ? difference_colours::agreed
-                            : in_truth           ? difference_colours::missing
+      const Colour colour = in_reference && in_drawn ? difference_colours::agreed
+                            : in_reference           ? difference_colours::missing
                             : in_drawn           ? difference_colours::extra
                                                  : Colour{255, 255, 255};
       const std::size_t at = image.index(x, y);

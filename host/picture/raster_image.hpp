@@ -1,4 +1,4 @@
-// A raster board's picture as an image, point for point.
+// A raster board's picture as an image.
 #pragma once
 
 #include <span>
@@ -14,13 +14,12 @@ enum class RasterPalette {
   grey,    // one channel: 0 black to 7 white in equal steps
 };
 
-// 256 * scale pixels a side, every point a square of scale by scale; scale from 1 to 32.
+// 256 * scale pixels per side; every point is a square of scale by scale; scale is 1 to 32.
 [[nodiscard]] Image raster_image(const core::Raster& raster, RasterPalette palette, int scale);
 
-// The ideal picture of a pass: which points were lit at all, without beam, phosphor or intensity.
+// The ideal picture of a pass: the points that were lit at all, without beam, phosphor or intensity.
 
-// 1024 x 1024 grey: 255 at column x, row 1023 - y of every stroke, else 0. Strokes off the screen light
-// nothing.
+// 1024 x 1024 grey: 255 at column x, row 1023 - y for every stroke, otherwise 0. Strokes off the screen are ignored.
 [[nodiscard]] Image crisp_raster(std::span<const core::Stroke> strokes);
 
 }  // namespace sightline::picture

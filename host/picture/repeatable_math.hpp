@@ -1,8 +1,7 @@
-// The functions that a photograph needs beyond + - * / and sqrt, computed from these alone.
+// The functions that a photograph needs in addition to + - * / and sqrt, computed from these alone.
 //
-// The C library's exp and pow choose different code on different processors, and their last bits may differ;
-// IEEE basic operations may not. Loops run a fixed number of turns, so equal arguments always give equal
-// bits.
+// The C library's exp and pow use different code on different processors, and their last bits may differ; IEEE basic
+// operations do not. Loops have a fixed number of iterations, so equal arguments always give equal bits.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@ namespace detail {
 
 inline constexpr std::size_t taylor_terms = 16;  // (ln 2)^17 / 17! is 6e-18
 
-// 1/n: a photograph of a second takes millions of exponentials, and division is the slow operation.
+// 1/n: a photograph of a second takes millions of exponentials, and division is slow.
 inline constexpr auto reciprocals = [] {
   std::array<double, taylor_terms + 1> table{};
   for (std::size_t n = 1; n < table.size(); ++n) table[n] = 1.0 / static_cast<double>(n);

@@ -1,4 +1,3 @@
-// See step_file.hpp.
 #include "host/picture/step_file.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace calcomp = devices::calcomp565;
 
 class StepPen {
  public:
-  // The nearest steps to the straight line; both ends are met.
+  // Takes the steps nearest to the straight line, including both ends.
   void go_to(std::int64_t x, std::int64_t y) {
     const std::int64_t across = x - x_;
     const std::int64_t up = y - y_;
@@ -31,14 +30,14 @@ class StepPen {
   [[nodiscard]] std::string finish() && { return std::move(bytes_) + step_file_end; }
 
  private:
-  // To the nearest whole number, halves away from 0.
+  // Rounds to the nearest integer, halves away from 0.
   static std::int64_t rounded(std::int64_t numerator, std::int64_t denominator) {
     const std::int64_t doubled = 2 * std::abs(numerator) + denominator;
     const std::int64_t whole = doubled / (2 * denominator);
     return numerator < 0 ? -whole : whole;
   }
   void step(std::int64_t across, std::int64_t up) {
-    // Clockwise from +y, as the plotter has them.
+    // Clockwise from +y, as in the plotter.
     constexpr std::array<std::array<char, 3>, 3> codes{{{5, 6, 7}, {4, -1, 0}, {3, 2, 1}}};
     bytes_ += codes[static_cast<std::size_t>(across + 1)][static_cast<std::size_t>(up + 1)];
   }

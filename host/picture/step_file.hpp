@@ -1,9 +1,9 @@
-// A drawing as the commands of the CalComp 565, a drum plotter of 1961: a byte for each step of the pen.
+// A drawing as commands of the CalComp 565, a drum plotter of 1961: one byte for each step of the pen.
 //
-// The codes are the emulated plotter's (emulators/devices/calcomp565.hpp). A byte FF ends the file; it is for the program
-// that sends the others to the plotter. The pen starts up, at the left edge of the paper and at the lower end of the
-// carriage; a straight line becomes the steps nearest to it in eight directions. There is one pen: layers follow each
-// other without a change of it. The drum has no end, the carriage 1100 steps.
+// The codes are those of the emulated plotter (emulators/devices/calcomp565.hpp). A byte FF ends the file for the program
+// that sends the other bytes to the plotter. The pen starts raised, at the left edge of the paper and at the lower end of
+// the carriage. A straight line becomes the steps nearest to it in eight directions. There is one pen, so layers follow
+// each other without a pen change. The drum is endless, the carriage has 1100 steps.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace sightline::picture {
 inline constexpr double calcomp_step = 0.254;  // mm
 inline constexpr char step_file_end = '\xff';
 
-// The middle of the paper's height is that of the carriage. Facets are left out. Of a drawing within the plotter's
-// plotting_area (plotter.hpp; precondition).
+// The middle of the paper's height is placed at the middle of the carriage. Facets are omitted. Precondition: the drawing
+// is within the plotter's plotting_area (plotter.hpp).
 [[nodiscard]] std::string step_file_of(const VectorDrawing& drawing, const Paper& paper);
 
-// What the commands of such a file cost.
+// What executing such a file takes.
 struct StepFileTime {
   std::size_t steps = 0;
   std::size_t pen_commands = 0;

@@ -25,13 +25,13 @@ int direction_of(int value) {
   return (value > 0) - (value < 0);
 }
 
-// Does b -> c go on in the direction of a -> b? Both run along one of the eight directions of the lattice.
+// Whether b -> c continues in the direction of a -> b. Both are along one of the eight directions of the lattice.
 bool straight(LatticePoint a, LatticePoint b, LatticePoint c) {
   return direction_of(b.x - a.x) == direction_of(c.x - b.x) &&
          direction_of(b.y - a.y) == direction_of(c.y - b.y);
 }
 
-// Middle of point `index` of the 1024, in tenths of a micrometre, rounded to the nearest.
+// The middle of point `index` of the 1024, in tenths of a micrometre, rounded to nearest.
 std::int64_t tenths_of_micrometres(int index) {
   constexpr std::int64_t screen = 2381250;
   return ((2 * std::int64_t{index} + 1) * screen + screen_points) / (2 * screen_points);

@@ -1,11 +1,11 @@
 // Strokes as an SVG drawing in millimetres, at the size of the tube, for plotters and drawing programs.
 //
-// The screen is 9.375 in = 238.125 mm square (16ADP7 tube, DEC-340 manual); point (x, y) lies at the middle
-// of its 1/1024 of it. One user unit is one millimetre. Each intensity in use is an Inkscape layer, labelled
-// with the number first ("7 intensity 7") as plotter programs that pick layers by number want it. Strokes
-// that follow each other one step apart (also diagonally) become one polyline, whose straight runs keep only
-// their ends: the points stay on the same lattice, to 0.1 um. A point without a neighbour becomes a dash of
-// 0.02 mm, because many programs do not draw a path of no length. Brightness of repeated strokes is left out.
+// The screen is 9.375 in = 238.125 mm square (16ADP7 tube, DEC-340 manual); point (x, y) is the middle of a square of
+// 1/1024 of its side. One user unit is one millimetre. Each intensity in use is an Inkscape layer, labelled with the
+// number first ("7 intensity 7"), because plotter programs select layers by number. Consecutive strokes one step apart
+// (also diagonally) become one polyline, of which only the ends of straight runs are kept: the points stay on the same
+// lattice, to 0.1 um. An isolated point becomes a dash of 0.02 mm, because many programs do not draw a path of length 0.
+// The brightness of repeated strokes is not shown.
 #pragma once
 
 #include <span>
@@ -31,10 +31,10 @@ struct Polyline {
   std::vector<LatticePoint> corners;
 };
 
-// In the order of drawing. A lone point is a polyline of one corner. Strokes off the screen are left out.
+// In drawing order. An isolated point is a polyline of one corner. Strokes off the screen are left out.
 [[nodiscard]] std::vector<Polyline> join_strokes(std::span<const core::Stroke> strokes);
 
-// `title` is the drawing's name (escaped here).
+// `title` is the drawing's name; it is escaped here.
 [[nodiscard]] std::string svg_drawing(std::span<const core::Stroke> strokes, const std::string& title);
 
 }  // namespace sightline::picture

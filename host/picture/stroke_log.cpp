@@ -1,4 +1,3 @@
-// See stroke_log.hpp.
 #include "host/picture/stroke_log.hpp"
 
 #include "host/base/text.hpp"

@@ -1,8 +1,7 @@
-// The stroke log: a text line for every flash, `t_ns x y intensity address`.
+// The stroke log: one text line per flash, `t_ns x y intensity address`.
 //
-// Time, coordinates and intensity are decimal counts; the address is a core address and stands
-// in octal, five digits. One space between fields, one line feed after each line, nothing else. Passes are
-// not marked.
+// Time, coordinates and intensity are decimal; the address is a core address of five octal digits. There is one space
+// between fields and one line feed after each line. Passes are not marked.
 #pragma once
 
 #include <string>
@@ -11,7 +10,7 @@
 
 namespace sightline::picture {
 
-// With its line feed.
+// Includes the line feed.
 void append_stroke_line(std::string& text, const core::Stroke& stroke);
 
 }  // namespace sightline::picture

@@ -1,6 +1,6 @@
-// Recorders of what a display draws (emulators/core/stroke.hpp).
+// Record the strokes of a display (emulators/core/stroke.hpp).
 //
-// All of them are bounded: a display file that never stops must not exhaust the host's memory.
+// All recorders are bounded, because a display file that never stops must not exhaust the host's memory.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,7 @@
 
 namespace sightline::picture {
 
-// The display counts in 10 bits and its words give 3 bits of intensity. Nothing else can come from a Type
-// 340.
+// The display counts in 10 bits, and its words have 3 bits of intensity. A Type 340 cannot produce other values.
 inline constexpr int screen_points = 1024;
 inline constexpr int intensity_levels = 8;
 
@@ -26,14 +25,14 @@ inline constexpr int intensity_levels = 8;
 // One run of the display from IDLA to the stop.
 struct Pass {
   core::Instant begin;
-  core::Instant end;  // of a running pass: its begin
+  core::Instant end;  // of the running pass: its begin
   std::vector<core::Stroke> strokes;
-  std::uint64_t left_out = 0;  // strokes beyond the recorder's limit
+  std::uint64_t left_out = 0;  // number of strokes beyond the recorder's limit
 };
 
-// Keeps the last complete pass and the running one. IDLA during a pass throws the unfinished pass away: it
-// was never shown whole. Strokes before the first begin_pass belong to a pass that began at time 0. A machine that is
-// restored while a pass runs (forget_after) shows the rest of a pass only, which is never complete.
+// Keeps the last complete pass and the running one. IDLA during a pass discards the unfinished pass, which was never
+// wholly shown. Strokes before the first begin_pass belong to a pass that began at time 0. If a machine is restored
+// during a pass (forget_after), the rest of that pass never counts as complete.
 class PassRecorder {
  public:
   static constexpr std::size_t default_limit = std::size_t{1} << 20;  // a pass of more than 1.5 s
@@ -64,7 +63,7 @@ class PassRecorder {
     begin_pass(t);
   }
 
-  // The machine goes back to `t`, or begins there.
+  // The machine goes back to `t`, or starts there.
   void forget_after(core::Instant t) {
     if (passes_ != 0 && complete_.begin <= t && t < complete_.end) {
       running_ = std::move(complete_);
@@ -81,7 +80,7 @@ class PassRecorder {
     while (!running_.strokes.empty() && running_.strokes.back().time > t) running_.strokes.pop_back();
   }
 
-  // Empty strokes and passes() == 0: none is complete yet.
+  // Without strokes and with passes() == 0 if no pass is complete yet.
   [[nodiscard]] const Pass& complete() const { return complete_; }
   [[nodiscard]] const Pass& running() const { return running_; }
   [[nodiscard]] std::uint64_t passes() const { return passes_; }
@@ -92,10 +91,10 @@ class PassRecorder {
   Pass running_;
   std::uint64_t passes_ = 0;
   bool begun_ = false;
-  bool partial_ = false;  // the running pass lacks its beginning
+  bool partial_ = false;  // the start of the running pass is missing
 };
 
-// Keeps the newest strokes, up to a limit: what a photograph of the end of a run needs.
+// Keeps the newest strokes, up to a limit, for a photograph of the end of a run.
 class StrokeRecorder {
  public:
   explicit StrokeRecorder(std::size_t limit) : limit_(limit) {}
@@ -111,7 +110,7 @@ class StrokeRecorder {
     while (!kept_.empty() && kept_.back().time > t) kept_.pop_back();
   }
 
-  // In the order they came.
+  // In the order of arrival.
   [[nodiscard]] std::vector<core::Stroke> strokes() const {
     const auto split = kept_.begin() + static_cast<std::ptrdiff_t>(oldest_);
     std::vector<core::Stroke> ordered(split, kept_.end());

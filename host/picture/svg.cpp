@@ -147,7 +147,7 @@ void SvgWriter::dot(std::int64_t across, std::int64_t down) {
   point(across + half_dash, down);
 }
 
-// By hand: a drawing has hundreds of thousands of these.
+// Formatted by hand, because a drawing has hundreds of thousands of these.
 void SvgWriter::append(std::int64_t position) {
   char digits[24];
   char* const end = digits + sizeof digits;

@@ -1,5 +1,5 @@
-// SVG as drawing programs and plotter programs take it: in millimetres, one user unit each, y downwards,
-// every group an Inkscape layer. Plotter programs pick layers by the number that their labels begin with.
+// SVG for drawing programs and plotter programs: one user unit is a millimetre, y is downwards, every group is an
+// Inkscape layer. Plotter programs select layers by the number at the start of their labels.
 #pragma once
 
 #include <cstddef>
@@ -12,57 +12,59 @@
 
 namespace sightline::picture {
 
-// For text and for values in double quotes. What XML does not allow at all, or is not ASCII, becomes '?'.
+// Escapes text, and values in double quotes. Characters that XML does not allow, or that are not ASCII, become '?'.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
-// Positions are whole numbers of 10^-decimals mm from the top left corner.
+// Positions are integers in units of 10^-decimals mm from the top left corner.
 struct SvgPositions {
   int decimals = 3;
-  bool needless_zeros = true;  // 1.500 rather than 1.5
+  bool needless_zeros = true;  // 1.500 instead of 1.5
 };
 
 class SvgWriter {
  public:
-  // Width and height in millimetres; the title is escaped here.
+  // Width and height are in millimetres; the title is escaped here.
   SvgWriter(double width, double height, std::string_view title, SvgPositions positions = {})
       : SvgWriter(millimetres(width), millimetres(height), title, positions) {}
   SvgWriter(const std::string& width, const std::string& height, std::string_view title,
             SvgPositions positions);
 
   void reserve(std::size_t bytes) { text_.reserve(bytes); }
-  // What is drawn in layers opened with `clip` ends at this rectangle.
+  // Layers opened with `clip` are clipped to this rectangle.
   void clip_rectangle(std::string_view id, double x, double y, double width, double height);
 
   // A layer of lines: not filled, with round ends and corners. The label is escaped here.
   void open_lines(std::string_view id, std::string_view label, Colour colour,
                   std::string_view pen_millimetres);
-  // A layer of areas. Each has a line of its own colour around it, or the paper would shine through where two
-  // meet; `style` is SVG's attributes, with the width of that line.
+  // A layer of areas. Each area has a line of its own colour around it; otherwise the paper would shine through between
+  // areas. `style` holds SVG attributes, including the width of that line.
   void open_areas(std::string_view id, std::string_view label, std::string_view style);
   void close_layer() { text_ += "  </g>\n"; }
 
   void begin_polyline() { begin("    <polyline points=\""); }
-  // Lines and areas from point to point, in distances: half as long as positions. Each is the difference of two rounded positions, so
-  // that roundings do not add up. An area of one loop; what lies within it counts, whichever way it runs around.
+  // Lines and areas written as distances from point to point, which are half as long as positions. Each is the difference
+  // of two rounded positions, so rounding errors do not accumulate. An area has one loop; its inside is filled, whatever
+  // its direction.
   void begin_line() {
     begin("    <path d=\"");
     begin_distances();
   }
-  // Another line in the same path.
+  // Starts another line in the same path.
   void begin_distances() {
     distances_ = true;
     command_ = 'M';
   }
   void begin_area(Colour colour, bool with_line);
-  // The shortest that an area can be: positions are whole numbers of the layer's own unit, and one that does not move is left out.
+  // The shortest form of an area: positions are integers in the layer's own unit, and a point that equals the previous
+  // one is skipped.
   void begin_short_area(Colour colour);
   void whole_point(std::int64_t across, std::int64_t down);
-  // Any number of loops, each begun by begin_loop and ended by end_loop.
+  // Any number of loops, each started by begin_loop and ended by end_loop.
   void begin_path(Colour colour);
   void begin_loop() { command_ = 'M'; }
   void end_loop() { text_ += 'Z'; }
   void point(std::int64_t across, std::int64_t down);
-  // A dot as a dash of 0.02 mm: many programs do not draw a line of no length.
+  // A dot is a dash of 0.02 mm, because many programs do not draw a line of length 0.
   void dot(std::int64_t across, std::int64_t down);
   void end_area() { text_ += "z\"/>\n"; }
   void end_shape() { text_ += "\"/>\n"; }
@@ -80,12 +82,12 @@ class SvgWriter {
     distances_ = false;
   }
   void append(std::int64_t position);
-  // Without the zero before its point; a blank before it unless it has a sign or is the first.
+  // Omits the zero before the decimal point; writes a blank first, unless the number has a sign or is the first.
   void append_distance(std::int64_t distance, bool first);
 
   SvgPositions positions_;
   std::string text_;
-  char command_ = 0;  // before the next point: of a path, or a blank
+  char command_ = 0;  // written before the next point: a path command, or a blank
   bool distances_ = false;
   std::int64_t last_across_ = 0;
   std::int64_t last_down_ = 0;

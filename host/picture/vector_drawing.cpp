@@ -1,4 +1,4 @@
-// SVG and HP-GL; the image is in vector_image.cpp.
+// Writes SVG; the image is in vector_image.cpp.
 #include "host/picture/vector_drawing.hpp"
 
 #include <fmt/core.h>
@@ -16,7 +16,7 @@ namespace sightline::picture {
 
 namespace {
 
-// From the drawing to whole parts of a millimetre, from the paper's bottom left.
+// Converts from the drawing to integer parts of a millimetre, from the paper's bottom left.
 class OnPaper {
  public:
   OnPaper(const VectorDrawing& drawing, const Paper& paper, double parts)
@@ -61,9 +61,9 @@ class DrawingSvg {
   }
 
   void facets() {
-    // Facets only meet: a line of their own colour is around each.
+    // Each facet has a line of its own colour around it, because facets only meet.
     const bool with_line = drawing_.areas.empty();
-    // Very many are written in whole hundredths of a millimetre.
+    // Very many areas are written in integer hundredths of a millimetre.
     constexpr std::size_t many = 20'000;
     const bool coarse = drawing_.areas.size() > many;
     svg_.open_areas("surface", "0 surface",
@@ -96,7 +96,7 @@ class DrawingSvg {
     const DrawingLayer& about = drawing_.layers[layer];
     svg_.open_lines(fmt::format("layer-{}", layer + 1), fmt::format("{} {}", layer + 1, about.label),
                     about.colour, pen_);
-    // In a drawing of very many lines some share a path, which makes the file shorter by a third.
+    // In a drawing of very many lines, several share a path, which makes the file a third shorter.
     constexpr std::size_t many = 100'000;
     constexpr std::size_t in_a_path = 64;
     const std::size_t together = drawing_.lines.size() > many ? in_a_path : 1;
@@ -116,7 +116,7 @@ class DrawingSvg {
     return place_.x(p) == place_.x(place) && place_.y(p) == place_.y(place);
   }
 
-  // A line shorter than a micrometre is none; a dot is.
+  // A line shorter than a micrometre is skipped; a dot is drawn.
   [[nodiscard]] bool can_be_seen(const DrawingLine& line) const {
     for (std::uint32_t i = 1; i < line.count; ++i)
       if (!is_at(line.first + i, drawing_.points[line.first])) return true;

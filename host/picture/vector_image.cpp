@@ -1,4 +1,4 @@
-// The image of a VectorDrawing. Only +, -, *, / and square roots, which every machine rounds alike.
+// The image of a VectorDrawing. Uses only +, -, *, / and square roots, which all machines round alike.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace sightline::picture {
 namespace {
 
-constexpr int samples = 3;  // of a facet in a pixel, in both directions
+constexpr int samples = 3;  // of a facet per pixel, in each direction
 
 struct ImagePlace {
   double x = 0;
@@ -73,7 +73,7 @@ class Canvas {
     return {margin_ + double{point.x} * across_, image_.height - margin_ - double{point.y} * down_};
   }
 
-  // Sample (c, r) lies at (c, r); those on the edge are in.
+  // Sample (c, r) is at (c, r); samples on the edge are inside.
   void triangle(std::vector<Colour>& paint, int rows, const std::array<ImagePlace, 3>& corners, Colour shade) const {
     const int columns = image_.width * samples;
     const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
@@ -126,7 +126,7 @@ class Canvas {
     }
   }
 
-  // A pixel is covered as far as the line's round-ended body reaches over its middle.
+  // A pixel's coverage is how far the line's round-ended body extends over its middle.
   void stroke(ImagePlace a, ImagePlace b) {
     const double reach = pen_ / 2 + 0.5;
     const double ux = b.x - a.x;
@@ -138,7 +138,7 @@ class Canvas {
     const int bottom = pixel(std::max(a.y, b.y) + reach, image_.height);
     for (int row = pixel(std::min(a.y, b.y) - reach, image_.height); row <= bottom; ++row) {
       const double y = row + 0.5;
-      // Where the line comes near this row.
+      // The columns where the line comes near this row.
       double from = std::min(a.x, b.x);
       double to = std::max(a.x, b.x);
       if (std::abs(uy) > 1) {
@@ -180,10 +180,10 @@ class Canvas {
   const VectorDrawing& drawing_;
   Image image_;
   double pen_;
-  double margin_;  // half a pen and a smooth edge on every side, or nothing
+  double margin_;  // half a pen and a smooth edge on every side, or 0
   double across_;
   double down_;
-  std::vector<float> coverage_;  // of every pixel by the layer at hand
+  std::vector<float> coverage_;  // of every pixel by the current layer
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using scene::VertexIndex;
 
-// Corners of one ring; sides are filled in when all edges are known.
+// Appends the corners of one ring. Their sides are set later, when all edges are numbered.
 void append_ring(const std::vector<VertexIndex>& ring, EdgeMesh& mesh) {
   const std::size_t first = mesh.corners.size();
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -18,7 +18,8 @@ void append_ring(const std::vector<VertexIndex>& ring, EdgeMesh& mesh) {
   if (mesh.corners.size() > first) mesh.corners.back().last_of_ring = 1;
 }
 
-// Twice the area, as a vector: cross products about the first corner, whose partial sums wrap without harm.
+// Twice the area, as a vector: the sum of cross products about the first corner. Partial sums may wrap; the result is
+// exact.
 Vector area_of(const EdgeMesh& mesh, const Corner* corners, std::uint32_t count) {
   std::array<std::uint64_t, 3> sum{};
   const geometry::Point3& about = mesh.vertices[corners->vertex];
@@ -31,7 +32,7 @@ Vector area_of(const EdgeMesh& mesh, const Corner* corners, std::uint32_t count)
           static_cast<std::int64_t>(sum[2])};
 }
 
-// False: it has no sides, and is left out.
+// Returns false and leaves the face out if it has no area.
 bool append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.corners.size());
   append_ring(given.outline, mesh);
@@ -46,7 +47,7 @@ bool append_face(const scene::PolyFace& given, bool sheet, EdgeMesh& mesh) {
   return true;
 }
 
-// visit(corner, edge) for every side of every face.
+// Calls visit(corner, edge) for every side of every face.
 template <class Visit>
 void for_all_sides(const EdgeMesh& mesh, Visit visit) {
   for (const MeshFace& face : mesh.faces) {
@@ -59,8 +60,8 @@ void for_all_sides(const EdgeMesh& mesh, Visit visit) {
   }
 }
 
-// Sides and wires sorted by their lower vertex by counting, then by the higher within the few of one vertex. Leaves
-// room for the edges of crossings.
+// Collects sides and wires, sorted by the lower vertex (counting sort), then by the higher. Reserves space for the
+// crossings.
 void number_edges(EdgeMesh& mesh, const scene::PolyScene& scene) {
   constexpr std::uint32_t no_corner = ~0U;
   const auto for_wires = [&scene](auto visit) {

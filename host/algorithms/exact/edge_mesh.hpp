@@ -1,9 +1,9 @@
-// The data of a polyhedral scene that exact drawing needs, for any eye: numbered edges, faces as runs of
-// corners, precomputed planes.
+// The camera-independent data that exact drawing needs of a polyhedral scene: numbered edges, faces as runs of corners,
+// and precomputed planes.
 //
-// Sizes, coordinates below 2^18: a face normal (twice the area, as a vector) 39 bits, a point against its
-// plane 60 bits. An end of a crossing, relative to an eye, has 80 over 61 bits; a plane of sight there 121, and so has a
-// corner against the plane of sight through the crossing.
+// Sizes, with coordinates below 2^18: a face normal (twice the area, as a vector) has 39 bits, the value of a plane at a
+// point 60. Relative to an eye, an end of a crossing is a fraction of 80 over 61 bits; the value of a plane of sight at
+// such an end has 121 bits, and so has the value at a corner of the plane of sight through the crossing.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ namespace sightline::algorithms::exact {
 
 using Vector = geometry::Vector3;
 
-// A corner of a face and the side that leaves it: to the next corner, or to the first one of its ring.
+// A corner of a face, and the side from it to the next corner of its ring (from the last to the first).
 struct Corner {
   std::uint32_t vertex : 31;
   std::uint32_t last_of_ring : 1;
   std::uint32_t side;  // index of an edge
 };
 
-// Three numbers of 40 bits.
+// Three integers of 40 bits each.
 class PackedNormal {
  public:
   PackedNormal() = default;
@@ -54,36 +54,36 @@ struct MeshFace {
   std::uint32_t sheet : 1 = 0;
 };
 
-// Where a plane cuts the line from p to q: a and b are values of the plane there, one of which is not 0.
+// The point where a plane cuts the line from p to q: a and b are the plane's values at p and q, not both 0.
 struct LineEnd {
   geometry::Point3 p{};
   geometry::Point3 q{};
-  std::int64_t a = 0;  // above b
+  std::int64_t a = 0;  // greater than b
   std::int64_t b = 0;
 };
 
-// A crossing of the scene: where two planes meet, in the direction of the cross product of their normals.
+// A crossing of the scene: the line in which two planes meet, directed like the cross product of their normals.
 struct MeshLine {
   std::array<geometry::Plane, 2> planes{};
   std::array<LineEnd, 2> ends{};
 };
 
-// Corners and faces are most of the memory of a large scene: 8 and 24 bytes each.
+// Corners and faces take most of the memory of a large scene: 8 and 24 bytes each.
 struct EdgeMesh {
   std::span<const geometry::Point3> vertices;  // of the scene
-  std::vector<picture::LineEdge> edges;  // ascending, as edges_of has them, and then the scene's crossings
-  std::vector<MeshLine> lines;           // the crossings
-  std::vector<std::uint32_t> wires;      // among the edges
+  std::vector<picture::LineEdge> edges;  // ascending, in the order of edges_of; then the scene's crossings
+  std::vector<MeshLine> lines;           // one for each crossing
+  std::vector<std::uint32_t> wires;      // numbers of edges
   std::vector<Corner> corners;
   std::vector<MeshFace> faces;
-  std::vector<std::uint32_t> surfaces;  // of each face, as PolyScene::surface_of has it; empty: 0 for all
+  std::vector<std::uint32_t> surfaces;  // of each face, as in PolyScene::surface_of; empty: 0 for all
 
-  [[nodiscard]] std::size_t first_line() const { return edges.size() - lines.size(); }  // among the edges
+  [[nodiscard]] std::size_t first_line() const { return edges.size() - lines.size(); }  // number of the first crossing's edge
   [[nodiscard]] const Corner* corners_of(const MeshFace& face) const { return corners.data() + face.first_corner; }
   [[nodiscard]] std::uint32_t surface_of(std::uint32_t face) const { return surfaces.empty() ? 0 : surfaces[face]; }
 };
 
-// Calls visit(i, next) for each side of a face: the numbers, from 0, of the corners that it leaves and reaches.
+// Calls visit(i, next) for each side of a face, with the numbers, from 0, of its first and second corner.
 template <class Visit>
 void for_sides(const Corner* corners, std::uint32_t count, Visit visit) {
   std::uint32_t first = 0;
@@ -93,7 +93,7 @@ void for_sides(const Corner* corners, std::uint32_t count, Visit visit) {
   }
 }
 
-// The scene is a checked one (precondition) and outlives the mesh. Linear in its size, but for sorting the edges at a vertex.
+// Precondition: the scene is checked and outlives the mesh. Linear time, except for sorting the edges at each vertex.
 [[nodiscard]] EdgeMesh make_edge_mesh(const scene::PolyScene& scene);
 
 }  // namespace sightline::algorithms::exact

@@ -14,7 +14,7 @@ using geometry::cross;
 using geometry::dot;
 using geometry::vector_of;
 
-// Where a quantity vanishes that is a at the start and b at the end, of opposite signs.
+// The parameter at which a linear quantity is 0 that is a at the start and b at the end, of opposite signs.
 template <class Number>
 constexpr Fraction<Number> zero_between(const Number& a, const Number& b) {
   return a > 0 ? Fraction<Number>{a, a - b} : Fraction<Number>{-a, b - a};
@@ -24,8 +24,8 @@ constexpr Vector minus(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// Of a ring of four corners: the two sides that cross from the corners to the right to those to the left (bits), each
-// given by its corner to the right and that to the left.
+// The two sides of a ring of four corners that cross the plane, given which corners are to its left (bits). Each side is
+// given by its corner to the right and its corner to the left.
 struct CrossingSides {
   std::array<std::uint8_t, 2> right{};
   std::array<std::uint8_t, 2> left{};
@@ -58,11 +58,11 @@ constexpr unsigned is_negative(const geometry::Int128& value) {
   return static_cast<unsigned>(static_cast<geometry::Unsigned128>(value) >> 127);
 }
 
-// All corners are to the same side; or each side crosses, which a convex face has not.
-constexpr bool is_apart(unsigned to_left) { return to_left == 0 || to_left == all_four; }
+// All corners are on the same side, or (impossible for a convex face) every side crosses.
+constexpr bool cannot_hide(unsigned to_left) { return to_left == 0 || to_left == all_four; }
 constexpr bool alternates(unsigned to_left) { return to_left == 0b0101 || to_left == 0b1010; }
 
-// The part of an edge beyond a plane on which its ends have these values, one of them positive.
+// The part of an edge beyond a plane, given the plane's values at its ends, one of which is positive.
 template <class Number>
 constexpr HiddenInterval<Number> beyond(const Number& a, const Number& b) {
   return {a < 0 ? zero_between(a, b) : Fraction<Number>{0, 1}, b < 0 ? zero_between(a, b) : Fraction<Number>{1, 1}};
@@ -91,7 +91,7 @@ bool LineSight::begin(std::uint32_t number) {
     planes_[i] = {line.planes[i].normal, line.planes[i].offset - dot(line.planes[i].normal, eye)};
     ends_[i] = view_.line_point(line.ends[i]);
   }
-  // With d the cross product of the normals m and n, x d for a sight x to the line is (n x) m - (m x) n.
+  // With d = m x n for the normals m and n: a sight x to the line has x d = (n x) m - (m x) n.
   factors_ = view_.perspective ? std::array{planes_[1].offset, -planes_[0].offset}
                                : std::array{dot(planes_[1].normal, view_.forward), -dot(planes_[0].normal, view_.forward)};
   return factors_[0] != 0 || factors_[1] != 0;
@@ -143,28 +143,28 @@ bool EdgeShadow<Sight>::add(const Occluder& occluder) {
     if (a <= 0 && b <= 0) return false;
     cast_corners(occluder, beyond<Number>(a, b));
   } else {
-    // Four corners are compared without a branch; one that is on the plane of the edge is on neither side.
+    // The four corners are compared without a branch. A corner in the plane of the edge is on neither side.
     const auto side_of = [&](std::size_t i) { return sight_.side(occluder.corners[i].unpacked()); };
     const std::array<Number, 4> sides{side_of(0), side_of(1), side_of(2), side_of(3)};
     const unsigned left = is_negative(-sides[0]) | is_negative(-sides[1]) << 1 | is_negative(-sides[2]) << 2 |
                           is_negative(-sides[3]) << 3;
     const unsigned not_right = is_negative(~sides[0]) | is_negative(~sides[1]) << 1 | is_negative(~sides[2]) << 2 |
                                is_negative(~sides[3]) << 3;
-    if ((a <= 0 && b <= 0) || (is_apart(left) && is_apart(not_right)))
+    if ((a <= 0 && b <= 0) || (cannot_hide(left) && cannot_hide(not_right)))
       return false;
     if (alternates(left) || alternates(not_right)) {
       cast_corners(occluder, beyond<Number>(a, b));
     } else if (left == not_right) {
       cast_four(occluder, beyond<Number>(a, b), left, true, true);
     } else {
-      if (!is_apart(left)) cast_four(occluder, beyond<Number>(a, b), left, true, false);
-      if (!is_apart(not_right)) cast_four(occluder, beyond<Number>(a, b), not_right, false, true);
+      if (!cannot_hide(left)) cast_four(occluder, beyond<Number>(a, b), left, true, false);
+      if (!cannot_hide(not_right)) cast_four(occluder, beyond<Number>(a, b), not_right, false, true);
     }
   }
   return left_.whole() && (!split_ || right_.whole());
 }
 
-// The corners `to_left` of the plane, of four: two sides cross it.
+// For four corners, those in `to_left` to the left of the plane: exactly two sides cross it.
 template <class Sight>
 void EdgeShadow<Sight>::cast_four(const Occluder& occluder, const Interval& beyond, unsigned to_left, bool left,
                            bool right) {
@@ -184,7 +184,7 @@ void EdgeShadow<Sight>::cast_four(const Occluder& occluder, const Interval& beyo
   hide_where(inside, std::span<const Place>(changes.data(), count), beyond, left, right);
 }
 
-// A face of any corners and rings.
+// For a face with any number of corners and rings.
 template <class Sight>
 void EdgeShadow<Sight>::cast_corners(const Occluder& occluder, const Interval& beyond) {
   const MeshFace& face = view_.mesh->faces[occluder.face];
@@ -209,7 +209,7 @@ void EdgeShadow<Sight>::cast_corners(const Occluder& occluder, const Interval& b
   }
 }
 
-// `threshold`: from which value on a corner counts as to the left.
+// A corner is to the left if its value is at least `threshold`.
 template <class Sight>
 void EdgeShadow<Sight>::cast(const Occluder& occluder, const Interval& beyond, const Number& threshold,
                              bool left, bool right) {
@@ -230,7 +230,7 @@ void EdgeShadow<Sight>::cast(const Occluder& occluder, const Interval& beyond, c
   hide_where(inside, changes_, beyond, left, right);
 }
 
-// The face covers the edge from its start on if `inside`, and changes that at each of `changes`, which ascend.
+// The face covers the start of the edge if `inside`, and this changes at each of `changes`, which ascend.
 template <class Sight>
 void EdgeShadow<Sight>::hide_where(bool inside, std::span<const Place> changes, const Interval& beyond, bool left,
                             bool right) {
@@ -253,7 +253,7 @@ void EdgeShadow<Sight>::hide(const Interval& interval, bool left, bool right) {
   if (right && split_) right_.add(interval.low, interval.high);
 }
 
-// Hidden is what both sides hide; the gaps between are seen.
+// A part is hidden if it is hidden from both sides; the gaps between hidden parts are visible.
 template <class Sight>
 void EdgeShadow<Sight>::append_visible(std::vector<picture::LinePiece>& pieces) const {
   Place seen_from{0, 1};

@@ -3,13 +3,13 @@
 // Let e be the edge and x a point of it. The side PQ of a face crosses the plane through the eye and e in Z
 // iff P and Q are on different sides of it, and Z is then seen ahead of x along e iff
 //   sign(side(P, Q, x)) * sign(side(e, Q) - side(e, P)) > 0
-// (Binet and Cauchy: the difference of products that places Z is a product of these two). The face covers x
-// iff an odd number of its crossings is ahead, whatever part of it lies behind the eye; it hides x iff x is
-// moreover beyond its plane. Walking along e, "ahead" changes for a crossing where side(P, Q, x) vanishes, at
-// a / (a - b), a and b being its values at the ends of e. From the left of e, a vertex on the plane of e
-// counts as to the right, from the right as to the left.
+// (Binet and Cauchy: the difference of products that places Z is a product of these two). The face covers x iff an odd
+// number of its crossings is ahead, even if part of the face is behind the eye. It hides x iff it covers x and x is
+// beyond its plane. Along e, "ahead" changes for a crossing where side(P, Q, x) vanishes, at a / (a - b), a and b being
+// its values at the ends of e. For the left side of e, a vertex in the plane of e counts as to the right; for the right
+// side, as to the left.
 //
-// All of this holds for homogeneous coordinates of a positive weight, too: so crossings of the scene, whose ends are
+// All of this also holds for homogeneous coordinates of positive weight. Therefore crossings of the scene, whose ends are
 // fractions, are compared with faces exactly, in 128 bits.
 #pragma once
 
@@ -24,19 +24,19 @@
 
 namespace sightline::algorithms::exact {
 
-// An edge of the scene before the eye; quantities at its ends fit 64 bits.
+// An edge of the scene relative to the eye. Values of planes at its ends fit in 64 bits.
 class EdgeSight {
  public:
   using Number = std::int64_t;
 
   explicit EdgeSight(const View& view) : view_(view) {}
 
-  // False if it is seen as a point.
+  // Returns false if the edge is seen end-on, as a point.
   [[nodiscard]] bool begin(std::uint32_t edge);
   [[nodiscard]] const picture::LineEdge& edge() const { return edge_; }
-  // Of a point against the plane through the eye and the edge, positive to the left of it as seen.
+  // The value at a point of the plane through the eye and the edge: positive to the left of the edge as seen.
   [[nodiscard]] Number side(const Vector& p) const { return plane_.at(p); }
-  // Of a plane at the ends.
+  // The values of a plane at both ends.
   [[nodiscard]] std::array<Number, 2> at_ends(const Plane& plane) const { return {plane.at(a_), plane.at(b_)}; }
   void append(const Fraction<Number>& low, const Fraction<Number>& high, std::vector<picture::LinePiece>& pieces) const {
     pieces.push_back({edge_, {low.numerator, low.denominator}, {high.numerator, high.denominator}});
@@ -50,9 +50,9 @@ class EdgeSight {
   Plane plane_{};
 };
 
-// A line in which two planes meet, with ends where a third cuts a side of a face: fractions, so that quantities there, times
-// the denominator of the end, have up to 121 bits. Parameters between are projective: (1 - s) and s are weights of the
-// numerators; only what is seen in the end is divided.
+// A line in which two planes meet. Each end is where a third plane cuts a side of a face, so it is a fraction; the value
+// of a plane there, times the denominator of the end, has up to 121 bits. Parameters are projective: (1 - s) and s are
+// weights of the numerators. Only the ends of visible pieces are divided.
 class LineSight {
  public:
   using Number = geometry::Int128;
@@ -61,13 +61,14 @@ class LineSight {
 
   [[nodiscard]] bool begin(std::uint32_t edge);
   [[nodiscard]] const picture::LineEdge& edge() const { return edge_; }
-  // A combination of the two planes that is zero at the eye: a (B at the eye) - b (A at the eye), and for directions of sight
-  // likewise.
+  // A combination of the two planes that is zero at the eye: a (B at the eye) - b (A at the eye); in orthographic views
+  // the same with the direction of sight.
   [[nodiscard]] Number side(const Vector& p) const {
     return Number{planes_[0].at(p)} * factors_[0] + Number{planes_[1].at(p)} * factors_[1];
   }
   [[nodiscard]] std::array<Number, 2> at_ends(const Plane& plane) const { return {ends_[0].value(plane), ends_[1].value(plane)}; }
-  // Rounded to multiples of 2^-60; what that makes nothing is left out, and what it joins is one piece.
+  // Ends are rounded to multiples of 2^-60; pieces that become empty are left out, and pieces that become adjacent are
+  // joined.
   void append(const Fraction<Number>& low, const Fraction<Number>& high, std::vector<picture::LinePiece>& pieces) const;
 
  private:
@@ -87,15 +88,15 @@ class EdgeShadow {
 
   explicit EdgeShadow(const View& view) : view_(view), sight_(view) {}
 
-  // Begins another edge, of which nothing is hidden yet but what lies behind the eye. False if it is seen as a point.
+  // Starts another edge: only its part behind the eye is hidden. Returns false if the edge is seen end-on.
   [[nodiscard]] bool begin(std::uint32_t edge);
-  // Adds what a face hides. True once the whole edge is hidden.
+  // Adds what a face hides. Returns true once the whole edge is hidden.
   bool add(const Occluder& occluder);
-  // Appends what is seen.
+  // Appends the visible pieces.
   void append_visible(std::vector<picture::LinePiece>& pieces) const;
 
  private:
-  // The plane of sight through a side of a face that crosses the plane of the edge, at the edge's ends: positive where
+  // The values at the edge's ends of the plane of sight through a side that crosses the plane of the edge: positive where
   // the crossing is ahead.
   struct Crossing {
     Number at_start = 0;
@@ -105,7 +106,7 @@ class EdgeShadow {
     [[nodiscard]] bool ahead_at_end() const { return at_end > 0 || (at_end == 0 && at_start > 0); }
   };
 
-  // `right` and `left`: the corners of the side, by their side of the plane of the edge.
+  // `right` and `left`: the side's corners to the right and to the left of the plane of the edge.
   [[nodiscard, gnu::always_inline]] Crossing crossing(const Vector& right, const Vector& left) const;
   void cast_corners(const Occluder& occluder, const Interval& beyond);
   void cast_four(const Occluder& occluder, const Interval& beyond, unsigned to_left, bool left, bool right);
@@ -115,10 +116,10 @@ class EdgeShadow {
 
   const View& view_;
   Sight sight_;
-  bool split_ = false;  // the two sides differ; until then left_ stands for both
+  bool split_ = false;  // the hidden parts differ between the two sides; until then left_ holds for both
   HiddenPart<Number> left_;
   HiddenPart<Number> right_;
-  std::vector<Number> sides_;  // of the corners of the face at hand against the edge
+  std::vector<Number> sides_;  // of the current face's corners, relative to the edge
   std::vector<Place> changes_;
 };
 

@@ -1,5 +1,5 @@
-// The part of one edge that is hidden from one side of its image line: open intervals with fractional ends,
-// kept apart and ascending; intervals that touch are joined, because a point draws nothing.
+// The part of an edge that is hidden from one side of its image line: disjoint ascending open intervals with fractional
+// ends. Intervals that touch are joined, because an isolated point is not drawn.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace sightline::algorithms::exact {
 
-// A parameter in [0, 1]: not in lowest terms, which only what is seen in the end needs. Numbers of 64 bits below 2^62, of
-// 128 bits below 2^123.
+// A parameter in [0, 1], not reduced: only the ends of visible pieces are. The parts are below 2^62 for 64-bit numbers,
+// below 2^123 for 128-bit ones.
 template <class Number>
 struct Fraction {
   Number numerator = 0;
@@ -40,7 +40,7 @@ class HiddenPart {
 
   void clear() { intervals_.clear(); }
 
-  // Adds (low, high); no effect unless low < high.
+  // Adds (low, high). Has no effect unless low < high.
   void add(const Fraction<Number>& low, const Fraction<Number>& high) {
     if (!less(low, high)) return;
     auto first = intervals_.begin();

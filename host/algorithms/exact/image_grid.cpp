@@ -10,7 +10,7 @@ namespace {
 
 constexpr double cells_an_occluder = 0.25;
 constexpr double most_cells_a_side = 1024;
-constexpr std::uint32_t most_entries_an_occluder = 32;  // on average
+constexpr std::uint32_t most_entries_per_occluder = 32;  // on average
 
 template <class Visit>
 void for_cells(const ImageGrid::Cells& cells, std::uint32_t side, Visit visit) {
@@ -24,13 +24,13 @@ void for_cells(const ImageGrid::Cells& cells, std::uint32_t side, Visit visit) {
 ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::uint32_t> depths, unsigned jobs) {
   side_ = static_cast<std::uint32_t>(
       std::clamp(std::sqrt(static_cast<double>(bounds.size()) * cells_an_occluder), 1.0, most_cells_a_side));
-  // Occluders that cover much of the image are in many cells each: then there are fewer cells.
-  const std::uint64_t most = std::uint64_t{most_entries_an_occluder} * bounds.size() + 4096;
+  // Occluders that cover much of the image are entered in many cells each; then the grid gets fewer cells.
+  const std::uint64_t most = std::uint64_t{most_entries_per_occluder} * bounds.size() + 4096;
   while (side_ > 1 && entries_needed(bounds) > most) side_ /= 2;
   for (std::uint32_t cell = 0; cell < side_; ++cell)
     first_steps_.push_back(static_cast<std::uint16_t>(((cell << 15) + side_ - 1) / side_));
   sort_by_depth(depths);
-  // Each part counts for itself, so that its entries of a cell follow those of the parts before.
+  // Each part counts its own entries, so that in each cell they follow those of earlier parts.
   const std::size_t cells = std::size_t{side_} * side_;
   std::vector<std::vector<std::uint32_t>> fill(jobs);
   base::for_parts(jobs, order_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
@@ -64,7 +64,7 @@ ImageGrid::ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::u
   });
 }
 
-// The nearest first; of equals the first: keys sorted by eleven bits after eleven.
+// Nearest first, equal depths by number: a radix sort with digits of eleven bits.
 void ImageGrid::sort_by_depth(std::span<const std::uint32_t> depths) {
   constexpr unsigned digit = 11;
   struct Key {
@@ -89,7 +89,7 @@ void ImageGrid::sort_by_depth(std::span<const std::uint32_t> depths) {
     depths_[i] = keys[i].depth;
   }
   if (depths_.empty()) return;
-  // About as many buckets as a quarter of the occluders, at most two if there are few.
+  // One bucket for about four occluders, or up to two per occluder if there are few.
   const std::uint32_t range = depths_.back() - depths_.front();
   while (bucket_shift_ < 31 && range >> bucket_shift_ > depths_.size() / 4) ++bucket_shift_;
   buckets_.assign((range >> bucket_shift_) + 2, static_cast<std::uint32_t>(depths_.size()));

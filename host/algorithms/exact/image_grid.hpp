@@ -1,5 +1,5 @@
-// Finds the occluders near a part of the image: a grid of cells over its raster, each with its occluders, the nearest
-// first.
+// Finds the occluders near a part of the image: a grid of cells over the image raster. Each cell lists its occluders,
+// nearest first.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@ class ImageGrid {
  public:
   struct Cells {
     std::array<std::uint32_t, 2> low{};
-    std::array<std::uint32_t, 2> high{};  // included
+    std::array<std::uint32_t, 2> high{};  // inclusive
   };
 
-  // The occluders of a cell, the nearest first. The bounds of one are four numbers of 15 bits, those of the high ends
-  // counted from the last step, so that one subtraction of all four compares them with a rectangle. Its rank is its place
-  // among all occluders by depth.
+  // The occluders of a cell, nearest first. The bounds of an occluder are four packed numbers of 15 bits, the high ends
+  // stored as the distance from the last step, so that one subtraction compares all four with a rectangle. An occluder's
+  // rank is its position among all occluders ordered by depth.
   struct Entries {
     std::span<const std::uint64_t> bounds;
     std::span<const std::uint32_t> ranks;
@@ -30,7 +30,7 @@ class ImageGrid {
     [[nodiscard]] std::size_t size() const { return ranks.size(); }
   };
 
-  // Which entries of a cell may matter for a rectangle.
+  // Tells which entries of a cell may overlap a rectangle.
   class Query {
    public:
     Query(const ImageGrid& grid, const ImageBounds& bounds) : grid_(grid), cells_(grid.cells_of(bounds)) {
@@ -38,13 +38,13 @@ class ImageGrid {
     }
 
     [[nodiscard]] const Cells& cells() const { return cells_; }
-    // The entries after this are those of another cell.
+    // Selects the cell of the entries passed next.
     void enter(std::uint32_t column, std::uint32_t row) {
       first_ = packed({column > cells_.low[0] ? grid_.first_step(column) : std::uint64_t{0},
                        row > cells_.low[1] ? grid_.first_step(row) : std::uint64_t{0}, 0, 0});
     }
-    // It touches the rectangle, and this is the first of the cells that both are in, by rows: an occluder passes in
-    // one of its cells.
+    // The occluder touches the rectangle, and this cell is the first, by rows, that contains parts of both. Therefore an
+    // occluder passes in only one of its cells.
     [[nodiscard]] bool passes(std::uint64_t entry_bounds) const {
       return ((around_ - entry_bounds) & ((entry_bounds | guards) - first_) & guards) == guards;
     }
@@ -56,10 +56,10 @@ class ImageGrid {
     std::uint64_t first_ = 0;
   };
 
-  // Of occluders with these bounds and depths, numbered from 0. On so many threads.
+  // `bounds` and `depths` are indexed by occluder. Uses up to `jobs` threads.
   ImageGrid(std::span<const ImageBounds> bounds, std::span<const std::uint32_t> depths, unsigned jobs = 1);
 
-  [[nodiscard]] std::uint32_t side() const { return side_; }  // cells in a row and in a column
+  [[nodiscard]] std::uint32_t side() const { return side_; }  // cells per row and per column
   [[nodiscard]] Cells cells_of(const ImageBounds& bounds) const {
     return {{cell_of(bounds.low[0]), cell_of(bounds.low[1])}, {cell_of(bounds.high[0]), cell_of(bounds.high[1])}};
   }
@@ -70,7 +70,7 @@ class ImageGrid {
   }
 
   [[nodiscard]] std::uint32_t occluder(std::uint32_t rank) const { return order_[rank]; }
-  // How many occluders have a depth up to this one: those of lower ranks.
+  // The number of occluders with a depth up to this one, which are those of the lowest ranks.
   [[nodiscard]] std::uint32_t count_up_to(std::uint32_t depth) const {
     if (depths_.empty() || depth < depths_.front()) return 0;
     const std::size_t bucket = std::min<std::size_t>((depth - depths_.front()) >> bucket_shift_, buckets_.size() - 2);
@@ -80,7 +80,7 @@ class ImageGrid {
   }
 
  private:
-  // The highest bit of each of the four numbers: it stays where the difference is not negative.
+  // The highest bit of each of the four numbers: it stays set where the difference is not negative.
   static constexpr std::uint64_t guards = 0x8000800080008000U;
 
   [[nodiscard]] static std::uint64_t last_minus(std::uint16_t step) { return std::uint64_t{last_step} - step; }
@@ -89,7 +89,7 @@ class ImageGrid {
   }
   [[nodiscard]] std::uint32_t cell_of(std::uint16_t step) const { return (step * side_) >> 15; }
   [[nodiscard]] std::uint64_t first_step(std::uint32_t cell) const { return first_steps_[cell]; }
-  [[nodiscard]] std::uint64_t entries_needed(std::span<const ImageBounds> bounds) const;  // with the cells as they are
+  [[nodiscard]] std::uint64_t entries_needed(std::span<const ImageBounds> bounds) const;  // for the current number of cells
   void sort_by_depth(std::span<const std::uint32_t> depths);
 
   std::uint32_t side_ = 1;
@@ -99,7 +99,7 @@ class ImageGrid {
   std::vector<std::uint32_t> ranks_;
   std::vector<std::uint32_t> order_;    // the occluder of each rank
   std::vector<std::uint32_t> depths_;   // of each rank
-  std::vector<std::uint32_t> buckets_;  // where depths begin to be above the first one by a multiple of 2^bucket_shift_
+  std::vector<std::uint32_t> buckets_;  // first rank whose depth exceeds the least depth by each multiple of 2^bucket_shift_
   unsigned bucket_shift_ = 0;
 };
 

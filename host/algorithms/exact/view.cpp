@@ -15,17 +15,18 @@ using geometry::dot;
 using geometry::Int128;
 using geometry::vector_of;
 
-// Ascends with the value: single precision, its bits made to ascend below 0, too.
+// The bits of a single-precision number, mapped so that they ascend with its value, negative numbers included.
 std::uint32_t ascending_key(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
 }
 
-// Where vertices are seen: quotients of integers below 2^37, so rounded once and in order, as are all steps after it.
+// Rounds image positions to raster steps. They are quotients of integers below 2^37, so every rounding step keeps their
+// order.
 class Raster {
  public:
-  // Over what is seen of the scene but for the outermost hundredth on each side: a vertex beside the eye may be seen
-  // a thousand widths away. A few hundred vertices show where that is.
+  // The raster spans the seen part of the scene except the outermost hundredth on each side, because a vertex beside the
+  // eye may appear a thousand widths away. A sample of a few hundred vertices determines it.
   Raster(const View& view, const scene::PolyCamera& camera) {
     constexpr std::size_t samples = 500;
     const std::span<const geometry::Point3> vertices = view.mesh->vertices;
@@ -64,7 +65,8 @@ class Raster {
   std::array<double, 2> steps_a_unit_{1, 1};
 };
 
-// Places and depths of the ends of crossings: not quite in the order of the exact ones, so depths are a step farther.
+// Positions and depths of the ends of crossings. They may be out of order with the exact ones, so depths are one step
+// farther.
 void place_lines(View& view, const Raster& raster) {
   for (std::size_t l = 0; l < view.mesh->lines.size(); ++l) {
     const picture::LineEdge& edge = view.mesh->edges[view.mesh->first_line() + l];
@@ -102,7 +104,7 @@ void place_points(View& view, const scene::PolyCamera& camera, unsigned jobs) {
   place_lines(view, raster);
 }
 
-// What one thread finds of a part of the faces.
+// What one thread finds for its part of the faces.
 struct FacePart {
   std::vector<std::uint8_t> drawn;
   std::vector<Occluder> occluders;
@@ -142,7 +144,7 @@ FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
   const EdgeMesh& mesh = *view.mesh;
   FacePart part;
   part.drawn.assign(mesh.edges.size(), 0);
-  const std::size_t likely = (end - begin) / 2 + 1;  // of solids; the vectors grow for sheets
+  const std::size_t likely = (end - begin) / 2 + 1;  // fits solids; the vectors grow for sheets
   part.occluders.reserve(likely);
   part.bounds.reserve(likely);
   part.depths.reserve(likely);
@@ -155,7 +157,7 @@ FacePart faces_of(const View& view, std::size_t begin, std::size_t end) {
     if (away > 0 && face.sheet == 0) continue;
     for (std::uint32_t i = 0; i < face.corner_count; ++i) part.drawn[corners[i].side] = 1;
     if (away == 0) continue;
-    // Positive beyond the face: against the normal of one that is turned to the eye.
+    // Positive beyond the face: opposite to the normal if the face is turned to the eye.
     const Plane beyond = away < 0 ? Plane{geometry::negated(normal), -offset} : Plane{normal, offset};
     add_occluder(view, static_cast<std::uint32_t>(number), beyond, part);
   }
@@ -183,7 +185,7 @@ void place_faces(View& view, unsigned jobs) {
 
 }  // namespace
 
-// The segment runs out to infinity in the direction of its point beside the eye.
+// The segment's image runs to infinity in the direction of the projection of its point behind the eye.
 void View::extend_to_infinity(ImageBounds& bounds, std::uint32_t seen, std::uint32_t behind) const {
   const Vector p = vector_of(at(seen));
   const Vector q = vector_of(at(behind));

@@ -1,8 +1,8 @@
-// A mesh for one camera: points relative to the eye, where they are seen, the faces that can occlude anything.
+// A mesh seen by one camera: points relative to the eye, their image positions, and the faces that can occlude.
 //
-// Where a point is seen is rounded to steps of a raster of 2^15 by 2^15 over the image, and how far it is to single
-// precision. Both roundings keep the order: what overlaps overlaps there, what is farther is not nearer there. So they
-// say which pairs of an edge and a face may be left out, and nothing else.
+// Image positions are rounded to a raster of 2^15 by 2^15 steps, depths to single precision. Both roundings keep the
+// order: images that overlap still overlap, and what is farther does not become nearer. They only serve to skip pairs of
+// an edge and a face that cannot matter.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace sightline::algorithms::exact {
 
-// A plane: normal 39 bits, values 60.
+// A plane. Its normal has 39 bits, its values 60.
 struct Plane {
   Vector normal{};
   std::int64_t offset = 0;
@@ -27,11 +27,11 @@ struct Plane {
 struct LinePoint {
   Vector p{};
   Vector q{};
-  std::int64_t a = 0;  // above b
+  std::int64_t a = 0;  // greater than b
   std::int64_t b = 0;
 
   [[nodiscard]] std::int64_t weight() const { return a - b; }  // 61 bits
-  // Of values at p and q of what is linear in space, of 60 bits: at the point, times the weight.
+  // For a quantity linear in space, with 60-bit values at p and q: its value at the point, times the weight.
   [[nodiscard]] geometry::Int128 between(std::int64_t at_p, std::int64_t at_q) const {
     return geometry::Int128{at_q} * a - geometry::Int128{at_p} * b;
   }
@@ -40,18 +40,18 @@ struct LinePoint {
 
 inline constexpr std::uint16_t last_step = (1 << 15) - 1;
 
-// A rectangle of the image in steps, ends included. Points beside the raster belong to its border.
+// A rectangle of raster steps, ends included. Points outside the raster are moved to its border.
 struct ImageBounds {
   std::array<std::uint16_t, 2> low{last_step, last_step};
   std::array<std::uint16_t, 2> high{};
 };
 
 struct ViewPoint {
-  std::array<std::uint16_t, 2> seen{};  // steps, of what is before the eye
-  std::uint32_t depth = 0;              // ascends with forward . at; 0: not before the eye of a perspective
+  std::array<std::uint16_t, 2> seen{};  // raster steps; only of points in front of the eye
+  std::uint32_t depth = 0;              // ascends with forward . at; 0: not in front of the eye, in perspective
 };
 
-// Three numbers of 20 bits.
+// Three integers of 20 bits each.
 class PackedPoint {
  public:
   PackedPoint() = default;
@@ -68,12 +68,13 @@ class PackedPoint {
   std::uint64_t bits_ = 0;
 };
 
-// A face that can hide something: of a solid and turned to the eye, or of a sheet and not edge-on. One line of the cache.
+// A face that can hide something: a face of a solid turned to the eye, or of a sheet not seen edge-on. Fills one cache
+// line.
 struct alignas(64) Occluder {
-  // The face's plane, positive beyond it: normal and offset.
+  // The face's plane, positive beyond the face.
   PackedNormal beyond;
   std::int64_t offset = 0;
-  // Relative to the eye, of a face of one ring of three or four corners: three with the last one twice.
+  // Relative to the eye, if the face has one ring of three or four corners; of three, the last is repeated.
   std::array<PackedPoint, 4> corners{};
   std::uint32_t face : 31 = 0;  // of the mesh
   std::uint32_t few_corners : 1 = 0;
@@ -87,11 +88,11 @@ struct View {
   geometry::Point3 eye{};
   Vector forward{};
   std::array<Vector, 2> axes{};  // right, up
-  std::vector<ViewPoint> points;  // of the mesh's vertices
-  std::vector<std::uint8_t> drawn;  // 1 for edges that are not hidden by their own solid or behind the eye
+  std::vector<ViewPoint> points;  // by vertex of the mesh
+  std::vector<std::uint8_t> drawn;  // 1 for edges that are neither hidden by their own solid nor behind the eye
   std::vector<Occluder> occluders;
   std::vector<ImageBounds> occluder_bounds;
-  std::vector<std::uint32_t> occluder_depths;  // of the nearest corner of each
+  std::vector<std::uint32_t> occluder_depths;  // of each occluder's nearest corner
 
   // Relative to the eye.
   [[nodiscard]] geometry::Point3 at(std::uint32_t vertex) const {
@@ -99,7 +100,7 @@ struct View {
     return {p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
   }
   [[nodiscard]] bool before_eye(const ViewPoint& p) const { return !perspective || p.depth != 0; }
-  // Of an edge, one end of which is before the eye; around that of a crossing, whose place is rounded, there is a step more.
+  // Of an edge with an end in front of the eye. The bounds of a crossing are one step larger, because its ends are rounded.
   [[nodiscard]] ImageBounds bounds_of(std::uint32_t number) const {
     const picture::LineEdge& edge = mesh->edges[number];
     if (number >= mesh->first_line()) return bounds_of_line(edge);
@@ -111,7 +112,7 @@ struct View {
   [[nodiscard]] LinePoint line_point(const LineEnd& end) const {
     return {geometry::difference(end.p, eye), geometry::difference(end.q, eye), end.a, end.b};
   }
-  // By what is before the eye of the segment from a vertex p to another one, q, but for q itself.
+  // Extends the bounds by the part in front of the eye of the segment from vertex p to vertex q, except q itself.
   void extend(ImageBounds& bounds, std::uint32_t p, std::uint32_t q) const {
     const bool p_before = before_eye(points[p]);
     if (p_before) extend(bounds, points[p]);
@@ -129,7 +130,7 @@ struct View {
   void extend_to_infinity(ImageBounds& bounds, std::uint32_t seen, std::uint32_t behind) const;
 };
 
-// With `chosen`, an ascending choice of the mesh's edges, no others are drawn. On so many threads.
+// `chosen`, if given, lists in ascending order the only edges to draw. Uses up to `jobs` threads.
 [[nodiscard]] View make_view(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                              const picture::ChosenEdges* chosen = nullptr, unsigned jobs = 1);
 

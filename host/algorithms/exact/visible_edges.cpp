@@ -14,18 +14,18 @@
 namespace sightline::algorithms::exact {
 namespace {
 
-// What a search without a listener tells: nothing, and the compiler leaves it out.
-struct Unwatched {
+// The listener of a search without a trace: its calls compile to nothing.
+struct NoListener {
   void edge(const picture::LineEdge&) {}
   template <class Shadow>
   void compared(const picture::LineEdge&, const Occluder&, bool, const Shadow&) {}
   void result(const picture::LineEdge&, bool, std::span<const picture::LinePiece>) {}
 };
 
-// Tells a Trace what is seen of an edge after each comparison.
-class Watched {
+// Reports to a Trace what is visible of an edge after each comparison.
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(trace) {}
+  explicit TraceListener(Trace& trace) : trace_(trace) {}
 
   void edge(const picture::LineEdge& edge) { trace_.edge(edge); }
   template <class Shadow>
@@ -42,7 +42,7 @@ class Watched {
   Trace& trace_;
 };
 
-// Compares one edge after the other with the occluders near it.
+// Compares edges, one after the other, with the occluders near them.
 template <class Listener>
 class Search {
  public:
@@ -97,8 +97,8 @@ class Search {
     return is_hidden_by_near(edge, beside, shadow);
   }
 
-  // Adds to near_ which of at most a batch of entries may hide some of the edge: of ranks below the limit. Whether one does is as good as random:
-  // no branch depends on it.
+  // Adds to near_ those of at most `batch` entries that are of ranks below `limit` and may hide part of the edge. The
+  // result is unpredictable, so no branch depends on it.
   void find_near(const ImageGrid::Query& query, const ImageGrid::Entries& entries, std::size_t begin, std::size_t end,
                  std::uint32_t limit) {
     std::size_t count = near_count_;
@@ -119,13 +119,13 @@ class Search {
   }
 
   [[nodiscard]] bool may_hide_all(std::uint32_t number, const ImageBounds& bounds, std::uint32_t depth) const {
-    if (number == nobody) return false;
+    if (number == no_occluder) return false;
     const ImageBounds& cover = view_.occluder_bounds[number];
     return view_.occluder_depths[number] <= depth && cover.low[0] <= bounds.low[0] && cover.low[1] <= bounds.low[1] &&
            bounds.high[0] <= cover.high[0] && bounds.high[1] <= cover.high[1];
   }
 
-  // Adds what an occluder hides; true once nothing of the edge is left.
+  // Adds what an occluder hides. Returns true once the whole edge is hidden.
   template <class Shadow>
   bool hides_rest(const picture::LineEdge& edge, std::uint32_t number, std::span<const std::uint32_t> beside, Shadow& shadow) {
     const Occluder& occluder = view_.occluders[number];
@@ -149,13 +149,13 @@ class Search {
   static constexpr std::size_t enough = 4;
   std::array<std::uint32_t, batch + enough> near_{};  // ranks of occluders
   std::size_t near_count_ = 0;
-  static constexpr std::uint32_t nobody = ~0U;
-  std::uint32_t last_ = nobody;  // the last occluder that hid what was left of an edge: it may hide the next one, too
+  static constexpr std::uint32_t no_occluder = ~0U;
+  std::uint32_t last_ = no_occluder;  // the last occluder that hid the rest of an edge: it may hide the next edge, too
   const picture::ChosenEdges* chosen_;
   Listener& listener_;
 };
 
-// The edges drawn, by the cell in which their bounds begin, row by row.
+// The drawn edges, ordered by the cell in which their bounds begin, row by row.
 std::vector<std::uint32_t> in_image_order(const View& view, const ImageGrid& grid) {
   const auto cell_of = [&](std::uint32_t edge) {
     const ImageGrid::Cells cells = grid.cells_of(view.bounds_of(edge));
@@ -172,7 +172,8 @@ std::vector<std::uint32_t> in_image_order(const View& view, const ImageGrid& gri
   return order;
 }
 
-// What one thread sees of a part of the edges: pieces in blocks, so that growing copies nothing, those of an edge in one.
+// The visible pieces that one thread finds, in blocks, so that growing copies nothing. The pieces of an edge are in one
+// block.
 struct SeenPart {
   std::vector<std::vector<picture::LinePiece>> blocks;
   std::vector<std::uint32_t> counts;  // pieces of each edge
@@ -185,7 +186,7 @@ struct SeenPart {
   }
 };
 
-// Pieces of edges in any order, by edge.
+// Collects the pieces, found in any order of edges, into a picture ordered by edge.
 picture::LinePicture by_edge(std::span<const SeenPart> parts, std::span<const std::uint32_t> order,
                              std::size_t edges) {
   std::vector<std::uint32_t> starts(edges + 1);
@@ -213,10 +214,10 @@ picture::LinePicture by_edge(std::span<const SeenPart> parts, std::span<const st
   return picture;
 }
 
-// From this many edges on they are compared in the order of the image, in which the occluders near one are those near
-// the one before, and in the cache.
+// From this many edges on, edges are compared in image order: then the occluders near an edge are mostly those near the
+// edge before it, and are still in the cache.
 constexpr std::size_t fewest_edges_ordered = 50'000;
-constexpr std::size_t fewest_faces_a_job = 8;  // no more threads than that
+constexpr std::size_t fewest_faces_per_job = 8;  // limits the number of threads
 
 template <class Listener>
 picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera, Listener listener,
@@ -229,7 +230,7 @@ picture::LinePicture search_edges(const EdgeMesh& mesh, const scene::PolyCamera&
   return picture;
 }
 
-constexpr std::size_t ahead = 8;  // edges: what is far from each other in memory is asked for beforehand
+constexpr std::size_t ahead = 8;  // edges: data far apart in memory are prefetched
 
 void fetch(const View& view, std::uint32_t edge) {
   for (const std::uint32_t v : {view.mesh->edges[edge].from, view.mesh->edges[edge].to}) {
@@ -240,7 +241,7 @@ void fetch(const View& view, std::uint32_t edge) {
 
 picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                     const picture::ChosenEdges* chosen, unsigned jobs) {
-  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_a_job));
+  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + mesh.faces.size() / fewest_faces_per_job));
   std::vector<std::uint32_t> order;
   std::vector<SeenPart> parts(jobs);
   {
@@ -250,8 +251,8 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
     base::for_parts(jobs, order.size(), [&](std::size_t number, std::size_t begin, std::size_t end) {
       SeenPart& part = parts[number];
       part.counts.reserve(end - begin);
-      Unwatched nobody;
-      Search<Unwatched> search(view, grid, chosen, nobody);
+      NoListener no_occluder;
+      Search<NoListener> search(view, grid, chosen, no_occluder);
       for (std::size_t i = begin; i < end; ++i) {
         if (i + ahead < end) fetch(view, order[i + ahead]);
         if (i + 2 * ahead < end) __builtin_prefetch(&mesh.edges[order[i + 2 * ahead]]);
@@ -269,13 +270,13 @@ picture::LinePicture search_ordered(const EdgeMesh& mesh, const scene::PolyCamer
 
 picture::LinePicture visible_edges(const EdgeMesh& mesh, const scene::PolyCamera& camera,
                                    const picture::ChosenEdges* chosen, unsigned jobs) {
-  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, Unwatched(), chosen);
+  if (jobs == 1 && mesh.edges.size() < fewest_edges_ordered) return search_edges(mesh, camera, NoListener(), chosen);
   return search_ordered(mesh, camera, chosen, jobs);
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera, Trace& trace) {
   const EdgeMesh mesh = make_edge_mesh(scene);
-  return search_edges(mesh, camera, Watched(trace));
+  return search_edges(mesh, camera, TraceListener(trace));
 }
 
 picture::LinePicture visible_edges(const scene::PolyScene& scene, const scene::PolyCamera& camera) {

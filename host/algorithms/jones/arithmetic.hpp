@@ -1,15 +1,14 @@
-// The integers that masks and lines are computed with, in three widths; a view uses the narrowest that holds
-// all it can meet.
+// The integers of three widths that masks and lines are computed with. A view uses the narrowest width that is
+// sufficient.
 //
-// A sight plane has components up to m; in perspective it is a triple (line) unchanged, in orthographic
-// views its image is one, with two components up to m and one up to c. Where the images of two planes cross
-// is their cross product (ray), and on which side of a third it lies the sign of a dot product: 6 m m max(m,
-// c). A plane at a vertex of the scene, 2^19 from the eye at most, is below 3 * 2^19 m + c. So:
+// A sight plane has components up to m. In perspective it is used unchanged as a triple (line); in orthographic views its
+// image is the triple, with two components up to m and one up to c. The images of two planes cross in their cross product
+// (ray). On which side of a third plane the crossing lies is the sign of a dot product below 6 m m max(m, c). The value of a
+// plane at a vertex of the scene, at most 2^19 from the eye, is below 3 * 2^19 m + c. So:
 //   narrow: everything in 64 bits;  medium: planes in 64, rays and signs in 128;
-//   wide: planes and their values in 128, rays and signs in WideIntegers. A sign in
-//         doubles is tried first: an entry is right to four units of the last place, so a sum that exceeds
-//         2^-46 of the magnitudes of its terms has the right sign. Filters pay only where the exact way is
-//         several words long.
+//   wide: planes and their values in 128, rays and signs in WideIntegers. A sign is tried in doubles first: an entry is
+//         right to four units in the last place, so a sum that exceeds 2^-46 of the magnitudes of its terms has the right
+//         sign. Such filters pay only where the exact computation takes several words.
 #pragma once
 
 #include <array>
@@ -54,10 +53,9 @@ using MediumArithmetic = DirectArithmetic<geometry::Int128>;
 
 struct WideArithmetic {
   using Number = geometry::Int128;
-  // Of a part of a line, which is at most m or c. A plane of the complex is below v = 2^62 at every point
-  // (visible_edges.cpp), its normal's components k therefore below 2^62 / 2^18, and those of the camera's
-  // forward below 2^15, 2^17 together. So m = 2 k v or 2 k k 2^17 is below 2^107, and c = 2 k v 2^17 below
-  // 2^124.
+  // The bits of a part of a line, which is at most m or c. The value v of a plane of the complex is below 2^62 at every
+  // point (visible_edges.cpp), so the components k of its normal are below 2^62 / 2^18; those of the camera's forward are
+  // below 2^15, and below 2^17 together. So m = 2 k v or 2 k k 2^17 is below 2^107, and c = 2 k v 2^17 below 2^124.
   static constexpr unsigned part_bits = 124;
   using Part = geometry::WideInteger<part_bits>;
   struct Line {

@@ -34,7 +34,8 @@ void CellIndex::for_each_bucket(const Box& box, const Do& act) const {
   }
 }
 
-// About a bucket a cell, as nearly cubes as the outer box allows; fewer if cells would stand in very many.
+// Chooses about as many buckets as cells, as nearly cubic as the outer box allows; fewer if cells would be in very many
+// buckets.
 void CellIndex::choose_buckets(const std::vector<Box>& boxes) {
   constexpr std::size_t most_entries_a_cell = 16;
   double volume = 1;
@@ -47,7 +48,7 @@ void CellIndex::choose_buckets(const std::vector<Box>& boxes) {
     }
     std::size_t entries = 0;
     for (const Box& box : boxes) {
-      if (without_points(box)) continue;
+      if (is_empty(box)) continue;
       std::size_t count = 1;
       for (std::size_t a = 0; a < 3; ++a) count *= bucket(a, box.high[a]) - bucket(a, box.low[a]) + 1;
       entries += count;
@@ -66,13 +67,13 @@ CellIndex::CellIndex(const scene::CellComplex& complex, std::span<const geometry
   choose_buckets(boxes);
   starts_.assign(buckets_[0] * buckets_[1] * buckets_[2] + 1, 0);
   for (const Box& box : boxes) {
-    if (!without_points(box)) for_each_bucket(box, [&](std::size_t b) { ++starts_[b + 1]; });
+    if (!is_empty(box)) for_each_bucket(box, [&](std::size_t b) { ++starts_[b + 1]; });
   }
   for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
   entries_.resize(starts_.back());
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
   for (std::size_t c = 0; c < boxes.size(); ++c) {
-    if (without_points(boxes[c])) continue;
+    if (is_empty(boxes[c])) continue;
     for_each_bucket(boxes[c],
                     [&](std::size_t b) { entries_[next[b]++] = static_cast<scene::CellNumber>(c); });
   }

@@ -1,8 +1,8 @@
-// Finds the cells that a point is in: a grid of buckets over the outer box, each with the cells that may reach into
-// it, made once for a complex; a query costs one bucket, whatever the number of cells.
+// Finds the cells that contain a point: a grid of buckets over the outer box, each with the cells that may reach into it.
+// It is built once for a complex; a query reads one bucket, whatever the number of cells.
 //
-// A cell is represented by the box around it (enclosing_box.hpp): exact for cells parallel to the axes, never too small
-// for others.
+// A cell is represented by its enclosing box (enclosing_box.hpp), which is exact for cells parallel to the axes and never
+// too small for others.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace sightline::algorithms::jones {
 
-// Whether a point is in a half-space, its plane included.
+// Whether a point is in a closed half-space.
 [[nodiscard]] inline bool contains(std::span<const geometry::Plane> planes, const scene::HalfSpace& half,
                                    const geometry::Point3& point) {
   const std::int64_t value = planes[half.plane].at(point);
@@ -26,7 +26,7 @@ namespace sightline::algorithms::jones {
 
 class CellIndex {
  public:
-  // Time and memory linear in the complex. `planes` are those of the complex, perhaps divided by a factor.
+  // Linear time and memory. `planes` are those of the complex; each may be divided by a factor.
   CellIndex(const scene::CellComplex& complex, std::span<const geometry::Plane> planes);
 
   // The cells whose closure contains the point, ascending.

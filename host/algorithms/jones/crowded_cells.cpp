@@ -9,11 +9,11 @@ namespace {
 
 using geometry::Box;
 
-bool crowded(const scene::ComplexCell& cell) {
+bool is_crowded(const scene::ComplexCell& cell) {
   return cell.line_count + cell.opening_count > CrowdedCells::few;
 }
 
-// Of the whole edge, which may be longer than the line.
+// The box of the whole edge, which may be longer than the line.
 Box box_of_edge(const scene::CellComplex& complex, const scene::ComplexEdge& edge) {
   const scene::PolyPoint& from = complex.vertices[edge.from];
   const scene::PolyPoint& to = complex.vertices[edge.to];
@@ -52,7 +52,7 @@ std::vector<Box> boxes_of_openings(const scene::CellComplex& complex, const scen
 CrowdedCells::CrowdedCells(const scene::CellComplex& complex, std::span<const geometry::Plane> planes) {
   for (std::size_t c = 0; c < complex.cells.size(); ++c) {
     const scene::ComplexCell& cell = complex.cells[c];
-    if (!crowded(cell)) continue;
+    if (!is_crowded(cell)) continue;
     cells_.emplace_back(static_cast<scene::CellNumber>(c),
                         CrowdedCell{geometry::BoxTree(boxes_of_lines(complex, cell)),
                                     geometry::BoxTree(boxes_of_openings(complex, cell, planes))});
@@ -60,7 +60,7 @@ CrowdedCells::CrowdedCells(const scene::CellComplex& complex, std::span<const ge
 }
 
 const CrowdedCell* CrowdedCells::find(const scene::CellComplex& complex, scene::CellNumber number) const {
-  if (!crowded(complex.cells[number])) return nullptr;
+  if (!is_crowded(complex.cells[number])) return nullptr;
   const auto found = std::lower_bound(cells_.begin(), cells_.end(), number,
                                       [](const auto& cell, scene::CellNumber n) { return cell.first < n; });
   return &found->second;

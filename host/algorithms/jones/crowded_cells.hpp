@@ -1,7 +1,7 @@
-// Index of cells with very many lines or openings, such as the free space around a large building: trees of
-// boxes over lines and openings, so that a view reads only those that its mask may meet.
+// An index of cells with very many lines or openings, such as the free space around a large building: box trees over
+// lines and openings, so that a view reads only those that its mask may meet.
 //
-// Without them a view from one room through an outer door would look at every line of the wall outside.
+// Without it, a view out of a door would test every line of the outer wall.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@
 namespace sightline::algorithms::jones {
 
 struct CrowdedCell {
-  geometry::BoxTree lines;     // by place in the cell's lines
-  geometry::BoxTree openings;  // by place in the cell's openings
+  geometry::BoxTree lines;     // numbers: positions in the cell's lines
+  geometry::BoxTree openings;  // numbers: positions in the cell's openings
 };
 
 class CrowdedCells {
  public:
-  // Of so few lines and openings each is looked at sooner than a tree.
+  // Up to this number of lines and openings, testing each one is faster than searching a tree.
   static constexpr std::uint32_t few = 96;
 
-  // `planes` are those of the complex, perhaps divided by a factor.
+  // `planes` are those of the complex; each may be divided by a factor.
   CrowdedCells(const scene::CellComplex& complex, std::span<const geometry::Plane> planes);
 
-  // Null for a cell with few.
+  // Null if the cell is not crowded.
   [[nodiscard]] const CrowdedCell* find(const scene::CellComplex& complex, scene::CellNumber number) const;
 
  private:

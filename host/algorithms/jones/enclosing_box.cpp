@@ -12,13 +12,13 @@ namespace {
 using geometry::Box;
 using geometry::Int128;
 
-// The least integer not below a / b, b positive.
+// The least integer not below a / b; b is positive.
 Int128 ceiling_divide(const Int128& a, const Int128& b) {
   return a >= 0 ? (a + b - 1) / b : -(-a / b);
 }
 
-// Takes from the box what of it is certainly not in the half-space normal . x <= offset. True if that was
-// something.
+// Shrinks the box by the part that is certainly not in the half-space normal . x <= offset. Returns true if the box
+// changed.
 bool tighten(Box& box, const geometry::Vector3& normal, std::int64_t offset) {
   Int128 least = 0;  // of normal . x in the box
   for (std::size_t a = 0; a < 3; ++a) least += Int128{normal[a]} * (normal[a] > 0 ? box.low[a] : box.high[a]);
@@ -53,7 +53,7 @@ Box enclosing_box(Box box, std::span<const geometry::Plane> planes,
       const geometry::Plane& plane = planes[half.plane];
       const geometry::Vector3 normal = half.turned ? geometry::negated(plane.normal) : plane.normal;
       changed = tighten(box, normal, half.turned ? -plane.offset : plane.offset) || changed;
-      if (without_points(box)) return box;
+      if (is_empty(box)) return box;
     }
     if (!changed) break;
   }

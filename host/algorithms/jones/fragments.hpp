@@ -16,11 +16,11 @@
 
 namespace sightline::algorithms::jones {
 
-// In lowest terms; empty if that does not fit 64 bits.
-[[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<std::int64_t>& fraction) {
+// In lowest terms; nullopt if that does not fit in 64 bits.
+[[nodiscard]] inline std::optional<geometry::Rational> reduce(const Fraction<std::int64_t>& fraction) {
   return geometry::Rational(fraction.numerator, fraction.denominator);
 }
-[[nodiscard]] inline std::optional<geometry::Rational> reduced(const Fraction<geometry::Int128>& fraction) {
+[[nodiscard]] inline std::optional<geometry::Rational> reduce(const Fraction<geometry::Int128>& fraction) {
   const geometry::Int128 divisor = geometry::common_divisor(fraction.denominator, fraction.numerator);
   const geometry::Int128 denominator = fraction.denominator / divisor;
   if (denominator > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
@@ -35,7 +35,7 @@ class Fragments {
     fragments_.clear();
     limit_ = first_limit;
   }
-  // low < high.
+  // Precondition: low < high.
   void add(std::uint32_t edge, const Stretch<Number>& stretch) {
     if (fragments_.size() >= limit_) {
       unite();
@@ -44,9 +44,9 @@ class Fragments {
     fragments_.push_back({edge, stretch});
   }
 
-  // The union, without edges whose image is a point or that are nowhere before the eye. Empty if an end is
-  // longer than where edges cross, or edges and planes, can be. Of a closed mask, edges exactly beside the
-  // eye are not left out yet; here they are.
+  // The union of the fragments, without edges that are seen end-on or are nowhere in front of the eye. nullopt if a reduced
+  // end has more bits than where two edges, or an edge and a plane, can cross. A closed mask still admits edges exactly
+  // beside the eye; they are removed here.
   [[nodiscard]] std::optional<picture::LinePicture> picture(const scene::CellComplex& complex,
                                                             const Sight& sight) {
     unite();
@@ -60,8 +60,8 @@ class Fragments {
       if (sight.perspective() && geometry::dot(sight.forward(), from) <= 0 &&
           geometry::dot(sight.forward(), to) <= 0)
         continue;
-      const auto low = reduced(fragment.stretch.low);
-      const auto high = reduced(fragment.stretch.high);
+      const auto low = reduce(fragment.stretch.low);
+      const auto high = reduce(fragment.stretch.high);
       if (!low || !high) return std::nullopt;
       picture.pieces.push_back({{edge.from, edge.to}, *low, *high});
     }
@@ -75,7 +75,7 @@ class Fragments {
   };
   static constexpr std::size_t first_limit = std::size_t{1} << 18;
 
-  // Joins what overlaps or touches; afterwards ascending by edge and place.
+  // Joins fragments that overlap or touch, and sorts them by edge and position.
   void unite() {
     std::sort(fragments_.begin(), fragments_.end(), [](const Fragment& a, const Fragment& b) {
       return a.edge != b.edge ? a.edge < b.edge : less(a.stretch.low, b.stretch.low);

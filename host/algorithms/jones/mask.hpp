@@ -1,12 +1,12 @@
 // A mask: the convex cone of directions in which a cell is seen, as the cyclic list of its sides.
 //
-// Each side is a plane of sight, kept as its number; each corner the ray in which two such planes, one after
-// the other, cross. A corner made by clipping is again where two planes of sight cross, so whatever has been
-// clipped before, no number is longer than in the first mask. The sides go round so that the cross product of
-// one plane's image and the next is the ray of their corner and not its opposite.
+// Each side is the number of a plane of sight; each corner is the ray in which two consecutive planes cross. A corner
+// made by clipping is again the crossing of two planes of sight, so numbers never grow longer than in the first mask. The
+// sides are ordered so that the cross product of one plane's image and the next is the ray of their corner, not its
+// opposite.
 //
-// A mask has an area: clipping to a polygon that only touches a side or corner leaves it empty. A plane along one of its
-// sides changes nothing, so sides in one line do not pile up.
+// A mask has an area: clipping it to a polygon that only touches a side or a corner leaves an empty mask. A plane along
+// one of its sides changes nothing, so collinear sides do not accumulate.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,14 @@ struct MaskSide {
   typename Arithmetic::Ray corner;  // with the next side
 };
 
-// As clip_mask, of a mask with corners on both sides of `line`, whose signs are given.
+// Like clip_mask, for a mask with corners on both sides of `line`; their signs are given.
 template <class Arithmetic, class Image>
 std::span<const MaskSide<Arithmetic>> cut_mask(std::span<const MaskSide<Arithmetic>> mask,
                                                std::uint32_t plane, const typename Arithmetic::Line& line,
                                                const Image& image, std::span<const std::int8_t> signs,
                                                std::vector<MaskSide<Arithmetic>>& left) {
   const std::size_t count = mask.size();
-  // A side gives way to two at most. (Of a mask that is convex only one does; but complexes come from files.)
+  // A side is replaced by two at most. (By only one if the mask is convex; but complexes come from files.)
   if (left.size() < 2 * count) left.resize(2 * count);
   std::size_t kept = 0;
   std::int8_t before = signs[count - 1];
@@ -51,9 +51,9 @@ std::span<const MaskSide<Arithmetic>> cut_mask(std::span<const MaskSide<Arithmet
   return {left.data(), kept};
 }
 
-// What is left of a mask on the not negative side of `line`, perhaps nothing. It is the mask itself if
-// nothing is cut off, and else lies in `left`, which only grows, so that no clip costs more than it writes;
-// `image` gives the image of the plane with a number, which `line` is for `plane`.
+// The part of a mask on the nonnegative side of `line`, perhaps empty. Returns the mask itself if nothing is cut off;
+// otherwise the result is in `left`, which only grows, so that a clip costs no more than it writes. `image(n)` returns
+// the image of plane n; `line` is the image of `plane`.
 template <class Arithmetic, class Image>
 inline std::span<const MaskSide<Arithmetic>> clip_mask(std::span<const MaskSide<Arithmetic>> mask,
                                                        std::uint32_t plane,

@@ -27,7 +27,7 @@ PreparedComplex::PreparedComplex(const scene::CellComplex& complex)
       index_(complex, planes_),
       crowded_(complex, planes_) {
   measure();
-  find_ways_in();
+  find_entrances();
 }
 
 void PreparedComplex::measure() {
@@ -43,7 +43,7 @@ void PreparedComplex::measure() {
   }
 }
 
-void PreparedComplex::find_ways_in() {
+void PreparedComplex::find_entrances() {
   for (std::size_t o = 0; o < complex_->openings.size(); ++o) {
     const auto& cells = complex_->openings[o].cells;
     if (cells[0] == scene::outside || cells[1] == scene::outside)

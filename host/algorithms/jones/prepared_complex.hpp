@@ -1,8 +1,8 @@
-// A complex prepared for views from any position: the data that all its views share.
+// The data of a complex that all views of it share.
 //
-// Planes in lowest terms, and how long their numbers are; the entrance from outside; the edges that lie in the
-// surface of the outer box, which is viewed from outside without passing an opening; the index of cells;
-// what is where in crowded ones.
+// The planes in lowest terms and their greatest coefficients; the openings to the outside; the edges in the surface of
+// the outer box, which are visible from outside without passing an opening; the index of cells; and the index of lines
+// and openings in crowded cells.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace sightline::algorithms::jones {
 
-// A face of the outer box: its plane, the normal outwards, and the edges that lie in it.
+// A face of the outer box: its plane with the outward normal, and the edges in it.
 struct OuterFace {
   geometry::Plane plane;
   std::vector<std::uint32_t> edges;
@@ -24,7 +24,7 @@ struct OuterFace {
 
 class PreparedComplex {
  public:
-  // The complex must outlive this. Time and memory linear in the complex.
+  // The complex must outlive this object. Linear time and memory.
   explicit PreparedComplex(const scene::CellComplex& complex);
 
   [[nodiscard]] const scene::CellComplex& complex() const { return *complex_; }
@@ -34,21 +34,21 @@ class PreparedComplex {
   [[nodiscard]] std::vector<scene::CellNumber> cells_at(const geometry::Point3& point) const {
     return index_.cells_at(*complex_, planes_, point);
   }
-  // Null for a cell with few lines and openings.
-  [[nodiscard]] const CrowdedCell* crowded(scene::CellNumber cell) const {
+  // Null if the cell is not crowded.
+  [[nodiscard]] const CrowdedCell* find_crowded(scene::CellNumber cell) const {
     return crowded_.find(*complex_, cell);
   }
-  // No component of a normal is greater, nor the value of a plane at a point within the coordinate limit.
+  // The greatest magnitude of a component of a normal, and of a plane's value at a point within the coordinate limit.
   [[nodiscard]] double greatest_component() const { return greatest_component_; }
   [[nodiscard]] double greatest_value() const { return greatest_value_; }
 
  private:
   void measure();
-  void find_ways_in();
+  void find_entrances();
 
   const scene::CellComplex* complex_;
   std::vector<geometry::Plane> planes_;
-  std::vector<std::uint32_t> entrances_;  // numbers of the openings one of whose cells is outside
+  std::vector<std::uint32_t> entrances_;  // numbers of the openings to the outside
   std::array<OuterFace, 6> outer_faces_;
   CellIndex index_;
   CrowdedCells crowded_;

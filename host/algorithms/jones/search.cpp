@@ -1,4 +1,4 @@
-// The search in planes of sight of 64 and of 128 bits.
+// Instantiates the search with planes of sight of 64 and 128 bits.
 #include "host/algorithms/jones/search.hpp"
 
 namespace sightline::algorithms::jones {
@@ -6,6 +6,6 @@ namespace sightline::algorithms::jones {
 template class Search<NarrowArithmetic>;
 template class Search<MediumArithmetic>;
 template class Search<WideArithmetic>;
-template class Search<WideArithmetic, Watched>;
+template class Search<WideArithmetic, TraceListener>;
 
 }  // namespace sightline::algorithms::jones

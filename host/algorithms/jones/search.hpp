@@ -1,8 +1,8 @@
 // The search along avenues of sight: from cell to cell through openings, with the mask clipped to each.
 //
-// Pending cells, with their masks, are on a stack; a cell's mask is popped when the cell is entered, so a
-// passage through any number of rooms keeps one. Openings are put there last to first, which gives the
-// order of the paper: a cell's lines, then what is seen through its first opening, and so on.
+// Pending cells and their masks are on a stack. A mask is popped when its cell is entered, so a passage through any
+// number of cells keeps only one. Openings are pushed last to first, which gives the order of the paper: the lines of a
+// cell, then everything seen through its first opening, and so on.
 //
 // Planes of sight are computed when an opening is first reached, once per view.
 #pragma once
@@ -31,14 +31,14 @@
 
 namespace sightline::algorithms::jones {
 
-// The openings and cells that a view has reached. Nothing is cleared between views, which would take time in proportion to
-// the complex: an entry is valid if it has the number of the view.
+// The openings and cells that a view has reached. An entry is valid if it holds the number of the current view; therefore
+// nothing is cleared between views, which would take time proportional to the complex.
 struct Reached {
   struct Opening {
     std::uint32_t view = 0;
-    std::uint32_t first_plane = 0;  // 0 if its planes of sight are not worked out yet
-    std::int16_t eye_side = 0;      // of its plane
-    std::uint16_t excluding_side = 0;  // the side (modulo 2^16) beyond which the last mask lay that did not overlap the opening
+    std::uint32_t first_plane = 0;  // 0: its planes of sight are not computed yet
+    std::int16_t eye_side = 0;      // side of the opening's plane that the eye is on
+    std::uint16_t excluding_side = 0;  // the side (modulo 2^16) beyond which the last mask lay that missed the opening
   };
 
   explicit Reached(const scene::CellComplex& complex)
@@ -58,7 +58,7 @@ struct Reached {
   std::vector<std::uint32_t> cells;
 };
 
-template <class Arithmetic, class Listener = Unwatched>
+template <class Arithmetic, class Listener = NoListener>
 class Search {
  public:
   explicit Search(Listener listener = {}) : listener_(listener) {}
@@ -70,7 +70,7 @@ class Search {
   using Number = typename Arithmetic::Number;
   using Side = MaskSide<Arithmetic>;
 
-  // A cell that waits; without sides it is seen whole.
+  // A pending cell. Without sides, all of it is seen.
   struct Waiting {
     scene::CellNumber cell = 0;
     std::uint32_t depth = 0;
@@ -78,7 +78,7 @@ class Search {
     std::size_t side_count = 0;
   };
 
-  // One view: the search with what it looks at.
+  // The state of one view.
   struct Pass {
     const PreparedComplex& prepared;
     Reached& reached;
@@ -94,13 +94,13 @@ class Search {
     void visit(const Waiting& waiting);
     void take_mask(const Waiting& waiting);
     [[nodiscard]] bool may_see(const geometry::Box& box) const;
-    void see_all();
+    void set_whole_view();
     template <class Part>
     void draw_line(std::uint32_t edge, const Part& part);
     void draw_rest(std::uint32_t edge, Stretch<Number> left);
     [[nodiscard]] bool hidden(const geometry::Vector3& from, const geometry::Vector3& to);
-    void look_out(const Waiting& waiting, std::uint32_t opening);
-    void look_through(std::uint32_t number, bool from_negative_side, std::uint32_t depth);
+    void test_opening(const Waiting& waiting, std::uint32_t opening);
+    void queue_cell_beyond(std::uint32_t number, bool from_negative_side, std::uint32_t depth);
     [[nodiscard]] bool faces_eye(std::uint32_t number, bool from_negative_side);
     void make_planes(const scene::ComplexOpening& opening, Reached::Opening& state);
     [[nodiscard]] std::span<const Side> first_mask(std::uint32_t first_plane, std::uint32_t count);
@@ -109,19 +109,19 @@ class Search {
                                                          std::uint32_t count);
   };
 
-  std::vector<SightPlane<Number>> planes_;  // [0]: before the eye, in perspective
+  std::vector<SightPlane<Number>> planes_;  // [0]: the plane of the eye, in perspective
   std::vector<Waiting> waiting_;
   std::vector<Side> waiting_sides_;
-  std::vector<Side> mask_;                       // of the cell visited
-  std::vector<SightPlane<Number>> mask_planes_;  // its sides', or what is before the eye
-  std::vector<std::size_t> cutting_sides_;       // of the mask, for the line at hand, with room for all
-  std::size_t cutting_ = 0;                      // how many of them count
+  std::vector<Side> mask_;                       // of the current cell
+  std::vector<SightPlane<Number>> mask_planes_;  // of the mask's sides; without sides, the plane of the eye
+  std::vector<std::size_t> cutting_sides_;       // sides of the mask that cut the current line, sized for all sides
+  std::size_t cutting_ = 0;                      // number of valid entries of cutting_sides_
   std::vector<Side> cut_;
   std::vector<Side> cut_again_;
   std::vector<std::int8_t> signs_;
-  std::vector<std::uint8_t> cutting_planes_;  // of an opening's sides: 1 if it cuts something off the mask
-  std::size_t hiding_side_ = 0;              // of a mask: beyond which the last hidden line lay
-  std::vector<std::uint32_t> met_openings_;  // of a crowded cell
+  std::vector<std::uint8_t> cutting_planes_;  // 1 for the sides of an opening that cut something off the mask
+  std::size_t hiding_side_ = 0;              // the side of the mask beyond which the last hidden line lay
+  std::vector<std::uint32_t> openings_met_;  // of a crowded cell, those the mask may meet
   Fragments<Number> fragments_;
   [[no_unique_address]] Listener listener_;
 };
@@ -137,11 +137,11 @@ base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prep
   Pass pass{prepared, reached, Sight(camera), *this, {}};
   planes_.push_back(pass.sight.template before_eye<Number>());
   if (start.outside) {
-    pass.see_all();
+    pass.set_whole_view();
     pass.draw_outer_faces();
     for (const std::uint32_t number : prepared.entrances()) {
       const bool from_negative_side = prepared.complex().openings[number].cells[0] == scene::outside;
-      if (pass.faces_eye(number, from_negative_side)) pass.look_through(number, from_negative_side, 0);
+      if (pass.faces_eye(number, from_negative_side)) pass.queue_cell_beyond(number, from_negative_side, 0);
     }
   }
   for (const scene::CellNumber cell : start.cells) waiting_.push_back({cell, 1, waiting_sides_.size(), 0});
@@ -152,7 +152,7 @@ base::Result<View> Search<Arithmetic, Listener>::run(const PreparedComplex& prep
   return View{std::move(*picture), pass.counts};
 }
 
-// False if a sight line passes more cells than there are.
+// Returns false if a sight line passes more cells than the complex has.
 template <class Arithmetic, class Listener>
 bool Search<Arithmetic, Listener>::Pass::walk() {
   while (!search.waiting_.empty() && !search.listener_.enough()) {
@@ -178,7 +178,7 @@ void Search<Arithmetic, Listener>::Pass::visit(const Waiting& waiting) {
   const scene::ComplexCell& cell = complex.cells[waiting.cell];
   const auto lines = complex.lines_of(cell);
   const auto openings = complex.openings_of(cell);
-  const CrowdedCell* const crowded = prepared.crowded(waiting.cell);
+  const CrowdedCell* const crowded = prepared.find_crowded(waiting.cell);
   const auto draw = [&](std::size_t i) {
     draw_line(lines.edge(i), [&] {
       const scene::ComplexLine line = lines[i];
@@ -188,33 +188,32 @@ void Search<Arithmetic, Listener>::Pass::visit(const Waiting& waiting) {
   };
   if (crowded == nullptr) {
     for (std::size_t i = 0; i < lines.size(); ++i) draw(i);
-    for (std::size_t i = openings.size(); i-- > 0;) look_out(waiting, openings[i]);
+    for (std::size_t i = openings.size(); i-- > 0;) test_opening(waiting, openings[i]);
     return;
   }
   const auto meets = [this](const geometry::Box& box) { return may_see(box); };
   crowded->lines.for_each_that(meets, draw);
-  search.met_openings_.clear();
-  crowded->openings.for_each_that(meets, [&](std::uint32_t i) { search.met_openings_.push_back(i); });
-  std::sort(search.met_openings_.begin(), search.met_openings_.end(), std::greater<>());
-  for (const std::uint32_t i : search.met_openings_) look_out(waiting, openings[i]);
+  search.openings_met_.clear();
+  crowded->openings.for_each_that(meets, [&](std::uint32_t i) { search.openings_met_.push_back(i); });
+  std::sort(search.openings_met_.begin(), search.openings_met_.end(), std::greater<>());
+  for (const std::uint32_t i : search.openings_met_) test_opening(waiting, openings[i]);
 }
 
 template <class Arithmetic, class Listener>
-void Search<Arithmetic, Listener>::Pass::look_out(const Waiting& waiting, std::uint32_t opening) {
+void Search<Arithmetic, Listener>::Pass::test_opening(const Waiting& waiting, std::uint32_t opening) {
   const auto& cells = prepared.complex().openings[opening].cells;
   const bool from_negative_side = cells[0] == waiting.cell;
   if (cells[from_negative_side ? 1 : 0] == scene::outside) return;
   if (faces_eye(opening, from_negative_side)) {
-    look_through(opening, from_negative_side, waiting.depth);
+    queue_cell_beyond(opening, from_negative_side, waiting.depth);
   } else {
     search.listener_.portal(opening, cells[from_negative_side ? 1 : 0], PortalTest::faces_away);
   }
 }
 
-// Lets the cell beyond an opening that faces the eye wait if anything of it is seen through the opening and
-// the mask at hand.
+// Pushes the cell beyond an opening that faces the eye, if any of it is seen through the opening and the current mask.
 template <class Arithmetic, class Listener>
-void Search<Arithmetic, Listener>::Pass::look_through(std::uint32_t number, bool from_negative_side,
+void Search<Arithmetic, Listener>::Pass::queue_cell_beyond(std::uint32_t number, bool from_negative_side,
                                             std::uint32_t depth) {
   const scene::ComplexOpening& opening = prepared.complex().openings[number];
   ++counts.openings_tested;
@@ -240,7 +239,7 @@ void Search<Arithmetic, Listener>::Pass::look_through(std::uint32_t number, bool
   search.listener_.waits(number, beyond, left, search.planes_);
 }
 
-// The eye is off the opening's plane, on its negative side or on the other.
+// The eye is off the opening's plane, on its negative side if so requested, else on its positive side.
 template <class Arithmetic, class Listener>
 inline bool Search<Arithmetic, Listener>::Pass::faces_eye(std::uint32_t number, bool from_negative_side) {
   Reached::Opening& state = reached.openings[number];
@@ -251,7 +250,7 @@ inline bool Search<Arithmetic, Listener>::Pass::faces_eye(std::uint32_t number, 
   return state.eye_side == (from_negative_side ? -1 : 1);
 }
 
-// In the order in which they go round as a mask does.
+// Computes the planes in the order of the sides of a mask.
 template <class Arithmetic, class Listener>
 void Search<Arithmetic, Listener>::Pass::make_planes(const scene::ComplexOpening& opening, Reached::Opening& state) {
   const std::size_t first = search.planes_.size();
@@ -267,7 +266,7 @@ void Search<Arithmetic, Listener>::Pass::make_planes(const scene::ComplexOpening
   }
 }
 
-// The whole opening; a side in one line with the next adds nothing.
+// A mask of the whole opening. A side collinear with the next one is left out.
 template <class Arithmetic, class Listener>
 auto Search<Arithmetic, Listener>::Pass::first_mask(std::uint32_t first_plane, std::uint32_t count)
     -> std::span<const Side> {
@@ -289,7 +288,7 @@ auto Search<Arithmetic, Listener>::Pass::first_mask(std::uint32_t first_plane, s
   return {};
 }
 
-// Empty if nothing is left. The result is the given mask or lies in one of the two buffers.
+// Returns an empty mask if nothing is left. The result is the given mask or one of the two buffers.
 template <class Arithmetic, class Listener>
 auto Search<Arithmetic, Listener>::Pass::clipped(std::span<const Side> mask, std::uint32_t plane)
     -> std::span<const Side> {
@@ -298,8 +297,8 @@ auto Search<Arithmetic, Listener>::Pass::clipped(std::span<const Side> mask, std
   return clip_mask<Arithmetic>(mask, plane, image(plane), image_of, search.signs_, left);
 }
 
-// Most openings are beside the mask, so all sides are asked first whether they leave anything of it, beginning with the
-// one that did not the last time; and a side that cuts nothing off the mask cuts nothing off what the others leave.
+// Most openings miss the mask, so first every side is tested for leaving nothing, starting with the one that excluded the
+// last mask. A side that cuts nothing off the mask cuts nothing off what the other sides leave, either.
 template <class Arithmetic, class Listener>
 auto Search<Arithmetic, Listener>::Pass::clipped_by_sides(std::span<const Side> mask, Reached::Opening& opening,
                                                           std::uint32_t count) -> std::span<const Side> {
@@ -329,7 +328,7 @@ auto Search<Arithmetic, Listener>::Pass::clipped_by_sides(std::span<const Side> 
 extern template class Search<NarrowArithmetic>;
 extern template class Search<MediumArithmetic>;
 extern template class Search<WideArithmetic>;
-extern template class Search<WideArithmetic, Watched>;
+extern template class Search<WideArithmetic, TraceListener>;
 
 }  // namespace sightline::algorithms::jones
 

@@ -1,7 +1,7 @@
-// The drawing part of the search: clips lines to the current mask. Included by search.hpp alone.
+// The drawing part of the search: clips lines to the current mask. Only search.hpp includes it.
 //
-// The planes of the mask's sides are copied to one array when a cell is entered, since each of its lines
-// is tested with all of them. Most lines are hidden: that is tested first.
+// When a cell is entered, the planes of the mask's sides are copied to one array, because each line is tested with all of
+// them. Most lines are hidden, so that is tested first.
 #pragma once
 
 #include "host/algorithms/jones/search.hpp"
@@ -10,7 +10,7 @@ namespace sightline::algorithms::jones {
 
 template <class Arithmetic, class Listener>
 void Search<Arithmetic, Listener>::Pass::take_mask(const Waiting& waiting) {
-  see_all();
+  set_whole_view();
   if (waiting.side_count == 0) return;
   const auto first = search.waiting_sides_.begin() + static_cast<std::ptrdiff_t>(waiting.first_side);
   search.mask_.assign(first, first + static_cast<std::ptrdiff_t>(waiting.side_count));
@@ -20,16 +20,16 @@ void Search<Arithmetic, Listener>::Pass::take_mask(const Waiting& waiting) {
   if (search.cutting_sides_.size() < waiting.side_count) search.cutting_sides_.resize(waiting.side_count);
 }
 
-// The mask at hand is all before the eye.
+// The current mask is everything in front of the eye.
 template <class Arithmetic, class Listener>
-void Search<Arithmetic, Listener>::Pass::see_all() {
+void Search<Arithmetic, Listener>::Pass::set_whole_view() {
   search.mask_.clear();
   search.mask_planes_.clear();
   if (search.cutting_sides_.empty()) search.cutting_sides_.resize(1);
   if (sight.perspective()) search.mask_planes_.push_back(search.planes_[0]);
 }
 
-// part() gives the line as a stretch of its edge; most lines are hidden without looking at it.
+// part() returns the line as a stretch of its edge. It is called only if the line is not hidden, and most are.
 template <class Arithmetic, class Listener>
 template <class Part>
 inline void Search<Arithmetic, Listener>::Pass::draw_line(std::uint32_t number, const Part& part) {
@@ -45,7 +45,7 @@ inline void Search<Arithmetic, Listener>::Pass::draw_line(std::uint32_t number, 
   }
 }
 
-// Of a stretch of an edge, what the cutting sides leave.
+// Draws what the cutting sides leave of a stretch.
 template <class Arithmetic, class Listener>
 void Search<Arithmetic, Listener>::Pass::draw_rest(std::uint32_t number, Stretch<Number> left) {
   const scene::CellComplex& complex = prepared.complex();
@@ -64,15 +64,15 @@ void Search<Arithmetic, Listener>::Pass::draw_rest(std::uint32_t number, Stretch
   search.fragments_.add(number, left);
 }
 
-// One side of the mask hides the edge; else the first cutting_ of cutting_sides_ are those that hide part of
-// it.
+// Returns true if one side of the mask hides the edge. Otherwise the first cutting_ entries of cutting_sides_ are the
+// sides that hide part of it.
 template <class Arithmetic, class Listener>
 inline bool Search<Arithmetic, Listener>::Pass::hidden(const geometry::Vector3& from, const geometry::Vector3& to) {
   const SightPlane<Number>* const planes = search.mask_planes_.data();
   const std::size_t count = search.mask_planes_.size();
   std::size_t* const sides = search.cutting_sides_.data();
   std::size_t cutting = 0;
-  // What hid the last line is likely to hide this one.
+  // The side that hid the last line is likely to hide this one.
   std::size_t side = search.hiding_side_ < count ? search.hiding_side_ : 0;
   for (std::size_t left = count; left > 0; --left) {
     const Number a = planes[side].at(from);
@@ -89,7 +89,7 @@ inline bool Search<Arithmetic, Listener>::Pass::hidden(const geometry::Vector3& 
   return false;
 }
 
-// False if the box lies beyond one side of the mask at hand.
+// Returns false if the box lies beyond one side of the current mask.
 template <class Arithmetic, class Listener>
 bool Search<Arithmetic, Listener>::Pass::may_see(const geometry::Box& box) const {
   const auto beyond = [&](const SightPlane<Number>& plane) {
@@ -100,7 +100,7 @@ bool Search<Arithmetic, Listener>::Pass::may_see(const geometry::Box& box) const
   return std::none_of(search.mask_planes_.begin(), search.mask_planes_.end(), beyond);
 }
 
-// From outside, what lies in a face of the outer box that is not turned away is seen without an opening.
+// From outside, edges in a face of the outer box that is turned to the eye are visible without passing an opening.
 template <class Arithmetic, class Listener>
 void Search<Arithmetic, Listener>::Pass::draw_outer_faces() {
   for (const OuterFace& face : prepared.outer_faces()) {

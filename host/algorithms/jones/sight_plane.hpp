@@ -1,13 +1,13 @@
 // The plane of sight through one side of an opening, as a camera sees it.
 //
-// The side is where the planes P (of the opening) and Q (of the side) cross. With p and q their values at the
-// eye, P(x) q - Q(x) p vanishes at the eye and on the side, and within the opening's plane it is -Q(x) p: so
-// neither is the side worked out nor anything divided. In an orthographic view the eye is infinitely far
-// against forward: its values become p = -P.normal . forward and so on.
+// The side is the line where the planes P (of the opening) and Q (of the side) cross. With p and q their values at the
+// eye, P(x) q - Q(x) p vanishes at the eye and on the side, and equals -Q(x) p within the opening's plane. So the side is
+// never computed and nothing is divided. In an orthographic view the eye is infinitely far away, opposite to forward: its
+// values become p = -P.normal . forward and so on.
 //
-// Image: in perspective a plane is the line of its normal among the directions of sight. Orthographic: points
-// are moved along forward until one coordinate vanishes, one of which forward has a component, the largest;
-// the other two, in the order that keeps left and right, are the coordinates in the image.
+// Image: in perspective a plane is the line of its normal among the directions of sight. In orthographic views points are
+// projected along forward onto the coordinate plane of the axis in which forward is largest; the other two coordinates,
+// in the order that keeps left and right, are those of the image.
 #pragma once
 
 #include <array>
@@ -48,14 +48,14 @@ class Sight {
   [[nodiscard]] std::int64_t eye_value(const geometry::Plane& plane) const {
     return perspective_ ? plane.at(eye_) : -geometry::dot(plane.normal, forward_);
   }
-  // The image of the edge between two points, counted from the eye, is a point.
+  // Whether the edge between two points, given relative to the eye, is seen as a point.
   [[nodiscard]] bool seen_end_on(const geometry::Vector3& a, const geometry::Vector3& b) const {
     if (perspective_) return geometry::is_zero(geometry::cross(a, b));
     return geometry::is_zero(geometry::cross(forward_, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}));
   }
 
-  // Through the side of an opening in `plane`, whose other plane is `side`; not negative where the half-space
-  // of the side is. eye = eye_value(plane), not 0.
+  // The plane of sight through the side of an opening in `plane`; `side` is the other plane through that side. It is not
+  // negative where the side's half-space is. Precondition: eye = eye_value(plane) is not 0.
   template <class Number>
   [[nodiscard]] SightPlane<Number> through(const geometry::Plane& plane, std::int64_t eye,
                                            const geometry::Plane& side, bool turned) const {
@@ -68,7 +68,7 @@ class Sight {
         perspective_ ? at_eye<Number>(sight.normal) : Number{plane.offset} * q - Number{side.offset} * p;
     return sight;
   }
-  // What is not behind the eye, in perspective.
+  // The half-space that is not behind the eye, in perspective.
   template <class Number>
   [[nodiscard]] SightPlane<Number> before_eye() const {
     SightPlane<Number> sight{{forward_[0], forward_[1], forward_[2]}, {}};

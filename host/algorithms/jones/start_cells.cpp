@@ -12,7 +12,8 @@ namespace {
 
 using scene::CellNumber;
 
-// Pieces of free space around the eye, by the place of their first cell in `cells`.
+// The connected pieces of free space around the eye, each cell labelled with the position of its piece's first cell in
+// `cells`.
 std::vector<std::size_t> pieces_of(const PreparedComplex& prepared, const std::vector<CellNumber>& cells,
                                    const geometry::Point3& eye) {
   const scene::CellComplex& complex = prepared.complex();
@@ -42,8 +43,9 @@ std::vector<std::size_t> pieces_of(const PreparedComplex& prepared, const std::v
   return piece;
 }
 
-// A step from the eye along forward, then much less to the right, then much less again up, is in the cell.
-bool looks_into(const PreparedComplex& prepared, CellNumber number, const scene::PolyCamera& camera) {
+// Whether the cell contains a step from the eye along forward, plus a far smaller step to the right and a far smaller one
+// up.
+bool contains_point_ahead(const PreparedComplex& prepared, CellNumber number, const scene::PolyCamera& camera) {
   const scene::CellComplex& complex = prepared.complex();
   for (const scene::HalfSpace& half : complex.bounds_of(complex.cells[number])) {
     const geometry::Plane& plane = prepared.planes()[half.plane];
@@ -63,7 +65,7 @@ std::vector<CellNumber> cells_around_eye(const PreparedComplex& prepared, const 
   const std::vector<std::size_t> piece = pieces_of(prepared, cells, camera.eye);
   std::size_t chosen = 0;
   for (std::size_t i = cells.size(); i-- > 0;) {
-    if (looks_into(prepared, cells[i], camera)) chosen = piece[i];
+    if (contains_point_ahead(prepared, cells[i], camera)) chosen = piece[i];
   }
   std::vector<CellNumber> start;
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -1,12 +1,12 @@
-// The start cells of a view: the cells that the eye is in, or outside.
+// Finds the start cells of a view: the cells that contain the eye, or the outside.
 //
-// Around the eye, free space is one piece or several: cells whose closure has the eye are of one piece if an
-// opening that has the eye joins them. In the inside of a cell, in an opening, on its rim, on the surface of
-// a solid, at the free edge of a wall, there is one piece, and all its cells are start cells. On a wall there
-// are two, at the corner of walls more: then the eye is in the piece it looks into (along forward; along a
-// plane, to the right; along a line, up), or, looking into matter, in that of the lowest-numbered cell.
+// Around the eye, free space is one piece or several: two cells whose closures contain the eye belong to one piece if an
+// opening that contains the eye joins them. Inside a cell, in an opening or on its boundary, on the surface of a solid,
+// and at the free edge of a wall there is one piece, and all its cells are start cells. On a wall there are two pieces,
+// at a corner of walls more. Then the piece that the eye looks into counts (along forward; along a plane, to the right of
+// it; along a line, above it); if the eye looks into matter, the piece of the lowest-numbered cell.
 //
-// An orthographic view begins outside, the eye infinitely far. So does one from beyond or on the outer box.
+// An orthographic view starts outside, the eye being infinitely far away. So does a view from beyond or on the outer box.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct Start {
   std::vector<scene::CellNumber> cells;  // ascending
 };
 
-// Empty if the eye is inside the outer box, but in no cell.
+// nullopt if the eye is inside the outer box, but in no cell.
 [[nodiscard]] std::optional<Start> find_start(const PreparedComplex& prepared,
                                               const scene::PolyCamera& camera);
 

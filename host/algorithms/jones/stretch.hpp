@@ -1,4 +1,4 @@
-// Stretches of edges: an interval of s with fractional ends, cut down plane by plane.
+// Stretches of edges: an interval of s with fractional ends, clipped plane by plane.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace sightline::algorithms::jones {
 
-// In [0, 1], not in lowest terms. Parts below 2^63 for 64 bits, 2^127 for 128: a value of a plane at a
-// vertex, below 2^62 or 2^126 (visible_edges.cpp), or the difference of two.
+// A parameter in [0, 1], not reduced. Its parts are below 2^63 for 64-bit numbers and 2^127 for 128-bit ones: each is a
+// value of a plane at a vertex, below 2^62 or 2^126 (visible_edges.cpp), or the difference of two.
 template <class Number>
 struct Fraction {
   Number numerator = 0;
@@ -25,9 +25,9 @@ struct Fraction {
   return Part(a.numerator) * Part(b.denominator) < Part(b.numerator) * Part(a.denominator);
 }
 
-// A quantity goes linearly from a to b: nowhere positive, and somewhere negative (hides); somewhere negative
-// (cuts). Bit by bit, without a branch: of lines in masks the signs are not to be foreseen, and guessing them
-// wrong costs more than the arithmetic. |a|, |b| below the greatest number.
+// A quantity changes linearly from a to b. hides(): it is nowhere positive and somewhere negative. cuts(): it is
+// somewhere negative. Both avoid branches, because the signs are unpredictable and a misprediction costs more than the
+// arithmetic. Precondition: |a| and |b| are below the greatest number.
 template <class Number>
 [[nodiscard]] bool hides(const Number& a, const Number& b) {
   return ((a - 1) & (b - 1) & (a | b)) < 0;
@@ -42,8 +42,8 @@ struct Stretch {
   Fraction<Number> low;
   Fraction<Number> high;
 
-  // Keeps where a quantity that goes linearly from a (s = 0) to b (s = 1) is not negative. False if nothing
-  // is left for certain; what is left may also be empty or a point, low not less than high.
+  // Keeps the part where a quantity that changes linearly from a (s = 0) to b (s = 1) is not negative. Returns false if
+  // certainly nothing is left; otherwise the rest may still be empty or a point (low not less than high).
   bool keep_not_negative(const Number& a, const Number& b) {
     if (a < 0) {
       if (b <= 0) return false;

@@ -1,4 +1,5 @@
-// What a search tells of its work to somebody who watches. A search that nobody watches is compiled apart and pays nothing.
+// The events that a search reports to a listener. A search without a listener is compiled separately and has no cost for
+// it.
 #pragma once
 
 #include <array>
@@ -13,31 +14,31 @@
 namespace sightline::algorithms::jones {
 
 enum class PortalTest : std::uint8_t {
-  faces_away,    // the eye is not on the cell's side of it
-  nothing_left,  // the mask leaves nothing of it
-  waits,         // the cell beyond is seen through what is left
+  faces_away,    // the eye is not on the cell's side of the portal
+  nothing_left,  // nothing of the portal is inside the mask
+  waits,         // the cell beyond is pending, seen through what is left of the portal
 };
 
 class Trace {
  public:
-  // A plane of sight as four doubles: what is seen has x, y, z with a x + b y + c z >= d.
+  // A plane of sight (a, b, c, d): seen points have a x + b y + c z >= d.
   using Plane = std::array<double, 4>;
 
   virtual ~Trace() = default;
-  // True ends the search before the next cell; the picture is then not complete.
+  // If true, the search ends before the next cell, and the picture is incomplete.
   [[nodiscard]] virtual bool enough() const { return false; }
   virtual void start(std::span<const scene::CellNumber> cells, bool outside) = 0;
-  // The search is in a cell, which it sees within these planes.
+  // The search enters a cell, which it sees within these planes.
   virtual void entered(scene::CellNumber cell, std::uint32_t depth, std::span<const Plane> mask) = 0;
-  // A line of the cell, on the edge from one vertex to the other: what the mask leaves of the edge, from low to high; nothing of
-  // one that is hidden.
+  // A line of the cell on the edge between two vertices: the mask leaves [low, high] of the edge, or nothing if not
+  // `seen`.
   virtual void line(scene::VertexIndex from, scene::VertexIndex to, bool seen, double low, double high) = 0;
-  // A portal of the cell. With `waits` the planes of the mask that is left.
+  // A portal of the cell. With PortalTest::waits, `mask` holds the planes of the mask that is left.
   virtual void portal(std::uint32_t number, scene::CellNumber beyond, PortalTest result, std::span<const Plane> mask) = 0;
 };
 
-// The listener of a search that nobody watches.
-struct Unwatched {
+// The listener that does nothing.
+struct NoListener {
   static constexpr bool enough() { return false; }
   template <class Planes>
   void entered(scene::CellNumber, std::uint32_t, const Planes&) {}
@@ -49,10 +50,10 @@ struct Unwatched {
   void seen(scene::VertexIndex, scene::VertexIndex, const Part&) {}
 };
 
-// Passes everything on to a Trace.
-class Watched {
+// Forwards everything to a Trace.
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(&trace) {}
+  explicit TraceListener(Trace& trace) : trace_(&trace) {}
 
   [[nodiscard]] bool enough() const { return trace_->enough(); }
 

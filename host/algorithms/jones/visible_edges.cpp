@@ -15,7 +15,7 @@ namespace {
 
 enum class Width : std::uint8_t { narrow, medium, wide };
 
-// Of the numbers a view of the complex can meet (arithmetic.hpp); empty if no width holds them.
+// The width of the numbers that a view of the complex needs (arithmetic.hpp); nullopt if no width suffices.
 std::optional<Width> width_for(const PreparedComplex& prepared, const scene::PolyCamera& camera) {
   double forward = 0;
   double greatest_forward = 0;
@@ -84,8 +84,8 @@ base::Result<View> visible_edges(const scene::CellComplex& complex, const scene:
   if (!start) return base::bad_input(eye_in_solid);
   trace.start(start->cells, start->outside);
   Reached reached(complex);
-  // The widest numbers do for every view, and give the same.
-  Search<WideArithmetic, Watched> search{Watched(trace)};
+  // The widest numbers suffice for every view and give the same result.
+  Search<WideArithmetic, TraceListener> search{TraceListener(trace)};
   return search.run(prepared, reached, camera, *start);
 }
 

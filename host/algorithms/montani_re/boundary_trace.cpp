@@ -9,7 +9,7 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-// Pieces by the point they leave, and there by heading.
+// Pieces sorted by start point, then by heading.
 class Departures {
  public:
   explicit Departures(std::span<const BoundaryPiece> pieces)
@@ -23,7 +23,7 @@ class Departures {
   [[nodiscard]] bool walked(std::uint32_t piece) const { return walked_[piece] != 0; }
   void walk(std::uint32_t piece) { walked_[piece] = 1; }
 
-  // The first piece met clockwise from the way back that is not walked yet.
+  // The first unused piece clockwise from the way back.
   [[nodiscard]] std::uint32_t sharpest_left(const BoundaryPiece& arrived) const {
     const auto [low, high] = leaving(arrived.to);
     auto it = std::lower_bound(low, high, arrived.back, [this](std::uint32_t piece, std::int64_t heading) {
@@ -61,8 +61,8 @@ std::vector<std::vector<std::uint32_t>> trace_boundary(std::span<const BoundaryP
   Departures departures(pieces);
   for (std::uint32_t start = 0; start < pieces.size(); ++start) {
     if (departures.walked(start)) continue;
-    // A loop is closed where the turn leads onto its first piece again: to pass through its first point is
-    // not enough, that may be a point where it touches itself.
+    // A loop is closed when the next piece would be its first one. Reaching its first point is not enough: the loop may
+    // touch itself there.
     std::vector<std::uint32_t> loop{start};
     for (;;) {
       const std::uint32_t next = departures.sharpest_left(pieces[loop.back()]);

@@ -9,7 +9,7 @@ namespace {
 
 using geometry::WideInteger;
 
-// Where in the image the first of two planes is nearer: the sign of a X + b Y + c, exactly.
+// The region of the image where the first of two planes is nearer: the sign of a X + b Y + c, exactly.
 class NearnessDifference {
  public:
   NearnessDifference(const Image& image, const Face& first, const Face& second) : image_(image) {
@@ -40,7 +40,7 @@ class NearnessDifference {
     const double size = (std::abs(l[0] * approximate_[1]) + std::abs(approximate_[0] * l[1])) *
                             (std::abs(y.low) + std::abs(y.high)) +
                         std::abs(l[0] * approximate_[2]) + std::abs(approximate_[0] * l[2]);
-    // An ordinate is known to 2^-30 of itself or better, usually to 2^-48.
+    // The relative error of an ordinate is at most 2^-30, usually 2^-48.
     const double error =
         size * (0x1p-48 + (y.high - y.low) / std::max(std::abs(y.low) + std::abs(y.high), 0x1p-900));
     if (std::abs(value) > error) return value > 0 ? 1 : -1;
@@ -52,7 +52,7 @@ class NearnessDifference {
         .sign();
   }
 
-  // 1: nowhere nearer is the second, -1: nowhere the first, 0: coplanar, 2: it differs.
+  // 1: the second is nowhere nearer; -1: the first is nowhere nearer; 0: coplanar; 2: neither.
   [[nodiscard]] int sign_on(const TrapezoidPcs& pcs) const {
     bool positive = false;
     bool negative = false;
@@ -94,7 +94,7 @@ class PairTests {
  public:
   explicit PairTests(const FaceSet& set) : set_(set) {}
 
-  // Tests 4 to 6 of a pair whose X, Y and Z overlap.
+  // Tests 4 to 6 of a pair whose X, Y and Z extents overlap.
   void decide(std::uint32_t i, std::uint32_t j) {
     const Face& f = set_.faces[i];
     const Face& g = set_.faces[j];
@@ -124,8 +124,8 @@ class PairTests {
   const FaceSet& set_;
 };
 
-// Tests 1 to 3 in floating point and integers, of all faces side by side: they decide nearly all pairs. Where they find
-// numbers equal the exact ones are looked up. By lowest X.
+// The extents of all faces in separate arrays, by lowest X, for tests 1 to 3. Floating point decides nearly all pairs;
+// only equal numbers are compared exactly.
 struct Extents {
   explicit Extents(const FaceSet& set) {
     const std::size_t count = set.faces.size();
@@ -192,14 +192,14 @@ Overlap overlap_of(const FaceSet& set, std::uint32_t first, std::uint32_t second
 DepthRelations depth_relations(const FaceSet& set) {
   const Extents extents(set);
   const std::size_t count = extents.face.size();
-  // The first ends on an axis before the second begins, or where it does; in floating point they are equal there.
+  // The first ends on an axis where the second begins, or before. Equal numbers are equal in floating point, too.
   const auto ends_before = [&](std::size_t first, std::size_t second, std::size_t axis) {
     return compare(set.faces[extents.face[first]].high[axis], set.faces[extents.face[second]].low[axis]) <= 0;
   };
   PairTests tests(set);
   std::vector<std::uint32_t> near_in_y(count + 1);
   for (std::size_t i = 0; i < count; ++i) {
-    // Most pairs are apart in Y, which is no branch here.
+    // Most pairs are disjoint in Y; this is computed without a branch.
     const double high_x = extents.high_x[i];
     const double low_y = extents.low_y[i];
     const double high_y = extents.high_y[i];
@@ -212,7 +212,7 @@ DepthRelations depth_relations(const FaceSet& set) {
     };
     for (; j < count && extents.low_x[j] < high_x; ++j) keep_if_near();
     for (; j < count && extents.low_x[j] == high_x && !ends_before(i, j, 0); ++j) keep_if_near();
-    if (j < count) tests.decided(1);  // and so for all that follow
+    if (j < count) tests.decided(1);  // and with it all that follow
     std::uint64_t together = 0;
     for (std::size_t k = 0; k < found; ++k) {
       const std::size_t other = near_in_y[k];

@@ -7,11 +7,10 @@ using geometry::Int128;
 using geometry::Rational;
 using geometry::WideInteger;
 
-// As zero_between, of numbers longer than the fraction, which is one of where an edge meets a line of the
-// image. There p and p - q are, but for a common factor, determinants of three vectors of the scene (the
-// edge's end and two points of the other edge, from the eye; or the direction of sight and two differences of
-// points), or what separates an end from the border of a window: in lowest terms below 6 * 2^(3 * 19), less
-// than 2^60.
+// Like zero_between, for numbers wider than the resulting fraction, which says where an edge meets a line of the image.
+// There p and p - q are, except for a common factor, determinants of three vectors of the scene (the edge's end and two
+// points of the other edge, relative to the eye; or the direction of sight and two differences of points), or the
+// distance of an end from the border of a window: in lowest terms below 6 * 2^(3 * 19), which is less than 2^60.
 template <unsigned bits>
 Rational wide_zero_between(const WideInteger<bits>& p, const WideInteger<bits>& q) {
   const auto denominator = p - q;
@@ -33,10 +32,10 @@ Rational parameter_at_line(const Image& image, std::uint32_t edge, std::uint32_t
   return part_p * divisor == p && part_q * divisor == q ? zero_between(part_p, part_q) : zero_between(p, q);
 }
 
-// What is left of an edge after conditions that are linear along it.
+// The part of an edge that meets several linear conditions.
 class Part {
  public:
-  // A quantity must not be negative that is p at the start of the edge and q at its end.
+  // Keeps the part where a quantity is not negative that is p at the start of the edge and q at its end.
   void keep(Int128 p, Int128 q) {
     if (p >= 0 && q >= 0) return;
     if (p < 0 && q < 0) {

@@ -36,7 +36,7 @@ std::array<Int128, 3> normal_of(const Image& image, const Rings& rings) {
   return normal;
 }
 
-// Some corner of another face, or all of them, on the side of a line where the line's own face is.
+// Whether any (all) corners of another face are on the same side of a line of a face as that face.
 bool holds_any(const Image& image, const Face& face, std::size_t k, const Face& other) {
   return std::any_of(other.vertices.begin(), other.vertices.end(), [&](std::uint32_t v) {
     return face.inner_side[k] * image.side_of(face.lines[k], v) > 0;
@@ -48,10 +48,10 @@ bool holds_all(const Image& image, const Face& face, std::size_t k, const Face& 
   });
 }
 
-// What the lines of a face tell of another one.
+// What the lines of a face show about another face.
 struct Seen {
-  bool beside = false;    // all of it is beyond a line of the face
-  bool may_cover = true;  // no corner of it is, for certain, outside
+  bool beside = false;    // all of the other face is beyond a line of the face
+  bool may_cover = true;  // no corner of the other face is certainly outside
 };
 
 Seen seen_from(const FaceSet& set, const Face& face, const Face& other) {
@@ -152,7 +152,7 @@ void FaceSetBuilder::measure(Face& face) const {
   }
 }
 
-// Positive: the sum of the line is positive or 0 for all corners.
+// A side is positive if the line's value is positive or 0 at all corners.
 void FaceSetBuilder::find_inner_sides(Face& face) const {
   for (const std::uint32_t line : face.lines) {
     bool east = false;
@@ -171,7 +171,7 @@ void FaceSetBuilder::find_inner_sides(Face& face) const {
   }
 }
 
-// All vertices are added by now, so that the errors hold for all of them.
+// Precondition: all vertices are added, so that the error bounds hold for all of them.
 void FaceSetBuilder::add_outline(Face& face) {
   const auto& sides = face.inner_side;
   if (std::all_of(sides.begin(), sides.end(), [](std::int8_t side) { return side == 0; })) return;
@@ -183,7 +183,7 @@ void FaceSetBuilder::add_outline(Face& face) {
     for (std::size_t k = 0; k < 4; ++k) {
       quad.set_corner(k, set_.image, face.vertices[std::min(4 * q + k, face.vertices.size() - 1)]);
       const std::size_t line = std::min(4 * q + k, face.lines.size() - 1);
-      // A line that has the face on both sides tells nothing: all corners are inside.
+      // A line with parts of the face on both sides excludes nothing: all corners count as inside.
       if (sides[line] == 0) {
         quad.c[k] = 1;
       } else {
@@ -193,7 +193,7 @@ void FaceSetBuilder::add_outline(Face& face) {
   }
 }
 
-// Without a window.
+// The region of a face if there is no window.
 TrapezoidPcs FaceSetBuilder::whole_pcs(const Face& face) const {
   const std::span<const std::uint32_t> lines(face.lines.data(), face.lines.size());
   if (!face.convex) return trapezoid_pcs(set_.image, lines);
@@ -204,7 +204,7 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
   std::array<Int128, 3> normal = normal_of(set_.image, rings);
   const Vertex& p = set_.image.vertices()[rings[0][0]];
   Int128 offset = normal[0] * p.x + normal[1] * p.y + normal[2] * p.z;
-  // The eye is at the origin in perspective, at z = -infinity else.
+  // The eye is at the origin in perspective, otherwise at z = -infinity.
   const Int128 turned = set_.image.perspective() ? offset : normal[2];
   if (turned == 0) {
     ++set_.edge_on;
@@ -232,7 +232,7 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
   }
   measure(face);
   if (set_.window) {
-    // Where the plane comes near the eye beside it, normal . direction is greatest.
+    // normal . direction is greatest where the plane comes near the eye beside it.
     const int far_side = (face.normal[0] > 0 ? 1 : 0) - (face.normal[0] < 0 ? 1 : 0);
     const std::span<const std::uint32_t> lines(face.lines.data(), face.lines.size());
     face.pcs = clipped_pcs(set_.image, lines, *set_.window, far_side);
@@ -250,7 +250,7 @@ bool FaceSetBuilder::add_face(const Rings& rings, std::uint32_t body, std::uint3
 
 void FaceSetBuilder::add_isolated_edge(std::uint32_t v, std::uint32_t w) {
   const std::uint32_t line = line_between(v, w);
-  if (line != none) set_.lone.push_back(line);
+  if (line != none) set_.isolated.push_back(line);
 }
 
 FaceSet FaceSetBuilder::take() {
@@ -263,7 +263,7 @@ base::Result<FaceSet> faces_of(const scene::PolyScene& scene, const scene::PolyC
   if (const auto past = face_past_eye(scene, camera)) {
     return base::Error{"", "montani-re",
                        "face " + std::to_string((*past)[1]) + " of body " + std::to_string((*past)[0]) +
-                           " reaches from before the eye to behind it: its image has no end"};
+                           " is partly in front of and partly behind the eye, so its image is infinite"};
   }
   return faces_seen(scene, camera);
 }

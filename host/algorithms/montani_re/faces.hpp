@@ -1,10 +1,9 @@
-// The faces of a view as input of list priority: their planes and extents in the camera's frame, their
+// The faces of a view as input of the list-priority algorithm: their planes and extents in the camera's frame, and their
 // regions in the image.
 //
-// Left out: faces seen edge-on (no area, so no part in any relation), faces of solids that look away, and
-// faces behind the eye. In perspective, a face that is neither wholly before nor wholly behind the eye has an
-// image that runs to infinity: then the space before the eye is taken in pyramids, each with a window of its
-// own (pyramids.hpp).
+// Left out are faces seen edge-on (they have no area, so they are in no relation), faces of solids that are turned away,
+// and faces behind the eye. In perspective, the image of a face that is partly in front of and partly behind the eye runs to
+// infinity; then the space in front of the eye is divided into pyramids, each with its own window (pyramids.hpp).
 #pragma once
 
 #include <array>
@@ -27,7 +26,7 @@
 
 namespace sightline::algorithms::montani_re {
 
-// numerator / denominator, the denominator positive; in floating point first, exactly where that is equal.
+// numerator / denominator, the denominator positive. Compared in floating point first, and exactly if that is equal.
 struct ImageNumber {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
@@ -40,14 +39,14 @@ struct Face {
   std::uint32_t index = 0;  // in its body
   base::ShortList<std::uint32_t, 6> vertices;
   base::ShortList<std::uint32_t, 6> lines;
-  // Of each line, the sign of a X + b Y + c on the whole image; 0 if it has both, or there is a window.
+  // By line: the sign of a X + b Y + c on the whole image of the face; 0 if both signs occur, or there is a window.
   base::ShortList<std::int8_t, 8> inner_side;
   std::uint32_t first_quad = 0;  // into FaceSet::outlines
-  std::uint32_t quads = 0;       // 0 if no line has the image on one side
-  bool convex = true;            // all lines have
-  // normal . p = offset, turned so that the near side is negative. A part of the normal is twice an area of
-  // the face, which lies in a square of 2^38: below 2^77. So an offset, or a vertex times the normal, is
-  // below 3 * 2^(77 + 37), less than 2^116.
+  std::uint32_t quads = 0;       // 0 if no line has the whole image on one side
+  bool convex = true;            // every line has the whole image on one side
+  // normal . p = offset, oriented so that the near side is negative. A component of the normal is twice an area of the
+  // face, which is within a square of 2^38: below 2^77. So the offset, and a vertex times the normal, is below 3 * 2^(77
+  // + 37), which is less than 2^116.
   static constexpr unsigned normal_bits = 77;
   static constexpr unsigned offset_bits = normal_bits + vertex_bits + 2;
   std::array<geometry::Int128, 3> normal{};
@@ -65,7 +64,7 @@ struct Face {
                                       approximate_plane[1] * static_cast<double>(p.y),
                                       approximate_plane[2] * static_cast<double>(p.z)};
     const double near_to = parts[0] + parts[1] + parts[2] - approximate_plane[3];
-    // Less than six roundings of at most 2^-53 of the terms; more than twice that, to be on the safe side.
+    // Fewer than six roundings of at most 2^-53 of the terms; the bound is more than twice that.
     const double error = 0x1p-49 * (std::abs(parts[0]) + std::abs(parts[1]) + std::abs(parts[2]) +
                                     std::abs(approximate_plane[3]));
     if (std::abs(near_to) > error) return near_to > 0 ? 1 : -1;
@@ -78,46 +77,46 @@ struct FaceSet {
   Image image{false};
   std::vector<Face> faces;
   std::vector<OutlineQuad> outlines;
-  std::vector<picture::LineEdge> edges;  // of each line of the image: vertices of the image
-  std::uint64_t edge_on = 0;             // faces left out
-  std::vector<std::uint32_t> lone;       // lines of edges compared with the faces one by one
-  std::optional<Window> window;          // what the regions are clipped to
+  std::vector<picture::LineEdge> edges;  // by line of the image: vertices of the image
+  std::uint64_t edge_on = 0;             // number of faces left out
+  std::vector<std::uint32_t> isolated;       // lines of isolated edges (isolated_edges.hpp)
+  std::optional<Window> window;          // the window to which the regions are clipped
 
   [[nodiscard]] std::span<const OutlineQuad> outline_of(const Face& face) const {
     return {outlines.data() + face.first_quad, face.quads};
   }
 };
 
-// What can be told of the images of two faces from the sides of lines that corners are on. Of convex faces,
-// without a window, all that are apart or covered are found.
+// What can be concluded about the images of two faces from the sides of lines on which their corners are. For convex
+// faces without a window, every pair that is disjoint or covered is recognized.
 enum class Placement {
   apart,    // no area in common
   covered,  // the second has all of the first
-  mixed     // not known, else
+  mixed     // neither, or not known
 };
 [[nodiscard]] Placement placement_of(const FaceSet& set, const Face& first, const Face& second);
 
-// Rings of vertices of the image, each ring a closed polygon in the plane of all.
+// Rings of vertices of the image. Each ring is a closed polygon; all are in one plane.
 using Rings = std::vector<std::vector<std::uint32_t>>;
 
 class FaceSetBuilder {
  public:
   explicit FaceSetBuilder(bool perspective, std::int64_t divisor = 1) { set_.image = Image(perspective, divisor); }
 
-  // Room for so many; more can be added.
+  // Reserves memory. More vertices and faces may be added.
   void reserve(std::size_t vertices, std::size_t faces);
   std::uint32_t add_vertex(const Vertex& v) { return set_.image.add_vertex(v); }
-  // From here on faces are clipped to a window, and may reach behind the eye. All vertices are added by then.
+  // Clips all faces added later to a window; these may reach behind the eye. Precondition: all vertices are added.
   void clip_to(const WindowBounds& bounds);
-  // False, and nothing added, if the face is seen edge-on or nothing of it is in the window. Without a window
-  // all vertices are before the eye (precondition).
+  // Returns false and adds nothing if the face is seen edge-on or is outside the window. Precondition: without a window
+  // all vertices are in front of the eye.
   bool add_face(const Rings& rings, std::uint32_t body, std::uint32_t index);
-  // Compared with the faces by itself (isolated_edges.hpp).
+  // Adds an edge that is compared with each face separately (isolated_edges.hpp).
   void add_isolated_edge(std::uint32_t v, std::uint32_t w);
   [[nodiscard]] FaceSet take();
 
  private:
-  // `none` if the image of the edge is a point, or it is not before the eye.
+  // Returns `none` if the image of the edge is a point or the edge is not in front of the eye.
   [[nodiscard]] std::uint32_t line_between(std::uint32_t v, std::uint32_t w);
   void measure(Face& face) const;
   void find_inner_sides(Face& face) const;
@@ -125,12 +124,12 @@ class FaceSetBuilder {
   [[nodiscard]] TrapezoidPcs whole_pcs(const Face& face) const;
 
   FaceSet set_;
-  std::vector<std::uint32_t> last_line_at_;  // by the lower vertex
-  std::vector<std::uint32_t> line_before_;   // by the line, at the same lower vertex
+  std::vector<std::uint32_t> last_line_at_;  // by lower vertex
+  std::vector<std::uint32_t> line_before_;   // by line: the preceding line at the same lower vertex
 };
 
-// Vertices keep the scene's numbers. The scene is a checked one (precondition). An error names a face that
-// reaches from before the eye to behind it.
+// Vertices keep the scene's numbers. Precondition: the scene is checked. The error names a face that is partly in front of
+// and partly behind the eye.
 [[nodiscard]] base::Result<FaceSet> faces_of(const scene::PolyScene& scene, const scene::PolyCamera& camera);
 
 }  // namespace sightline::algorithms::montani_re

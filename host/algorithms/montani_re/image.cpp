@@ -9,7 +9,7 @@ namespace {
 
 using geometry::Int128;
 
-constexpr double unit = 0x1p-52;  // twice the rounding error of one operation, to be on the safe side
+constexpr double unit = 0x1p-52;  // twice the rounding error of one operation, for a safe margin
 
 // p q - r s, with a bound of its error.
 struct Estimate {
@@ -137,9 +137,9 @@ bool Image::made_by(std::uint32_t line, const Ordinate& y) const {
   return lines_[line].from == y.first || lines_[line].to == y.first;
 }
 
-// At y, X = -(b y + c) / a for both, so that the difference has the sign of p y + q below.
+// At y, X = -(b y + c) / a for both, so the difference has the sign of p y + q below.
 int Image::order_exactly_at(std::uint32_t line, std::uint32_t other, const Ordinate& y) const {
-  // Nearly all that is not decided by now are lines at the point in which they meet.
+  // Nearly all remaining pairs are lines that meet in the point of y.
   if (line == other || (made_by(line, y) && made_by(other, y))) return 0;
   const auto& l = lines_[line].approximate;
   const auto& m = lines_[other].approximate;

@@ -43,7 +43,7 @@ class IsolatedEdge {
   }
 
  private:
-  // What is beside a border is known on one side only.
+  // Only one side of a window's border is known.
   [[nodiscard]] bool on_border(const Window& window) const {
     const auto same = [this](std::uint32_t border) {
       return image_.side_of(border, edge_.from) == 0 && image_.side_of(border, edge_.to) == 0;
@@ -54,8 +54,8 @@ class IsolatedEdge {
     return image_.compare(y, window.bottom) == 0 || image_.compare(y, window.top) == 0;
   }
 
-  // Takes away what of an interval lies beyond the face's plane, which the edge may pierce: a sheet seen
-  // edge-on can stand in anything.
+  // Removes the part of an interval that lies beyond the face's plane. The edge may pierce the face: a sheet seen edge-on
+  // can intersect anything.
   void hide(const Face& face, Interval part) {
     const auto height = [&](std::uint32_t v) {
       const Vertex& p = image_.vertices()[v];
@@ -69,13 +69,13 @@ class IsolatedEdge {
     seen_.subtract(part.low, part.high);
   }
 
-  // The stretch of the edge in a trapezoid, by ordinates.
+  // The part of the edge inside a trapezoid, as ordinates.
   [[nodiscard]] std::optional<Extent> stretch(Extent within, std::uint32_t west, std::uint32_t east) const {
     if (!keep_east_of(west, 1, within) || !keep_east_of(east, -1, within)) return std::nullopt;
     if (image_.compare(within.low, within.high) >= 0) return std::nullopt;
     return within;
   }
-  // With `side` -1: to the west of it.
+  // With `side` -1, keeps what is to the west instead.
   [[nodiscard]] bool keep_east_of(std::uint32_t line, int side, Extent& within) const {
     if (image_.compare(within.low, within.high) >= 0) return false;
     const int low = side * image_.order_at(line_, line, within.low);
@@ -103,7 +103,7 @@ class IsolatedEdge {
         }
       }
     }
-    // Joined stretches end where the edge meets an outline, which keeps parameters short.
+    // Joined parts end where the edge meets an outline, which keeps parameters short.
     for (const Extent& part : inside_) {
       const Rational low = parameter_at(image_, line_, part.low);
       const Rational high = parameter_at(image_, line_, part.high);
@@ -135,7 +135,7 @@ class IsolatedEdge {
   const ImageLine& edge_;
   Extent extent_;
   geometry::IntervalSet seen_;
-  std::vector<Extent> inside_;  // a face
+  std::vector<Extent> inside_;  // the parts inside the current face
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The visible part of an isolated edge, one that bounds no region: the edge less the parts that lie behind
-// a face: behind its inside, or exactly behind its outline, which is drawn in its place.
+// Computes the visible part of an isolated edge, which bounds no region: the edge without the parts behind the inside of
+// a face, or exactly behind a face's outline, which is drawn instead.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace sightline::algorithms::montani_re {
 
-// In the set's window, if it has one; nothing on its borders. A face through the edge does not hide it.
+// Considers only the set's window, if it has one; an edge on its border is never seen. A face through the edge does not
+// hide it.
 [[nodiscard]] geometry::IntervalSet seen_of_isolated_edge(const FaceSet& set, std::uint32_t line);
 
 }  // namespace sightline::algorithms::montani_re

@@ -17,7 +17,7 @@ using geometry::Point2;
 
 using PointRings = std::vector<std::vector<Point2>>;
 
-// A face that can hide.
+// A face that can occlude.
 struct Occluder {
   std::size_t body = 0;
   const scene::PolyFace* face = nullptr;
@@ -58,7 +58,7 @@ Box box_around(const std::vector<Box>& boxes) {
   return around;
 }
 
-// In the plane of the face, along an axis; coordinates doubled, so that middles of edges are integers.
+// The rings of the face projected along an axis. Coordinates are doubled, so that midpoints of edges are integers.
 PointRings flattened(const scene::PolyScene& scene, const scene::PolyFace& face, std::size_t dropped) {
   PointRings rings;
   const auto add = [&](const std::vector<scene::VertexIndex>& ring) {
@@ -81,8 +81,8 @@ bool crosses(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
          geometry::sign(geometry::turn(c, d, a)) * geometry::sign(geometry::turn(c, d, b)) < 0;
 }
 
-// Some of the segment may be in the inside of the face: an end or the middle, or it crosses the outline, or
-// passes a corner of it.
+// Whether part of the segment may be inside the face: an end or the midpoint is inside, or the segment crosses the
+// outline or passes one of its corners.
 bool may_run_inside(const scene::PolyScene& scene, const Occluder& occluder, const scene::PolyPoint& from,
                     const scene::PolyPoint& to) {
   const std::size_t dropped = geometry::dominant_axis(occluder.plane.normal);
@@ -113,7 +113,7 @@ class IsolatedEdges {
     }
   }
 
-  // Most bodies touch no other one: only faces of those that do are compared.
+  // Most bodies touch no other body. Only the faces of those that do are compared.
   void add_behind_faces() {
     const std::vector<std::uint32_t> bodies = bodies_that_touch();
     for (const std::uint32_t b : bodies) add_occluders(b);
@@ -163,7 +163,7 @@ class IsolatedEdges {
     for (const auto& hole : face.holes) walk(hole);
   }
 
-  // Those whose box touches that of another one, and all sheets, whose faces may touch each other.
+  // Bodies whose box touches the box of another body, and all sheets, because faces of one sheet may touch each other.
   [[nodiscard]] std::vector<std::uint32_t> bodies_that_touch() const {
     std::vector<Box> body_boxes;
     std::vector<std::uint32_t> with_faces;
@@ -208,14 +208,14 @@ class IsolatedEdges {
     return {normal, geometry::dot(normal, geometry::vector_of(scene_.vertices[face.outline[0]]))};
   }
 
-  // Edges of a face that touch the back of a occluder.
+  // Adds the edges of a face that touch the back of an occluder.
   void add_behind(const Occluder& occluder, const scene::PolyFace& face, const geometry::Vector3& normal) {
     for_each_edge(face, [&](VertexIndex from, VertexIndex to) {
       if (touches_back(occluder, normal, from, to)) add(from, to);
     });
   }
 
-  // The edge lies in the plane, and the face to the left of it is beyond it there.
+  // Whether the edge is in the plane of the occluder while the face to its left is beyond that plane.
   [[nodiscard]] bool touches_back(const Occluder& occluder, const geometry::Vector3& normal, VertexIndex from,
                                   VertexIndex to) const {
     const scene::PolyPoint& a = scene_.vertices[from];

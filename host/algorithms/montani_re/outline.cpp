@@ -6,7 +6,7 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-// Two lines at once, for which any of the compilers has instructions or makes them up.
+// Two doubles at a time: every compiler has instructions for this or emulates them.
 using Doubles = double __attribute__((vector_size(16)));
 using Masks = std::int64_t __attribute__((vector_size(16)));
 

@@ -6,7 +6,7 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-// Strongly connected components of what is left, after Tarjan, without recursion.
+// Strongly connected components of the remaining faces, after Tarjan, without recursion.
 class Components {
  public:
   Components(std::uint32_t faces, std::span<const Relation> relations, const std::vector<std::uint8_t>& live)
@@ -130,10 +130,10 @@ class Table {
   std::uint32_t faces_;
   std::span<const Relation> relations_;
   std::vector<std::uint8_t> live_;
-  std::vector<std::uint32_t> minimum_;  // NMIN: relations "<", faces it hides
-  std::vector<std::uint32_t> maximum_;  // NMAX: relations ">", faces that hide it
-  std::vector<std::uint32_t> first_;    // into of_, by face
-  std::vector<std::uint32_t> of_;       // relations
+  std::vector<std::uint32_t> minimum_;  // NMIN: number of relations "<": faces that it hides
+  std::vector<std::uint32_t> maximum_;  // NMAX: number of relations ">": faces that hide it
+  std::vector<std::uint32_t> first_;    // by face: index into of_
+  std::vector<std::uint32_t> of_;       // relations of each face
 };
 
 }  // namespace

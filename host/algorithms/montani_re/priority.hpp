@@ -1,9 +1,9 @@
-// The priority list: sets of faces of the same priority, from front and back at once. Source: Montani and Re
+// The priority list: sets of faces of equal priority, found from the front and the back at once. Source: Montani and Re
 // (1985), section 3, Tables 3 and 4.
 //
-// At each step the faces that hide none of those left (NMIN = 0, isolated ones among them) go before the BACK
-// list, the others that none of those left hides (NMAX = 0) go behind the FRONT list. Where there is neither,
-// what is left holds cycles, and the caller has to delete relations.
+// In each step, the remaining faces that hide no other (NMIN = 0, among them isolated ones) are put before the BACK list,
+// and the others that no remaining face hides (NMAX = 0) behind the FRONT list. If there are none of either kind, the
+// remaining faces contain cycles, and the caller must delete relations.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@ struct PriorityList {
   std::vector<PriorityClass> front;  // nearest first
   std::vector<PriorityClass> back;
 
-  // Both lists linked.
+  // The front list followed by the back list.
   [[nodiscard]] std::vector<PriorityClass> classes() const;
 };
 
-// Given the relations that lie on cycles (indices, ascending), which to delete: at least one of them.
+// Receives the relations that lie on cycles (indices, ascending) and returns those to delete, at least one.
 using CycleBreaker = std::function<std::vector<std::uint32_t>(std::span<const std::uint32_t>)>;
 
-// Told the faces that each step adds to the front and to the back; empty: nobody is.
+// Receives the faces that each step adds to the front and the back list. May be empty.
 using RankListener = std::function<void(const PriorityClass& front, const PriorityClass& back)>;
 
 [[nodiscard]] PriorityList priority_list(std::uint32_t faces, std::span<const Relation> relations,

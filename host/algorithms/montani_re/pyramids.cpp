@@ -15,14 +15,14 @@ struct Pyramid {
   WindowBounds window;
 };
 
-// Ahead; to the right and left; above and below. z = 0 is a border of four: nothing is seen there.
+// Straight ahead; right and left; up and down. z = 0 bounds the last four: nothing is seen there.
 constexpr std::array<Pyramid, 5> pyramids{{{{{0, 1, 2}, false}, {{-2, -2}, {2, 2}, 1}},
                                            {{{2, 1, 0}, false}, {{0, -2}, {1, 2}, 1}},
                                            {{{2, 1, 0}, true}, {{0, -2}, {1, 2}, 1}},
                                            {{{2, 0, 1}, false}, {{0, -2}, {1, 2}, 1}},
                                            {{{2, 0, 1}, true}, {{0, -2}, {1, 2}, 1}}}};
 
-// Not the side that is seen is turned to the eye, or the face is edge-on.
+// The face is edge-on, or its visible side is turned away from the eye.
 bool turned_away(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                  const scene::PolyFace& face) {
   const geometry::Vector3 normal = scene::ring_normal(scene.vertices, face.outline);
@@ -36,10 +36,10 @@ bool turned_away(const scene::PolyScene& scene, const scene::PolyCamera& camera,
 struct SeenFace {
   std::size_t body = 0;
   std::size_t index = 0;
-  bool past_eye = false;  // but partly
+  bool past_eye = false;  // partly behind the eye
 };
 
-// What of a scene is before the eye, in the camera's frame.
+// The part of a scene in front of the eye, in the camera's frame.
 struct SeenScene {
   SeenScene(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
     const geometry::Vector3 right = geometry::vector_of(camera.right);
@@ -71,8 +71,9 @@ struct SeenScene {
   std::vector<SeenFace> faces;
 };
 
-// A sum of Image is a determinant of vectors in the camera's frame, without perspective one of their images: that of the
-// camera's vectors, or the greatest divisor of the parts of right x up, times one of vectors in the scene.
+// A sum of Image is a determinant of vectors in the camera's frame (in orthographic views, of their images). It is a
+// determinant of vectors in the scene times the determinant of the camera's vectors (in orthographic views, times the
+// greatest common divisor of the components of right x up).
 std::int64_t divisor_of(const scene::PolyCamera& camera) {
   const geometry::Vector3 normal = geometry::cross(geometry::vector_of(camera.right), geometry::vector_of(camera.up));
   const auto divisor =
@@ -84,7 +85,7 @@ std::int64_t divisor_of(const scene::PolyCamera& camera) {
 }
 
 FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera, const SeenScene& seen,
-                 const PyramidFrame& frame, const WindowBounds* window, const std::vector<picture::LineEdge>& lone) {
+                 const PyramidFrame& frame, const WindowBounds* window, const std::vector<picture::LineEdge>& isolated) {
   FaceSetBuilder builder(camera.perspective, divisor_of(camera));
   builder.reserve(seen.vertices.size(), seen.faces.size());
   for (const std::array<std::int64_t, 3>& p : seen.vertices) {
@@ -92,7 +93,7 @@ FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera,
     builder.add_vertex({p[frame.axes[0]], p[frame.axes[1]], frame.turned ? -depth : depth});
   }
   if (window != nullptr) builder.clip_to(*window);
-  Rings rings;  // their room is kept from face to face
+  Rings rings;  // declared outside the loop to reuse its memory
   for (const SeenFace& one : seen.faces) {
     const scene::PolyFace& face = scene.bodies[one.body].faces[one.index];
     rings.resize(1 + face.holes.size());
@@ -100,7 +101,7 @@ FaceSet make_set(const scene::PolyScene& scene, const scene::PolyCamera& camera,
     std::copy(face.holes.begin(), face.holes.end(), rings.begin() + 1);
     builder.add_face(rings, static_cast<std::uint32_t>(one.body), static_cast<std::uint32_t>(one.index));
   }
-  for (const picture::LineEdge& edge : lone) builder.add_isolated_edge(edge.from, edge.to);
+  for (const picture::LineEdge& edge : isolated) builder.add_isolated_edge(edge.from, edge.to);
   return builder.take();
 }
 
@@ -127,15 +128,15 @@ FaceSet faces_seen(const scene::PolyScene& scene, const scene::PolyCamera& camer
 
 std::vector<FaceSet> faces_before_eye(const scene::PolyScene& scene, const scene::PolyCamera& camera) {
   std::vector<FaceSet> sets;
-  const std::vector<picture::LineEdge> lone = isolated_edges(scene, camera);
+  const std::vector<picture::LineEdge> isolated = isolated_edges(scene, camera);
   const SeenScene seen(scene, camera);
   if (seen.past_eye() == nullptr) {
-    sets.push_back(make_set(scene, camera, seen, {}, nullptr, lone));
+    sets.push_back(make_set(scene, camera, seen, {}, nullptr, isolated));
     return sets;
   }
   for (const Pyramid& pyramid : pyramids) {
-    FaceSet set = make_set(scene, camera, seen, pyramid.frame, &pyramid.window, lone);
-    if (!set.faces.empty() || !set.lone.empty()) sets.push_back(std::move(set));
+    FaceSet set = make_set(scene, camera, seen, pyramid.frame, &pyramid.window, isolated);
+    if (!set.faces.empty() || !set.isolated.empty()) sets.push_back(std::move(set));
   }
   return sets;
 }

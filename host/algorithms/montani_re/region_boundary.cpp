@@ -10,7 +10,7 @@ namespace {
 
 using Coefficient = Image::Coefficient;
 
-// Directions as numbers that grow counterclockwise: east, upwards by slope, west, downwards by slope.
+// Maps directions to numbers that grow counterclockwise: east, upwards by slope, west, downwards by slope.
 class Headings {
  public:
   Headings(const Image& image, const TrapezoidPcs& region) : image_(image) {
@@ -36,7 +36,7 @@ class Headings {
  private:
   [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(lines_.size()); }
 
-  // Positive if, going up, the first leads farther to the east. X = -(b Y + c) / a, a positive.
+  // Positive if the first line, going up, leads farther to the east. X = -(b Y + c) / a, a positive.
   [[nodiscard]] int leaning(std::uint32_t one, std::uint32_t other) const {
     const ImageLine& l = image_.lines()[one];
     const ImageLine& m = image_.lines()[other];
@@ -44,7 +44,7 @@ class Headings {
   }
 
   const Image& image_;
-  std::vector<std::uint32_t> lines_;  // used, by direction upwards
+  std::vector<std::uint32_t> lines_;  // lines in use, by upward direction
   std::vector<std::int64_t> ranks_;   // by line
 };
 
@@ -74,14 +74,15 @@ class RegionPieces {
  private:
   struct End {
     std::uint32_t side = 0;  // of the region
-    bool above = false;      // the lower end of a side above the level
+    bool above = false;      // true: the lower end of a side above the level
   };
 
   [[nodiscard]] int order(const End& a, const End& b, const Ordinate& y) const {
     return image_.order_at(region_.sides[a.side].line, region_.sides[b.side].line, y);
   }
 
-  // Numbers the points of a level, and adds the horizontal pieces: where there is coverage above xor below.
+  // Numbers the points of a level and adds the horizontal pieces: those covered above but not below, or below but not
+  // above.
   void add_level(const Ordinate& y, const Band* below, const Band* above) {
     ends_.clear();
     for (const Band* band : {below, above}) {
@@ -136,7 +137,7 @@ class RegionPieces {
   const TrapezoidPcs& region_;
   Headings headings_;
   std::vector<RegionCorner> points_;
-  std::vector<std::uint32_t> low_;  // of each side, points
+  std::vector<std::uint32_t> low_;  // by side: number of the point
   std::vector<std::uint32_t> high_;
   std::vector<BoundaryPiece> pieces_;
   std::vector<End> ends_;
@@ -163,7 +164,7 @@ double signed_area(const Image& image, const RegionLoop& loop) {
   return sum / 2;
 }
 
-TrapezoidPcs united(const Image& image, std::span<const std::uint32_t> faces,
+TrapezoidPcs unite_regions(const Image& image, std::span<const std::uint32_t> faces,
                     std::span<const TrapezoidPcs> regions) {
   TrapezoidPcs result;
   for (const std::uint32_t face : faces) result = combine(image, result, regions[face], Operation::unite);

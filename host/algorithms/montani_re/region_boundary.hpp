@@ -1,6 +1,6 @@
-// Outlines and holes of what is seen of a face, rebuilt from its stripes: the vector output of Montani and Re
-// (1985, section 4) in object space, where every corner is a corner of the scene or a crossing of two of its
-// edges in the image, exactly.
+// Rebuilds the outlines and holes of a face's visible region from its stripes: the vector output of Montani and Re (1985,
+// section 4) in object space. Every corner is exactly a corner of the scene or a crossing of the images of two of its
+// edges.
 #pragma once
 
 #include <array>
@@ -13,26 +13,25 @@
 
 namespace sightline::algorithms::montani_re {
 
-// The point of a line that is not horizontal at an ordinate.
+// A point given by its ordinate and a line through it that is not horizontal.
 struct RegionCorner {
   std::uint32_t line = 0;
   Ordinate y;
 };
 
-// The inside to the left, as the image has it: an outline runs counterclockwise, a hole clockwise. Lines that
-// go straight on are joined, so that no corner lies between two others on a line. Where
-// several go on from a point, the sharpest turn to the left is taken: parts that only touch are apart, a hole
-// that touches its outline is a dent in it.
+// The inside is to the left: in the image, an outline runs counterclockwise, a hole clockwise. Collinear pieces are
+// joined, so that no corner lies on the line between its neighbours. Where several pieces leave a point, the sharpest
+// left turn is taken: parts that only touch are separate, and a hole that touches its outline becomes part of it.
 using RegionLoop = std::vector<RegionCorner>;
 [[nodiscard]] std::vector<RegionLoop> boundary_of(const Image& image, const TrapezoidPcs& region);
 
 [[nodiscard]] std::array<double, 2> approximate_point(const Image& image, const RegionCorner& corner);
 
-// Positive for an outline; in floating point, as area() of a region.
+// Positive for an outline. In floating point, like area() of a region.
 [[nodiscard]] double signed_area(const Image& image, const RegionLoop& loop);
 
-// Several faces as one region, as the paper draws a class of equal priority at once: edges they share vanish.
-[[nodiscard]] TrapezoidPcs united(const Image& image, std::span<const std::uint32_t> faces,
+// The union of several faces, as the paper draws a class of equal priority at once: shared edges vanish.
+[[nodiscard]] TrapezoidPcs unite_regions(const Image& image, std::span<const std::uint32_t> faces,
                                   std::span<const TrapezoidPcs> regions);
 
 }  // namespace sightline::algorithms::montani_re

@@ -10,9 +10,9 @@ namespace sightline::algorithms::montani_re {
 namespace {
 
 constexpr double fraction = 65536;
-constexpr double farthest = 0x1p40;  // abscissas beyond are cut off there
+constexpr double farthest = 0x1p40;  // abscissas are clamped to this magnitude
 
-// Of two sides from `low` up to `high`: which is to the west.
+// Whether the first of two sides, from `low` to `high`, is to the west.
 bool west_of(const StripeSide& a, const StripeSide& b, std::int32_t low, std::int32_t high) {
   return a.at(low) != b.at(low) ? a.at(low) < b.at(low) : a.at(high) < b.at(high);
 }
@@ -26,7 +26,7 @@ void append_band(std::vector<StripeBand>& bands, StripeBand band) {
   }
 }
 
-// One stripe of two regions.
+// Combines one stripe of two regions.
 class StripeCombination {
  public:
   StripeCombination(Operation operation, std::vector<StripeBand>& result)
@@ -76,8 +76,8 @@ class StripeCombination {
     });
   }
 
-  // The lowest sixteenth above a crossing, or the end: sides are straight, so that what is in order at both
-  // ends is so between.
+  // The first sixteenth at or above the lowest crossing, or `high`. Sides are straight, so sides that are in order at
+  // both ends are in order between.
   [[nodiscard]] std::int32_t first_crossing(std::int32_t low, std::int32_t high) const {
     if (ordered_at(high - 1)) return high;
     std::int32_t y = low + 1;
@@ -94,10 +94,10 @@ class StripeCombination {
     bool in_a = false;
     bool in_b = false;
     for (std::size_t k = 0; k < row_.size();) {
-      const bool before = kept(operation_, in_a, in_b);
+      const bool before = in_result(operation_, in_a, in_b);
       const StripeSide& side = row_[k].side;
       for (; k < row_.size() && row_[k].side == side; ++k) (row_[k].of_a ? in_a : in_b) ^= true;
-      if (kept(operation_, in_a, in_b) != before) sides.push_back(side);
+      if (in_result(operation_, in_a, in_b) != before) sides.push_back(side);
     }
     return sides;
   }
@@ -149,7 +149,7 @@ class Filler {
   std::int32_t units_;
 };
 
-// The silhouette is that of the whole frame; only stripes that the part has are touched.
+// Unites the silhouette, which covers the whole frame, with `part`, changing only the stripes of the part.
 void grow(StripePcs& silhouette, const StripePcs& part) {
   for (std::size_t k = 0; k < part.stripes.size(); ++k) {
     auto& stripe = silhouette.stripes[static_cast<std::size_t>(part.first) + k];
@@ -165,7 +165,7 @@ StripeRaster blank(const StripeFrame& frame) {
   return raster;
 }
 
-// Ordinates of an edge's ends; one that is not before the eye has none, and the edge goes on as it is.
+// Ordinates of an edge's ends. An end that is not in front of the eye has none; the edge is then extended along its line.
 std::pair<double, std::optional<double>> ends_of(const Image& image, const ImageLine& line) {
   const bool whole = image.weight(line.from) > 0 && image.weight(line.to) > 0;
   if (whole) return {image.ordinate_of(line.from).middle(), image.ordinate_of(line.to).middle()};
@@ -174,7 +174,7 @@ std::pair<double, std::optional<double>> ends_of(const Image& image, const Image
 
 }  // namespace
 
-std::array<double, 2> pixels_a_unit(const scene::PolyCamera& camera, double size) {
+std::array<double, 2> pixels_per_unit(const scene::PolyCamera& camera, double size) {
   const auto length = [](const scene::PolyPoint& v) {
     const double x = v[0];
     const double y = v[1];
@@ -196,17 +196,17 @@ std::uint64_t StripePcs::side_count() const {
 StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const StripeFrame& frame,
                      std::int32_t units) {
   const std::int32_t stripe_count = (frame.height * units + 15) / 16;
-  const double stripes_a_pixel = units / 16.0;
-  // Lines beyond the frame are one above and one below: nothing between them is kept.
+  const double stripes_per_pixel = units / 16.0;
+  // Lines beyond the frame are moved to just outside it; nothing of them is kept.
   const auto line_at = [&](double y) {
-    const double at = std::floor((frame.centre[1] + frame.scale[1] * y) * stripes_a_pixel + 0.5);
+    const double at = std::floor((frame.centre[1] + frame.scale[1] * y) * stripes_per_pixel + 0.5);
     return std::clamp(at, -0x1p30, 0x1p30);
   };
   const auto abscissa = [&](std::uint32_t line, double y) {
     return std::clamp((frame.centre[0] + frame.scale[0] * image.abscissa(line, y)) * fraction, -farthest,
                       farthest);
   };
-  const double a_stripe = 1 / (frame.scale[1] * stripes_a_pixel);  // of the image
+  const double stripe_height = 1 / (frame.scale[1] * stripes_per_pixel);  // height of a stripe in image units
   StripePcs pcs;
   if (region.empty()) return pcs;
   const auto within = [&](double line) {
@@ -219,12 +219,12 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
     const double low = line_at(band.low.middle());
     const double high = line_at(band.high.middle());
     for (const Side& side : region.sides_of(band)) {
-      // The whole edge between its moved corners, so that faces on both sides of it agree.
+      // Uses the whole edge between its moved corners, so that the faces on both sides of it agree.
       const auto [y, end] = ends_of(image, image.lines()[side.line]);
       const double from = abscissa(side.line, y);
       const double start = line_at(y);
       const double slope = end ? (abscissa(side.line, *end) - from) / (line_at(*end) - start)
-                               : (abscissa(side.line, y + 1) - from) * a_stripe;
+                               : (abscissa(side.line, y + 1) - from) * stripe_height;
       for (std::int32_t k = within(low); k < within(high); ++k) {
         auto& stripe = pcs.stripes[static_cast<std::size_t>(k - pcs.first)];
         if (stripe.empty()) stripe.emplace_back();
@@ -233,7 +233,7 @@ StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const Strip
       }
     }
   }
-  // Sides of moved corners may cross.
+  // Sides between moved corners may cross.
   for (auto& stripe : pcs.stripes) {
     std::vector<StripeBand> ordered;
     StripeCombination(Operation::subtract, ordered).run(stripe, {});

@@ -1,10 +1,10 @@
-// Montani and Re's algorithm in image space: stripes of one thickness over the whole picture, one silhouette,
-// pixels from the substripes. Source: Montani and Re (1985), sections 3 and 4.
+// Montani and Re's algorithm in image space: stripes of equal thickness over the whole picture, one silhouette, pixels
+// from the substripes. Source: Montani and Re (1985), sections 3 and 4.
 //
-// The thickness h sets the accuracy: corners are moved to the nearest line between stripes (their abscissa is kept,
-// to 1/65536 pixel), edges are straight between them. Heights inside a stripe are counted in sixteenths of
-// it; where sides cross in a stripe, it is split at the next sixteenth above, so that what is said at whole
-// sixteenths is right, and pixel centres lie at such. The error is of the order of h.
+// The thickness h determines the accuracy: corners are moved to the nearest line between stripes (their abscissa is kept,
+// to 1/65536 pixel), and edges are straight between moved corners. Heights inside a stripe are counted in sixteenths of
+// it. If sides cross in a stripe, it is split at the next sixteenth above, so that results are exact at whole sixteenths,
+// where the pixel centres are. The error is of the order of h.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@
 
 namespace sightline::algorithms::montani_re {
 
-// Pixel coordinates are centre + scale * image coordinates, x from the left, y from below. The image's own
-// units differ in x and y where the camera's right and up differ in length (pixels_a_unit). A pixel belongs
-// to what covers its centre.
+// Pixel coordinates are centre + scale * image coordinates, x from the left, y from below. The image's units differ in x
+// and y if the camera's right and up differ in length (pixels_per_unit). A pixel belongs to the face that covers its
+// centre.
 struct StripeFrame {
   std::array<double, 2> scale{1, 1};
   std::array<double, 2> centre{};
@@ -28,8 +28,8 @@ struct StripeFrame {
   std::int32_t height = 0;
 };
 
-// The scale of both axes for `size` pixels a unit of the image as PolyCamera defines it.
-[[nodiscard]] std::array<double, 2> pixels_a_unit(const scene::PolyCamera& camera, double size);
+// The scale of both axes for `size` pixels per unit of the image as PolyCamera defines it.
+[[nodiscard]] std::array<double, 2> pixels_per_unit(const scene::PolyCamera& camera, double size);
 
 struct StripeSide {
   std::int64_t bottom = 0;  // abscissas in 1/65536 pixel at the lower and the upper end of the stripe
@@ -49,7 +49,7 @@ struct StripeBand {
   std::vector<StripeSide> sides;
 };
 
-// By the number of the stripe from the bottom of the frame; stripes outside the frame are left out.
+// Stripes are numbered from the bottom of the frame; stripes outside the frame are omitted.
 struct StripePcs {
   std::int32_t first = 0;
   std::vector<std::vector<StripeBand>> stripes;
@@ -57,7 +57,7 @@ struct StripePcs {
   [[nodiscard]] std::uint64_t side_count() const;
 };
 
-// `units` a pixel, each a sixteenth of a stripe: 2, 4, ... 64 for stripes of 8, 4, ... 1/4 pixels.
+// `units` sixteenths of a stripe per pixel: 2, 4, ... 64 for stripes of 8, 4, ... 1/4 pixels.
 [[nodiscard]] StripePcs stripe_pcs(const Image& image, const TrapezoidPcs& region, const StripeFrame& frame,
                                    std::int32_t units);
 [[nodiscard]] StripePcs combine(const StripePcs& a, const StripePcs& b, Operation operation);
@@ -66,13 +66,13 @@ struct StripeRaster {
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::vector<std::uint32_t> faces;  // rows from the bottom; `none` where there is no face
-  std::uint64_t sides = 0;           // of what is seen
+  std::uint64_t sides = 0;           // of the visible regions
   std::uint64_t silhouette_sides = 0;
 
   friend bool operator==(const StripeRaster& a, const StripeRaster& b) { return a.faces == b.faces; }
 };
 
-// Front to back: every face less the silhouette, which then grows by it.
+// Front to back: from every face the silhouette is subtracted, to which the face is then added.
 [[nodiscard]] StripeRaster raster_by_difference(const Image& image, const PriorityList& list,
                                                 std::span<const TrapezoidPcs> listed,
                                                 const StripeFrame& frame, std::int32_t units);

@@ -12,7 +12,7 @@ namespace sightline::algorithms::montani_re {
 
 Combiner::Combiner(const Image& image, Operation operation) : image_(image), operation_(operation) {
   for (std::size_t in = 0; in < kept_.size(); ++in)
-    kept_[in] = kept(operation, (in & inside_a) != 0, (in & inside_b) != 0);
+    kept_[in] = in_result(operation, (in & inside_a) != 0, (in & inside_b) != 0);
 }
 
 void Combiner::operator()(TrapezoidPcs& a, const TrapezoidPcs& b) {
@@ -22,7 +22,7 @@ void Combiner::operator()(TrapezoidPcs& a, const TrapezoidPcs& b) {
   std::swap(a, result_);
 }
 
-// From one end of a band to the next.
+// Processes the parts between consecutive ends of bands.
 void Combiner::run(const TrapezoidPcs& a_pcs, const TrapezoidPcs& b_pcs) {
   const bool keeps_a = operation_ != Operation::intersect;
   const bool keeps_b = operation_ == Operation::unite;
@@ -104,7 +104,7 @@ void Combiner::append(const Ordinate& low, const Ordinate& high, std::span<const
   set_member(of_b[0], b[0], false);
   set_member(of_b[b.size() - 1], b.back(), false);
   if (operation_ == Operation::subtract) {
-    // The outermost sides tell whether all of a is beside b, or in it.
+    // The outermost sides show whether all of a is beside b, or in it.
     const auto west_of = [](const Member& one, const Member& other) {
       return one.at_from.high < other.at_from.low && one.at_high.high < other.at_high.low;
     };
@@ -129,7 +129,8 @@ void Combiner::append(const Ordinate& low, const Ordinate& high, std::span<const
   }
 }
 
-// Both rows in the order just above `from`, and which of them coincide with the one before, of the other region.
+// Merges both rows into the order just above `from`, and marks sides that coincide with the preceding side of the other
+// region.
 void Combiner::merge(const Ordinate& from, const Ordinate& high) {
   std::size_t i = 0;
   std::size_t j = a_count_;
@@ -171,7 +172,7 @@ bool Combiner::find_crossing(const Ordinate& high, Ordinate& lowest) const {
   return found;
 }
 
-// The sides of the result: sides that coincide are passed at once.
+// The sides of the result. Sides that coincide are crossed together.
 std::span<const Side> Combiner::toggle(const Ordinate& from, const Ordinate& high) {
   std::size_t kept = 0;
   std::size_t in = 0;
@@ -194,7 +195,7 @@ std::span<const Side> Combiner::toggle(const Ordinate& from, const Ordinate& hig
   return {out_.data(), kept};
 }
 
-// The next of the row with this one.
+// Whether the next side of the row coincides with this one.
 bool Combiner::coincides(std::size_t k, const Ordinate& from, const Ordinate& high) const {
   const Member& west = member(k);
   const Member& east = member(k + 1);
@@ -264,7 +265,7 @@ TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> li
   return pcs;
 }
 
-// Its west and its east border, each from its lowest side to its highest, side by side.
+// The west and the east border, each from its lowest side to its highest, are walked together.
 TrapezoidPcs convex_pcs(const Image& image, std::span<const std::uint32_t> lines,
                         std::span<const std::int8_t> inner_sides) {
   struct Edge {
@@ -313,7 +314,7 @@ TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidP
 }
 
 std::vector<TrapezoidPcs> components(const Image& image, const TrapezoidPcs& pcs) {
-  const std::size_t count = pcs.sides.size() / 2;  // substripes, numbered through
+  const std::size_t count = pcs.sides.size() / 2;  // substripes, numbered consecutively
   std::vector<std::size_t> parent(count);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&parent](std::size_t k) {

@@ -1,12 +1,12 @@
-// Parallel Connected Stripes for any edges: bands of their own height, every side a piece of a line of the
-// image, both exact. The set operations are those of the lattice form: sides from west to east, a side of the
-// result where membership changes; where sides cross inside a band, the band is split there.
+// Parallel Connected Stripes for arbitrary edges: bands of varying height whose sides are pieces of lines of the image,
+// both exact. The set operations are those of the lattice form: sides are processed from west to east, and the result has
+// a side where membership changes. If sides cross inside a band, the band is split there.
 //
-// Every region has its own breakpoints (its corners and the crossings that set operations found), never
-// stripes common to a whole scene: those would make the growth quadratic.
+// Every region has its own breakpoints (its corners and the crossings that set operations find). Stripes common to the
+// whole scene would make the size grow quadratically.
 //
-// Laws: bands ascend and do not overlap; sides in a band ascend from west to east and do not cross inside it,
-// their number is even and not 0; bands that touch differ in their sides.
+// Invariants: bands ascend and do not overlap; the sides of a band ascend from west to east and do not cross inside it;
+// their number is even and not 0; adjacent bands differ in their sides.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ namespace sightline::algorithms::montani_re {
 
 struct Side {
   std::uint32_t line = 0;
-  bool own = false;  // a piece of an edge of the region itself, not a cut made by another
+  bool own = false;  // a piece of an edge of the region itself, not of another region that cut it
 
   friend bool operator==(const Side&, const Side&) = default;
 };
@@ -43,23 +43,23 @@ struct TrapezoidPcs {
   [[nodiscard]] bool empty() const { return bands.empty(); }
 };
 
-// A band above all others; one that goes on where the last one ends, with the same sides, is joined to it.
-// Nothing without sides.
+// Appends a band above all others, or extends the last band if the new one continues it with the same sides. Does nothing
+// if there are no sides.
 void append_band(const Image& image, TrapezoidPcs& pcs, const Ordinate& low, const Ordinate& high,
                  std::span<const Side> sides);
 
-// The region of rings of lines, those that are horizontal left out, by the even-odd rule. All sides are own.
+// The region of rings of lines by the even-odd rule; horizontal lines are omitted. All sides are own.
 [[nodiscard]] TrapezoidPcs trapezoid_pcs(const Image& image, std::span<const std::uint32_t> lines);
 
-// The same of a convex polygon of which the inside is to the east of the lines whose inner side is positive, and to the west
-// of the others.
+// The same for a convex polygon whose inside is to the east of the lines with a positive inner side, and to the west of
+// the others.
 [[nodiscard]] TrapezoidPcs convex_pcs(const Image& image, std::span<const std::uint32_t> lines,
                                       std::span<const std::int8_t> inner_sides);
 
 enum class Operation { unite, intersect, subtract };
 
-// Whether a point that is in a or not, in b or not, is in the result.
-[[nodiscard]] constexpr bool kept(Operation operation, bool in_a, bool in_b) {
+// Whether a point belongs to the result, given whether it is in a and in b.
+[[nodiscard]] constexpr bool in_result(Operation operation, bool in_a, bool in_b) {
   switch (operation) {
     case Operation::unite: return in_a || in_b;
     case Operation::intersect: return in_a && in_b;
@@ -68,8 +68,8 @@ enum class Operation { unite, intersect, subtract };
   return false;
 }
 
-// a becomes the result. A side is own in it if it is one of a's. One combiner is for many operations in turn,
-// which is faster than as many calls of combine().
+// Replaces a by the result, in which a side is own if it is one of a's own sides. Using one combiner for many operations
+// is faster than calling combine() each time.
 class Combiner {
  public:
   Combiner(const Image& image, Operation operation);
@@ -77,7 +77,7 @@ class Combiner {
   void operator()(TrapezoidPcs& a, const TrapezoidPcs& b);
 
  private:
-  // A side, and where it is at the lower and the upper end of what is merged.
+  // A side, and its abscissas at the lower and the upper end of the merged part.
   struct Member {
     Side side;
     bool of_a = false;
@@ -90,7 +90,7 @@ class Combiner {
   static constexpr std::uint32_t coincides_bit = std::uint32_t{1} << 31;
 
   void run(const TrapezoidPcs& a_pcs, const TrapezoidPcs& b_pcs);
-  // The bands of one region where the other one has none.
+  // Copies the bands of one region where the other one has none.
   void copy(const TrapezoidPcs& pcs, std::size_t begin, std::size_t end);
   void append(const Ordinate& low, const Ordinate& high, std::span<const Side> a, std::span<const Side> b);
   void merge(const Ordinate& from, const Ordinate& high);
@@ -98,7 +98,7 @@ class Combiner {
   [[nodiscard]] bool find_crossing(const Ordinate& high, Ordinate& lowest) const;
   [[nodiscard]] std::span<const Side> toggle(const Ordinate& from, const Ordinate& high);
   [[nodiscard]] bool coincides(std::size_t k, const Ordinate& from, const Ordinate& high) const;
-  // Of the row.
+  // Member k of the row.
   [[nodiscard]] const Member& member(std::size_t k) const { return apart_[row_[k] & ~coincides_bit]; }
   [[nodiscard]] int order_at_from(const Member& one, const Member& other, const Ordinate& from) const {
     return image_.order_at(one.side.line, one.at_from, other.side.line, other.at_from, from);
@@ -113,15 +113,15 @@ class Combiner {
   TrapezoidPcs result_;
   std::size_t a_count_ = 0;
   std::size_t count_ = 0;
-  // Their room grows and is kept; what is in use are the first `count_`.
+  // Their memory is reused; the first `count_` entries are valid.
   std::vector<Member> apart_;       // the sides of a, then those of b
-  std::vector<std::uint32_t> row_;  // into apart_, from west to east; `coincides_bit`: with the one before, of the other region
+  std::vector<std::uint32_t> row_;  // indices into apart_, from west to east; may have coincides_bit
   std::vector<Side> out_;
 };
 [[nodiscard]] TrapezoidPcs combine(const Image& image, const TrapezoidPcs& a, const TrapezoidPcs& b,
                                    Operation operation);
 
-// Connected parts; parts that only touch in a point are apart.
+// Connected parts. Parts that touch only in a point are separate.
 [[nodiscard]] std::vector<TrapezoidPcs> components(const Image& image, const TrapezoidPcs& pcs);
 
 // In floating point.

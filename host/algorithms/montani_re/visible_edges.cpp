@@ -17,12 +17,12 @@ namespace {
 
 using geometry::Rational;
 
-// Collects pieces of edges; those of one edge are joined in the end.
+// Collects pieces of edges and finally joins those of the same edge.
 class EdgePieces {
  public:
   explicit EdgePieces(const FaceSet& set) : set_(set) {
     found_.reserve(2 * set.faces.size());
-    for (const std::uint32_t line : set.lone) {
+    for (const std::uint32_t line : set.isolated) {
       const geometry::IntervalSet seen = seen_of_isolated_edge(set, line);
       for (const geometry::Interval& interval : seen.intervals()) unite(line, interval);
     }
@@ -36,7 +36,7 @@ class EdgePieces {
   }
 
   [[nodiscard]] picture::LinePicture picture() const {
-    // Keys are sorted, not pieces.
+    // Small keys are sorted instead of pieces.
     struct Key {
       std::uint64_t edge = 0;
       std::uint32_t found = 0;
@@ -75,7 +75,8 @@ class EdgePieces {
     const Ordinate* high = nullptr;
   };
 
-  // Bands ascend, so that a run of one line goes on at once or never; only its ends are ends of what is seen.
+  // Bands ascend, so a side is continued by the next band or not at all. Only the ends of such runs are ends of visible
+  // pieces.
   void add_sides(const TrapezoidPcs& region) {
     runs_.clear();
     for (const Band& band : region.bands) {
@@ -97,7 +98,7 @@ class EdgePieces {
     }
   }
 
-  // Seen where the region has breadth just above or just below.
+  // A horizontal edge is seen where the region has area just above or just below it.
   void add_horizontal(std::uint32_t line, const TrapezoidPcs& region) {
     const Ordinate y = set_.image.ordinate_of(set_.image.end_before_eye(line));
     for (const Band& band : region.bands) {
@@ -129,11 +130,11 @@ base::Error passing_through(const Face& f, const Face& g) {
   const auto name = [](const Face& face) {
     return "face " + std::to_string(face.index) + " of body " + std::to_string(face.body);
   };
-  return {"", "montani-re", name(f) + " and " + name(g) + " pass through each other: neither has priority"};
+  return {"", "montani-re", name(f) + " and " + name(g) + " pass through each other, so neither has priority"};
 }
 
-// The pieces of several windows: those of an edge are one where they touch on a border. An edge that is not
-// before the eye has no image, even on a border.
+// Joins pieces of several windows: pieces of one edge that touch on a border become one. An edge that is not before the
+// eye has no image, even on a border.
 void join(picture::LinePicture& picture, const scene::PolyScene& scene, const scene::PolyCamera& camera) {
   std::vector<picture::LinePiece> pieces = std::move(picture.pieces);
   picture.pieces.clear();
@@ -177,7 +178,7 @@ base::Result<LineView> visible_edges(const scene::PolyScene& scene, const scene:
     }
     view.counts += seen.counts;
   }
-  // Where there is one set without a window, nothing is cut by borders, and all edges are before the eye.
+  // One set without a window needs no joining: no border cuts anything, and all edges are in front of the eye.
   if (sets.size() != 1 || sets[0].window) join(view.picture, scene, camera);
   return view;
 }

@@ -11,7 +11,7 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-// Deletes relations on cycles and notes which faces are to be cut by which.
+// Deletes relations on cycles and records which faces must be cut by which.
 class CycleCutter {
  public:
   CycleCutter(const FaceSet& set, std::span<const Relation> relations, RegionCounts& counts, Trace* trace)
@@ -46,11 +46,11 @@ class CycleCutter {
   const FaceSet& set_;
   std::span<const Relation> relations_;
   RegionCounts& counts_;
-  std::vector<double> areas_;  // of what both cover; negative: not known yet
+  std::vector<double> areas_;  // common area of both faces; negative: not computed yet
   Trace* trace_;
 };
 
-// Takes regions away from others, and counts that.
+// Subtracts regions from others and counts the operations.
 class Subtraction {
  public:
   Subtraction(const FaceSet& set, RegionCounts& counts)
@@ -61,7 +61,7 @@ class Subtraction {
     ++counts_.subtractions;
     subtract_(region, other);
   }
-  // What is left of a face, and another face.
+  // Subtracts another face from what is left of a face.
   void operator()(TrapezoidPcs& region, std::uint32_t face, std::uint32_t near) {
     if (region.empty()) return;
     const Placement placement = placement_of(set_, set_.faces[face], set_.faces[near]);
@@ -76,8 +76,8 @@ class Subtraction {
   Combiner subtract_;
 };
 
-// What is left of every face is worked on in one place, whose room is kept, and copied when it is done.
-// Every face less those before it in the list that are its neighbours in the relations, nearest first.
+// Subtracts from every face those before it in the list that are related to it, nearest first. One region is used for all
+// faces, to reuse its memory, and is copied when a face is finished.
 void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations, VisibleRegions& result, Trace* trace) {
   std::vector<std::uint32_t> rank(set.faces.size());
   std::vector<std::uint32_t> by_rank;
@@ -88,7 +88,7 @@ void hide_by_neighbours(const FaceSet& set, std::span<const Relation> relations,
       by_rank.push_back(face);
     }
   }
-  // The ranks of those before a face, from first[face] on.
+  // The ranks of the related faces before a face begin at first[face].
   std::vector<std::uint32_t> first(set.faces.size() + 1);
   for (const Relation& relation : relations)
     if (rank[relation.near] < rank[relation.far]) ++first[relation.far];

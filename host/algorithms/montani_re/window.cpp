@@ -10,7 +10,7 @@ namespace {
 
 using geometry::Int128;
 
-// One face in one window, stripe by stripe.
+// Clips one face to one window, stripe by stripe.
 class ClippedFace {
  public:
   ClippedFace(const Image& image, const Window& window, int far_side)
@@ -68,14 +68,14 @@ class ClippedFace {
     });
   }
 
-  // Negative, zero, positive: the side is to the west of a border, on it, to the east.
+  // Negative, zero, positive: the side is to the west of a border, on it, to the east of it.
   [[nodiscard]] int place(std::uint32_t side, std::uint32_t border, const Ordinate& low,
                           const Ordinate& high) const {
     const int order = image_.order_at(side, border, low);
     return order != 0 ? order : image_.order_at(side, border, high);
   }
 
-  // Borders stand for all that is beyond them.
+  // Everything beyond a border is replaced by the border.
   [[nodiscard]] std::vector<Side> kept_sides(const Ordinate& low, const Ordinate& high) const {
     std::vector<Side> result;
     bool inside = sides_.size() % 2 != 0 && !far_east_;

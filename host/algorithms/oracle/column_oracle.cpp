@@ -27,7 +27,7 @@ using Columns = std::array<Column, raster_columns>;
   return a / b - (a % b < 0 ? 1 : 0);
 }
 
-// Pieces of one chain: an array of columns of which only the last added to is still open.
+// Collects the pieces of one chain by column. Only the column added to last is open.
 class PieceCollector {
  public:
   PieceCollector(Columns& columns, int rank, ColumnExtent extent)
@@ -79,7 +79,7 @@ void collect(Columns& columns, const Chain& chain) {
       pieces.add(dots[static_cast<std::size_t>(j)], b.role, a.depth + floor_divide(weighted, span),
                  a.depth - floor_divide(-weighted, span));
     }
-    // A vertex between a segment without ink and one with ink is a dot of both.
+    // A vertex between a segment without ink and a segment with ink is a dot of both.
     start_pending = b.role == SegmentRole::mask;
   }
 }
@@ -89,18 +89,18 @@ void collect(Columns& columns, const Chain& chain) {
                      [](const Dot& dot) { return dot.role != SegmentRole::test; });
 }
 
-// The two chains lie beside each other and meet in a column; one that is all in a column does not.
+// Whether two chains are side by side and meet in a column. A chain within one column never is.
 [[nodiscard]] bool adjoining(ColumnExtent a, ColumnExtent b) {
   const bool wide = a.first != a.last && b.first != b.last;
   return wide && (a.last == b.first || b.last == a.first);
 }
 
-// By depth, as far as that is known. Two pieces that hide nothing need no order.
+// Whether depth alone decides that a is nearer. Two pieces that hide nothing need no order.
 [[nodiscard]] bool clearly_nearer(const Piece& a, const Piece& b, std::int64_t tolerance) {
   return a.farthest + tolerance < b.nearest && !adjoining(a.extent, b.extent) && (hides(a) || hides(b));
 }
 
-// Nearest first. Of the pieces that no remaining one is clearly nearer than, the least rank goes first.
+// Nearest first. Among the pieces that no remaining piece is clearly nearer than, the one of the least rank is next.
 [[nodiscard]] Column in_order(Column pieces, std::int64_t tolerance) {
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& a, const Piece& b) { return a.rank < b.rank; });
@@ -131,7 +131,7 @@ void collect(Columns& columns, const Chain& chain) {
   return role == SegmentRole::shade || role == SegmentRole::rim;
 }
 
-// The y where the last shaded dot of the pieces before number `count` lies.
+// The y of the last shaded dot of the first `count` pieces.
 [[nodiscard]] std::optional<int> surface_before(const Column& pieces, std::size_t count) {
   for (std::size_t i = count; i-- > 0;)
     for (auto dot = pieces[i].dots.rbegin(); dot != pieces[i].dots.rend(); ++dot)
@@ -139,7 +139,7 @@ void collect(Columns& columns, const Chain& chain) {
   return std::nullopt;
 }
 
-// Dots strictly between the two lie on the surface; the one at `from` is the slice's own.
+// Lights the dots strictly between the two, which lie on the surface. The dot at `from` belongs to the slice itself.
 void light_surface(std::bitset<raster_columns>& lit, int from, int to,
                    const std::optional<ColumnHull>& nearer) {
   for (int y = std::min(from, to) + 1; y < std::max(from, to); ++y)
@@ -152,7 +152,7 @@ void light_surface(std::bitset<raster_columns>& lit, int from, int to,
   return ColumnHull{std::min(a->low, b->low), std::max(a->high, b->high)};
 }
 
-// What would be nearer than this piece if it lay in another column, whose pieces are in order.
+// The hull of the pieces in another column, which are in order, that would be nearer than this piece if it were there.
 [[nodiscard]] std::optional<ColumnHull> hull_nearer_than(const Piece& piece, const Column& others,
                                                          std::int64_t tolerance) {
   const auto last_nearer = std::find_if(others.rbegin(), others.rend(), [&](const Piece& other) {
@@ -171,7 +171,7 @@ void light_surface(std::bitset<raster_columns>& lit, int from, int to,
                      [](const Dot& dot) { return dot.role == SegmentRole::test; });
 }
 
-// Hulls of what is nearer than a test-only piece in the columns beside it, as far as there is anything.
+// The hulls of the pieces nearer than a test-only piece in the columns beside it, if there are any.
 [[nodiscard]] std::vector<ColumnHull> hulls_beside(const Columns& columns, int x, const Piece& piece,
                                                    std::int64_t tolerance) {
   std::vector<ColumnHull> hulls;
@@ -204,8 +204,8 @@ void light_piece(std::bitset<raster_columns>& lit, const Column& pieces, std::si
   if (entry_outside && before) light_surface(lit, entry->y, *before, nearer);
 }
 
-// Where a record of `values` was followed, before the next record, by a value less than its guard by more
-// than one; the first value is no record.
+// The records (new maxima, except the first value) after which, before the next record, a value is less than its guard by
+// more than one.
 [[nodiscard]] std::vector<int> records_left(const std::vector<int>& values, const std::vector<int>& guards) {
   std::vector<int> left;
   for (std::size_t i = 1; i < values.size(); ++i) {

@@ -8,7 +8,7 @@ namespace sightline::algorithms::oracle {
 namespace {
 
 constexpr double longest_step = 0.25;
-// Far above what rounding does to a distance between places of a picture.
+// Far above the rounding error of a distance between points of a picture.
 constexpr double rounding_allowed = 1e-6;
 
 double length_of(const ScreenSegment& s) {
@@ -40,9 +40,8 @@ class Steps {
     const double y = line_.y0 + t * (line_.y1 - line_.y0);
     return oracle::within(x, y, other, distance);
   }
-  // What is near a segment is convex: of step n, which is within the distance of `other`, and all steps up to
-  // the one that is returned, none is farther from it. Distances that rounding could change are not relied
-  // on.
+  // The points near a segment form a convex set. If step n is within `distance` of `other`, so are all steps up to the
+  // returned one. Distances that rounding could change are not used.
   [[nodiscard]] std::size_t last_within(std::size_t n, const ScreenSegment& other, double distance) const {
     const double surely = distance - rounding_allowed;
     if (surely <= 0 || !within(n, other, surely)) return n;
@@ -62,7 +61,7 @@ class Steps {
 double unmatched(const std::vector<ScreenSegment>& lines, const std::vector<ScreenSegment>& others,
                  double distance) {
   double total = 0;
-  std::size_t last = 0;  // the one that was near the step before is likely near again
+  std::size_t last = 0;  // the segment near the last step is likely near this one
   for (const ScreenSegment& line : lines) {
     const Steps steps(line);
     std::size_t alone = 0;
@@ -92,10 +91,10 @@ double total_length(const std::vector<ScreenSegment>& lines) {
 
 }  // namespace
 
-DrawnError drawn_error(const std::vector<ScreenSegment>& truth, const std::vector<ScreenSegment>& drawn,
+DrawnError drawn_error(const std::vector<ScreenSegment>& reference, const std::vector<ScreenSegment>& drawn,
                        double distance) {
-  return {total_length(truth), total_length(drawn), unmatched(truth, drawn, distance),
-          unmatched(drawn, truth, distance)};
+  return {total_length(reference), total_length(drawn), unmatched(reference, drawn, distance),
+          unmatched(drawn, reference, distance)};
 }
 
 }  // namespace sightline::algorithms::oracle

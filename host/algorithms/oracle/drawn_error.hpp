@@ -1,15 +1,15 @@
-// The error of a drawing: lengths of missing and of extra lines, on the screen.
+// The error of a drawing: the lengths of missing and of extra lines on the screen.
 //
-// Both drawings are taken as sets of points. A stretch of the one counts as found if some point of the other
-// is within a given distance; so position errors below that distance are forgiven, and drawing a line twice
-// is no error. Lengths are measured by the midpoints of equal steps of at most 0.25 points.
+// Both drawings are compared as sets of points. A part of one counts as found if some point of the other is within a
+// given distance; position errors below that distance are therefore ignored, and drawing a line twice is no error.
+// Lengths are measured at the midpoints of equal steps of at most 0.25 points.
 #pragma once
 
 #include <vector>
 
 namespace sightline::algorithms::oracle {
 
-// In points of the screen; the order of the ends does not matter.
+// In points of the screen. The order of the ends does not matter.
 struct ScreenSegment {
   double x0 = 0;
   double y0 = 0;
@@ -24,7 +24,7 @@ struct DrawnError {
   double extra = 0;         // of drawn_length, farther than the distance from everything true
 };
 
-[[nodiscard]] DrawnError drawn_error(const std::vector<ScreenSegment>& truth,
+[[nodiscard]] DrawnError drawn_error(const std::vector<ScreenSegment>& reference,
                                      const std::vector<ScreenSegment>& drawn, double distance);
 
 }  // namespace sightline::algorithms::oracle

@@ -31,7 +31,7 @@ std::int64_t determinant(const Vector& a, const Vector& b, const Vector& c) {
   return dot(cross(a, b), c);
 }
 
-// What is known at both ends of the edge of a quantity that is linear along it.
+// The values at both ends of the edge of a quantity that is linear along it.
 struct Linear {
   std::int64_t from = 0;
   std::int64_t to = 0;
@@ -44,7 +44,7 @@ struct Linear {
   [[nodiscard]] Rational zero() const { return {from, from - to}; }
 };
 
-// The same of a line between two fractional points, brought to one denominator, and a place there.
+// The same for a line between two fractional points, with a common denominator, and for a place on it.
 using Value = geometry::WideInteger<184>;
 
 struct WidePlace {
@@ -74,7 +74,7 @@ struct WideLinear {
   }
 };
 
-// An end of a line in whole numbers over a positive weight, relative to the eye: 80 over 61 bits.
+// An end of a line as integers over a positive weight, relative to the eye: 80 over 61 bits.
 struct WideEnd {
   std::array<Int128, 3> at{};
   std::int64_t weight = 1;
@@ -90,8 +90,8 @@ WideEnd wide_end(const scene::PolyScene& scene, const scene::PolyCamera& camera,
   return end;
 }
 
-// Points as the eye sees them. Its three functions are determinants of the eye and three points, the eye
-// being a point or, if the view is orthographic, the direction towards it.
+// Points as the eye sees them. Its three functions are determinants of the eye and three points; in orthographic views
+// the eye is the direction towards it.
 class Sight {
  public:
   Sight(const scene::PolyScene& scene, const scene::PolyCamera& camera)
@@ -108,11 +108,11 @@ class Sight {
   [[nodiscard]] std::int64_t side(const Vector& p, const Vector& q, const Vector& x) const {
     return perspective_ ? determinant(p, q, x) : determinant(q - p, x - p, forward_);
   }
-  // The same for the line from x in the direction of w.
+  // The same for the line from x in direction w.
   [[nodiscard]] std::int64_t side_of_ray(const Vector& x, const Vector& w, const Vector& p) const {
     return perspective_ ? determinant(x, w, p) : determinant(forward_, w, p - x);
   }
-  // How side(p, q, .) grows in the direction of w.
+  // The rate of change of side(p, q, .) in direction w.
   [[nodiscard]] std::int64_t growth(const Vector& p, const Vector& q, const Vector& w) const {
     return perspective_ ? determinant(p, q, w) : determinant(q - p, w, forward_);
   }
@@ -128,7 +128,7 @@ class Sight {
 };
 
 struct Face {
-  std::vector<LineEdge> sides;  // in no order: a point is inside if a ray from it crosses an odd number
+  std::vector<LineEdge> sides;  // unordered: a point is inside if a ray from it crosses an odd number
   Vector normal{};              // of length twice the area: below 2^39 in each component
   Vector on{};
   std::int64_t eye_side = 0;
@@ -166,7 +166,7 @@ std::vector<Face> faces_of(const scene::PolyScene& scene, const Sight& sight) {
   return faces;
 }
 
-// An edge between two vertices: what a test asks of it.
+// The quantities that a test needs of an edge between two vertices.
 class Segment {
  public:
   using Quantity = Linear;
@@ -174,10 +174,11 @@ class Segment {
 
   Segment(const Sight& sight, const Vector& a, const Vector& b) : sight_(sight), a_(a), b_(b) {}
 
-  // Signs: how `side` of the edge grows in a direction, and on which side of it a point is seen.
+  // Signs: how `side` of the edge changes in a direction, and on which side of the edge a point is seen.
   [[nodiscard]] int growth(const Vector& w) const { return sign(sight_.growth(a_, b_, w)); }
   [[nodiscard]] int place_of(const Vector& p) const { return sign(sight_.side(a_, b_, p)); }
-  // Of the ends against the line from p to q, a plane, and the line from each end in the direction w against p.
+  // The values at the ends of the edge: relative to the line from p to q; of a plane; and of p relative to the line from
+  // each end in direction w.
   [[nodiscard]] Linear left_of(const Vector& p, const Vector& q) const { return {sight_.side(p, q, a_), sight_.side(p, q, b_)}; }
   [[nodiscard]] Linear along(const Vector& normal, const Vector& on) const { return {dot(normal, a_ - on), dot(normal, b_ - on)}; }
   [[nodiscard]] Linear turn(const Vector& w, const Vector& p) const {
@@ -192,7 +193,7 @@ class Segment {
   Vector b_;
 };
 
-// A crossing: the same with fractional ends, determinants of which are written out in wide integers.
+// The same for a crossing, which has fractional ends; its determinants are expanded in wide integers.
 class CrossingLine {
  public:
   using Quantity = WideLinear;
@@ -216,7 +217,7 @@ class CrossingLine {
   }
   [[nodiscard]] WideLinear turn(const Vector& w, const Vector& p) const {
     const auto value = [&](const WideEnd& end) {
-      // determinant(x, w, p), or determinant(forward, w, p - x) times the weight
+      // determinant(x, w, p), or in orthographic views determinant(forward, w, p - x) times the weight
       const Vector across = sight_.perspective() ? cross(w, p) : cross(sight_.forward(), w);
       Int128 sum = sight_.perspective() ? Int128{0} : Int128{dot(across, p)} * end.weight;
       for (std::size_t a = 0; a < 3; ++a) sum += (sight_.perspective() ? end.at[a] : -end.at[a]) * across[a];
@@ -238,7 +239,8 @@ class CrossingLine {
     return {Part(a) * Short(Int128{b_.weight}), Part(b) * Short(Int128{a_.weight})};
   }
 
-  // determinant(a, b, x), or determinant(b - a, x - a, forward); x a point (1) or a direction (0).
+  // determinant(a, b, x), or in orthographic views determinant(b - a, x - a, forward). x is a point (1) or a direction
+  // (0).
   [[nodiscard]] int side(const Vector& x, int point) const {
     using Wide = geometry::WideInteger<150>;
     std::array<Wide, 3> u;
@@ -272,7 +274,7 @@ class CrossingLine {
   WideEnd b_;
 };
 
-// The test of one edge or crossing.
+// Tests one edge or crossing.
 template <class Line>
 class EdgeTest {
  public:
@@ -302,13 +304,13 @@ class EdgeTest {
   }
 
  private:
-  // A face with what its tests need at both ends of the edge.
+  // A face with the quantities that its tests need at both ends of the edge.
   struct Candidate {
     const Face* face;
-    Quantity beyond;  // of the plane of the face, on the other side than the eye, if positive
+    Quantity beyond;  // relative to the plane of the face: positive on the side away from the eye
     struct Side {
-      Quantity left;                  // of the side of the face
-      std::array<Quantity, 2> turns;  // of the ends of the side against the ray to the left
+      Quantity left;                  // relative to the side of the face
+      std::array<Quantity, 2> turns;  // of the side's ends, relative to the ray to the left
     };
     std::vector<Side> sides;
   };
@@ -317,7 +319,8 @@ class EdgeTest {
     return line_.left_of(sight_.vertex(line.from), sight_.vertex(line.to));
   }
 
-  // A face wholly to one side of the edge's image line hides nothing of it; neither does one beyond it.
+  // Collects the candidates. A face wholly on one side of the edge's image line hides nothing of the edge, nor does a
+  // face beyond it.
   void collect_faces(const std::vector<Face>& faces) {
     place_.resize(sight_.vertex_count());
     for (std::size_t v = 0; v < place_.size(); ++v) {
@@ -365,15 +368,15 @@ class EdgeTest {
     return !hidden_at(s, 1) || !hidden_at(s, -1);
   }
 
-  // Hidden in the limit from the left (1) or the right (-1) of the edge.
+  // Whether the point is hidden in the limit from the left (1) or the right (-1) of the edge.
   [[nodiscard]] bool hidden_at(const Place& s, int hand) const {
     return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
       return candidate.beyond.sign_at(s) > 0 && covers(candidate, s, hand);
     });
   }
 
-  // Counts the sides that a ray from the point to the left or right crosses. A side in line with the edge is
-  // not crossed: the ray starts a little beside it. A vertex on the ray counts as off it to one fixed side.
+  // Counts the sides that a ray from the point to the left or right crosses. The ray starts a little beside the edge, so
+  // a side in line with the edge is not crossed. A vertex on the ray counts as being on one fixed side of it.
   static bool covers(const Candidate& candidate, const Place& s, int hand) {
     bool inside = false;
     for (const auto& side : candidate.sides) {
@@ -386,7 +389,7 @@ class EdgeTest {
 
   const Sight& sight_;
   Line line_;
-  Vector leftward_{};  // along an axis, so that tests stay narrow
+  Vector leftward_{};  // along an axis, so that the numbers stay short
   bool has_image_ = false;
   std::vector<int> place_;
   std::vector<Candidate> candidates_;

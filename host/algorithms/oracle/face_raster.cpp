@@ -1,4 +1,3 @@
-// See face_raster.hpp.
 #include "host/algorithms/oracle/face_raster.hpp"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The nearest face at every point of a raster, by a sight line for each: the reference for pictures of faces.
+// Finds the nearest face at every point of a raster with one sight line each: the reference for pictures of faces.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@
 
 namespace sightline::algorithms::oracle {
 
-// The sight line of the middle of a pixel, rows from the bottom.
+// The sight line of the centre of a pixel; rows count from the bottom.
 using PixelSight = std::function<SightLine(int column, int row)>;
 
-// Numbers of faces over all bodies (host/scene/model/poly_scene.hpp), 0 where none is met. The scene is a checked
-// one, no line's direction zero (preconditions).
+// Returns numbers of faces over all bodies (host/scene/model/poly_scene.hpp), 0 where the sight line meets none.
+// Preconditions: the scene is checked, no line has the direction zero.
 [[nodiscard]] picture::PixelGrid nearest_faces(const scene::PolyScene& scene, int width, int height,
                                                const PixelSight& sight);
 
-// Square images whose pixels have whole sight lines.
+// A square image whose pixels have integer sight lines.
 struct SquareImage {
-  scene::PolyCamera camera;  // its three vectors are of one length
-  int size = 256;            // pixels a side
-  // In perspective the distance of the image in half pixels (`size`: 90 degrees wide), else half a pixel in
-  // lengths of camera vectors.
+  scene::PolyCamera camera;  // its three vectors have equal lengths
+  int size = 256;            // pixels per side
+  // In perspective, the distance of the image in half pixels (`size`: 90 degrees wide); otherwise the length of half a
+  // pixel in lengths of camera vectors.
   std::int32_t unit = 256;
 
-  // Without perspective from the plane of the eye (which is before all of the scene then: precondition).
+  // In orthographic views the line starts in the plane of the eye. Precondition: all of the scene is before that plane.
   [[nodiscard]] SightLine sight(int column, int row) const;
 };
 

@@ -85,10 +85,10 @@ bool Matter::opaque_face(std::size_t axis, const std::array<int, 3>& unit) const
   return solid(unit) || solid(below) || walled_[axis][index(unit)];
 }
 
-// `edge` is the unit along the axis, and the grid line numbers across it.
+// `edge` is the unit along `axis` and the grid line numbers on the other two axes.
 std::array<bool, 4> Matter::features(std::size_t axis, const std::array<int, 3>& edge) const {
   const auto [u, v] = other_axes(axis);
-  // Round the edge: quadrant, then the face to the next one.
+  // The quadrants around the edge in order; between two consecutive ones is a face.
   constexpr std::array<std::array<int, 2>, 4> round{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   std::array<std::array<int, 3>, 4> quadrant;
   for (std::size_t k = 0; k < 4; ++k) {

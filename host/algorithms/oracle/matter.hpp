@@ -1,9 +1,9 @@
-// The matter of a scene, on the grid of its own coordinates: which units of space are solid, which unit
-// faces are covered by a wall, and from that alone the scene's real lines. Cells, openings and cell lines
-// of the scene are not read: the oracle must not inherit their mistakes.
+// The matter of a scene on the grid of its own coordinates: which units of space are solid, which unit faces a wall
+// covers, and the scene's real lines derived from these alone. The scene's cells, openings and cell lines are not read,
+// so that the oracle cannot inherit their mistakes.
 //
-// Unit i of an axis reaches from its i-th to its (i+1)-th grid coordinate. Everything outside the outer box
-// is solid.
+// Unit i of an axis extends from the axis's i-th to its (i+1)-th grid coordinate. Everything outside the outer box is
+// solid.
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@
 
 namespace sightline::algorithms::oracle {
 
-// An actual line: an edge of the grid, or several in a row, where matter is not flat. Around it are four
-// quadrants, number q on the high side of the first cross axis if q is odd, of the second if q is 2 or 3. A
-// quadrant's flag says whether the line is a feature for someone looking from there: the free angle the
-// quadrant belongs to is not half a turn (a wall that a partition meets from behind stays flat in front).
+// A real line: an edge of the grid, or several in a row, where matter is not flat. Around it are four quadrants: quadrant
+// q is on the high side of the first cross axis if q is odd, and of the second if q is 2 or 3. A quadrant's flag says
+// whether the line is a feature when seen from that quadrant: the free angle that contains the quadrant is not half a
+// turn. (A wall that a partition meets from behind is flat in front.)
 struct RealLine {
   std::size_t axis = 0;
   std::array<int, 2> cross{};  // grid line numbers on other_axes(axis)
@@ -34,18 +34,17 @@ class Matter {
  public:
   static constexpr std::size_t most_units = std::size_t{1} << 26;
 
-  // Empty if the grid would have more than most_units units, or a box or wall is empty.
+  // nullopt if the grid would have more than most_units units, or if a box or wall is empty.
   [[nodiscard]] static std::optional<Matter> of(const scene::CellScene& scene);
 
   [[nodiscard]] const std::vector<std::int32_t>& grid(std::size_t axis) const { return grid_[axis]; }
   [[nodiscard]] int units(std::size_t axis) const { return static_cast<int>(grid_[axis].size()) - 1; }
 
   [[nodiscard]] bool solid(const std::array<int, 3>& unit) const;
-  // The face of `unit` on its low side of `axis`: nothing passes it. True for a wall, and if either side is
-  // solid.
+  // Whether the face of `unit` on its low side of `axis` is opaque: it is a wall, or a unit on either side is solid.
   [[nodiscard]] bool opaque_face(std::size_t axis, const std::array<int, 3>& unit) const;
 
-  // All lines, by axis, then in the order of the grid.
+  // All real lines, by axis, then in the order of the grid.
   [[nodiscard]] std::vector<RealLine> real_lines() const;
 
  private:

@@ -1,4 +1,3 @@
-// See matter_scene.hpp.
 #include "host/algorithms/oracle/matter_scene.hpp"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ AxisLine line_through(const geometry::Point& p, const geometry::Point& q) {
   return {axis, {p[u], p[v]}};
 }
 
-// The six sides of a box, to be seen from inside.
+// The six sides of a box, visible from inside.
 scene::PolyBody sheet_of(const geometry::Box& box, std::map<scene::PolyPoint, scene::VertexIndex>& numbers, scene::PolyScene& scene) {
   scene::PolyBody sheet;
   sheet.name = "outer box";
@@ -50,7 +49,7 @@ scene::PolyBody sheet_of(const geometry::Box& box, std::map<scene::PolyPoint, sc
 
 class MatterScene::Parts {
  public:
-  // From `low` to `high` of the way from the line's `from` to its `to`.
+  // Adds the part of the line from `low` to `high`, fractions of the way from its `from` to its `to`.
   void add(std::size_t line, const Rational& low, const Rational& high) { parts_[line].unite(low, high); }
 
   [[nodiscard]] LinePicture picture(const MatterScene& scene) const {
@@ -115,7 +114,7 @@ picture::ChosenEdges MatterScene::lines_at(const geometry::Point& eye) const {
 
 LinePicture MatterScene::visible(const geometry::Point& eye, const Window& window) const {
   Parts parts;
-  // Lines of one axis come in the order of the grid, as real_lines() has them, so each is found among those of its own line of space.
+  // Like real_lines(), lines of one axis are in grid order, so each is found among the lines on the same line of space.
   for (const VisibleLine& seen : visible_lines(matter_, lines_, eye, window)) {
     const std::vector<std::size_t>& candidates = on_.at(line_through(seen.p, seen.q));
     const auto line = std::find_if(candidates.begin(), candidates.end(), [&](std::size_t l) { return lines_[l].from == seen.p; });
@@ -138,7 +137,7 @@ LinePicture MatterScene::on_lines(const LinePicture& drawn, const geometry::Poin
       if (!is_line_for(line, eye)) continue;
       const std::int64_t start = std::int64_t{p[axis]} - line.from[axis];
       const std::int64_t of_line = std::int64_t{line.to[axis]} - line.from[axis];
-      // The fractions are those of the oracle's crossings, of at most 36 bits in lowest terms, and lengths have 16.
+      // The fractions are those of the oracle's crossings, at most 36 bits in lowest terms; lengths have 16 bits.
       const auto place = [&](const Rational& s) {
         return Rational(start * s.denominator() + length * s.numerator(), s.denominator() * of_line);
       };

@@ -1,9 +1,9 @@
-// A scene of cells as all methods of line drawing get it, so that they draw the same lines: its matter as bodies, which hide, and the
-// real lines of that matter as wires, which hide nothing. The lines are the oracle's (host/algorithms/oracle/matter.hpp), those of the
-// outer box among them; cells, openings and cell lines of the scene are not read.
+// A scene of cells in the form that all line-drawing methods receive, so that they draw the same lines: its matter as
+// bodies, which hide, and the real lines of that matter (host/algorithms/oracle/matter.hpp) as wires, which hide nothing.
+// The outer box has real lines, too. The scene's cells, openings and cell lines are not read.
 //
-// The outer box is no body: an eye inside it looks at nothing beyond. For methods that know no lines but edges of faces, with_box() has
-// it as a sheet, and on_lines() takes their pieces as pieces of the real lines.
+// The outer box is not a body, because an eye inside it sees nothing beyond it. For methods that draw only edges of
+// faces, with_box() contains it as a sheet, and on_lines() converts their pieces to pieces of the real lines.
 #pragma once
 
 #include <array>
@@ -29,13 +29,13 @@ struct AxisLine {
   std::array<std::int32_t, 2> cross{};  // on other_axes(axis)
 
   friend bool operator==(const AxisLine&, const AxisLine&) = default;
-  // Not <=>, which the arrays of libc++ 14 do not have.
+  // Not <=>, which arrays in libc++ 14 do not support.
   friend bool operator<(const AxisLine& a, const AxisLine& b) { return a.axis != b.axis ? a.axis < b.axis : a.cross < b.cross; }
 };
 
 class MatterScene {
  public:
-  // Of a checked scene. Error: it has too many different coordinates for the oracle.
+  // Precondition: the scene is checked. Error: the scene has too many distinct coordinates for the oracle.
   [[nodiscard]] static base::Result<MatterScene> of(const scene::CellScene& cells);
 
   // Solids, walls, and all real lines as wires; the camera is the scene's default view.
@@ -43,25 +43,26 @@ class MatterScene {
   // The same solids and walls, and the outer box as a sheet of six faces; no wires.
   [[nodiscard]] const scene::PolyScene& with_box() const { return with_box_; }
 
-  // Of the wires, those that are lines for this eye (oracle::is_line_for).
+  // The wires that are lines for this eye (oracle::is_line_for).
   [[nodiscard]] picture::ChosenEdges lines_at(const geometry::Point& eye) const;
-  // What is truly seen of the wires in a window, by the oracle of cells. The eye is inside the outer box and in no solid (precondition).
+  // The visible parts of the wires in a window, from the oracle of cells. Precondition: the eye is inside the outer box
+  // and in no solid.
   [[nodiscard]] picture::LinePicture visible(const geometry::Point& eye, const Window& window) const;
-  // Pieces of edges of with_box() as pieces of the wires that are lines for this eye; what lies on none, such as the joint of two
-  // solids, is left out.
+  // Converts pieces of edges of with_box() to pieces of the wires that are lines for this eye. Parts on no such wire,
+  // such as the joint of two solids, are left out.
   [[nodiscard]] picture::LinePicture on_lines(const picture::LinePicture& drawn, const geometry::Point& eye) const;
-  // A wire on a line of space; empty if no real line lies on it.
+  // A wire on a line of space; nullopt if no real line lies on it.
   [[nodiscard]] std::optional<picture::LineEdge> wire_on(const AxisLine& line) const;
 
  private:
   MatterScene(Matter matter) : matter_(std::move(matter)), lines_(matter_.real_lines()) {}
   [[nodiscard]] picture::LineEdge wire(std::size_t line) const;
-  // Parts of wires, by the number of the line, as a picture.
+  // Collects parts of wires, by line number, into a picture.
   class Parts;
 
   Matter matter_;
   std::vector<RealLine> lines_;  // in the order of the wires
-  std::map<AxisLine, std::vector<std::size_t>> on_;  // numbers of lines, ascending along the axis
+  std::map<AxisLine, std::vector<std::size_t>> on_;  // numbers of real lines, ascending along the axis
   scene::PolyScene scene_;
   scene::PolyScene with_box_;
 };

@@ -26,7 +26,7 @@ SightFan::SightFan(const Matter& matter, const RealLine& line, const geometry::P
   milestones_.erase(std::unique(milestones_.begin(), milestones_.end()), milestones_.end());
 }
 
-void SightFan::take_shadows(IntervalSet& seen) const {
+void SightFan::subtract_shadows(IntervalSet& seen) const {
   for (std::size_t m = 0; m + 1 < milestones_.size() && !seen.empty(); ++m) {
     take_stretch(seen, milestones_[m], milestones_[m + 1]);
     if (m > 0) take_crossing(seen, milestones_[m]);
@@ -59,11 +59,11 @@ std::int64_t SightFan::along(int grid_line) const {
   return std::int64_t{matter_.grid(axis_)[static_cast<std::size_t>(grid_line)]} - eye_[axis_];
 }
 
-// Hides what matter from g0 to g1 (g0 <= g1) hides when met between s0 and s1 (s0 <= s1).
+// Removes what is hidden by matter from g0 to g1 (g0 <= g1) that the ray meets between s0 and s1 (s0 <= s1).
 void SightFan::take(IntervalSet& seen, std::int64_t g0, std::int64_t g1, const Rational& s0,
                     const Rational& s1) const {
   if (seen.empty()) return;
-  // g / s; towards infinity at the eye itself, where anything beyond the line's ends will do.
+  // g / s; at the eye (s = 0) a value beyond the ends of the line in the direction of g.
   const auto reach = [&](std::int64_t g, const Rational& s) {
     if (s.numerator() != 0) return Rational(g * s.denominator(), s.numerator());
     const Rational end = g < 0 ? seen.intervals().front().low : seen.intervals().back().high;
@@ -74,7 +74,7 @@ void SightFan::take(IntervalSet& seen, std::int64_t g0, std::int64_t g1, const R
   seen.subtract(low, high);
 }
 
-// Between two milestones the ray stays in one unit of each cross axis, or on the grid line between two.
+// Between two milestones the ray stays in one unit of each cross axis, or on the grid line between two units.
 void SightFan::take_stretch(IntervalSet& seen, const Rational& s0, const Rational& s1) const {
   const Rational middle = geometry::mediant(s0, s1);
   const Slot first = slot(0, middle);
@@ -82,7 +82,7 @@ void SightFan::take_stretch(IntervalSet& seen, const Rational& s0, const Rationa
   const auto everywhere = [&](const auto& holds) {
     return holds(first.before, second.before) && holds(first.after, second.after);
   };
-  int run = -1;  // first unit of the solid stretch being followed
+  int run = -1;  // first unit of the current solid run
   for (int k = 0; k <= matter_.units(axis_); ++k) {
     const bool solid =
         k < matter_.units(axis_) && everywhere([&](int i, int j) { return matter_.solid(unit(k, i, j)); });
@@ -96,7 +96,7 @@ void SightFan::take_stretch(IntervalSet& seen, const Rational& s0, const Rationa
   }
 }
 
-// The ray meets a grid line of one cross axis, or of both at once. It can pass if it can on one side.
+// The ray meets a grid line of one cross axis, or of both at once. It passes if it can pass on one side.
 bool SightFan::stopped_at(const std::array<Slot, 2>& slots, int along) const {
   const auto face = [&](std::size_t across, int beside) {
     const int line = slots[across].line;

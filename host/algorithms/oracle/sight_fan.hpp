@@ -1,5 +1,4 @@
-// All sight lines from an eye to the points of one line, seen along the line: a ray in the plane of the two
-// other axes.
+// All sight lines from an eye to the points of one line, seen along that line: a ray in the plane of the two other axes.
 #pragma once
 
 #include <array>
@@ -12,21 +11,20 @@
 
 namespace sightline::algorithms::oracle {
 
-// Let s be the place on the ray, 0 at the eye and 1 at the line, and u = 1/s. A sight line that meets matter
-// at (s, g), g its coordinate along the line relative to the eye, ends at x = g u on the line. So matter that
-// reaches from g0 to g1 along the line, met on the stretch u0..u1 of the ray, hides all x between the least
-// and the greatest g u.
+// Let s be the position on the ray, 0 at the eye and 1 at the line, and u = 1/s. A sight line that meets matter at (s,
+// g), where g is the coordinate along the line relative to the eye, ends at x = g u on the line. So matter from g0 to g1
+// along the line, met on the part u0..u1 of the ray, hides all x between the least and the greatest g u.
 class SightFan {
  public:
-  // The line does not run through the eye.
+  // Precondition: the line does not pass through the eye.
   SightFan(const Matter& matter, const RealLine& line, const geometry::Point& eye);
 
-  // Takes the coordinates that matter hides out of `seen`, coordinates along the line relative to the eye.
-  void take_shadows(geometry::IntervalSet& seen) const;
+  // Removes from `seen` the coordinates, along the line relative to the eye, that matter hides.
+  void subtract_shadows(geometry::IntervalSet& seen) const;
 
  private:
-  // Where the ray is on one of the two cross axes: inside unit `before` (== `after`); on grid line `line`,
-  // passing from one unit to the other; or on a grid line and staying there between the two units.
+  // The ray's position on one of the two cross axes: inside unit `before` (== `after`); on grid line `line`, passing from
+  // unit `before` to unit `after`; or on a grid line and staying between the two units.
   struct Slot {
     bool on_line = false;
     bool moving = false;
@@ -50,7 +48,7 @@ class SightFan {
   std::array<std::size_t, 2> cross_;
   geometry::Point eye_;
   std::array<std::int64_t, 2> direction_{};     // from the eye to the line, on the cross axes
-  std::vector<geometry::Rational> milestones_;  // 0, every s at which a grid line is met, 1; ascending
+  std::vector<geometry::Rational> milestones_;  // 0, each s at which the ray meets a grid line, 1; ascending
 };
 
 }  // namespace sightline::algorithms::oracle

@@ -12,7 +12,7 @@ namespace {
 using geometry::Int128;
 using geometry::Vector3;
 
-// Where on the line a face's plane is crossed: numerator / denominator times the direction.
+// Where the line crosses a face's plane: numerator / denominator times the direction.
 struct Distance {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;  // positive
@@ -47,8 +47,8 @@ class Meetings {
   }
 
  private:
-  // The line runs inside the ring, as seen along it: an odd number of sides crosses the half-plane on one
-  // side of the line.
+  // Whether the line passes through the inside of the ring: as seen along the line, an odd number of sides crosses the
+  // half-plane on one side of it.
   [[nodiscard]] bool passes(const std::vector<scene::VertexIndex>& ring) const {
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -66,27 +66,27 @@ class Meetings {
   const scene::PolyScene& scene_;
   const scene::PolyPoint eye_;
   const Vector3 direction_;
-  Vector3 across_;  // normal of a plane that holds the line
+  Vector3 across_;  // normal of a plane that contains the line
 };
 
 }  // namespace
 
-std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLine& line) {
+std::optional<FaceHit> nearest_face(const scene::PolyScene& scene, const SightLine& line) {
   const Meetings meetings(scene, line);
-  std::optional<MetFace> nearest;
+  std::optional<FaceHit> nearest;
   Distance least;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     for (std::size_t f = 0; f < scene.bodies[b].faces.size(); ++f) {
       const auto distance = meetings.with(scene.bodies[b].faces[f]);
       if (!distance || (nearest && !distance->less(least))) continue;
-      nearest = MetFace{b, f};
+      nearest = FaceHit{b, f};
       least = *distance;
     }
   }
   return nearest;
 }
 
-bool meet_together(const scene::PolyScene& scene, const SightLine& line, const MetFace& first, const MetFace& second) {
+bool hit_at_same_point(const scene::PolyScene& scene, const SightLine& line, const FaceHit& first, const FaceHit& second) {
   const Meetings meetings(scene, line);
   const auto one = meetings.with(scene.bodies[first.body].faces[first.face]);
   const auto other = meetings.with(scene.bodies[second.body].faces[second.face]);

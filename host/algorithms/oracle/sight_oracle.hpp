@@ -1,13 +1,12 @@
-// The first face that a single sight line meets, exactly: the reference for pictures of faces, pixel by pixel, and for
-// the visibility of a point.
+// Finds exactly the first face that a single sight line meets: the reference for pictures of faces, pixel by pixel, and
+// for the visibility of a point.
 //
-// A sight line meets a face where it crosses its plane strictly ahead of the eye, in the inside of its
-// outline and of none of its holes; a face along the line is not met. A line that runs through a side of a
-// face exactly counts as on one side of it, always the same, so that of two faces with a common side one is
-// met. Slow and simple: all faces for every line.
+// A sight line meets a face where it crosses the face's plane strictly ahead of the eye, inside the outline and in no
+// hole. A face along the line is not met. A line exactly through a side of a face counts as being on one side of it,
+// always the same one, so that of two faces with a common side one is met. Slow and simple: all faces for every line.
 //
-// Sizes, coordinates of vertices below 2^18: sides of the line and distances are below 2^63 from points below
-// 2^18 along directions below 2^20, and from points below 2^21 along directions below 2^15.
+// Sizes, with coordinates of vertices below 2^18: sides of the line and distances are below 2^63 for lines from points
+// below 2^18 along directions below 2^20, and from points below 2^21 along directions below 2^15.
 #pragma once
 
 #include <cstddef>
@@ -18,26 +17,25 @@
 
 namespace sightline::algorithms::oracle {
 
-struct MetFace {
+struct FaceHit {
   std::size_t body = 0;
   std::size_t face = 0;
 
-  friend bool operator==(const MetFace&, const MetFace&) = default;
+  friend bool operator==(const FaceHit&, const FaceHit&) = default;
 };
 
 struct SightLine {
   scene::PolyPoint from{};
-  geometry::Vector3 along{};  // of any length but zero
+  geometry::Vector3 along{};  // of any length except zero
 };
 
-// The face met first; of faces met at the same point, the first in the scene's order. The scene is a checked
-// one (precondition).
-[[nodiscard]] std::optional<MetFace> nearest_face(const scene::PolyScene& scene, const SightLine& line);
+// The face met first; of faces met at the same point, the first in the scene's order. Precondition: the scene is checked.
+[[nodiscard]] std::optional<FaceHit> nearest_face(const scene::PolyScene& scene, const SightLine& line);
 
-// Whether the sight line meets both faces, at one point.
-[[nodiscard]] bool meet_together(const scene::PolyScene& scene, const SightLine& line, const MetFace& first, const MetFace& second);
+// Whether the sight line meets both faces at the same point.
+[[nodiscard]] bool hit_at_same_point(const scene::PolyScene& scene, const SightLine& line, const FaceHit& first, const FaceHit& second);
 
-// No face is met strictly between the eye and the point.
+// Whether no face is met strictly between the eye and the point.
 [[nodiscard]] bool sees(const scene::PolyScene& scene, const scene::PolyPoint& eye,
                         const scene::PolyPoint& point);
 

@@ -15,7 +15,7 @@ Point relative(const Point& p, const Point& eye) {
   return {p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]};
 }
 
-// Some quadrant that the eye is in, or on the edge of, has the line as a feature. `r` is the line seen from
+// Whether the line is a feature of a quadrant that contains the eye or has it on its border. `r` is the line relative to
 // the eye.
 bool feature_for(const RealLine& line, const Point& r) {
   const auto [u, v] = geometry::other_axes(line.axis);
@@ -43,7 +43,7 @@ void keep_half(IntervalSet& seen, std::int64_t k, std::int64_t m) {
   }
 }
 
-// `seen` holds coordinates along the line, relative to the eye; `r` is any point of the line.
+// `seen` contains coordinates along the line, relative to the eye; `r` is any point of the line.
 void keep_window(IntervalSet& seen, std::size_t axis, const Point& r, const Window& window) {
   if (axis == 2)
     keep_half(seen, 1, -std::int64_t{window.near});
@@ -72,7 +72,7 @@ VisibleLine seen_of(const Matter& matter, const RealLine& line, const Point& eye
   const std::int64_t length = std::int64_t{line.to[line.axis]} - line.from[line.axis];
   IntervalSet seen(start, start + length);
   keep_window(seen, line.axis, r, window);
-  if (!seen.empty()) SightFan(matter, line, eye).take_shadows(seen);
+  if (!seen.empty()) SightFan(matter, line, eye).subtract_shadows(seen);
   const auto parameter = [&](const Rational& x) {
     return Rational(x.numerator() - start * x.denominator(), x.denominator() * length);
   };

@@ -1,4 +1,3 @@
-// See candidate_filter.hpp.
 #include "host/algorithms/plantinga/candidate_filter.hpp"
 
 #include <algorithm>
@@ -17,10 +16,10 @@ Point point_of(const Vector3& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-// Unit normals and directions are off by far less.
+// Far above the rounding errors of unit normals and directions.
 constexpr double facing_margin = 1e-9;
 
-// One ring that turns one way only. Corners in line are convex too.
+// Whether the face has one ring that turns in one direction only. Collinear corners are allowed.
 bool is_convex(const RotationModel& model, FaceIndex index) {
   const auto corners = model.corners(index);
   const std::size_t axis = geometry::dominant_axis(model.faces()[index].normal);
@@ -40,7 +39,7 @@ bool is_convex(const RotationModel& model, FaceIndex index) {
   return !(left && right);
 }
 
-// The rings of a face as the scene has them.
+// The rings of a face in the scene's form.
 scene::PolyFace rings_of(const RotationModel& model, FaceIndex index) {
   scene::PolyFace face;
   const auto corners = model.corners(index);
@@ -161,7 +160,7 @@ bool CandidateFilter::no_contour(EdgeIndex other, const NearDirection& v) const 
     if (model_.faces()[incidence.face].horizontal) continue;
     const ConvexParts::Point& n = parts_.face(incidence.face).normal;
     const double facing = n.x * v.x + n.z * v.z;
-    if (std::abs(facing) <= facing_margin + v.error) return false;  // turning just now
+    if (std::abs(facing) <= facing_margin + v.error) return false;  // it may be turning at this direction
     if (facing < 0 && !model_.faces()[incidence.face].sheet) continue;
     ((facing > 0) == incidence.with_edge ? left : right) = true;
   }

@@ -1,9 +1,9 @@
-// Drops potential events that cannot change the picture: a filter in doubles that keeps every uncertain event.
+// Drops potential events that cannot change the picture. The filter works in doubles and keeps every uncertain event.
 //
-// A potential event happens at a point of its farthest edge. It has no effect if that point, with a margin
-// for all rounding, is hidden by another face, or if an edge that should hide is no contour: between two
-// faces that hide on both of its sides, or none (asp specification, section 4). What the filter passes
-// by mistake is dropped later, when the structures before and after turn out equal.
+// A potential event happens at a point of its farthest edge. It has no effect if that point, with a margin for all
+// rounding errors, is hidden by another face, or if an edge that would have to hide is not a contour: the faces on its
+// two sides both hide, or neither does (asp specification, section 4). Ineffective events that the filter keeps are
+// dropped later, when the structures before and after turn out to be equal.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace sightline::algorithms::plantinga {
 
-// A direction of unit length, X = sin, Z = cos, and how far it may be off.
+// A direction of unit length, X = sin, Z = cos, and a bound of its error.
 struct NearDirection {
   double x = 0;
   double z = 1;
   double error = 0;
 };
 
-// Faces in doubles, divided into convex parts: shared by all edges of a model.
+// The faces in doubles, divided into convex parts. Shared by all edges of a model.
 class ConvexParts {
  public:
   explicit ConvexParts(const RotationModel& model);
@@ -39,7 +39,8 @@ class ConvexParts {
 
   [[nodiscard]] const Face& face(FaceIndex index) const { return faces_[index]; }
   [[nodiscard]] double size() const { return size_; }
-  // p is inside the image of a part of the face by more than the margin. side: of the face that is looked at.
+  // Whether p is inside the image of a part of the face by more than the margin. `side`: the side of the face towards the
+  // viewer.
   [[nodiscard]] bool covers(FaceIndex index, int side, const Point& p, const NearDirection& v,
                             double margin) const;
 
@@ -56,9 +57,9 @@ class CandidateFilter {
   CandidateFilter(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
                   const std::vector<Occluder>& occluders);
 
-  // The point at parameter s of the edge, known to ds, is surely hidden.
+  // Whether the point at parameter s of the edge, with error ds, is certainly hidden.
   [[nodiscard]] bool hidden(double s, double ds, const NearDirection& v);
-  // The other edge surely bounds nothing that is hidden.
+  // Whether the other edge is certainly not the boundary of anything hidden.
   [[nodiscard]] bool no_contour(EdgeIndex other, const NearDirection& v) const;
 
  private:
@@ -68,7 +69,7 @@ class CandidateFilter {
   ConvexParts::Point from_;
   ConvexParts::Point along_;
   double length_ = 0;
-  std::size_t last_ = 0;  // the occluder that hid last: likely to hide again
+  std::size_t last_ = 0;  // the occluder that hid the last point: likely to hide the next one
 };
 
 }  // namespace sightline::algorithms::plantinga

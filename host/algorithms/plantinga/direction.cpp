@@ -1,4 +1,4 @@
-// See direction.hpp. The only place where the order of events is decided by long integers.
+// Only this file decides the order of events with long integers.
 #include "host/algorithms/plantinga/direction.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using geometry::WideInteger;
 
 constexpr double pi = std::numbers::pi;
 
-// Of p + q sqrt(d), d not negative.
+// The sign of p + q sqrt(d); d is not negative.
 template <unsigned p_bits, unsigned q_bits, unsigned d_bits>
 int sign_of(const WideInteger<p_bits>& p, const WideInteger<q_bits>& q, const WideInteger<d_bits>& d) {
   const int sp = p.sign();
@@ -24,7 +24,7 @@ int sign_of(const WideInteger<p_bits>& p, const WideInteger<q_bits>& q, const Wi
   return sp * (p * p - q * q * d).sign();
 }
 
-// Of p + q sqrt(d) + r sqrt(e), by squaring twice.
+// The sign of p + q sqrt(d) + r sqrt(e), by squaring twice.
 template <unsigned p_bits, unsigned q_bits, unsigned d_bits>
 int sign_of(const WideInteger<p_bits>& p, const WideInteger<q_bits>& q, const WideInteger<d_bits>& d,
             const WideInteger<q_bits>& r, const WideInteger<d_bits>& e) {
@@ -64,7 +64,7 @@ Surd surd_of(const Direction& direction) {
           times(direction.side, Coefficient(form.xx).shifted<1>())};
 }
 
-// n = fraction 2^exponent, the fraction's magnitude in [1/2, 1) and rounded towards 0; both 0 for 0.
+// n = fraction 2^exponent, with |fraction| in [1/2, 1), rounded towards 0; both 0 for 0.
 struct Leading {
   double fraction = 0;
   int exponent = 0;
@@ -80,7 +80,7 @@ Leading leading(const WideInteger<bits>& n) {
   return {n.negative() ? -fraction : fraction, static_cast<int>(length)};
 }
 
-// atan2 of two long integers, each rounded to a double after a common scaling.
+// atan2 of two long integers, each rounded to a double after scaling both.
 template <unsigned x_bits, unsigned z_bits>
 double angle_of(const WideInteger<x_bits>& x, const WideInteger<z_bits>& z) {
   const Leading fx = leading(x);
@@ -94,8 +94,8 @@ double angle_of(const WideInteger<x_bits>& x, const WideInteger<z_bits>& z) {
   return std::atan2(scaled(fx), scaled(fz));
 }
 
-// The direction times 2^bits: z exactly, x less than 1 off. Of x, sqrt(d 2^(2 bits)) is below 2^(105.5 +
-// bits).
+// The direction times 2^bits: z exact, the error of x less than 1. The root part of x, sqrt(d 2^(2 bits)), is below
+// 2^(105.5 + bits).
 template <unsigned bits>
 struct Approximation {
   WideInteger<coefficient_bits + 3 + bits> x;
@@ -108,8 +108,8 @@ Approximation<bits> approximation(const Direction& direction) {
   return {surd.x.shifted<bits>() + times(surd.root, root), surd.z.shifted<bits>()};
 }
 
-// The root of a form with bits to spare: coefficients keep below 2^104, so that X, where it nearly vanishes,
-// is above 2^-105 of the form.
+// Sufficient bits for the root of a form: coefficients are below 2^104, so X, even if nearly 0, is above 2^-105 of the
+// form.
 constexpr unsigned root_bits = 192;
 
 Direction wide_rational(Int128 x, Int128 z) {
@@ -125,7 +125,7 @@ void append_with_opposite(std::vector<Direction>& directions, const Direction& d
   directions.push_back(opposite(direction));
 }
 
-// Simplest fraction p / q with low < p / q < high, 0 <= low < high, as well as doubles can tell.
+// The simplest fraction p / q with low < p / q < high, 0 <= low < high, within the precision of doubles.
 std::array<double, 2> simplest_between(double low, double high, int depth) {
   const double whole = std::floor(low);
   if (whole + 1 < high || depth == 0) return {whole + 1, 1};
@@ -137,13 +137,13 @@ std::array<double, 2> simplest_between(double low, double high, int depth) {
   return {whole * q + p, q};
 }
 
-// (x : z) turned by `quarters` right angles.
-Sight turned(Sight s, int quarters) {
+// (x : z) rotated by `quarters` right angles.
+Sight rotate(Sight s, int quarters) {
   for (int i = 0; i < ((quarters % 4) + 4) % 4; ++i) s = {s.z, -s.x};
   return s;
 }
 
-// The angle from a on to that of s, in [0, 2 pi).
+// The angle from a to that of s, in [0, 2 pi).
 double ahead(double a, const Sight& s) {
   const double d = std::atan2(static_cast<double>(s.x), static_cast<double>(s.z)) - a;
   return d < 0 ? d + 2 * pi : d;
@@ -155,7 +155,7 @@ int compare(const Direction& a, const Direction& b) {
   if (a.angle < b.angle - 2 * angle_error) return -1;
   if (a.angle > b.angle + 2 * angle_error) return 1;
   if (a == b) return 0;
-  // Nearly the same direction: the turn from a to b tells.
+  // Nearly the same direction: decided by the sign of the turn from a to b.
   const Surd s = surd_of(a);
   const Surd t = surd_of(b);
   return sign_of(s.x * t.z - t.x * s.z, times(s.root, t.z), s.d, times(-t.root, s.z), t.d);
@@ -206,7 +206,7 @@ std::vector<Direction> roots_of(const QuadraticForm& given) {
   if (d.sign() <= 0) return directions;
   const auto root = geometry::square_root(d);
   if ((root * root - d).sign() == 0) {
-    // Two factors of the form with integers, which divide xx and zz: below 2^104 in lowest terms.
+    // The form is a product of two integer factors, whose coefficients divide xx and zz: below 2^104 in lowest terms.
     for (const int sign : {-1, 1}) {
       append_with_opposite(directions, wide_rational(sign * root.to_int128() - form.xz, 2 * form.xx));
     }
@@ -242,7 +242,7 @@ std::optional<Sight> sight_between(const Direction& a, const Direction& b) {
   const double middle = a.angle + width / 2;
   Sight sight;
   if (width > 1e-4) {
-    // Not the simplest one: that would look along what is aligned in the scene.
+    // Not the simplest fraction: such a direction would look along edges and faces aligned with the axes.
     constexpr double scale = 0x1p20;
     sight = {std::lround(scale * std::sin(middle)), std::lround(scale * std::cos(middle))};
   } else {
@@ -251,13 +251,13 @@ std::optional<Sight> sight_between(const Direction& a, const Direction& b) {
     const double low = std::tan(std::abs(turn) - width / 4);
     const double high = std::tan(std::abs(turn) + width / 4);
     if (low < 0) {
-      sight = turned({0, 1}, quarters);
+      sight = rotate({0, 1}, quarters);
     } else {
       const auto [p, q] = simplest_between(low, high, 60);
       if (!(p < static_cast<double>(sight_limit) && q < static_cast<double>(sight_limit)))
         return std::nullopt;
       const Sight found{static_cast<std::int64_t>(turn < 0 ? -p : p), static_cast<std::int64_t>(q)};
-      sight = turned(found, quarters);
+      sight = rotate(found, quarters);
     }
   }
   const double after = ahead(a.angle, sight);
@@ -265,17 +265,17 @@ std::optional<Sight> sight_between(const Direction& a, const Direction& b) {
   return sight;
 }
 
-// The sum of both, brought to about the same length. It lies between them if they are known to enough bits:
+// The sum of both, scaled to about equal length. It lies between them if enough bits of them are known:
 //
-// Let s = (X, Z) and t be the two directions, with |X| < 2^106 and |Z| < 2^105, and E = X_s Z_t - X_t Z_s,
+// Let s = (X, Z) and t be the two directions, with |X| < 2^106 and |Z| < 2^105, and let E = X_s Z_t - X_t Z_s,
 // which is positive. E = p + q sqrt(d) + r sqrt(e) with integers, |p| < 2^210, |q sqrt(d)| and |r sqrt(e)| <
-// 2^210.5; with its conjugates (other signs of the roots, as many as make a norm: four, two or one in all)
-// the product is an integer, and none of them is 0. Each is below 2^212, so that E > 2^-636.
+// 2^210.5. The product of E and its conjugates (other signs of the roots: four, two or one numbers in all) is
+// a norm, an integer, and none of them is 0. Each is below 2^212, so E > 2^-636.
 //
-// The approximations are 2^bits s and 2^bits t but for less than 1 in X. They have between bits + 1 and bits
-// + 107 bits in X and Z together, so that one of them is shifted by 106 at most. The turn from s to the sum
-// is then 2^bits E times the factor of t, but for 2^105 times the sum of both factors: positive if 2^bits E >
-// 2^105 (2^106 + 1), which holds from 848 bits on. Likewise the turn from the sum to t.
+// The approximations differ from 2^bits s and 2^bits t by less than 1 in X. They have between bits + 1 and bits
+// + 107 bits in X and Z together, so one of them is shifted by at most 106. The turn from s to the sum is then
+// 2^bits E times the factor of t, with an error below 2^105 times the sum of both factors: positive if 2^bits E >
+// 2^105 (2^106 + 1), which holds for 848 bits and more. The same holds for the turn from the sum to t.
 WideSight wide_sight_between(const Direction& a, const Direction& b) {
   constexpr unsigned bits = 848;
   static_assert(wide_sight_bits == bits + 108);

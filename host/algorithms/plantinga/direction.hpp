@@ -1,15 +1,15 @@
-// The direction of sight of an event, exact: a point (X : Z) of the circle, the viewer far away on the side
-// of (X, 0, Z). Its angle is theta with X = sin theta and Z = cos theta up to a positive factor, in (-pi,
-// pi]; the tangent is never used, so that 90 degrees is a direction like others (hard cases P4, P5).
+// The exact direction of sight of an event: a point (X : Z) of the circle, with the viewer far away on the side of (X, 0,
+// Z). Its angle is theta, in (-pi, pi], with X = sin theta and Z = cos theta up to a positive factor. The tangent is
+// never used, so 90 degrees needs no special case (hard cases P4, P5).
 //
-// Two edges or an edge and a vertex give directions of degree 1 in the coordinates' products (rational),
-// three edges give the roots of a quadratic form. A direction is kept in a canonical form, so that equal
-// directions have equal parts and == is exact: coprime integers, or a primitive irreducible form with the
-// number of its root. Order is by angle: compared in doubles first, and exactly if those are too close
-// (Plantinga, Seales and Dyer 1990, section 3; D: the paper does not say how equal events are recognised).
+// Two edges, or an edge and a vertex, give directions of degree 1 in products of coordinates (rational); three edges give
+// the roots of a quadratic form. A direction is kept in a canonical form, so that equal directions have equal parts and
+// == is exact: coprime integers, or a primitive irreducible form with the number of its root. Directions are ordered by
+// angle, compared in doubles first, and exactly if the angles are too close (Plantinga, Seales and Dyer 1990, section 3;
+// D: the paper does not say how equal events are recognised).
 //
-// Sizes: linear forms below 2^52, quadratic forms and the parts of a rational direction below 2^104:
-// coordinates below 2^23.
+// Sizes: coordinates are below 2^23, so linear forms are below 2^52, quadratic forms and the parts of a rational
+// direction below 2^104.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ struct QuadraticForm {
   friend bool operator==(const QuadraticForm&, const QuadraticForm&) = default;
 };
 
-// The angle of a Direction differs from the true one by less than this.
+// Bound of the difference between the angle of a Direction and the true angle.
 inline constexpr double angle_error = 0x1p-48;
 
 struct Direction {
@@ -55,7 +55,7 @@ struct Direction {
   }
 };
 
-// Negative, zero or positive as the angle of a is less than, equal to or greater than that of b.
+// Negative, zero or positive: the angle of a is less than, equal to, greater than that of b.
 [[nodiscard]] int compare(const Direction& a, const Direction& b);
 [[nodiscard]] inline bool less(const Direction& a, const Direction& b) {
   return compare(a, b) < 0;
@@ -63,40 +63,40 @@ struct Direction {
 
 inline constexpr unsigned coefficient_bits = 104;  // of quadratic forms and rational directions
 
-// (x : z), not both 0, below 2^104 in lowest terms.
+// Precondition: x and z are not both 0 and are below 2^104 in lowest terms.
 [[nodiscard]] Direction rational_direction(Int128 x, Int128 z);
 [[nodiscard]] Direction opposite(const Direction& direction);
 
-// Where a form is 0: two opposite directions; none if it is 0 everywhere.
+// The directions at which a form is 0: two opposite ones, or none if it is 0 everywhere.
 [[nodiscard]] std::vector<Direction> roots_of(const LinearForm& form);
-// Where a form changes its sign: none, or two directions and their opposites. A double root, where the form
-// touches 0, is none: what meets there parts again without having changed order (hard cases P1 to P1d).
+// The directions at which a form changes its sign: none, or two and their opposites. A double root, where the form
+// touches 0, is not included: edges that meet there separate again in the same order (hard cases P1 to P1d).
 [[nodiscard]] std::vector<Direction> roots_of(const QuadraticForm& form);
 
-// The sign of a linear form at a direction, exact.
+// The exact sign of a linear form at a direction.
 [[nodiscard]] int sign_at(const Direction& direction, const LinearForm& form);
 
-// A direction of sight in small integers, for exact work in 64 and 128 bits.
+// A direction of sight in small integers, for exact computation in 64 and 128 bits.
 struct Sight {
   std::int64_t x = 0;
   std::int64_t z = 1;
 
   friend bool operator==(const Sight&, const Sight&) = default;
 };
-inline constexpr std::int64_t sight_limit = std::int64_t{1} << 21;  // of |x| and |z|, not reached
+inline constexpr std::int64_t sight_limit = std::int64_t{1} << 21;  // |x| and |z| are below this
 
-// A direction strictly between two others, the second after the first (round by pi if its angle is not
-// greater). Empty if none was found whose parts keep below sight_limit.
+// A direction strictly between a and b, going from a in the direction of increasing angle (through pi if b's angle is not
+// greater). nullopt if none was found whose parts are below sight_limit.
 [[nodiscard]] std::optional<Sight> sight_between(const Direction& a, const Direction& b);
 
-// A direction of sight in numbers so long that there is one between any two directions (direction.cpp has the
-// proof). Its parts are below 2^wide_sight_bits together.
+// A direction of sight in integers long enough that there is one between any two directions (proof in direction.cpp). Its
+// parts together are below 2^wide_sight_bits.
 inline constexpr unsigned wide_sight_bits = 956;
 struct WideSight {
   geometry::WideInteger<wide_sight_bits> x;
   geometry::WideInteger<wide_sight_bits> z;
 };
-// Strictly between the two; b is ahead of a by more than 0 and less than pi.
+// A direction strictly between the two. Precondition: b is ahead of a by more than 0 and less than pi.
 [[nodiscard]] WideSight wide_sight_between(const Direction& a, const Direction& b);
 
 }  // namespace sightline::algorithms::plantinga

@@ -1,4 +1,3 @@
-// See edge_candidates.hpp.
 #include "host/algorithms/plantinga/edge_candidates.hpp"
 
 #include <algorithm>
@@ -37,7 +36,8 @@ class Gatherer {
     for (const Line& line : lines_) {
       end_behind(ends_.from, 0, line);
       end_behind(ends_.to, 1, line);
-      // In one plane with the edge: edge-on, the two are in line, and far more than the ends may be seen.
+      // A line in one plane with the edge: when the plane is edge-on, the two are collinear, and more than the ends may
+      // be seen.
       if (line.order == 0) add(EventKind::in_line, line.edge, 0, roots_of(line.d_size != 0 ? line.exact.d : line.exact.n));
     }
     for (const Occluder& occluder : occluders_) {
@@ -105,7 +105,7 @@ class Gatherer {
     return line;
   }
 
-  // The edge appears, disappears, or runs along one that meets it.
+  // The edge appears, disappears, or coincides in the image with an edge that meets it.
   void own_faces() {
     for (const Incidence& incidence : model_.faces_at(edge_)) {
       add(EventKind::own_face, incidence.face, 0, face_edge_on_events(model_.faces()[incidence.face].normal));
@@ -120,7 +120,7 @@ class Gatherer {
   }
 
   void face_edge_on(FaceIndex face) {
-    // The image of the face is then a line, on which its lowest and its highest corner lie.
+    // The image of the face is then a line from its lowest to its highest corner.
     Segment image;
     bool first = true;
     for (const Corner& corner : model_.corners(face)) {
@@ -142,7 +142,7 @@ class Gatherer {
     }
   }
 
-  // EV, the vertex nearer.
+  // EV: the vertex is nearer.
   void vertex_on_edge(scene::VertexIndex vertex) {
     const Vector3& p = model_.vertices()[vertex];
     const std::int64_t rise = segment_.to[1] - segment_.from[1];
@@ -156,7 +156,7 @@ class Gatherer {
              sign * m[2], -sign * m[0]);
   }
 
-  // EV, an end of the edge behind a line.
+  // EV: an end of the edge is behind a line.
   void end_behind(scene::VertexIndex end, double s, const Line& line) {
     const Segment other = model_.segment(line.edge);
     const Vector3& p = model_.vertices()[end];
@@ -172,7 +172,7 @@ class Gatherer {
     consider(EventKind::vertex_behind, end, line.edge, s, -sign * m[2], sign * m[0]);
   }
 
-  // The point where the edge passes through the plane of a face is in the face, or nearly.
+  // Whether the edge passes through the face, or nearly: a test of boxes.
   [[nodiscard]] bool passes_through(const Occluder& occluder) const {
     if (occluder.from == 0 || occluder.to == 0 || (occluder.from < 0) == (occluder.to < 0)) return false;
     const double s = static_cast<double>(occluder.from) /
@@ -193,15 +193,15 @@ class Gatherer {
     return within;
   }
 
-  // The point where the edge passes through the plane of a face is seen on a line. Only where solids touch
-  // does anything begin or end there.
+  // The point where the edge passes through the plane of a face is seen on a line. A visible piece begins or ends there
+  // only if solids touch.
   void passage_behind(const Occluder& occluder) {
     const Int128 whole = Int128{occluder.from} - occluder.to;
     const Vector3 a = segment_.along();
     for (const Line& line : lines_) {
       const Segment other = model_.segment(line.edge);
       const Vector3 b = other.along();
-      std::array<Int128, 3> q{};  // the point from the line's beginning, times `whole`
+      std::array<Int128, 3> q{};  // the point relative to the line's start, times `whole`
       for (std::size_t axis = 0; axis < 3; ++axis) {
         q[axis] = Int128{segment_.from[axis] - other.from[axis]} * whole + Int128{a[axis]} * occluder.from;
       }
@@ -223,8 +223,8 @@ class Gatherer {
     }
   }
 
-  // Of the many pairs few are lines that are before the edge in one and the same direction. Which ones is as good as random:
-  // they are gathered first, without a branch, from arrays of nothing else.
+  // Of the many pairs, few are before the edge in the same direction, unpredictably. They are collected first, without
+  // branches, from compact arrays.
   void pairs_of_lines() {
     std::vector<std::size_t> placed;
     std::vector<std::int64_t> lows;
@@ -253,7 +253,7 @@ class Gatherer {
         const std::int64_t bottom = std::max({low, a.low, b.low});
         const std::int64_t top = std::min({high, a.high, b.high});
         if (bottom > top) continue;
-        // At one height only: an end of one of them, unless one is level.
+        // They share one height only: then an end of one of them is on it, unless one is level.
         if (bottom == top && low != high && a.low != a.high && b.low != b.high) continue;
         pair(a, b);
       }
@@ -273,7 +273,7 @@ class Gatherer {
     const picture::LineEdge& p = model_.edges()[a.edge];
     const picture::LineEdge& q = model_.edges()[b.edge];
     if (p.from == q.from || p.from == q.to || p.to == q.from || p.to == q.to) {
-      if (share_face(a, b)) return;  // FE
+      if (share_face(a, b)) return;  // covered by face_edge_on (FE)
       const Vector3 n = geometry::cross(model_.segment(a.edge).along(), model_.segment(b.edge).along());
       for (const Direction& direction : roots_of(form_of(n))) {
         if (possible(EventKind::edge_pair, a, b, near(direction)))
@@ -281,7 +281,7 @@ class Gatherer {
       }
       return;
     }
-    if (a.d_size == 0 || b.d_size == 0) return;  // parallel, or level at one height: never crossing
+    if (a.d_size == 0 || b.d_size == 0) return;  // parallel, or both level: they never cross
     three_edges(a, b);
   }
 
@@ -298,13 +298,13 @@ class Gatherer {
     return !drop;
   }
 
-  // Coordinates are far from overflow, and a square root is sooner than std::hypot.
+  // Coordinates are far from overflow, and a square root is faster than std::hypot.
   [[nodiscard]] static NearDirection near_direction(double x, double z) {
     const double length = std::sqrt(x * x + z * z);
     return {x / length, z / length, rounding};
   }
 
-  // EEE: the roots in doubles first, and exactly where doubles do not tell.
+  // EEE: the roots are computed in doubles first, and exactly only if doubles do not decide.
   void three_edges(const Line& a, const Line& b) {
     const double scale = a.n_size * b.d_size + b.n_size * a.d_size;
     const double xx = a.n.x * b.d.x - b.n.x * a.d.x;
@@ -358,8 +358,8 @@ class Gatherer {
 
 std::vector<Direction> candidates_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
                                      const std::vector<Occluder>& occluders, Trace* trace) {
-  if (trace != nullptr) return Gatherer<Watched>(model, parts, edge, occluders, Watched(*trace)).gather();
-  return Gatherer<Unwatched>(model, parts, edge, occluders, {}).gather();
+  if (trace != nullptr) return Gatherer<TraceListener>(model, parts, edge, occluders, TraceListener(*trace)).gather();
+  return Gatherer<NoListener>(model, parts, edge, occluders, {}).gather();
 }
 
 }  // namespace sightline::algorithms::plantinga

@@ -1,10 +1,10 @@
-// The directions at which the structure of one edge may change: all of them, and few others.
+// Finds all directions at which the structure of one edge may change, and few others:
 //
-//   the edge's own faces edge-on, and planes of the edge and one that meets it in a vertex;
-//   a nearer vertex on the edge, an end of the edge behind a nearer edge (EV);
-//   a face before it edge-on (FE), where the edge crosses its image;
-//   two nearer contours that cross on the edge (EEE); of two that meet in a vertex the plane edge-on.
-// An event changes the structure of its farthest edge only: on the others nothing starts or ends there.
+//   one of the edge's own faces is edge-on, or the plane of the edge and an edge that meets it in a vertex is;
+//   a nearer vertex is on the edge, or an end of the edge is behind a nearer edge (EV);
+//   a face before the edge is edge-on and the edge crosses its image (FE);
+//   two nearer contours cross on the edge (EEE); if they meet in a vertex, their plane is edge-on.
+// An event changes only the structure of its farthest edge; on other edges nothing starts or ends there.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace sightline::algorithms::plantinga {
 
 class Trace;
 
-// Ascending, each once. `trace`, if given, is told of each and of those that the filter drops.
+// Ascending, without duplicates. `trace`, if given, receives each of them and those that the filter drops.
 [[nodiscard]] std::vector<Direction> candidates_of(const RotationModel& model, const ConvexParts& parts,
                                                    EdgeIndex edge, const std::vector<Occluder>& occluders,
                                                    Trace* trace = nullptr);

@@ -22,7 +22,7 @@ EdgeStructure structure_from(Scratch& scratch, EdgeIndex edge, const std::vector
   return structure;
 }
 
-// Where nothing ever changes any direction will do; this one is along nothing in particular.
+// For edges whose structure never changes, any direction is right; this one is not aligned with the axes.
 constexpr Sight anywhere{314159, 271828};
 
 }  // namespace
@@ -36,7 +36,7 @@ EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std
 EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge, const std::vector<Occluder>& occluders,
                            const Sight& sight, std::vector<PieceRange>* ranges, Trace& trace) {
   trace.scratch_begins(edge, occluders);
-  FromScratch<DirectArithmetic, Watched> scratch(model, sight.x, sight.z, Watched(trace));
+  FromScratch<DirectArithmetic, TraceListener> scratch(model, sight.x, sight.z, TraceListener(trace));
   EdgeStructure structure = structure_from(scratch, edge, occluders, ranges);
   trace.scratch_ends(edge, scratch.compared(), structure);
   return structure;

@@ -1,18 +1,17 @@
-// The structure of one edge in one view: its visible pieces and what each ends in.
+// The structure of one edge in one view: its visible pieces and the kind of each of their ends.
 //
-// A piece of the edge structure graph ends in a vertex of its edge, in a T-junction with the edge that hides
-// what follows, or, on an edge parallel to the plane of rotation, at a vertex of the same height, which stays
-// on the line of the edge as the scene turns (a permanent contact; the paper has no name for it). Where
-// solids touch an edge may also end where it passes through the plane of a face, at a point of the face's
-// boundary.
+// A piece of the edge structure graph ends in a vertex of its edge or in a T-junction with the edge that hides the rest.
+// A piece of an edge parallel to the plane of rotation may end at a vertex of the same height, which stays on the line of
+// the edge as the scene turns (a permanent contact; the paper has no name for it). If solids touch, a piece may also end
+// where the edge passes through the plane of a face, at a point of the face's boundary.
 //
-// Rule, as for all exact pictures here: a point of an edge is hidden iff it is hidden in the limit from both
-// sides of the image line of the edge by faces strictly nearer. Where several edges end a hidden part at the
-// same point, the least names it, so that equal views have equal structures.
+// Rule, as for all exact pictures here: a point of an edge is hidden iff it is hidden in the limit from both sides of the
+// image line of the edge by faces strictly nearer. If several edges end a hidden part at the same point, the one with the
+// least number is recorded, so that equal views have equal structures.
 //
-// From scratch (the paper's "standard hidden-line removal"): every face that may hide some of the edge is
-// compared with it; what the faces hide is united; the rest is seen. Exact: 64 and 128 bits for directions
-// below sight_limit, WideIntegers beyond.
+// From scratch (the paper's "standard hidden-line removal"): the edge is compared with every face that may hide part of
+// it, and the hidden parts are united; the rest is visible. Exact: 64 and 128 bits for directions below sight_limit,
+// WideIntegers beyond.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +25,7 @@ namespace sightline::algorithms::plantinga {
 
 enum class EndKind : std::uint32_t { vertex = 0, junction = 1, contact = 2, passage = 3 };
 
-// Two bits of kind, thirty of the index of a vertex (vertex, contact), an edge (junction) or a face
-// (passage).
+// Two bits for the kind, thirty for the index of a vertex (vertex, contact), an edge (junction) or a face (passage).
 struct End {
   std::uint32_t bits = 0;
 
@@ -41,16 +39,16 @@ struct End {
 };
 
 struct Piece {
-  End low;  // towards the lower vertex of the edge
+  End low;  // the end towards the lower vertex of the edge
   End high;
 
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 
-// Visible pieces of one edge, in its direction.
+// The visible pieces of one edge, in its direction.
 using EdgeStructure = std::vector<Piece>;
 
-// Where a piece lies: fractions of the edge, parts below 2^63, not in lowest terms.
+// The position of a piece: fractions of the edge, not in lowest terms, with parts below 2^63.
 struct PieceRange {
   std::int64_t low = 0;
   std::int64_t low_of = 1;
@@ -58,35 +56,35 @@ struct PieceRange {
   std::int64_t high_of = 1;
 };
 
-// The sight's parts below sight_limit. `ranges`, if given, is filled beside the structure.
+// Precondition: the parts of the sight are below sight_limit. `ranges`, if given, receives the positions of the pieces.
 [[nodiscard]] EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge,
                                          const std::vector<Occluder>& occluders, const Sight& sight,
                                          std::vector<PieceRange>* ranges = nullptr);
 
 class Trace;
 
-// The same, and tells a trace about it.
+// The same; reports to `trace`.
 [[nodiscard]] EdgeStructure structure_at(const RotationModel& model, EdgeIndex edge,
                                          const std::vector<Occluder>& occluders, const Sight& sight,
                                          std::vector<PieceRange>* ranges, Trace& trace);
 
-// Between two different directions, the second after the first: in small integers where there are any.
+// The structure between two different directions, the second after the first. Uses small integers if possible.
 [[nodiscard]] EdgeStructure structure_between(const RotationModel& model, EdgeIndex edge,
                                               const std::vector<Occluder>& occluders, const Direction& a,
                                               const Direction& b);
 
-// The same always in long integers; b is ahead of a by less than pi.
+// The same, always with long integers. Precondition: b is ahead of a by less than pi.
 [[nodiscard]] EdgeStructure wide_structure_between(const RotationModel& model, EdgeIndex edge,
                                                    const std::vector<Occluder>& occluders, const Direction& a,
                                                    const Direction& b);
 
-// All that happens to one edge in a full turn: its structure before the first event, and after each.
+// The history of one edge in a full turn: its structure before the first event, and after each event.
 //
-// Algorithm A of the asp specification: potential events of the edge with everything that may hide some of
-// it, filtered, ordered exactly, equal ones grouped; hidden-line removal of the edge from scratch between
-// each two; events without a change dropped. This is the visible part of the edge's surface (u, v)(s, theta)
-// in aspect space, of which the paper subtracts the aspect representations of all faces: V_e = [0, 1] x
-// circle less what faces hide, kept as its slices between critical angles.
+// Algorithm A of the asp specification: potential events of the edge with everything that may hide part of it are
+// filtered, ordered exactly, and grouped if equal; between every two, the edge's hidden lines are removed from scratch;
+// events without a change are dropped. The result is the visible part of the edge's surface (u, v)(s, theta) in aspect
+// space, from which the paper subtracts the aspect representations of all faces: V_e = [0, 1] x circle without the hidden
+// parts, stored as slices between critical angles.
 
 struct EdgeChange {
   Direction direction;
@@ -96,10 +94,10 @@ struct EdgeChange {
 struct EdgeHistory {
   EdgeStructure first;              // just after -pi, and again after the last change
   std::vector<EdgeChange> changes;  // ascending by direction
-  std::uint64_t candidates = 0;     // directions at which the structure was looked at
+  std::uint64_t candidates = 0;     // directions at which the structure was computed
 };
 
-// `trace`, if given, is told about it.
+// `trace`, if given, receives the steps.
 [[nodiscard]] EdgeHistory history_of(const RotationModel& model, const ConvexParts& parts, EdgeIndex edge,
                                      Trace* trace = nullptr);
 

@@ -1,4 +1,3 @@
-// See edge_structure_graph.hpp.
 #include "host/algorithms/plantinga/edge_structure_graph.hpp"
 
 #include <algorithm>

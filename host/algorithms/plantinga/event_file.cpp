@@ -17,13 +17,13 @@ namespace sightline::algorithms::plantinga {
 
 namespace {
 
-// What writer and reader agree on besides the layout (event_file.hpp).
+// Shared by writer and reader, besides the layout (event_file.hpp).
 
 constexpr std::string_view mark = "SIGHTLINE EVENTS\n";
 constexpr std::uint8_t version = 1;
 constexpr std::size_t checksum_size = 8;
 constexpr std::size_t header_size = mark.size() + 1 + 8 + 8;
-// Coefficients of events keep below this (direction.hpp).
+// Coefficients of events are below this (direction.hpp).
 constexpr geometry::Int128 coefficient_limit = geometry::Int128{1} << 104U;
 
 std::uint64_t checksum(const std::uint8_t* bytes, std::size_t count) {
@@ -46,7 +46,7 @@ class Writer {
   void coefficient(Int128 value) {
     const bool negative = value < 0;
     if (negative) value = -value;
-    // Sign and six bits first.
+    // The first byte has the sign and six bits.
     std::uint8_t byte = static_cast<std::uint8_t>((value & 63) | (negative ? 64 : 0));
     for (value >>= 6; value != 0; value >>= 7) {
       bytes_.push_back(static_cast<std::uint8_t>(byte | 128U));
@@ -74,7 +74,7 @@ class Writer {
   Bytes bytes_;
 };
 
-// Nothing in a file of this many bytes needs larger run numbers.
+// A file of at most this many bytes needs no larger run numbers.
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
 class Reader {
@@ -100,8 +100,8 @@ class Reader {
     if (bytes_.size() < mark.size() || !std::equal(mark.begin(), mark.end(), bytes_.begin())) {
       return fail(0,
                   bytes_.empty() ? "an empty file"
-                                 : "something else in the first " + std::to_string(marked) + " bytes",
-                  "an event file, which begins with SIGHTLINE EVENTS");
+                                 : "the first " + std::to_string(marked) + " bytes are not those of an event file",
+                  "SIGHTLINE EVENTS");
     }
     if (bytes_.size() > mark.size() && bytes_[mark.size()] != version) {
       return fail(mark.size(), "version " + std::to_string(bytes_[mark.size()]),
@@ -115,7 +115,7 @@ class Reader {
     at_ = end_;
     const std::uint64_t stored = fixed(bytes_.size());
     if (stored != checksum(bytes_.data(), end_)) {
-      return fail(end_, "a checksum of other contents", "a complete and undamaged file");
+      return fail(end_, "the checksum does not match the contents", "a complete and undamaged file");
     }
     at_ = mark.size() + 1;
     list_.fingerprint = fixed(end_);
@@ -126,7 +126,7 @@ class Reader {
     }
     list_.tolerance = std::bit_cast<double>(fixed(end_));
     if (!(list_.tolerance >= 0 && list_.tolerance < 7)) {
-      fail(at_ - 8, "an impossible tolerance", "an angle in radians, 0 or more");
+      fail(at_ - 8, "a tolerance out of range", "an angle in radians, at least 0 and below 7");
     }
   }
 
@@ -136,7 +136,7 @@ class Reader {
     return value;
   }
 
-  // 0 after an error.
+  // Returns 0 after an error.
   std::uint64_t number(std::uint64_t limit, const char* what) {
     const std::size_t place = at_;
     std::uint64_t value = 0;
@@ -149,7 +149,7 @@ class Reader {
       fail(place, std::to_string(value), std::string(what) + ", at most " + std::to_string(limit));
       return 0;
     }
-    fail(place, at_ == end_ ? "the end of the file" : "a number too long", what);
+    fail(place, at_ == end_ ? "the end of the file" : "a number of more than 63 bits", what);
     return 0;
   }
 
@@ -168,7 +168,7 @@ class Reader {
       if (value < coefficient_limit) return negative ? -value : value;
       break;
     }
-    fail(place, at_ == end_ ? "the end of the file" : "a coefficient too long", "a coefficient below 2^104");
+    fail(place, at_ == end_ ? "the end of the file" : "a coefficient of 2^104 or more", "a coefficient below 2^104");
     return 0;
   }
 
@@ -187,7 +187,7 @@ class Reader {
       return false;
     }();
     if (!possible)
-      fail(place, "an end of a piece of edge " + std::to_string(edge) + " at what the model has not",
+      fail(place, "a piece of edge " + std::to_string(edge) + " ends at something that the model lacks",
            "one of its ends, another edge, a vertex or a face");
     return end;
   }
@@ -218,7 +218,7 @@ class Reader {
       }
     }
     if (!found || !(found->form == QuadraticForm{xx, xz, zz})) {
-      fail(place, "no direction in lowest terms", "coprime numbers, or an irreducible form and its root");
+      fail(place, "a direction that is not in lowest terms", "coprime numbers, or an irreducible form and its root");
       return {};
     }
     return *found;
@@ -232,9 +232,9 @@ class Reader {
     const std::uint64_t count = number(end_ - at_, "a number of events");
     for (std::uint64_t i = 0; i < count && !error_; ++i) event(now);
     if (error_) return;
-    if (at_ != end_) return fail(at_, std::to_string(end_ - at_) + " bytes more", "the checksum");
+    if (at_ != end_) return fail(at_, std::to_string(end_ - at_) + " bytes between the events and the checksum", "none");
     if (now != list_.first)
-      fail(at_, "a turn that does not end where it began", "the structures of the beginning");
+      fail(at_, "the structures after the last event are not those before the first", "equal structures");
   }
 
   void event(std::vector<EdgeStructure>& now) {
@@ -242,7 +242,7 @@ class Reader {
     const Direction here = direction();
     if (error_) return;
     if (!list_.events.empty() && compare(list_.events.back().direction, here) >= 0) {
-      return fail(place, "an event before the one it follows", "events in ascending order");
+      return fail(place, "an event that does not come after the preceding one", "events in ascending order");
     }
     list_.events.push_back({here, static_cast<std::uint32_t>(list_.changes.size()), 0});
     const std::uint64_t count = number(end_ - at_, "a number of changes");
@@ -253,12 +253,12 @@ class Reader {
       if (error_) return;
       if (edge < least)
         return fail(change_place, "edge " + std::to_string(edge),
-                    "an edge not below " + std::to_string(least));
+                    "an edge of at least " + std::to_string(least));
       least = edge + 1;
       EdgeStructure after;
       pieces(edge, after);
       if (error_) return;
-      // A change may take away far more than it brings, but not more than was brought before.
+      // A change may remove far more than it adds, but only what earlier changes added.
       append_change(list_, edge, now[edge], after);
       now[edge] = std::move(after);
     }

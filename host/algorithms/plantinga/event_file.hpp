@@ -1,13 +1,14 @@
-// A list of events as a file, so that preprocessing is done once.
+// Stores a list of events as a file, so that preprocessing is done only once.
 //
-// Layout, numbers least significant byte first: "SIGHTLINE EVENTS\n", a version byte, the fingerprint of the
-// model (8 bytes), the tolerance (8, IEEE double); then, as variable-length numbers of 7 bits a byte: the
-// structures of all edges before the first event; the events, each with its direction and, for every edge
-// that changes, the pieces that come. Those that go are what the edge had, and are found by going through the
-// turn once. Last a checksum (FNV-1a, 8 bytes) of all before it. The same list gives the same bytes.
+// Layout, numbers least significant byte first: "SIGHTLINE EVENTS
+// ", a version byte, the fingerprint of the model (8 bytes), the tolerance (8 bytes, IEEE double). Then, as
+// variable-length numbers of 7 bits per byte: the structures of all edges before the first event, and the events, each
+// with its direction and, for every edge that changes, the pieces added. The pieces removed are those the edge had; the
+// reader finds them by going through the turn once. Last a checksum (FNV-1a, 8 bytes) of everything before it. The same
+// list gives the same bytes.
 //
-// A reader believes nothing: events must ascend, every number must name something of the model, and the turn
-// must end where it began.
+// A reader checks everything: events must ascend, every number must refer to a part of the model, and the turn must end
+// with the structures that it starts with.
 #pragma once
 
 #include <string>
@@ -19,11 +20,11 @@
 namespace sightline::algorithms::plantinga {
 
 [[nodiscard]] base::Bytes encode_events(const EventList& list);
-// `name` names the file in errors, which say where, what was found and what was expected.
+// `name` is the name of the file in errors, which give the place, what was found and what was expected.
 [[nodiscard]] base::Result<EventList> decode_events(const base::Bytes& bytes, const std::string& name,
                                                     const RotationModel& model);
 
-// Complete or not at all: written beside, then renamed.
+// Writes a temporary file and renames it, so the file is complete or absent.
 [[nodiscard]] base::Result<base::Done> write_events(const std::string& path, const EventList& list);
 [[nodiscard]] base::Result<EventList> read_events(const std::string& path, const RotationModel& model);
 

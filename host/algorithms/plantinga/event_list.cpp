@@ -1,4 +1,3 @@
-// See event_list.hpp.
 #include "host/algorithms/plantinga/event_list.hpp"
 
 #include <algorithm>
@@ -15,13 +14,14 @@
 namespace sightline::algorithms::plantinga {
 namespace {
 
-// Edges are studied one by one, by as many threads as asked for; which thread took which does not show.
-class Study {
+// Finds the histories of the edges on several threads. The result does not depend on the distribution of edges among
+// threads.
+class HistorySearch {
  public:
-  Study(const RotationModel& model, const BuildOptions& options)
+  HistorySearch(const RotationModel& model, const BuildOptions& options)
       : model_(model), options_(options), parts_(model), histories_(model.edges().size()) {}
 
-  // Empty if a limit was reached.
+  // Returns an error if a limit was reached.
   std::optional<base::Error> run() {
     const unsigned threads = options_.threads != 0 ? options_.threads : base::available_threads();
     base::run_on_threads(options_.trace != nullptr ? 1 : threads, [this] { work(); });
@@ -70,8 +70,8 @@ class Study {
   std::optional<base::Error> stopped_;
 };
 
-// The next multiple of the tolerance, as a direction of whole numbers.
-Direction moved_up(const Direction& direction, double tolerance) {
+// The next multiple of the tolerance, as a direction with integer parts.
+Direction round_up(const Direction& direction, double tolerance) {
   const double angle = std::ceil(direction.angle / tolerance) * tolerance;
   if (!(angle < std::numbers::pi)) return rational_direction(0, -1);
   constexpr double scale = 0x1p50;
@@ -81,7 +81,7 @@ Direction moved_up(const Direction& direction, double tolerance) {
 void coarsen(EdgeHistory& history, double tolerance) {
   std::vector<EdgeChange> kept;
   for (EdgeChange& change : history.changes) {
-    change.direction = moved_up(change.direction, tolerance);
+    change.direction = round_up(change.direction, tolerance);
     if (!kept.empty() && kept.back().direction == change.direction) {
       kept.back().after = std::move(change.after);
     } else {
@@ -98,7 +98,7 @@ void coarsen(EdgeHistory& history, double tolerance) {
   }
 }
 
-EventList merged(const RotationModel& model, std::vector<EdgeHistory> histories, double tolerance) {
+EventList merge_histories(const RotationModel& model, std::vector<EdgeHistory> histories, double tolerance) {
   EventList list;
   list.fingerprint = model.fingerprint();
   list.tolerance = tolerance;
@@ -142,13 +142,13 @@ void append_change(EventList& list, EdgeIndex edge, const EdgeStructure& before,
 }
 
 base::Result<EventList> build_event_list(const RotationModel& model, const BuildOptions& options) {
-  Study study(model, options);
-  if (auto stopped = study.run()) return std::move(*stopped);
-  std::vector<EdgeHistory> histories = study.take();
+  HistorySearch search(model, options);
+  if (auto stopped = search.run()) return std::move(*stopped);
+  std::vector<EdgeHistory> histories = search.take();
   if (options.tolerance > 0) {
     for (EdgeHistory& history : histories) coarsen(history, options.tolerance);
   }
-  return merged(model, std::move(histories), options.tolerance);
+  return merge_histories(model, std::move(histories), options.tolerance);
 }
 
 }  // namespace sightline::algorithms::plantinga

@@ -1,13 +1,13 @@
-// The visual events of a full turn about the y axis: what the preprocessing phase of Plantinga, Seales and
-// Dyer (1990) makes and the on-line phase reads.
+// The visual events of a full turn about the y axis: the result of the preprocessing phase of Plantinga, Seales and Dyer
+// (1990), which the on-line phase reads.
 //
-// An event is a direction at which the structure of one or more edges changes; with every change are the
-// pieces that go and the pieces that come, so that it can be undone. The list is circular: before the first
-// event and after the last the structure is the same.
+// An event is a direction at which the structure of one or more edges changes. Each change records the pieces removed and
+// the pieces added, so that it can be undone. The list is circular: the structures before the first event and after the
+// last one are equal.
 //
-// Knob: an angle tolerance moves every event up to the next multiple of it (or to pi), joins the changes of
-// an edge that fall together and drops those that cancel. A structure is then wrong only at angles less than
-// the tolerance after a true event.
+// An angle tolerance moves every event up to its next multiple (or to pi), joins the changes of an edge that then
+// coincide, and drops those that cancel. A structure is then wrong only at angles less than the tolerance after a true
+// event.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +23,11 @@
 
 namespace sightline::algorithms::plantinga {
 
-// What becomes of one edge at one event: runs of EventList::pieces.
+// The change of one edge at one event, as ranges of EventList::pieces.
 struct Change {
   EdgeIndex edge = 0;
-  std::uint32_t removed = 0;  // first
-  std::uint32_t added = 0;    // first; those removed end here
+  std::uint32_t removed = 0;  // first piece removed
+  std::uint32_t added = 0;    // first piece added; the removed ones end here
   std::uint32_t end = 0;
 };
 
@@ -40,9 +40,9 @@ struct Event {
 struct EventList {
   std::uint64_t fingerprint = 0;     // of the model
   double tolerance = 0;              // radians
-  std::vector<EdgeStructure> first;  // of every edge, before the first event
+  std::vector<EdgeStructure> first;  // by edge: its structure before the first event
   std::vector<Event> events;         // ascending
-  std::vector<Change> changes;       // of an event together, ascending by edge
+  std::vector<Change> changes;       // those of one event are adjacent and ascend by edge
   std::vector<Piece> pieces;
 
   [[nodiscard]] std::span<const Change> changes_of(const Event& event) const {
@@ -56,20 +56,20 @@ struct EventList {
   }
 };
 
-// Appends one change to the last event. For makers of lists.
+// Appends one change to the last event. For code that builds lists.
 void append_change(EventList& list, EdgeIndex edge, const EdgeStructure& before, const EdgeStructure& after);
 
 struct BuildOptions {
   double tolerance = 0;                     // radians, at least 0
-  std::uint64_t most_changes = 20'000'000;  // of all edges together
-  std::uint64_t most_pieces = 100'000'000;  // in all changes together
+  std::uint64_t most_changes = 20'000'000;  // of all edges
+  std::uint64_t most_pieces = 100'000'000;  // in all changes
   unsigned threads = 0;                     // 0: one for each core
   std::function<void(std::size_t done, std::size_t of)> progress =
-      nullptr;  // edges; from any thread, one at a time
-  Trace* trace = nullptr;  // told about every edge; then one thread does all the work
+      nullptr;  // counts edges; called from any thread, one at a time
+  Trace* trace = nullptr;  // receives the steps for every edge; then only one thread is used
 };
 
-// Error: a limit was reached; it says which, and how far the work had come.
+// The error says which limit was reached, and how many edges were done.
 [[nodiscard]] base::Result<EventList> build_event_list(const RotationModel& model,
                                                        const BuildOptions& options = {});
 

@@ -1,4 +1,3 @@
-// See frame.hpp.
 #include "host/algorithms/plantinga/frame.hpp"
 
 #include <algorithm>
@@ -71,8 +70,8 @@ double FrameMaker::parameter_of(EdgeIndex edge, const End& end) const {
   return passage_of(edge, end.index());
 }
 
-// Which ends are vertices is past guessing for a processor, so the loop asks nothing: what is no vertex gets
-// the first one for the time being, and is noted by a count that does or does not go on.
+// Whether an end is a vertex is unpredictable, so the loop has no branches: an end that is not a vertex is first set to
+// vertex 0, and is recorded by advancing a counter by 0 or 1.
 template <class Lines, class Put>
 void FrameMaker::put_vertices(const EdgeStructureGraph& graph, Lines& lines, Put put) {
   const std::span<const LivePiece> pieces = graph.pieces();
@@ -84,7 +83,7 @@ void FrameMaker::put_vertices(const EdgeStructureGraph& graph, Lines& lines, Put
     const std::uint32_t there = live.edge != no_edge ? 1U : 0U;
     const std::uint32_t low_inner = live.piece.low.kind() != EndKind::vertex ? 1U : 0U;
     const std::uint32_t high_inner = live.piece.high.kind() != EndKind::vertex ? 1U : 0U;
-    // All bits of the index, or none.
+    // the index, or 0 if the end is not a vertex
     put(lines[line], live.piece.low.index() & (0U - (there & (low_inner ^ 1U))),
         live.piece.high.index() & (0U - (there & (high_inner ^ 1U))));
     inner_[inner] = {2 * line, live.edge, live.piece.low};

@@ -1,5 +1,5 @@
-// One frame of a turning scene: the image of every visible piece (equations 1 to 5a of Plantinga, Seales and
-// Dyer 1990), and of every edge whole, the wire frame it is measured against.
+// One frame of a turning scene: the image of every visible piece (equations 1 to 5a of Plantinga, Seales and Dyer 1990),
+// or of every whole edge (the wire frame, for comparison).
 #pragma once
 
 #include <array>
@@ -26,18 +26,18 @@ class FrameMaker {
  public:
   explicit FrameMaker(const RotationModel& model);
 
-  // The graph's view at an angle between the events around it. T-junctions of edges that are nearly parallel
-  // in the image are kept within their edge. `lines` is overwritten.
+  // The view of the graph at an angle between the adjacent events. T-junctions of edges that are nearly parallel in the
+  // image are kept within their edge. `lines` is overwritten.
   void visible(const EdgeStructureGraph& graph, double angle, std::vector<ImageLine>& lines);
   void wire(double angle, std::vector<ImageLine>& lines);
-  // The same pieces before they are turned, for a display that turns and projects them itself (the paper's
-  // 3-D vector drawing hardware): only where they end is computed.
+  // The same pieces before rotation, for a display that rotates and projects them itself (the paper's 3-D vector drawing
+  // hardware): only the ends of pieces are computed.
   void visible_in_space(const EdgeStructureGraph& graph, double angle, std::vector<SpaceLine>& lines);
 
-  // Every vertex at an angle. visible and wire do this first.
+  // Computes the image of every vertex at an angle. visible and wire call it.
   void place(double angle);
-  // Where on the edge a piece of it ends, at the angle of the last place: 0 at its first vertex, 1 at its
-  // second.
+  // The parameter of an end of a piece on its edge, from 0 at the edge's first vertex to 1 at its second, at the angle
+  // given to place().
   [[nodiscard]] double parameter_of(EdgeIndex edge, const End& end) const;
 
  private:
@@ -54,14 +54,14 @@ class FrameMaker {
     Point normal;
     double offset;
   };
-  // An end of a piece that is no vertex.
+  // An end of a piece that is not a vertex.
   struct Inner {
-    std::uint32_t end_of_line;  // twice the line's number, and 1 more for the high end
+    std::uint32_t end_of_line;  // twice the line's number, plus 1 for the high end
     EdgeIndex edge;
     End end;
   };
-  // Makes room for a line a piece, gives each piece the number of a line and its two vertices, and remembers
-  // the ends that are none.
+  // Resizes `lines` to one line per piece, sets the ends of each that are vertices by put(line, from, to), and records
+  // the other ends.
   template <class Lines, class Put>
   void put_vertices(const EdgeStructureGraph& graph, Lines& lines, Put put);
   [[nodiscard]] double passage_of(EdgeIndex edge, FaceIndex face) const;
@@ -70,9 +70,9 @@ class FrameMaker {
 
   std::vector<Point> points_;
   std::vector<Ends> edges_;
-  std::vector<Plane> planes_;  // of faces
+  std::vector<Plane> planes_;  // by face
   std::vector<Place> places_;
-  std::vector<Inner> inner_;  // the first inner_count_ of them
+  std::vector<Inner> inner_;  // the first inner_count_ entries are valid
   std::size_t inner_count_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// The forms of edges in doubles, with how far they may be off: what the search for potential events asks most
-// often, answered only where the answer is sure.
+// The forms of edges in doubles with error bounds: they answer the most frequent questions of the search for potential
+// events where the answer is certain.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ inline double size_of(const NearForm& form) {
   return std::abs(form.x) + std::abs(form.z);
 }
 
-// An edge that may cross the one in hand, and its forms against it.
+// An edge that may cross the current edge, and its forms relative to it.
 struct Line {
   EdgeIndex edge = 0;
   Crossing exact;
@@ -40,11 +40,11 @@ struct Line {
   std::int64_t low = 0, high = 0;
 };
 
-// Where a line crosses the edge in one direction.
+// The crossing of a line and the edge in one direction.
 struct Meeting {
-  double s = 0;         // on the edge
+  double s = 0;         // parameter on the edge
   double error = 0;     // of s
-  bool within = false;  // both, as far as can be told
+  bool within = false;  // within both, as far as doubles can decide
 };
 
 inline Meeting meeting_of(const Line& line, const NearDirection& v) {
@@ -53,7 +53,7 @@ inline Meeting meeting_of(const Line& line, const NearDirection& v) {
   const double sign = line.d.at(v) < 0 ? -1 : 1;
   Meeting meeting;
   meeting.error = d > 0 ? off * (line.n_size + line.m_size + line.d_size) / d : 1;
-  if (!(meeting.error < 1e-2)) return {0.5, 1, true};  // nearly parallel: nothing is sure
+  if (!(meeting.error < 1e-2)) return {0.5, 1, true};  // nearly parallel: nothing is certain
   meeting.s = sign * line.n.at(v) / d;
   const double other = sign * line.m.at(v) / d;
   const double slack = meeting.error + 1e-9;
@@ -66,12 +66,12 @@ inline bool surely_farther(const Line& line, const NearDirection& v) {
   return std::abs(d) > (v.error + rounding) * line.d_size * 4 && line.order * d > 0;
 }
 
-// Directions from an angle on, 0 to 2 pi; none if the width is negative.
+// Directions in a range of angles, 0 to 2 pi wide; empty if the width is negative.
 struct Sector {
   double from = 0;
   double width = -1;
 
-  // Without a branch.
+  // Has no branches.
   [[nodiscard]] bool meets(const Sector& other) const {
     const double turn = other.from - from;
     constexpr std::array<double, 2> round{0, 2 * std::numbers::pi};
@@ -81,15 +81,15 @@ struct Sector {
   }
 };
 
-// Has all directions in which the line crosses the edge, ends included, and is not farther: where N, D - N, M and D - M
-// have the sign of D, and D that in which the line is nearer. A little wider, because it is worked out in doubles; all
-// directions where these do not tell.
+// All directions in which the line crosses the edge, ends included, and is not farther: where N, D - N, M and D - M have
+// the sign of D, and D has the sign for which the line is nearer. A little wider because it is computed in doubles; all
+// directions if these do not decide.
 inline Sector sector_of(const Line& line) {
   constexpr double pi = std::numbers::pi;
   constexpr double margin = 1e-6;
   constexpr Sector whole{0, 2 * pi};
   if (line.d_size == 0 || line.order == 0) return whole;
-  // Where a form is not negative: a quarter turn to both sides of this angle.
+  // A form is not negative within a quarter turn to both sides of this angle.
   const auto middle_of = [&line](std::int64_t x, std::int64_t z) {
     const double sign = line.order > 0 ? -1 : 1;
     return std::atan2(sign * static_cast<double>(x), sign * static_cast<double>(z));
@@ -105,7 +105,7 @@ inline Sector sector_of(const Line& line) {
     double turn = middle_of(form.x, form.z) - middle;
     if (turn > pi) turn -= 2 * pi;
     if (turn < -pi) turn += 2 * pi;
-    if (std::abs(turn) > pi - margin) return whole;  // both ways along one line
+    if (std::abs(turn) > pi - margin) return whole;  // two opposite directions along one line
     if (turn > 0) low = std::max(low, turn - pi / 2);
     if (turn < 0) high = std::min(high, turn + pi / 2);
   }

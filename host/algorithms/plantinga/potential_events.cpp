@@ -1,4 +1,3 @@
-// See potential_events.hpp.
 #include "host/algorithms/plantinga/potential_events.hpp"
 
 #include <algorithm>
@@ -6,7 +5,7 @@
 namespace sightline::algorithms::plantinga {
 namespace {
 
-// 0 < n / d < 1 at a direction.
+// Whether 0 < n / d < 1 at a direction.
 bool inside(const Direction& direction, const LinearForm& n, const LinearForm& d) {
   const int below = sign_at(direction, d);
   return below != 0 && sign_at(direction, n) == below && sign_at(direction, {d.x - n.x, d.z - n.z}) == below;

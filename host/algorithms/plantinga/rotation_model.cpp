@@ -1,4 +1,3 @@
-// See rotation_model.hpp.
 #include "host/algorithms/plantinga/rotation_model.hpp"
 
 #include <algorithm>
@@ -120,7 +119,7 @@ std::vector<Occluder> RotationModel::occluders_of(EdgeIndex edge) const {
   return found;
 }
 
-// FNV-1a over all that events depend on.
+// FNV-1a over everything on which events depend.
 void RotationModel::take_fingerprint() {
   std::uint64_t hash = 14695981039346656037ULL;
   const auto add = [&hash](std::uint64_t value) {

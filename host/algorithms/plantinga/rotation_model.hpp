@@ -1,12 +1,12 @@
-// A polyhedral scene laid out for the study of its rotation about the y axis: edges, faces as rings of
-// corners, and for every edge the faces that may ever hide any of it.
+// A polyhedral scene prepared for the analysis of its rotation about the y axis: edges, faces as rings of corners, and
+// for every edge the faces that may ever hide part of it.
 //
-// Occlusion: only parts on the front of a face's plane may hide the face, and nothing behind it does (the
-// paper's sentence has it the wrong way round, its figure right); so a face f may hide of an edge e only what
-// of e is behind the plane of f, and that does not change as the scene turns. Faces of solids hide by their
-// front, which is enough for closed ones; faces of sheets by either side and are here twice.
+// Occlusion: only parts in front of a face's plane may hide the face (the paper's sentence says the opposite, its figure
+// is right). So a face f may hide only the part of an edge e that is behind the plane of f, which does not change as the
+// scene turns. Faces of solids hide by their front, which suffices for closed solids; faces of sheets hide from both
+// sides and are stored twice.
 //
-// Sizes, coordinates below 2^18: face normals 39 bits, a point against a plane 60 bits.
+// Sizes, with coordinates below 2^18: face normals 39 bits, the value of a face's plane at a point 60 bits.
 #pragma once
 
 #include <array>
@@ -27,38 +27,38 @@ using FaceIndex = std::uint32_t;
 struct Corner {
   std::uint32_t vertex = 0;
   EdgeIndex side = 0;
-  std::uint32_t next = 0;  // the other end of the side, counted from the first corner of the face
-  bool with_edge = true;   // the side runs as the edge does, from its lower vertex to its higher
+  std::uint32_t next = 0;  // the other end of the side, relative to the first corner of the face
+  bool with_edge = true;   // the side runs from its edge's lower vertex to its higher one
 };
 
 struct RotatedFace {
   std::uint32_t first_corner = 0;
   std::uint32_t corner_count = 0;
   bool sheet = false;
-  bool horizontal = false;  // edge-on always
-  Vector3 normal{};         // twice the area; out of a solid
-  std::int64_t low = 0;     // of y
+  bool horizontal = false;  // always edge-on
+  Vector3 normal{};         // twice the area; outwards for a solid
+  std::int64_t low = 0;     // least and greatest y
   std::int64_t high = 0;
 };
 
-// A face at an edge: faces that pass the edge in opposite directions turn the same side outwards.
+// A face at an edge. Faces that pass the edge in opposite directions have the same side outwards.
 struct Incidence {
   FaceIndex face = 0;
   bool with_edge = true;
 };
 
-// A face and the side of it, +1 for the one its normal points to, from which it hides some of an edge.
+// A face that hides part of an edge, and the side of it from which it does: +1 for the side its normal points to.
 struct Occluder {
   FaceIndex face = 0;
   std::int8_t side = 1;
-  // Ends of the edge against the plane, times the side: negative behind it. At least one is.
+  // Values of the plane at the edge's ends, times the side: negative behind it. At least one is negative.
   std::int64_t from = 0;
   std::int64_t to = 0;
 };
 
 class RotationModel {
  public:
-  // The scene is a checked one (precondition).
+  // Precondition: the scene is checked.
   explicit RotationModel(const scene::PolyScene& scene);
 
   [[nodiscard]] const std::vector<Vector3>& vertices() const { return vertices_; }
@@ -76,9 +76,9 @@ class RotationModel {
   [[nodiscard]] Segment segment(EdgeIndex edge) const {
     return {vertices_[edges_[edge].from], vertices_[edges_[edge].to]};
   }
-  // Faces that may hide some of the edge from somewhere.
+  // The faces that hide part of the edge from some direction.
   [[nodiscard]] std::vector<Occluder> occluders_of(EdgeIndex edge) const;
-  // Of vertices, faces and which of them are sheets: what an event file belongs to.
+  // A hash of the vertices, the faces and which of them are sheets: identifies the model of an event file.
   [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
 
  private:

@@ -1,12 +1,12 @@
-// Hidden-line removal of one edge from scratch, over any integers: edge_structure.hpp says what it gives.
+// Hidden-line removal of one edge from scratch, for any integer type. edge_structure.hpp describes the result.
 //
-// With u = x Z - z X and v = y the image line of the edge AB parts the corners of a face; a side that crosses
-// the line does so at a / (a - b), a and b being A and B against the line of the side. The crossings, in
-// order, are the ends of what the face covers, whatever its shape and its holes. A corner on the line counts
-// as to its right for the left side of the edge, and as to its left for the right side.
+// With u = x Z - z X and v = y, the image line of the edge AB separates the corners of a face. A side that crosses the
+// line does so at a / (a - b), where a and b are the values at A and B of the line through the side. The crossings, in
+// order, are the ends of the parts that the face covers, whatever its shape and holes. For the left side of the edge a
+// corner on the line counts as to its right, for the right side as to its left.
 //
-// Sizes, coordinates below 2^18: u has 19 bits more than a sight, a corner against a line 40 bits more, an
-// end of what is hidden 41 bits more, and two of those are compared in twice as many.
+// Sizes, with coordinates below 2^18: u has 19 bits more than a sight, the value of a line at a corner 40 bits more, an
+// end of a hidden part 41 bits more; comparing two ends takes twice as many.
 #pragma once
 
 #include <algorithm>
@@ -20,19 +20,19 @@
 
 namespace sightline::algorithms::plantinga {
 
-// Sights below 2^21 (sight_limit).
+// For sights below 2^21 (sight_limit).
 struct DirectArithmetic {
   using Sight = std::int64_t;
   using Across = std::int64_t;  // u
-  using Number = std::int64_t;  // an end of what is hidden: 62 bits
+  using Number = std::int64_t;  // an end of a hidden part: 62 bits
   [[nodiscard]] static Int128 product(Number a, Number b) { return Int128{a} * b; }
-  // A coordinate or a difference of two, a component of a face's normal, a vertex against a face's plane.
+  // A coordinate or a difference of two; a component of a face's normal; the value of a face's plane at a vertex.
   [[nodiscard]] static std::int64_t length(std::int64_t n) { return n; }
   [[nodiscard]] static std::int64_t normal(std::int64_t n) { return n; }
   [[nodiscard]] static std::int64_t depth(std::int64_t n) { return n; }
 };
 
-// Sights below 2^bits.
+// For sights below 2^bits.
 template <unsigned bits>
 struct WideArithmetic {
   using Sight = geometry::WideInteger<bits>;
@@ -44,7 +44,7 @@ struct WideArithmetic {
   [[nodiscard]] static auto depth(std::int64_t n) { return geometry::WideInteger<61>(n); }
 };
 
-template <class Arithmetic, class Listener = Unwatched>
+template <class Arithmetic, class Listener = NoListener>
 class FromScratch {
   using Number = typename Arithmetic::Number;
   using Across = typename Arithmetic::Across;
@@ -64,7 +64,7 @@ class FromScratch {
   FromScratch(const RotationModel& model, const Sight& x, const Sight& z, Listener listener = Listener())
       : model_(model), x_(x), z_(z), listener_(listener) {}
 
-  // Whether the last edge was compared with its occluders at all.
+  // Whether the last edge was compared with its occluders.
   [[nodiscard]] bool compared() const { return compared_; }
 
   std::vector<SeenPiece> pieces_of(EdgeIndex edge, const std::vector<Occluder>& occluders) {
@@ -88,7 +88,7 @@ class FromScratch {
   }
 
  private:
-  // Hidden: the open interval between two ends.
+  // A hidden part: the open interval between two ends.
   struct Hidden {
     Fraction low;
     Fraction high;
@@ -114,7 +114,7 @@ class FromScratch {
     return geometry::sign(x_ * Arithmetic::normal(face.normal[0]) + z_ * Arithmetic::normal(face.normal[2]));
   }
 
-  // Not an edge between faces of solids that all look away.
+  // Whether the edge belongs to a face of a solid that is turned to the viewer, or to no solid.
   [[nodiscard]] bool faces_viewer() const {
     for (const Incidence& incidence : model_.faces_at(edge_)) {
       const RotatedFace& face = model_.faces()[incidence.face];
@@ -140,7 +140,7 @@ class FromScratch {
       below = below || sides_[i] < 0;
       on = on || sides_[i] == 0;
     }
-    // For the left side a corner on the line is to the right of it, for the right side to the left.
+    // For the left side, a corner on the line counts as to the right of it; for the right side, as to the left.
     const bool left = above && (below || on);
     const bool right = below && (above || on);
     if (left) cover(occluder, 0, left_);
@@ -148,7 +148,8 @@ class FromScratch {
     if (right && !on && !cuts_.empty()) append_hidden(occluder, right_);
   }
 
-  // The cuts of the face with the line, corners at most `threshold` being to its right; then what is hidden.
+  // Finds the cuts of the face with the line, where values up to `threshold` are to the right, and the parts hidden by
+  // it.
   void cover(const Occluder& occluder, int threshold, std::vector<Hidden>& hidden) {
     const auto corners = model_.corners(occluder.face);
     cuts_.clear();
@@ -176,14 +177,14 @@ class FromScratch {
     return {a, whole};
   }
 
-  // A corner on the line of a level edge stays there: that end is a contact.
+  // The end at a side of the face. On a level edge, a corner on its line stays there: that end is a contact.
   End end_of(std::span<const Corner> corners, std::size_t i, std::size_t j) const {
     if (level_ && sides_[i] == 0) return End::of(EndKind::contact, corners[i].vertex);
     if (level_ && sides_[j] == 0) return End::of(EndKind::contact, corners[j].vertex);
     return End::of(EndKind::junction, corners[i].side);
   }
 
-  // Every second interval between cuts, as far as the edge goes and is behind the face.
+  // Appends every second interval between cuts, clipped to the edge and to the half-space behind the face.
   void append_hidden(const Occluder& occluder, std::vector<Hidden>& hidden) {
     const End passage = End::of(EndKind::passage, occluder.face);
     Fraction first = start();
@@ -208,7 +209,7 @@ class FromScratch {
     }
   }
 
-  // Ascending and apart; intervals that touch are joined, for a point draws nothing.
+  // Sorts the intervals and joins those that overlap or touch, because an isolated point is not drawn.
   static void unite(std::vector<Hidden>& hidden) {
     std::sort(hidden.begin(), hidden.end(), [](const Hidden& p, const Hidden& q) {
       const int order = compare(p.low, q.low);

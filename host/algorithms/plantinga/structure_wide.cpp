@@ -1,5 +1,4 @@
-// The structure of an edge between two events so near each other that no direction in small integers lies
-// between them.
+// The structure of an edge between two events with no direction in small integers between them.
 #include "host/algorithms/plantinga/structure_from_scratch.hpp"
 
 namespace sightline::algorithms::plantinga {

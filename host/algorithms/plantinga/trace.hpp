@@ -1,4 +1,5 @@
-// What the algorithm tells of its work to somebody who watches. The loops that nobody watches are compiled apart and pay nothing.
+// The events that the algorithm reports to a listener. Loops without a listener are compiled separately and have no cost
+// for it.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +18,9 @@ enum class EventKind : std::uint8_t {
   vertex_behind,    // EV: an end of the edge is behind a nearer edge: first is the vertex, second the nearer edge
   three_edges,      // EEE: two nearer edges cross on the edge: first and second are these edges
   edge_pair,        // the plane of two nearer edges that meet in a vertex, but in no face, is edge-on: first and second
-  own_plane,        // the plane of the edge and of one that meets it in a vertex is edge-on: first is that edge
-  in_line,          // the edge and another one in its plane are on one line of the image: first is that edge
-  passage,          // the edge passes through the plane of a face behind another edge: first is the face, second the edge
+  own_plane,        // the plane of the edge and an edge that meets it in a vertex is edge-on: first is that edge
+  in_line,          // the edge and another edge in one plane are collinear in the image: first is that edge
+  passage,          // the edge passes through the plane of a face behind another edge: first is the face, second the other edge
 };
 
 struct PotentialEvent {
@@ -34,38 +35,38 @@ class Trace {
  public:
   virtual ~Trace() = default;
 
-  // The initial picture, from scratch: the edges in order, each begun, compared with faces and ended.
+  // The initial picture, from scratch. Edges are reported in order; for each: start, comparisons with faces, end.
   virtual void scratch_begins(EdgeIndex edge, std::span<const Occluder> occluders) = 0;
-  // The face covers the edge from low to high, on one side of the edge's line in the image; usually it is told for both sides.
-  // What some face covers on each side is hidden.
+  // The face covers the edge from low to high on one side of its line in the image; usually it is reported for both
+  // sides. A part is hidden if faces cover it on both sides.
 
   virtual void scratch_covers(EdgeIndex edge, FaceIndex face, double low, double high) = 0;
-  // What is left of the edge. Not `compared`: its faces all look away, or its image is a point.
+  // What is left of the edge. `compared` is false if all its faces are turned away, or its image is a point.
   virtual void scratch_ends(EdgeIndex edge, bool compared, const EdgeStructure& left) = 0;
 
-  // Preprocessing: the edges in order, each begun, its potential events, its comparisons in the order of their directions.
+  // Preprocessing. Edges are reported in order; for each: start, potential events, comparisons ordered by direction.
   virtual void study_begins(EdgeIndex edge, std::span<const Occluder> occluders) = 0;
-  // One that the filter lets pass; several may have one direction.
+  // An event that the filter keeps. Several may have the same direction.
   virtual void potential(const PotentialEvent& event) = 0;
-  // One that the filter drops: its point is hidden, or an edge of it bounds nothing that is hidden.
+  // An event that the filter drops: its point is hidden, or one of its edges is not a contour.
   virtual void dropped(EventKind kind, EdgeIndex edge) = 0;
-  // The structure of the edge on both sides of a direction. It is an event if the two differ.
+  // The structures of the edge before and after a direction. It is an event if they differ.
   virtual void compared(EdgeIndex edge, const Direction& direction, const EdgeStructure& before, const EdgeStructure& after) = 0;
   virtual void study_ends(EdgeIndex edge, const EdgeHistory& history) = 0;
 };
 
-// The listener of work that nobody watches.
-struct Unwatched {
+// The listener that does nothing.
+struct NoListener {
   template <class Fraction>
   void hides(EdgeIndex, FaceIndex, const Fraction&, const Fraction&) {}
   void potential(EventKind, EdgeIndex, std::uint32_t, std::uint32_t, const Direction&) {}
   void dropped(EventKind, EdgeIndex) {}
 };
 
-// Passes everything on to a Trace.
-class Watched {
+// Forwards everything to a Trace.
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(&trace) {}
+  explicit TraceListener(Trace& trace) : trace_(&trace) {}
 
   template <class Fraction>
   void hides(EdgeIndex edge, FaceIndex face, const Fraction& low, const Fraction& high) {

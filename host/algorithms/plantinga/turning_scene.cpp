@@ -1,4 +1,3 @@
-// See turning_scene.hpp.
 #include "host/algorithms/plantinga/turning_scene.hpp"
 
 #include <algorithm>
@@ -7,8 +6,7 @@
 namespace sightline::algorithms::plantinga {
 namespace {
 
-// The image of the edge is a point: what is seen of it changes neither before nor after, so that no event
-// tells.
+// Whether the image of the edge is a point. Its visible part is then the same before and after, so no event records it.
 bool seen_end_on(const Segment& edge, const Sight& sight) {
   const Vector3& a = edge.from;
   const Vector3& b = edge.to;
@@ -24,8 +22,8 @@ std::optional<std::string> why_not(const scene::PolyScene& scene) {
 }
 
 std::optional<std::string> why_not_view(const scene::PolyScene&, const scene::PolyCamera& camera) {
-  if (camera.perspective) return "only parallel projection turns";
-  if (!sight_of(camera)) return "only turns about the y axis: the line of sight must be parallel to y = 0";
+  if (camera.perspective) return "it draws parallel projections only";
+  if (!sight_of(camera)) return "it turns scenes about the y axis only, so the line of sight must be parallel to y = 0";
   return std::nullopt;
 }
 

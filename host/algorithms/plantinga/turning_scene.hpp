@@ -1,8 +1,8 @@
-// A scene of which exact pictures are asked for, one after the other, along directions without y.
+// A scene of which several exact pictures are requested, along directions without a y component.
 //
-// The first one is made from scratch, as the paper's initial picture is. When a second one is asked for the
-// events of a full turn are found, and from then on pictures are made by stepping through them; those exactly
-// at an event, and all of scenes with too many edges for that, from scratch.
+// The first picture is made from scratch, like the paper's initial picture. When the second one is requested, the events
+// of a full turn are found; later pictures are made by stepping through them. Pictures exactly at an event, and all
+// pictures of scenes with too many edges, are made from scratch.
 #pragma once
 
 #include <cstddef>
@@ -16,27 +16,27 @@
 
 namespace sightline::algorithms::plantinga {
 
-// Scenes with more edges have no pictures: every face may hide some of every edge.
+// Scenes with more edges are rejected, because every face may hide part of every edge.
 inline constexpr std::size_t most_edges = 60000;
-// Scenes with more edges are drawn from scratch always.
+// Scenes with more edges are always drawn from scratch.
 inline constexpr std::size_t most_turned_edges = 3000;
 
-// Why the algorithm does not apply: to a scene, to a camera.
+// Why the algorithm does not apply to a scene or to a camera.
 [[nodiscard]] std::optional<std::string> why_not(const scene::PolyScene& scene);
 [[nodiscard]] std::optional<std::string> why_not_view(const scene::PolyScene& scene,
                                                       const scene::PolyCamera& camera);
 
 class TurningScene {
  public:
-  // The scene is a checked one to which the algorithm applies (preconditions).
+  // Preconditions: the scene is checked and the algorithm applies to it.
   explicit TurningScene(const scene::PolyScene& scene) : model_(scene) {}
 
   [[nodiscard]] const RotationModel& model() const { return model_; }
-  // From any thread. The sight's parts keep below 2^15.
+  // May be called from any thread. Precondition: the parts of the sight are below 2^15.
   [[nodiscard]] picture::LinePicture view(const Sight& sight);
 
  private:
-  // Through the events; nothing at an event.
+  // A picture found through the events; nullopt exactly at an event.
   std::optional<picture::LinePicture> turned_view(const Sight& sight);
 
   RotationModel model_;

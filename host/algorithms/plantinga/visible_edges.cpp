@@ -1,4 +1,3 @@
-// See visible_edges.hpp.
 #include "host/algorithms/plantinga/visible_edges.hpp"
 
 #include <array>
@@ -12,7 +11,7 @@ std::int64_t u_of(const Vector3& p, const Sight& sight) {
   return p[0] * sight.z - p[2] * sight.x;
 }
 
-// Where an edge passes through the plane of a face.
+// The parameter at which an edge passes through the plane of a face.
 Rational passage_of(const RotationModel& model, const Segment& edge, FaceIndex face) {
   const Vector3& about = model.vertices()[model.corners(face)[0].vertex];
   const Vector3& normal = model.faces()[face].normal;
@@ -20,7 +19,7 @@ Rational passage_of(const RotationModel& model, const Segment& edge, FaceIndex f
   return {from, from - geometry::dot(normal, minus(edge.to, about))};
 }
 
-// Equation 5a, in the image: where the lines of two edges cross, on the first.
+// The parameter on the first edge at which the images of two edges cross (equation 5a).
 Rational parameter_of(const RotationModel& model, EdgeIndex edge, const End& end, const Sight& sight) {
   const Segment e = model.segment(edge);
   const std::int64_t u = u_of(e.from, sight);

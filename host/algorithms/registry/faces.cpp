@@ -1,4 +1,3 @@
-// See faces.hpp.
 #include "host/algorithms/registry/faces.hpp"
 
 #include <algorithm>
@@ -39,9 +38,9 @@ class WillisScene {
     const auto order = frames_.order(camera);
     willis::make_spans(model_, order, camera, window, spans_);
     FaceView view;
-    // A picture of the display's own size is made by the display.
+    // If the picture has the display's size, the display makes it.
     view.faces =
-        fits_display(spans_, window) ? displayed(spans_, display_) : willis::resolved(spans_, window);
+        fits_display(spans_, window) ? show_on_display(spans_, display_) : willis::resolve_priorities(spans_, window);
     view.counts = {
         {"distances", order.size()}, {"surfaces", spans_.surfaces.size()}, {"spans", spans_.spans.size()}};
     return view;

@@ -1,5 +1,5 @@
-// The algorithms that say for every point of a raster which face is seen there, behind one door; those that
-// draw lines have a table of their own (lines.hpp).
+// The table of the algorithms that find the visible face at every point of a raster. Algorithms that draw lines are in
+// lines.hpp.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct FaceCount {
   std::uint64_t value = 0;
 };
 
-// What of the image plane (PolyCamera) is shown: x at column `left + scale x`, y at line `top - scale y`.
+// The shown part of the image plane (PolyCamera): x is at column `left + scale x`, y at line `top - scale y`.
 struct FaceWindow {
   int width = 512;
   int height = 512;
@@ -34,12 +34,12 @@ struct FaceWindow {
 };
 
 struct FaceView {
-  picture::PixelGrid faces;  // number of the face over all bodies + 1, 0 where there is none
+  picture::PixelGrid faces;  // number of the face over all bodies + 1; 0: no face
   std::vector<FaceCount> counts;
 };
 
-// What is seen of one face, as closed lines: outlines counterclockwise, holes clockwise. From the bottom left
-// of the window, in its pixels, y upwards.
+// The visible region of one face as closed polygons: outlines counterclockwise, holes clockwise. In pixels from the
+// bottom left of the window, y upwards.
 struct FaceRegion {
   std::uint32_t face = 0;  // as in FaceView
   std::vector<std::vector<picture::PixelPoint>> loops;
@@ -50,52 +50,50 @@ struct FaceRegions {
   std::vector<FaceCount> counts;
 };
 
-// One view of a prepared scene. The eye of a camera in perspective is in free space (precondition). One view
-// at a time.
+// One view of a prepared scene. Precondition: the eye of a perspective camera is in free space. Not thread-safe.
 using FaceViews = std::function<base::Result<FaceView>(const scene::PolyCamera&, const FaceWindow&)>;
 using FaceRegionViews = std::function<base::Result<FaceRegions>(const scene::PolyCamera&, const FaceWindow&)>;
 
 struct PreparedFaces {
   FaceViews view;
-  FaceRegionViews regions;              // empty if the algorithm has pixels only
-  std::vector<FaceCount> counts;        // of what was made of the scene
-  std::vector<std::string> not_solved;  // what may be drawn wrongly, by name; empty: nothing
+  FaceRegionViews regions;              // empty if the algorithm computes pixels only
+  std::vector<FaceCount> counts;        // about the preparation of the scene
+  std::vector<std::string> not_solved;  // what may be drawn wrongly, by name
 };
 
-// Stripes of Montani and Re's, in pixels.
+// Stripe thicknesses of Montani and Re's algorithm, in pixels.
 inline constexpr std::array<double, 6> stripe_thicknesses{8, 4, 2, 1, 0.5, 0.25};
 
-// Every algorithm reads its own.
+// Each algorithm reads its own options.
 struct FaceOptions {
   // Willis
-  std::optional<int> depth;  // cuts of one surface
-  bool plan = false;         // walls only, seen from among them
-  std::size_t vertical = 1;  // axis, for plan
-  bool rule90 = false;       // the paper's rule that normals be within 90 degrees
-  bool oval = false;         // the boundary is the oval, not two circles
-  bool order_cells = true;   // false: distance alone
-  std::optional<std::size_t> most_pairs;  // of pieces to be kept apart; a scene that needs more is refused
+  std::optional<int> depth;  // most cuts of one surface
+  bool plan = false;         // walls only, seen by an eye among them
+  std::size_t vertical = 1;  // the vertical axis, for plan
+  bool rule90 = false;       // apply the paper's rule that normals be within 90 degrees
+  bool oval = false;         // the boundary is an oval instead of two circles
+  bool order_cells = true;   // false: order by distance only
+  std::optional<std::size_t> most_pairs;  // limit of pairs of pieces to be separated; scenes that need more are rejected
   // Montani and Re
-  double stripe = 1;  // thickness, one of those above; regions have none
+  double stripe = 1;  // thickness, one of stripe_thicknesses; regions ignore it
   bool one_silhouette =
-      false;  // of regions: of all faces in front; what coplanar ones share is then the first's
+      false;  // subtract all nearer faces as one region; the first of coplanar faces then has the shared part
 };
 
 struct FaceAlgorithm {
   std::string_view name;
-  std::string_view description;  // and its source
-  // What all views of a scene share. The scene is a checked one (precondition), and outlives what is
-  // prepared.
+  std::string_view description;  // includes the source
+  // Computes the data that all views of a scene share. Preconditions: the scene is checked and outlives the result.
   base::Result<PreparedFaces> (*prepare)(const scene::PolyScene& scene, const FaceOptions& options);
   MeshTime mesh_time = {};
 };
 
 [[nodiscard]] std::span<const FaceAlgorithm> face_algorithms();
-// Null if there is none of that name.
+// Null if no algorithm has this name.
 [[nodiscard]] const FaceAlgorithm* find_face_algorithm(std::string_view name);
 
-// As windows of the algorithms: straight ahead, `extent` (degrees, or scene units without perspective) across
-// the shorter side; or around all of the scene.
+// The window of the algorithms: straight ahead, `extent` (degrees, or scene units in parallel projection) across the
+// shorter side; or around the whole scene.
 [[nodiscard]] FaceWindow face_window(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                      int width, int height, std::optional<double> extent);
 

@@ -12,7 +12,7 @@ namespace {
 namespace skala = algorithms::skala;
 
 std::optional<std::string> why_no_skala(const scene::HeightGrid&, const skala::View& view) {
-  if (view.zoom != 1) return "its drawings have any size, and are not cut";
+  if (view.zoom != 1) return "it has no zoom, because its drawings can have any size";
   return std::nullopt;
 }
 

@@ -1,4 +1,3 @@
-// See lines.hpp.
 #include "host/algorithms/registry/lines.hpp"
 
 #include <algorithm>
@@ -56,7 +55,7 @@ base::Result<PreparedScene> prepare_oracle(const scene::PolyScene& scene) {
 
 namespace native_jones = algorithms::jones;
 
-// A walker serves one view at a time: those that have none to serve wait here.
+// A walker serves one view at a time. Idle walkers are kept here.
 class JonesScene {
  public:
   explicit JonesScene(scene::CellComplex complex) : complex_(std::move(complex)), prepared_(complex_) {}
@@ -139,7 +138,7 @@ base::Result<PreparedScene> prepare_plantinga(const scene::PolyScene& scene) {
   prepared.counts = {{"edges", turning->model().edges().size()}, {"faces", turning->model().faces().size()}};
   prepared.view = [turning](const scene::PolyCamera& camera) -> base::Result<LineView> {
     const auto sight = algorithms::plantinga::sight_of(camera);
-    if (!sight) return base::Error{"", "camera", "its line of sight is not parallel to y = 0"};
+    if (!sight) return base::Error{"", "camera", "the line of sight is not parallel to y = 0"};
     return LineView{turning->view(*sight), {}};
   };
   return prepared;
@@ -152,7 +151,7 @@ constexpr std::array table{
                   applies, prepare_jones, false, nullptr, prepare_jones_cells, false, nullptr, {17, true}},
     LineAlgorithm{"montani-re", "Priority list of faces in stripes, after Montani and Re (1985), exact",
                   applies, prepare_montani_re, true},
-    LineAlgorithm{"oracle", "Exact visible edges, slow and simple: what the others are checked by", applies,
+    LineAlgorithm{"oracle", "Exact visible edges, slow and simple: the reference for all others", applies,
                   prepare_oracle, false, nullptr, nullptr, true, nullptr, {6, false}},
     LineAlgorithm{"plantinga",
                   "One moment of a turn about the vertical, after Plantinga, Seales and Dyer (1990), exact",

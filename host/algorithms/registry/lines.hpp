@@ -1,8 +1,7 @@
-// The algorithms that draw polyhedral scenes as lines, all behind one door: what draws, sweeps, compares and
-// reports reads this table, so that an algorithm is one folder and one line here.
+// The table of the algorithms that draw polyhedral scenes as lines. The commands and experiments read this table, so
+// adding an algorithm takes one folder and one row here.
 //
-// Algorithms that give a face for every pixel instead of pieces of edges have a table of their own kind;
-// Skala's, which wants a height grid, is not one of these.
+// Algorithms that find a face for every pixel are in faces.hpp, those that draw height grids in heights.hpp.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +23,7 @@
 
 namespace sightline::registry {
 
-// What an algorithm did, in its own terms.
+// A count that an algorithm reports about its work, under the algorithm's own name for it.
 struct AlgorithmCount {
   std::string_view name;
   std::uint64_t value = 0;
@@ -38,33 +37,33 @@ struct LineView {
 };
 
 struct PreparedScene {
-  // One view. The eye of a camera in perspective is in free space (scene::eye_error finds nothing: precondition). Several threads may
-  // ask at once.
+  // Computes one view. Precondition: the eye of a perspective camera is in free space (scene::eye_error returns nothing).
+  // Thread-safe.
   std::function<base::Result<LineView>(const scene::PolyCamera&)> view;
-  // The same of an ascending choice of edges alone; not all have it: see view_of.
+  // The same for an ascending choice of edges only; null if the algorithm cannot restrict itself: see view_of.
   std::function<base::Result<LineView>(const scene::PolyCamera&, const picture::ChosenEdges&)> view_chosen = {};
-  std::vector<AlgorithmCount> counts;  // of what was made of the scene
+  std::vector<AlgorithmCount> counts;  // about the preparation of the scene
 };
 
 struct LineAlgorithm {
   std::string_view name;
-  std::string_view description;  // and its source
-  // Why the algorithm does not apply to the scene; empty if it does.
+  std::string_view description;  // includes the source
+  // Why the algorithm does not apply to the scene; nullopt if it does.
   std::optional<std::string> (*why_not)(const scene::PolyScene& scene);
-  // What all views of a scene share. The scene is a checked one, to which the algorithm applies
-  // (preconditions), and outlives what is prepared.
+  // Computes the data that all views of a scene share. Preconditions: the scene is checked, the algorithm applies to it,
+  // and the scene outlives the result.
   base::Result<PreparedScene> (*prepare)(const scene::PolyScene& scene);
-  // Of edges that lie on each other in the image it draws the nearest only: its picture is compared with
-  // others as the set of points it draws (picture::image_set), not piece by piece.
+  // Of edges that coincide in the image, it draws only the nearest: its picture is compared with others as the set of
+  // points it draws (picture::image_set), not piece by piece.
   bool same_by_image = false;
-  // Why it does not apply to a view of a scene to which it applies; null if it applies to all.
+  // Why the algorithm does not apply to a view of a scene to which it applies; null if it applies to every view.
   std::optional<std::string> (*why_not_view)(const scene::PolyScene& scene,
                                              const scene::PolyCamera& camera) = nullptr;
-  // `prepare` of a scene that already has cells; null if it does not use them. The complex is a
-  // checked one (precondition).
+  // Like `prepare`, for a scene that already has cells; null if the algorithm does not use cells. Precondition: the
+  // complex is checked.
   PreparedScene (*prepare_cells)(scene::CellComplex complex) = nullptr;
-  bool draws_crossings = false;  // bodies may pass through each other: PolyScene::crossings and wires are drawn, too
-  // `prepare` of views each of which uses so many threads, for the same picture; null if a view uses one.
+  bool draws_crossings = false;  // bodies may pass through each other: it also draws PolyScene::crossings and wires
+  // Like `prepare`, but each view uses up to `jobs` threads for the same picture; null if a view uses only one.
   base::Result<PreparedScene> (*prepare_threads)(const scene::PolyScene& scene, unsigned jobs) = nullptr;
   MeshTime mesh_time = {};
 
@@ -74,17 +73,17 @@ struct LineAlgorithm {
   }
 };
 
-// A view of edges chosen, also by an algorithm that can only draw all of them.
+// A view of chosen edges, also for algorithms that can only draw all edges.
 [[nodiscard]] base::Result<LineView> view_of(const PreparedScene& prepared, const scene::PolyCamera& camera,
                                              const picture::ChosenEdges& chosen);
 
-// All, `exact` first: the others are compared with it.
+// All algorithms. `exact` is first: the others are compared with it.
 [[nodiscard]] std::span<const LineAlgorithm> line_algorithms();
-// Whether a picture of an algorithm is the right one, given that of `exact`.
+// Whether an algorithm's picture agrees with that of `exact`.
 [[nodiscard]] bool agrees(const LineAlgorithm& algorithm, const picture::LinePicture& drawn,
                           const picture::LinePicture& exact, const scene::PolyScene& scene,
                           const scene::PolyCamera& camera);
-// Null if there is none of that name.
+// Null if no algorithm has this name.
 [[nodiscard]] const LineAlgorithm* find_line_algorithm(std::string_view name);
 
 }  // namespace sightline::registry

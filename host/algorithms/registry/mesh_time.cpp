@@ -1,4 +1,3 @@
-// See mesh_time.hpp.
 #include "host/algorithms/registry/mesh_time.hpp"
 
 #include <cmath>

@@ -23,13 +23,13 @@ namespace {
 namespace montani_re = algorithms::montani_re;
 
 montani_re::StripeFrame frame_of(const scene::PolyCamera& camera, const FaceWindow& window) {
-  return {montani_re::pixels_a_unit(camera, window.scale),
+  return {montani_re::pixels_per_unit(camera, window.scale),
           {window.left, window.height - window.top},
           window.width,
           window.height};
 }
 
-// What the frame shows and `beyond` of its size more on all sides, rounded outwards.
+// The part of the image that the frame shows, enlarged on every side by `beyond` times its size, rounded outwards.
 montani_re::WindowBounds bounds_of(const montani_re::StripeFrame& frame, bool perspective, double beyond) {
   constexpr double limit = 0x1p36;
   const std::array<std::int32_t, 2> size{frame.width, frame.height};
@@ -72,7 +72,7 @@ class MontaniReScene {
 
   [[nodiscard]] base::Result<FaceView> view(const scene::PolyCamera& camera, const FaceWindow& window) const {
     const montani_re::StripeFrame frame = frame_of(camera, window);
-    // Corners are moved by up to four pixels: borders are kept well away from what is shown.
+    // Corners are moved by up to four pixels, so the borders are kept far from the shown part.
     const montani_re::WindowBounds bounds = bounds_of(frame, camera.perspective, 1);
     const bool past_eye = montani_re::face_past_eye(scene_, camera).has_value();
     const montani_re::FaceSet set = montani_re::faces_seen(scene_, camera, {}, past_eye ? &bounds : nullptr);
@@ -146,7 +146,7 @@ base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& sce
                                                      const FaceOptions& options) {
   const auto found = std::find(stripe_thicknesses.begin(), stripe_thicknesses.end(), options.stripe);
   if (found == stripe_thicknesses.end())
-    return base::Error{"", "stripe", "there are stripes of 8, 4, 2, 1, 1/2 and 1/4 pixels"};
+    return base::Error{"", "stripe", "the thickness is not available", "8, 4, 2, 1, 1/2 or 1/4 pixels"};
   const auto made = std::make_shared<const MontaniReScene>(
       scene, static_cast<std::int32_t>(16 / *found),
       options.one_silhouette ? montani_re::Silhouette::whole : montani_re::Silhouette::neighbours);

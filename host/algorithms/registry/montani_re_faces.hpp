@@ -1,5 +1,5 @@
-// Montani and Re's algorithm as one that fills faces: pixels by stripes of one thickness, or the outlines and
-// holes of the exact regions.
+// Montani and Re's algorithm for filled faces: pixels by stripes of equal thickness, or the outlines and holes of the
+// exact regions.
 #pragma once
 
 #include "host/algorithms/registry/faces.hpp"
@@ -7,7 +7,7 @@
 
 namespace sightline::registry {
 
-// An error if there are no stripes of this thickness.
+// Returns an error if the stripe thickness is not one of stripe_thicknesses.
 [[nodiscard]] base::Result<PreparedFaces> prepare_montani_re_faces(const scene::PolyScene& scene,
                                                                    const FaceOptions& options);
 

@@ -21,11 +21,10 @@ namespace {
 
 namespace plantinga = algorithms::plantinga;
 
-// The fraction nearest to a number from 0 to 1 of those that its continued fraction has below 2^15: numerator and
-// denominator.
+// The convergent nearest to a number from 0 to 1 with numerator and denominator below 2^15.
 std::array<std::int32_t, 2> fraction_near(double number) {
   constexpr double limit = 32767;
-  std::array<double, 2> before{1, 0};  // whole, and the one before it
+  std::array<double, 2> before{1, 0};  // the current convergent and the previous one
   std::array<double, 2> last{0, 1};
   double rest = number;
   for (int i = 0; i < 64 && rest > 1e-12; ++i) {
@@ -39,7 +38,7 @@ std::array<std::int32_t, 2> fraction_near(double number) {
   return {static_cast<std::int32_t>(last[0]), static_cast<std::int32_t>(last[1])};
 }
 
-// Without perspective, turned about the y axis; the camera's numbers are below 2^15.
+// A parallel camera, turned about the y axis, with numbers below 2^15.
 scene::PolyCamera camera_at(double angle) {
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
@@ -68,7 +67,7 @@ class PlantingaTurn {
   PlantingaTurn& operator=(const PlantingaTurn&) = delete;
 
   void visible(double angle, std::vector<TurnLine>& lines) {
-    // A list that was read or made is consistent: every step fits.
+    // A list that was read or built is consistent, so every step succeeds.
     static_cast<void>(graph_.turn_to(angle));
     frames_.visible(graph_, angle, found_);
     edges_.clear();
@@ -86,7 +85,7 @@ class PlantingaTurn {
   [[nodiscard]] const plantinga::EventList& list() const { return list_; }
 
  private:
-  // Those of the edges chosen.
+  // Copies the lines of the chosen edges.
   void copy(double angle, std::vector<TurnLine>& lines) {
     drawn_.assign(model_.edges().size(), !chooser_);
     if (chooser_) {
@@ -107,13 +106,13 @@ class PlantingaTurn {
   plantinga::EventList list_;
   plantinga::EdgeStructureGraph graph_;
   plantinga::FrameMaker frames_;
-  std::optional<picture::EdgeChooser> chooser_;  // empty: all edges are drawn
+  std::optional<picture::EdgeChooser> chooser_;  // nullopt: all edges are drawn
   std::vector<plantinga::ImageLine> found_;
-  std::vector<plantinga::EdgeIndex> edges_;  // of each line found
-  std::vector<bool> drawn_;                  // of each edge
+  std::vector<plantinga::EdgeIndex> edges_;  // edge of each line
+  std::vector<bool> drawn_;                  // by edge
 };
 
-// Each view from nothing: for scenes of more edges than events can be found for.
+// Draws each view from scratch, for scenes with too many edges to find events for.
 class ExactTurn {
  public:
   ExactTurn(const scene::PolyScene& scene, PreparedScene prepared, std::optional<picture::EdgeChooser> chooser)
@@ -173,7 +172,7 @@ base::Result<plantinga::EventList> events_of(const plantinga::RotationModel& mod
       constexpr double degree = std::numbers::pi / 180;
       return base::Error{
           .file = options.found,
-          .found = fmt::format("events of a tolerance of {:g} degrees, expected {:g}: name another file",
+          .found = fmt::format("found events with a tolerance of {:g} degrees, expected {:g}: name another file",
                                read->tolerance / degree, options.tolerance / degree)};
     }
     return read;

@@ -1,4 +1,3 @@
-// See willis_display.hpp.
 #include "host/algorithms/registry/willis_display.hpp"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ bool fits_display(const algorithms::willis::FrameSpans& frame,
                      [](const auto& surface) { return surface.face < last_colour; });
 }
 
-picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, WillisDisplay& display) {
+picture::PixelGrid show_on_display(const algorithms::willis::FrameSpans& frame, WillisDisplay& display) {
   PriorityDisplay& device = display.device;
   device.write(Register::control, PriorityDisplay::empty, display.now);
   for (const auto& surface : frame.surfaces) {
@@ -38,7 +37,7 @@ picture::PixelGrid displayed(const algorithms::willis::FrameSpans& frame, Willis
     }
   }
   device.write(Register::control, PriorityDisplay::show, display.now);
-  // The frame after the one under way, until its blanking begins.
+  // The frame after the current one, until its blanking begins.
   const core::Duration since = display.now.time_since_epoch() % devices::priority_display::frame;
   display.now += devices::priority_display::frame - since + devices::priority_display::line * scan_lines;
   device.advance(display.now);

@@ -15,12 +15,12 @@ using picture::DrawingLine;
 using picture::DrawingPoint;
 using picture::VectorDrawing;
 
-// Which line is where, on a lattice: a place of several lines is nobody's.
+// Records on a lattice which line is where. A place with several lines belongs to none of them.
 class Occupied {
  public:
   explicit Occupied(const VectorDrawing& drawing) {
     constexpr double finest = 0.25;  // mm
-    constexpr double most = 2000;    // places a side
+    constexpr double most = 2000;    // places per side
     step_ = std::max({finest, drawing.width / most, drawing.height / most});
     columns_ = static_cast<std::size_t>(drawing.width / step_) + 2;
     rows_ = static_cast<std::size_t>(drawing.height / step_) + 2;
@@ -32,7 +32,8 @@ class Occupied {
     }
   }
 
-  // Is the rectangle around `middle` free of all lines but `own`? Half its sides, the first along `direction`.
+  // Whether the rectangle around `middle` contains no line except `own`. Half of its sides are given, the first along
+  // `direction`.
   [[nodiscard]] bool is_free(DrawingPoint middle, picture::TextDirection direction, double half_width, double half_height, std::uint32_t own) const {
     const double step = step_ * 0.7;
     for (double u = -half_width; u <= half_width; u += step)
@@ -83,7 +84,7 @@ class Occupied {
   std::vector<std::uint32_t> places_;
 };
 
-// A line by the length along it.
+// A line parametrized by its length.
 class Measured {
  public:
   Measured(const VectorDrawing& drawing, const DrawingLine& line)
@@ -104,7 +105,7 @@ class Measured {
     return {static_cast<float>(points_[i - 1].x + t * (double{points_[i].x} - double{points_[i - 1].x})),
             static_cast<float>(points_[i - 1].y + t * (double{points_[i].y} - double{points_[i - 1].y}))};
   }
-  // Its part from one length to another as a line of its own.
+  // Adds the part of the line from one length to another as a separate line.
   void add_part(VectorDrawing& drawing, std::uint32_t layer, double from, double to) const {
     const auto first = static_cast<std::uint32_t>(drawing.points.size());
     drawing.points.push_back(at(from));
@@ -120,7 +121,7 @@ class Measured {
 };
 
 struct LabelPlace {
-  double at = 0;  // along the line, of its middle
+  double at = 0;  // length along the line to the middle of the label
   DrawingPoint middle;
   picture::TextDirection direction;
 };
@@ -130,12 +131,12 @@ class Labeller {
   Labeller(VectorDrawing& drawing, std::uint32_t label_layer, double height)
       : drawing_(drawing), occupied_(drawing), layer_(label_layer), height_(height) {}
 
-  // True if it has one now.
+  // Returns true if the line is labelled now.
   bool label(std::uint32_t number, const std::string& text) {
     const DrawingLine line = drawing_.lines[number];
     if (line.count < 2) return false;
     const Measured measured(drawing_, line);
-    const double width = picture::text_width(height_, text) + height_;  // with half a capital of gap on both sides
+    const double width = picture::text_width(height_, text) + height_;  // with a gap of half a capital on both sides
     if (measured.length() < 2.5 * width) return false;
     const int wanted = 1 + static_cast<int>(measured.length() / (60 * height_));
     std::vector<LabelPlace> places;
@@ -159,7 +160,7 @@ class Labeller {
   }
 
  private:
-  // The straightest place that is free; at 0 if there is none.
+  // The straightest free place; `at` is 0 if there is none.
   [[nodiscard]] LabelPlace best_place(const Measured& line, std::uint32_t number, double width, double from, double to) const {
     LabelPlace best;
     double best_chord = 0.94 * width;
@@ -198,7 +199,7 @@ class Labeller {
 
 void add_contour_labels(VectorDrawing& drawing, std::span<const LabelledLayer> layers, std::uint32_t label_layer, double text_height) {
   Labeller labeller(drawing, label_layer, text_height);
-  std::vector<std::vector<std::pair<double, std::uint32_t>>> lines(layers.size());  // of every layer, by length
+  std::vector<std::vector<std::pair<double, std::uint32_t>>> lines(layers.size());  // by layer: its lines, by length
   for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
     const auto found = std::find_if(layers.begin(), layers.end(), [&](const LabelledLayer& each) { return each.layer == drawing.lines[i].layer; });
     if (found != layers.end() && drawing.lines[i].count > 1)
@@ -210,7 +211,7 @@ void add_contour_labels(VectorDrawing& drawing, std::span<const LabelledLayer> l
     for (const auto& [length, line] : lines[k])
       if (!has_one || length > 12 * text_height) has_one = labeller.label(line, layers[k].text) || has_one;
   }
-  // What was cut is in pieces behind.
+  // Removes the lines that were cut: their pieces were appended.
   std::erase_if(drawing.lines, [](const DrawingLine& line) { return line.count == 0; });
 }
 

@@ -1,5 +1,5 @@
-// Labels in contour lines: the line is interrupted and its height written there, along it and never upside down, where the line is
-// straight and no other line is near.
+// Labels contour lines: a line is interrupted and its height written in the gap, along the line and never upside down,
+// where the line is straight and no other line is near.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ struct LabelledLayer {
   std::string text;
 };
 
-// The drawing is in millimetres. The longest line of a level that has room for a label gets one, others from 12 times its height on; a
-// long one another for every 60 of them.
+// The drawing is in millimetres. The longest line of a level that has space for a label gets one, and so does every line
+// longer than 12 text heights; long lines get another label every 60 text heights.
 void add_contour_labels(picture::VectorDrawing& drawing, std::span<const LabelledLayer> layers, std::uint32_t label_layer, double text_height);
 
 }  // namespace sightline::algorithms::skala

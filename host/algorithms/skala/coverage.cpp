@@ -11,10 +11,10 @@ namespace sightline::algorithms::skala {
 namespace {
 
 constexpr double edge_slack = 1.0 / 64;  // of a unit of y
-// Triangles that share an edge meet in a column; the last bit of their heights there may differ.
+// Triangles that share an edge meet in a column; their heights there may differ in the last bit.
 constexpr float seam = 1.0F / 4096;
 
-// The part of 0..1 in which a difference that runs straight from `at_0` to `at_1` is positive.
+// The part of 0..1 in which a linear difference from `at_0` to `at_1` is positive.
 LinePart positive_part(double at_0, double at_1) {
   if (at_0 > 0 && at_1 > 0) return {0, 1};
   if (!(at_0 > 0) && !(at_1 > 0)) return {1, 0};
@@ -51,7 +51,7 @@ void Coverage::add(std::span<const Vertex> outline) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       Vertex p = outline[i];
       Vertex q = outline[i + 1 < outline.size() ? i + 1 : 0];
-      // The same from both sides of the line.
+      // Gives the same result for both directions of the line.
       if (q.x < p.x || (q.x == p.x && q.y < p.y)) std::swap(p, q);
       if (p.x > x || q.x < x) continue;
       if (p.x == q.x) {
@@ -78,7 +78,7 @@ void Coverage::restore(const Saved& saved) {
 
 void Coverage::add(std::size_t column, Interval interval) {
   Column& all = columns_[column];
-  // Those that meet the new one become one with it.
+  // Intervals that meet the new one are merged with it.
   const auto first = std::lower_bound(all.begin(), all.end(), interval.low - seam, [](const Interval& each, float low) { return each.high < low; });
   auto last = first;
   for (; last != all.end() && last->low <= interval.high + seam; ++last)
@@ -97,8 +97,8 @@ const Coverage::Column& Coverage::column(double x) const {
   return columns_[static_cast<std::size_t>(x)];
 }
 
-// What is hidden of the line's part from `begin` to `end`, which lies between two columns. There the ends of intervals run straight, if
-// both columns have as many; else those of the nearer column count.
+// Appends the hidden parts of a line between `begin` and `end`, which are between two columns. The ends of intervals are
+// interpolated linearly if both columns have the same number of intervals; otherwise those of the nearer column are used.
 void Coverage::hide(Vertex from, Vertex to, double begin, double end, std::vector<LinePart>& hidden) const {
   const auto x_at = [&](double t) { return double{from.x} + t * (double{to.x} - double{from.x}); };
   const auto y_at = [&](double t) { return double{from.y} + t * (double{to.y} - double{from.y}); };
@@ -149,7 +149,7 @@ std::vector<LinePart> Coverage::visible(Vertex from, Vertex to) const {
   std::sort(hidden.begin(), hidden.end(), [](const LinePart& a, const LinePart& b) { return a.from < b.from; });
   std::vector<LinePart> seen;
   double at = 0;
-  // Parts shorter than this are the rounding of two that meet.
+  // Shorter parts are rounding errors between two that meet.
   constexpr double shortest = 1e-6;
   for (const LinePart& part : hidden) {
     if (part.from - at > shortest) seen.push_back({at, part.from});

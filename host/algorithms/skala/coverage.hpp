@@ -1,8 +1,9 @@
-// Where on the screen the surface is: what it hides of lines that lie behind it.
+// The part of the screen that surfaces cover, which hides lines behind it.
 //
-// By column as in horizon.hpp, but as a set of intervals: through a hole one sees what is behind, and between two surfaces, too. The surface
-// is two flat triangles a cell (facing.hpp). Of whole surfaces it hides what lies behind all of them: the far edges of the box around
-// them, contours on the floor of that box. Filled triangle by triangle from near to far, it hides what comes next.
+// Like horizon.hpp it works by column, but with a set of intervals, so that lines are visible through a hole and between
+// two surfaces. The surface consists of two flat triangles per cell (facing.hpp). Filled with whole surfaces, it hides
+// what lies behind all of them: the far edges of the box around them, and contours on the floor of that box. Filled
+// triangle by triangle from near to far, it hides what is added next.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace sightline::algorithms::skala {
 
-// Parts of a line, 0 at its beginning to 1 at its end.
+// Part of a line, from 0 at its start to 1 at its end.
 struct LinePart {
   double from = 0;
   double to = 1;
@@ -23,21 +24,21 @@ class Coverage {
  public:
   explicit Coverage(int columns) : columns_(static_cast<std::size_t>(columns)) {}
 
-  // Every cell, as triangles or by its edges.
+  // Adds every cell, as two triangles or by its edges.
   void add(const Surface& surface, bool triangles = true);
-  // What lines between these, one after the other and back, enclose in every column.
+  // Adds, in every column, the area enclosed by a closed polygon.
   void add(std::span<const Vertex> outline);
-  // The extremes of a column; beyond 10^29 there is nothing.
+  // The extremes of a column; a magnitude above 10^29 means that the column is empty.
   [[nodiscard]] float top(std::size_t column) const { return columns_[column].empty() ? -1e30F : columns_[column].back().high; }
   [[nodiscard]] float bottom(std::size_t column) const { return columns_[column].empty() ? 1e30F : columns_[column].front().low; }
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
 
-  // What a few columns hold, to be put back.
+  // The contents of several columns, to be restored later.
   struct Saved;
   [[nodiscard]] Saved saved(float from, float to) const;
   void restore(const Saved& saved);
 
-  // What the surface does not hide, in order. Lines that touch its outline from within 1/64 of a unit are seen.
+  // The visible parts of a line, in order. A line that touches the outline from within, up to 1/64 of a unit, is visible.
   [[nodiscard]] std::vector<LinePart> visible(Vertex from, Vertex to) const;
 
  private:

@@ -19,7 +19,7 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// Contour colours go around these, lowest level first.
+// Contour colours are used cyclically from the lowest level.
 constexpr std::array<picture::Colour, 6> contour_colours{
     {{31, 95, 191}, {0, 140, 149}, {46, 139, 87}, {190, 140, 0}, {214, 96, 20}, {178, 34, 52}}};
 
@@ -35,7 +35,7 @@ std::vector<double> contour_levels(scene::Interval range, const View& view) {
   return levels;
 }
 
-// Lines of the second surface, the third and so on.
+// The line colours of the surfaces.
 constexpr std::array<picture::Colour, 4> surface_colours{{{0, 0, 0}, {190, 60, 20}, {31, 95, 191}, {46, 139, 87}}};
 
 void name_layers(picture::VectorDrawing& drawing, const std::vector<double>& levels, bool row_is_slice, std::size_t surface) {
@@ -63,15 +63,15 @@ void measure_heights(Walk& order, const scene::HeightGrid& grid) {
     }
 }
 
-// Colours of cells: their height; or the slope along x of the data as a grey, the first component of the unit normal (Skala 1985,
-// section 4).
+// The colours of cells: by height, or as greys by the slope along x of the data, which is the first component of the unit
+// normal (Skala 1985, section 4).
 class Shading {
  public:
   Shading(const scene::HeightGrid& grid, Colouring colouring) : grid_(grid), colouring_(colouring) {
     const double half = grid.range.high / 2 - grid.range.low / 2;
     scale_ = half > 0 && std::isfinite(1 / half) ? 1 / half : 0;
   }
-  // Of the cell whose least indices these are.
+  // The colour of the cell with these least indices.
   [[nodiscard]] picture::Colour colour(std::size_t point, std::size_t slice) const {
     if (colouring_ == Colouring::heights) return colour_of_height(point, slice);
     const std::uint8_t shade = grey(point, slice);
@@ -79,12 +79,12 @@ class Shading {
   }
 
  private:
-  // The mean of its corners' heights, in halves since their sum may be beyond the greatest double.
+  // The mean of its corners' heights, computed from halves because their sum may overflow.
   [[nodiscard]] picture::Colour colour_of_height(std::size_t point, std::size_t slice) const {
     double part = 0;
     for (const auto& [p, s] : {std::pair{point, slice}, std::pair{point + 1, slice}, std::pair{point, slice + 1}, std::pair{point + 1, slice + 1}})
       part += ((grid_.height(p, s) / 2 - grid_.range.low / 2) * scale_) / 4;
-    // More colours than an eye distinguishes side by side; neighbouring cells often have the same.
+    // More colours than can be told apart side by side; neighbouring cells often share one.
     constexpr double steps = 128;
     return picture::height_colour(std::floor(part * steps + 0.5) / steps);
   }
@@ -109,7 +109,7 @@ class Facets {
  public:
   Facets(const Surface& surface, Sheet& sheet) : surface_(surface), sheet_(sheet) {}
 
-  // A cell that is folded along its diagonal is two triangles, since its outline may cross itself.
+  // A cell that is folded along its diagonal becomes two triangles, because its outline may cross itself.
   void add(std::size_t row, std::size_t column, picture::Colour colour) {
     const Vertex& near = surface_.at(row, column);
     const Vertex& beside = surface_.at(row, column + 1);
@@ -134,9 +134,9 @@ class Facets {
   Sheet& sheet_;
 };
 
-// Facets joined to areas (picture::DrawingArea): cells of a row that follow each other in one colour and show the same side. What an
-// area reaches under is the far half of each nearer cell beside it that shows the same side; where that shows the other side, the
-// surface is folded, and the nearer cell lies over the area anyway.
+// Joins facets to areas (picture::DrawingArea): consecutive cells of a row that have the same colour and show the same
+// side. An area extends under the far half of each nearer cell beside it that shows the same side. If that half shows the
+// other side, the surface is folded, and the nearer cell covers the area anyway.
 class Areas {
  public:
   Areas(const Surface& surface, Sheet& sheet) : surface_(surface), sheet_(sheet) {
@@ -145,7 +145,7 @@ class Areas {
         sides_.push_back({side_of(surface, row, column, Half::near), side_of(surface, row, column, Half::far)});
   }
 
-  // In the order of painting: rows and columns descend.
+  // Cells must be added in painting order: rows and columns descend.
   void add(std::size_t row, std::size_t column, picture::Colour colour) {
     const Side side = sides(row, column).whole();
     const bool continues = row > 0 && sides(row - 1, column).whole() == side;
@@ -171,7 +171,7 @@ class Areas {
   struct Sides {
     Side near = Side::none;
     Side far = Side::none;
-    // Of both halves; none if they differ.
+    // The side of both halves; none if they differ.
     [[nodiscard]] Side whole() const { return near == far ? near : Side::none; }
   };
   [[nodiscard]] const Sides& sides(std::size_t row, std::size_t column) const { return sides_[row * (surface_.columns() - 1) + column]; }
@@ -194,12 +194,12 @@ class Areas {
     }
     put_corners();
   }
-  // From (row, column) to the next, under the cell before them.
+  // Appends the outline from (row, column) to the next column, extended under the nearer cell.
   void under(std::size_t column, Side side) {
     if (row_ > 0 && far_half_shows(row_ - 1, column, side)) corners_.push_back(surface_.at(row_ - 1, column + 1));
     corners_.push_back(surface_.at(row_, column + 1));
   }
-  // A cell that is folded along its diagonal.
+  // Adds a cell that is folded along its diagonal.
   void put_folded() {
     const Vertex& beside = surface_.at(row_, first_ + 1);
     const Vertex& behind = surface_.at(row_ + 1, first_);
@@ -217,7 +217,7 @@ class Areas {
     const auto first = static_cast<std::uint32_t>(drawing.points.size());
     places_.clear();
     for (const Vertex corner : corners_) places_.push_back(sheet_.place(corner));
-    // Of corners that are as good as in line the first and the last: areas lie on each other where they meet.
+    // Of nearly collinear corners only the first and the last are kept. Adjacent areas overlap, so no gaps appear.
     constexpr std::size_t most_left_out = 24;
     for (std::size_t at = 0; at < places_.size();) {
       drawing.points.push_back(places_[at]);
@@ -227,7 +227,7 @@ class Areas {
     }
     drawing.areas.push_back({first, static_cast<std::uint32_t>(drawing.points.size()) - first, colour_});
   }
-  // Whether all places between two, of which the second may be the first again, are near the line between them.
+  // Whether all places between two are near the line between them. The second may be the first one again.
   [[nodiscard]] bool in_line(std::size_t from, std::size_t to) const {
     constexpr double near = 0.004;  // of 255 units: 3 micrometres on a page
     const picture::DrawingPoint a = places_[from];
@@ -249,17 +249,17 @@ class Areas {
   Sheet& sheet_;
   std::vector<Sides> sides_;
   std::vector<Vertex> corners_;
-  std::vector<picture::DrawingPoint> places_;  // of the corners
-  // The area at hand: cells of a row, and none if last is not above first.
+  std::vector<picture::DrawingPoint> places_;  // positions of the corners
+  // The current area: cells of one row, none unless last_ > first_.
   std::size_t row_ = 0;
   std::size_t first_ = 0;
   std::size_t last_ = 0;
   picture::Colour colour_;
   Side side_ = Side::none;
-  bool continues_ = false;  // in the row before it
+  bool continues_ = false;  // the area is continued in the nearer row
 };
 
-void add_facets(const scene::HeightGrid& grid, const Surface& surface, const Walked& walked, const View& view,
+void add_facets(const scene::HeightGrid& grid, const Surface& surface, const WalkResult& walked, const View& view,
                 picture::VectorDrawing& drawing) {
   if (surface.rows() < 2 || surface.columns() < 2) return;
   Sheet sheet(drawing, std::clamp(view.columns, fewest_columns, most_columns));
@@ -284,7 +284,7 @@ template <class Walking>
 picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked, const Walking& walking) {
   View view = asked;
   view.family = resolved_family(asked);
-  // Cells have no family of their own.
+  // For cells, no family of slices is chosen.
   const Family rows = view.subject == Subject::lines ? view.family : Family::along_x;
   picture::VectorDrawing drawing;
   drawing.width = drawing.height = picture_extent;
@@ -296,21 +296,21 @@ picture::VectorDrawing draw_by(const scene::HeightGrid& grid, const View& asked,
   }
   name_layers(drawing, order.levels, rows != Family::along_z, 0);
   if (grid.heights.empty()) return drawing;
-  // About as many as there are in a picture of slices; memory that is not touched costs nothing.
+  // About the number of points in a picture of slices; unused reserved memory costs nothing.
   drawing.points.reserve(grid.heights.size());
-  const Walked walked = walking(order, drawing);
+  const WalkResult walked = walking(order, drawing);
   if (view.subject == Subject::surface) add_facets(grid, surface, walked, view, drawing);
-  // On a net it is one of its lines.
+  // On a net, the silhouette is drawn like the lines of the net.
   if (view.subject == Subject::surface) drawing.layers[silhouettes].colour = drawing.layers[along_rows].colour;
   return drawing;
 }
 
-// Cells of all surfaces far to near; over the same place, the one on the eye's side last. Where they pass through each other within a cell,
-// what is uppermost in each part of it is painted again.
-class FacetsTogether {
+// Paints the cells of all surfaces from far to near; at the same place, the one on the eye's side last. If surfaces pass
+// through each other within a cell, the uppermost surface of each part of the cell is painted again.
+class MultiSurfaceFacets {
  public:
-  FacetsTogether(std::span<const scene::HeightGrid> grids, const std::vector<Surface>& surfaces, const std::vector<Walk>& orders,
-                 const std::vector<Walked>& walked, const View& view, picture::VectorDrawing& drawing)
+  MultiSurfaceFacets(std::span<const scene::HeightGrid> grids, const std::vector<Surface>& surfaces, const std::vector<Walk>& orders,
+                 const std::vector<WalkResult>& walked, const View& view, picture::VectorDrawing& drawing)
       : grid_(grids[0]),
         surfaces_(surfaces),
         orders_(orders),
@@ -361,7 +361,7 @@ class FacetsTogether {
     const std::size_t near = row * any_.columns() + column;
     return {near, near + 1, near + any_.columns(), near + any_.columns() + 1};
   }
-  // Two of those that are seen there.
+  // Whether two of the surfaces seen in the cell pass through each other there.
   [[nodiscard]] bool pass(std::size_t row, std::size_t column) const {
     for (std::size_t i = 0; i < turns_.size(); ++i)
       for (std::size_t j = i + 1; j < turns_.size(); ++j) {
@@ -383,7 +383,7 @@ class FacetsTogether {
   using Weights = std::array<double, 3>;  // of the corners of a triangle
   using Part = std::vector<Weights>;
 
-  // Cuts parts of a triangle where a quantity given at its corners changes its sign.
+  // Cuts parts of a triangle where a quantity given at its corners changes sign.
   static std::vector<Part> cut(const std::vector<Part>& parts, const std::array<double, 3>& at) {
     std::vector<Part> result;
     const auto value = [&at](const Weights& w) { return w[0] * at[0] + w[1] * at[1] + w[2] * at[2]; };
@@ -435,7 +435,7 @@ class FacetsTogether {
       for (std::size_t k = 0; k < 3; ++k) sum[k] += w[k] / static_cast<double>(part.size());
     return sum;
   }
-  // Of a place in the plan, towards the eye.
+  // How far a point of the plan is towards the eye.
   [[nodiscard]] double nearness(const std::array<std::size_t, 3>& triangle, const Weights& at) const {
     const auto eye = any_.to_eye();
     double near = 0;
@@ -465,18 +465,18 @@ class FacetsTogether {
     }
   }
 
-  const scene::HeightGrid& grid_;  // the first; all have the same places
+  const scene::HeightGrid& grid_;  // the first; all have the same coordinates
   const std::vector<Surface>& surfaces_;
   const std::vector<Walk>& orders_;
-  const std::vector<Walked>& walked_;
+  const std::vector<WalkResult>& walked_;
   const Surface& any_;
   Sheet sheet_;
   double towards_eye_;  // 1 if greater heights are nearer to the eye, else -1
   std::vector<Facets> facets_;
   std::vector<Areas> areas_;
   std::vector<Shading> shadings_;
-  std::vector<std::pair<double, std::size_t>> turns_;  // surfaces seen in the cell, the uppermost last
-  std::vector<picture::Colour> colours_;               // of each surface there
+  std::vector<std::pair<double, std::size_t>> turns_;  // surfaces seen in the cell, uppermost last
+  std::vector<picture::Colour> colours_;               // of each surface in the cell
 };
 
 }  // namespace
@@ -504,8 +504,8 @@ picture::VectorDrawing draw(std::span<const scene::HeightGrid> grids, const View
   }
   const auto meetings = static_cast<std::uint32_t>(drawing.layers.size());
   drawing.layers.push_back({"intersections", {150, 0, 110}});
-  const std::vector<Walked> walked = walk(orders, drawing, meetings);
-  if (view.subject == Subject::surface) FacetsTogether(grids, surfaces, orders, walked, view, drawing).add();
+  const std::vector<WalkResult> walked = walk(orders, drawing, meetings);
+  if (view.subject == Subject::surface) MultiSurfaceFacets(grids, surfaces, orders, walked, view, drawing).add();
   return drawing;
 }
 

@@ -9,7 +9,7 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// Twice the area; the coordinates have 24 bits, so that this is exact.
+// Twice the signed area. Coordinates have 24 bits, so this is exact.
 double turn(Vertex a, Vertex b, Vertex c) {
   const double ux = double{b.x} - double{a.x};
   const double uy = double{b.y} - double{a.y};
@@ -51,7 +51,7 @@ bool is_outline(const Surface& surface, std::size_t from_row, std::size_t from_c
   const Place to = place(to_row, to_column);
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   if (length == 0) return false;
-  // Triangles of the cells around both ends; the two at the edge say on which side of it the surface is.
+  // The triangles of the cells around both ends. The two at the edge show on which side of it the surface is.
   constexpr std::size_t around = 1;
   const auto low = [](std::size_t a, std::size_t b) { return std::min(a, b) - std::min(std::min(a, b), around + 1); };
   const std::size_t last_row = std::min(std::max(from_row, to_row) + around, surface.rows() - 2);
@@ -78,7 +78,7 @@ bool is_outline(const Surface& surface, std::size_t from_row, std::size_t from_c
         else triangles.push_back(places);
       }
     }
-  // A little beyond places of the edge; it is drawn as a whole.
+  // A little beyond points of the edge, which is drawn or omitted as a whole.
   const double beyond = (within > 0 ? -0.02 : 0.02) / length;
   constexpr std::array places_on_edge{0.2, 0.35, 0.5, 0.65, 0.8};
   return std::any_of(places_on_edge.begin(), places_on_edge.end(), [&](double t) {

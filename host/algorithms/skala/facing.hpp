@@ -1,5 +1,5 @@
-// Which side of the surface is seen, triangle by triangle. Every cell is two flat triangles, divided by the
-// diagonal between its side corners: one lies wholly before the other.
+// Tells which side of the surface is visible, triangle by triangle. Every cell is two flat triangles, divided by the
+// diagonal between its side corners; one is wholly before the other.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,23 @@
 
 namespace sightline::algorithms::skala {
 
-// As its corners follow each other on the screen; none: there is no such triangle, or it is seen edge-on.
+// The order of its corners on the screen. none: there is no such triangle, or it is seen edge-on.
 enum class Side { none, anticlockwise, clockwise };
 
-enum class Half { near, far };  // of the cell with its nearest corner at (row, column)
+enum class Half { near, far };  // of the cell whose nearest corner is at (row, column)
 
 [[nodiscard]] bool cell_defined(const Surface& surface, std::size_t row, std::size_t column);
 [[nodiscard]] Side side_of(const Surface& surface, std::size_t row, std::size_t column, Half half);
 
-// Four times the mean height of a cell's corners on the screen; it orders cells of several surfaces over the same place.
+// Four times the mean height on the screen of a cell's corners. Orders the cells of several surfaces at the same place.
 [[nodiscard]] double middle_of(const Surface& surface, std::size_t row, std::size_t column);
 
-// Of an edge at which the surface turns away: is nothing of the surface around it seen beyond it? Where a steep surface runs towards the
-// eye, single triangles turn away from it within the surface; their edges are no outline. `columns` is those of the masks.
+// Whether nothing of the surface around an edge is visible beyond it, for an edge at which the surface turns away. Where
+// a steep surface runs towards the eye, single triangles inside it are turned away; their edges are not outlines.
+// `columns` is the number of columns of the masks.
 [[nodiscard]] bool is_outline(const Surface& surface, std::size_t from_row, std::size_t from_column, std::size_t to_row, std::size_t to_column, int columns);
 
-// Of an edge between two triangles: does the surface turn away from the eye there?
+// Whether the surface turns away from the eye at the edge between two triangles.
 [[nodiscard]] inline bool folds(Side a, Side b) {
   return a != Side::none && b != Side::none && a != b;
 }

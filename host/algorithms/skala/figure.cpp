@@ -45,7 +45,7 @@ struct Rectangle {
   }
 };
 
-// Text with its beginning on the baseline.
+// Text that begins on the baseline.
 struct Label {
   std::string text;
   DrawingPoint at;
@@ -57,14 +57,14 @@ struct Tick {
   DrawingPoint to;
 };
 
-// Ticks and labels of all axes, for one placing of the box on the page.
+// Ticks and labels of all axes for one placement of the box on the page.
 struct Annotations {
   std::vector<Tick> ticks;
   std::vector<Label> labels;
   std::vector<Rectangle> taken;
 };
 
-// From the units of the box to millimetres of the page.
+// Converts units of the box to millimetres of the page.
 struct PagePlace {
   std::array<double, 2> scale{1, 1};
   std::array<double, 2> shift{};
@@ -92,7 +92,7 @@ class FigureMaker {
     surface_ = &surface;
     measure_box();
     const int columns = std::clamp(view_.columns, fewest_columns, most_columns);
-    // A surface without extent has no place in the columns, and hides nothing.
+    // A surface without extent covers no columns and hides nothing.
     const bool hides = view_.visibility && surface.extents()[0] > 0 && surface.extents()[1] > 0;
     std::optional<Coverage> coverage;
     if (hides && (options_.axes || options_.floor)) {
@@ -122,7 +122,7 @@ class FigureMaker {
   }
 
  private:
-  // The box has all heights, also those beyond the range that is drawn at -1 to 1.
+  // The box contains all heights, also those outside the range that is mapped to -1..1.
   void measure_box() {
     for (const scene::HeightGrid& grid : grids_) {
       const scene::Interval all = scene::finite_range(grid.heights);
@@ -160,7 +160,7 @@ class FigureMaker {
     for (int k = 1; k <= count; ++k) levels.push_back(height_of(2.0 * k / (count + 1) - 1));
     return levels;
   }
-  // Four figures are enough to tell levels.
+  // Four significant digits distinguish levels.
   [[nodiscard]] static std::string level_text(double level) {
     if (level == 0) return "0";
     const double power = std::pow(10, 3 - std::floor(std::log10(std::abs(level))));
@@ -172,14 +172,14 @@ class FigureMaker {
 
   void add_floor(VectorDrawing& drawing, std::vector<LabelledLayer>& labelled, const std::vector<double>& levels, const Coverage* coverage, int columns) const {
     if (!(surface_->extents()[0] > 0) || !(surface_->extents()[1] > 0)) return;
-    // From below nothing is before the floor.
+    // From below, nothing is before the floor.
     const bool from_below = surface_->to_eye()[2] < 0;
     for (std::size_t i = 0; i < grids_.size(); ++i) {
       const auto first = static_cast<std::uint32_t>(drawing.layers.size());
       const std::string of = i == 0 ? "" : ", surface " + std::to_string(i + 1);
       for (const double level : levels) {
         labelled.push_back({static_cast<std::uint32_t>(drawing.layers.size()), level_text(level)});
-        // Maps that lie on each other have the colours of their surfaces.
+        // Overlapping maps have the colours of their surfaces.
         const picture::Colour colour = grids_.size() > 1 ? surface_colour(i) : picture::height_line_colour(part_of(level));
         drawing.layers.push_back({"floor " + level_text(level) + of, colour});
       }
@@ -188,7 +188,7 @@ class FigureMaker {
     }
   }
 
-  // --- where it goes
+  // --- placement on the page
 
   [[nodiscard]] Rectangle bounds() const {
     const auto [x, y] = surface_->origin();
@@ -197,7 +197,7 @@ class FigureMaker {
     for (const double cx : {-1.0, 1.0})
       for (const double cz : {-1.0, 1.0})
         for (const double h : {box_.low, box_.high}) {
-          // Without axes of the box only its floor counts.
+          // Without axes only the floor of the box counts.
           if (!options_.axes && h == box_.high) continue;
           const auto p = surface_->project(cx, cz, h);
           all.take({p[0], p[1], p[0], p[1]});
@@ -222,11 +222,12 @@ class FigureMaker {
     return place;
   }
 
-  // As large as the page has room for it with its labels: these decide the margins, and margins decide where labels are.
+  // The largest placement that leaves space for the labels. The labels decide the margins, and the margins decide where
+  // labels are; hence the iteration.
   [[nodiscard]] PagePlace page_place() const {
     Rectangle page{0, 0, options_.width - legend_width(), options_.height - (options_.title.empty() ? 0 : 3 * text_)};
     if (!options_.axes) return fitted(page);
-    // Labels do not stand at the very edge.
+    // Labels keep a distance from the edge of the page.
     const double edge = std::min({0.5 * text_, options_.width / 8, options_.height / 8});
     page = {edge, edge, page.right - edge, page.top - edge};
     Rectangle inside = page;
@@ -238,7 +239,7 @@ class FigureMaker {
       const DrawingPoint high = place.at({box.right, box.top});
       Rectangle all{low.x, low.y, high.x, high.y};
       for (const Rectangle& taken : annotations(place).taken) all.take(taken);
-      // Never wider again: labels come and go with the size, and it would not come to rest.
+      // Margins only grow: labels appear and vanish with the size, and otherwise the iteration would not converge.
       inside.left += std::max(page.left - all.left, 0.0);
       inside.bottom += std::max(page.bottom - all.bottom, 0.0);
       inside.right += std::min(page.right - all.right, 0.0);
@@ -261,7 +262,7 @@ class FigureMaker {
 
   struct AxisLook {
     scene::Interval values;
-    std::array<double, 2> ends;  // what the values' ends are on the edge, in the box's terms
+    std::array<double, 2> ends;  // the values at the ends of the edge, in units of the box
     std::string name;
   };
   [[nodiscard]] std::array<AxisLook, 3> axes() const {
@@ -281,7 +282,8 @@ class FigureMaker {
     return result;
   }
 
-  // Which way ticks lead from an edge on the page: as the box does, or across the edge where that would be along it.
+  // The direction of ticks from an edge on the page: that of the box, or perpendicular to the edge if the box's would be
+  // along it.
   [[nodiscard]] picture::TextDirection outward(const PagePlace& place, const TickEdge& edge, std::size_t axis) const {
     if (axis == 2) return {-1, 0};
     const auto direction = [&](const BoxPoint& from, const BoxPoint& to) {
@@ -297,7 +299,7 @@ class FigureMaker {
     const double across = along.x * away.y - along.y * away.x;
     constexpr double flattest = 0.35;
     if (std::abs(across) > flattest) return away;
-    // Down, or to the right of an upright edge, unless the box leads elsewhere.
+    // Down, or to the right of an upright edge, unless the direction of the box differs.
     const double side = across != 0 ? (across > 0 ? 1 : -1) : (along.x != 0 ? (along.x > 0 ? -1 : 1) : (along.y > 0 ? -1 : 1));
     return {-side * along.y, side * along.x};
   }
@@ -306,7 +308,7 @@ class FigureMaker {
     const DrawingPoint a = on_page(place, edge.edge.from);
     const DrawingPoint b = on_page(place, edge.edge.to);
     const double length = std::sqrt((double{b.x} - double{a.x}) * (double{b.x} - double{a.x}) + (double{b.y} - double{a.y}) * (double{b.y} - double{a.y}));
-    // An axis that is seen end-on says nothing.
+    // An axis that is seen end-on gets no ticks.
     if (length < 4 * text_) return;
     const picture::TextDirection away = outward(place, edge, axis);
     const int most = std::clamp(static_cast<int>(length / (4 * text_)), 2, 8);
@@ -333,16 +335,16 @@ class FigureMaker {
     const double width = picture::text_width(text_, look.name);
     const bool upright = axis == 2;
     const double start = std::max(farthest, tick) + clearance;
-    // Away from labels that already stand there, until it has its own place.
+    // Moves away from existing labels until the place is free.
     for (int i = 0; i < 20; ++i)
       if (put(result, look.name, middle, away, start + i * clearance, upright ? text_ : width, upright ? width : text_, upright ? picture::TextDirection{0, 1} : picture::TextDirection{1, 0}))
         return;
   }
 
-  // A label of this size beyond a place, unless another is there.
+  // Places a label of this size beyond a point, unless it would overlap another.
   bool put(Annotations& result, const std::string& text, DrawingPoint from, picture::TextDirection away, double distance, double width, double height,
            picture::TextDirection direction) const {
-    // Half its width or height beyond, where the way leads mostly to that side.
+    // Half its width or height farther, depending on the main direction.
     const auto beyond = [](double way) { return std::clamp(1.6 * way, -1.0, 1.0); };
     const double x = from.x + away.x * distance + width / 2 * beyond(away.x);
     const double y = from.y + away.y * distance + height / 2 * beyond(away.y);
@@ -408,7 +410,7 @@ class FigureMaker {
       };
       drawing.facets.push_back({static_cast<std::uint32_t>(drawing.points.size()), 4, colour});
       rectangle(to);
-      // Those above are painted over it.
+      // Later colours are painted over it.
       drawing.areas.push_back({static_cast<std::uint32_t>(drawing.points.size()), 4, colour});
       rectangle(top);
     }
@@ -423,14 +425,14 @@ class FigureMaker {
   }
 
   std::span<const scene::HeightGrid> grids_;
-  const scene::HeightGrid& grid_;  // the first: all have the same places and range
+  const scene::HeightGrid& grid_;  // the first: all have the same coordinates and range
   View view_;
   const FigureOptions& options_;
   double text_;
   Family rows_ = Family::along_x;
   const Surface* surface_ = nullptr;
   Box box_;
-  Box heights_;  // the part of the box in which there are heights
+  Box heights_;  // the part of the box that contains heights
 };
 
 }  // namespace

@@ -49,13 +49,13 @@ std::vector<BoxEdge> visible_box(const Surface& surface, const Box& box, const C
 
 std::array<TickEdge, 3> tick_edges(const Surface& surface, const Box& box) {
   const std::array<double, 3> eye = surface.to_eye();
-  // From above the lower outline of the box is its nearer edges, from below its farther ones.
+  // From above, the lower outline of the box consists of its nearer edges; from below, of its farther ones.
   const double lower = eye[2] < 0 ? -1 : 1;
   const double x_side = eye[0] == 0 ? 1 : (eye[0] * lower > 0 ? 1 : -1);
   const double z_side = eye[1] == 0 ? -1 : (eye[1] * lower > 0 ? 1 : -1);
   TickEdge x{{{-1, z_side, box.low}, {1, z_side, box.low}}, {0, z_side, 0}};
   TickEdge z{{{x_side, -1, box.low}, {x_side, 1, box.low}}, {x_side, 0, 0}};
-  // The leftmost corner; of two the lower one.
+  // The leftmost corner; of two, the lower one.
   BoxPoint corner{-1, -1, box.low};
   for (const double cx : {-1.0, 1.0})
     for (const double cz : {-1.0, 1.0}) {

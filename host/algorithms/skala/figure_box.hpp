@@ -1,4 +1,4 @@
-// The box of axes around a surface: which edges are drawn and what of them can be seen, and the edges that carry ticks.
+// The box of axes around a surface: the visible parts of its edges, and the edges that carry ticks.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace sightline::algorithms::skala {
 
-// A corner in the box's own terms: x, z and height.
+// A point in coordinates of the box: x, z and height.
 using BoxPoint = std::array<double, 3>;
 
 struct BoxEdge {
@@ -17,23 +17,24 @@ struct BoxEdge {
   BoxPoint to;
 };
 
-// x and z run from -1 to 1, heights from low to high.
+// x and z range from -1 to 1, heights from low to high.
 struct Box {
   double low = -1;
   double high = 1;
 };
 
-// What of the box can be seen. Faces that are turned to the eye are before the surface; an edge of two such faces is left out.
-// `coverage` is that of the surface, which lies within the box (precondition); null: it hides nothing.
+// The visible parts of the box. Faces turned to the eye are before the surface; an edge between two such faces is
+// omitted. `coverage` is that of the surface, which lies within the box (precondition); null: it hides nothing.
 [[nodiscard]] std::vector<BoxEdge> visible_box(const Surface& surface, const Box& box, const Coverage* coverage);
 
-// An edge with ticks, and in which direction of the box they lead away from it.
+// An edge with ticks, and the direction in the box in which they point away from it.
 struct TickEdge {
   BoxEdge edge;
   BoxPoint outward;
 };
 
-// Of x, z and height: edges on the outline of the box on the screen, those of x and z below, that of the heights at the left.
+// The edges for x, z and height, all on the outline of the box on the screen: those for x and z at the bottom, that for
+// the height on the left.
 [[nodiscard]] std::array<TickEdge, 3> tick_edges(const Surface& surface, const Box& box);
 
 }  // namespace sightline::algorithms::skala

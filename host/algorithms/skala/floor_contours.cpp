@@ -71,7 +71,7 @@ class FloorMap {
     stitcher_.add(contours_.first_layer + level, ends[0], ends[1], seen, joints[0], joints[1]);
   }
 
-  // The same from both sides of the edge.
+  // Gives the same result for both directions of the edge.
   [[nodiscard]] Vertex crossing(Place a, Place b, double level) const {
     if (id(b) < id(a)) std::swap(a, b);
     const double low = grid_.heights[surface_.height_index(a.row, a.column)];

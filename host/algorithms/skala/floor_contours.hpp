@@ -1,4 +1,4 @@
-// Contours on the floor of the box below a surface: a map of it, hidden by the surface where that is before it.
+// Contours on the floor of the box below a surface: a map of the surface, hidden where the surface is before it.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ struct FloorContours {
   std::uint32_t first_layer = 0;  // of the lowest level
 };
 
-// Added to a drawing of 255 x 255 units. `coverage`: null if the surface hides nothing of the floor, as from below.
+// Adds them to a drawing of 255 x 255 units. `coverage` is null if the surface hides nothing of the floor, as seen from
+// below.
 void add_floor_contours(const scene::HeightGrid& grid, const Surface& surface, const FloorContours& contours, const Coverage* coverage,
                         int columns, picture::VectorDrawing& drawing);
 

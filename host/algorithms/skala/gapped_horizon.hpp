@@ -1,5 +1,6 @@
-// The masks of horizon.hpp for surfaces with holes, and for several surfaces: in a column occluders are not one interval but a set of
-// them. Lines are tested and raise nothing; a triangle, or a cell, becomes an occluder when all of its far edges have been drawn.
+// The masks of horizon.hpp for surfaces with holes and for several surfaces: the occluders in a column are a set of
+// intervals. Lines are tested but change no mask; a triangle, or a cell, becomes an occluder when all of its far edges
+// are drawn.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ class GappedHorizon {
  public:
   explicit GappedHorizon(int columns) : coverage_(columns) {}
 
-  // As those of Horizon. What lies less than 1/64 of a unit behind an outline is seen.
+  // As in Horizon. What is less than 1/64 of a unit behind an outline is visible.
   bool draw(Vertex from, Vertex to, Wake&) { return test(from, to, 0); }
   bool test(Vertex from, Vertex to, float) {
     pieces_.clear();
@@ -25,7 +26,7 @@ class GappedHorizon {
       return Vertex{static_cast<float>(from.x + t * (double{to.x} - double{from.x})), static_cast<float>(from.y + t * (double{to.y} - double{from.y}))};
     };
     if (from == to) {
-      // A point: what is a little to its sides decides.
+      // A point: decided by what is a little to its left and right.
       const Vertex left{from.x - 0.25F, from.y};
       const Vertex right{from.x + 0.25F, from.y};
       if (!coverage_.visible(left, right).empty()) pieces_.push_back({from, to});

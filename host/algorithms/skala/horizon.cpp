@@ -10,9 +10,9 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// A column nothing has been drawn in: everything is above its top and below its bottom.
+// A column without drawing: everything is above its top and below its bottom.
 constexpr float untouched = 1e30F;
-// A point between columns is compared with masks that cut the corners of what was drawn there.
+// Between columns, the masks cut the corners of what was drawn there.
 constexpr float corner_slack = 1.0F / 64;
 
 Vertex between(Vertex from, Vertex to, float t) {
@@ -37,7 +37,7 @@ void Horizon::add(Vertex from, Vertex to) {
   }
 }
 
-// Both differences are straight between the two points.
+// Both differences are linear between the two points.
 void Horizon::gap(Vertex from, Vertex to, Outside a, Outside b) {
   const bool untouched_columns = (a.above > 0 && a.below > 0) || (b.above > 0 && b.below > 0);
   const bool all = untouched_columns || (a.above > 0 && b.above > 0) || (a.below > 0 && b.below > 0);
@@ -67,7 +67,7 @@ Horizon::Outside Horizon::outside(Vertex vertex, float slack, const Wake& wake) 
   return {vertex.y - high - slack, low - vertex.y - slack};
 }
 
-// A line that leaves the horizon begins on it.
+// A line that leaves the horizon begins on it, so small differences count as 0.
 void Horizon::narrow(Vertex from, Vertex to, float slack, const Wake& wake) {
   const auto touching = [slack](Outside where) {
     if (slack < 0) return where;
@@ -78,7 +78,7 @@ void Horizon::narrow(Vertex from, Vertex to, float slack, const Wake& wake) {
   gap(from, to, touching(outside(from, taken, wake)), touching(outside(to, taken, wake)));
 }
 
-// The ends, beyond the outermost columns, are as these.
+// The ends are beyond the outermost crossed columns and have the same state as those.
 void Horizon::mixed(Vertex left, Vertex right, Columns columns, bool leftwards, float slack) {
   Vertex before = left;
   Outside at_before{};
@@ -97,7 +97,7 @@ void Horizon::mixed(Vertex left, Vertex right, Columns columns, bool leftwards, 
   std::for_each(own, pieces_.end(), [](Piece& piece) { std::swap(piece.from, piece.to); });
 }
 
-// Adds the visible pieces and leaves the segment's height in every column it crosses.
+// Adds the visible pieces and stores the segment's height in every column that it crosses.
 Horizon::Columns Horizon::look(Vertex from, Vertex to, float slack, const Wake& wake) {
   first_own_ = pieces_.size();
   const bool leftwards = to.x < from.x;
@@ -133,7 +133,7 @@ Horizon::Columns Horizon::look(Vertex from, Vertex to, float slack, const Wake& 
   return columns;
 }
 
-// By the heights that look() left.
+// Uses the heights that look() stored.
 void Horizon::raise(Columns columns, bool leftwards, Wake& wake) {
   if (columns.first > columns.last) return;
   const auto first = static_cast<std::size_t>(columns.first);
@@ -146,7 +146,7 @@ void Horizon::raise(Columns columns, bool leftwards, Wake& wake) {
   }
 }
 
-// Of a segment that has no column, or more than a block.
+// For a segment that crosses no column, or more than a block.
 Horizon::Sight Horizon::draw_long(Vertex from, Vertex to, bool leftwards, Wake& wake) {
   pieces_.clear();
   raise(look(from, to, usual_slack, wake), leftwards, wake);

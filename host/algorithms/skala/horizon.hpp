@@ -1,11 +1,11 @@
-// The masks: in every column of the screen the highest and the lowest point of what has been drawn, between
-// which everything farther is hidden (Skala 1985, section 3; the floating horizon).
+// The masks: in every column of the screen, the highest and the lowest point drawn so far, between which everything
+// farther is hidden (Skala 1985, section 3; the floating horizon).
 //
-// A column is a sample of the screen at one place, not a strip of it: lines are evaluated exactly there, and
-// between two columns both the line and the masks are straight, so that a line ends where it meets the
-// horizon and not at a column. What is narrower than the distance of two columns may be missed.
-// The premise is that what is nearer fills one interval of every column. A hole in the surface breaks it:
-// what is seen through a hole counts as hidden (documented limit of the method).
+// A column is a sample of the screen at one place, not a strip. Lines are evaluated exactly there, and between two
+// columns both the line and the masks are straight, so a line ends where it meets the horizon and not at a column.
+// Details narrower than the distance of two columns may be missed.
+// The method assumes that everything nearer fills one interval of each column. A hole in the surface violates this: what
+// is seen through a hole counts as hidden (a documented limit of the method).
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Piece {
   Vertex to;
 };
 
-// What was in the last column a chain crossed before the chain raised it, so that a chain never hides itself.
+// The values of the last column that a chain crossed, before the chain changed them, so that a chain never hides itself.
 struct Wake {
   int column = -2;
   float top = 0;
@@ -33,18 +33,19 @@ class Horizon {
  public:
   explicit Horizon(int columns);
 
-  // Visible pieces of the segment, in its direction; true if there is one. They stay valid until the next
-  // call. A point is visible if it is more than `slack` outside the masks; below 0: also so far inside.
-  bool draw(Vertex from, Vertex to, Wake& wake);                   // and the masks are raised
-  bool test(Vertex from, Vertex to, float slack, Wake wake = {});  // and they are not
-  // draw() from each vertex to the next, all pieces in one; vertices go to one side and never turn back.
+  // Finds the visible pieces of the segment, in its direction, and returns whether there are any. They are valid until
+  // the next call. A point is visible if it is more than `slack` outside the masks; if `slack` is negative, also up to
+  // -slack inside them.
+  bool draw(Vertex from, Vertex to, Wake& wake);                   // also raises the masks
+  bool test(Vertex from, Vertex to, float slack, Wake wake = {});  // leaves the masks unchanged
+  // draw() from each vertex to the next, collecting all pieces. Precondition: the vertices are monotone in x.
   bool draw_chain(std::span<const Vertex> chain, Wake& wake);
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
-  // draw() of a segment of which the last columns not right of its ends (find_columns) are known; only of parts there are
-  // pieces. horizon_edge.hpp has it.
+  // draw() of a segment if the last columns not right of its ends (find_columns) are known. There are pieces only for
+  // `parts`. Defined in horizon_edge.hpp.
   enum class Sight : std::uint8_t { hidden, whole, parts };
   [[gnu::always_inline]] Sight draw_edge(Vertex from, Vertex to, int before_from, int before_to, Wake& wake);
-  // -1 of a vertex to the left of all columns.
+  // -1 for a vertex to the left of all columns.
   void find_columns(std::span<const Vertex> vertices, std::vector<std::int32_t>& columns) const;
   // By column.
   [[nodiscard]] std::span<const float> top() const { return std::span(top_).first(columns_); }
@@ -53,22 +54,22 @@ class Horizon {
   static constexpr float usual_slack = 1.0F / 8192;  // in y; above the rounding of a line in a column
 
  private:
-  struct Outside {  // how far a point is above the top, below the bottom; > 0: visible
+  struct Outside {  // distance of a point above the top and below the bottom; > 0: visible
     float above;
     float below;
   };
-  struct Columns {  // those that a segment crosses; none if last < first
+  struct Columns {  // the columns that a segment crosses; none if last < first
     int first;
     int last;
   };
-  // What nearly every segment goes through is one function; the rest stays out of its way.
+  // The code that nearly every segment runs is in one function; the rest is kept out of line.
   [[nodiscard]] Outside outside(Vertex vertex, float slack, const Wake& wake) const;
   [[gnu::noinline]] Columns look(Vertex from, Vertex to, float slack, const Wake& wake);
   void narrow(Vertex from, Vertex to, float slack, const Wake& wake);
   [[gnu::noinline]] void mixed(Vertex left, Vertex right, Columns columns, bool leftwards, float slack);
   void gap(Vertex from, Vertex to, Outside at_from, Outside at_to);
   void add(Vertex from, Vertex to);
-  // By halves: a piece put together first would be loaded before both halves are stored.
+  // Stores the halves separately: a whole piece would be loaded before both halves are stored, which stalls.
   void see(Vertex from, Vertex to) {
     Piece& piece = pieces_.emplace_back();
     piece.from = from;
@@ -83,21 +84,21 @@ class Horizon {
   void ink_chain(std::span<const Vertex> chain, bool leftwards, const Wake& wake);
   void raise_chain(Columns columns, bool leftwards, Wake& wake);
 
-  // Columns are worked on in blocks of this many, the last of which may reach beyond the masks: so far they are longer
-  // than the screen.
+  // Columns are processed in blocks of this size. The last block may reach beyond the masks, so arrays are that much
+  // longer than the screen.
   static constexpr std::size_t block = 4;
 
   std::size_t columns_;
   std::vector<float> top_;
   std::vector<float> bottom_;
-  std::vector<float> heights_;  // by column, of what was looked at last
-  // Of a chain: the last column not right of a vertex, -1 if none, and the slope of the segment after it.
+  std::vector<float> heights_;  // by column: heights of the line compared last
+  // For each vertex of a chain: the last column not right of it (-1 if none), and the slope of the segment after it.
   std::vector<std::int32_t> vertex_columns_;
   std::vector<float> slopes_;
-  // By column, of all before it: how many are above the top, and 2^16 times how many are below the bottom.
+  // By column: how many columns before it are above the top, plus 2^16 times how many are below the bottom.
   std::vector<std::uint32_t> seen_before_;
   std::vector<Piece> pieces_;
-  std::size_t first_own_ = 0;  // of the segment at hand, in pieces_
+  std::size_t first_own_ = 0;  // first piece of the current segment
 };
 
 }  // namespace sightline::algorithms::skala

@@ -1,9 +1,9 @@
-// Horizon::draw_chain: a whole slice against the masks in a few passes over flat arrays, of which compilers
-// make vector code. A slice has millions of segments of two or three columns each; segment by segment, as
-// Horizon::draw goes, most time is lost on loops too short to be foreseen.
+// Horizon::draw_chain: compares a whole slice with the masks in a few passes over flat arrays, which compilers vectorize.
+// A slice has millions of segments of two or three columns each; if they are processed one by one, as Horizon::draw does,
+// most of the time is lost on short unpredictable loops.
 //
-// No two of a chain's segments have a column in common, so that raising the masks can wait until the end;
-// a segment between two columns is then compared with the masks from before the chain.
+// No two segments of a chain have a column in common. Therefore the masks are raised only at the end, and a segment
+// between two columns is compared with the masks from before the chain.
 #include <algorithm>
 #include <array>
 
@@ -13,12 +13,12 @@ namespace sightline::algorithms::skala {
 namespace {
 
 constexpr std::uint32_t above_top = 1;
-constexpr std::uint32_t below_bottom = 1U << 16;  // above any number of columns
+constexpr std::uint32_t below_bottom = 1U << 16;  // exceeds any number of columns
 
-// Compilers make vector code of loops whose length they know.
+// Compilers vectorize loops of known length.
 constexpr std::size_t columns_at_once = 16;
 
-// Replaces each mask[i] by choose(mask[i], heights[i]). The two do not overlap (precondition).
+// Replaces each mask[i] by choose(mask[i], heights[i]). Precondition: the two do not overlap.
 template <class Choose>
 void merge_heights(float* __restrict mask, const float* __restrict heights, std::size_t count, Choose choose) {
   std::size_t i = 0;
@@ -27,7 +27,7 @@ void merge_heights(float* __restrict mask, const float* __restrict heights, std:
   for (; i < count; ++i) mask[i] = choose(mask[i], heights[i]);
 }
 
-// The flags of each column: whether its height is above the top mask or below the bottom mask by more than the slack.
+// Sets flags for each column: whether its height is above the top mask or below the bottom mask by more than the slack.
 void flag_columns(std::uint32_t* __restrict flags, const float* heights, const float* top, const float* bottom, std::size_t count,
                   float slack) {
   const auto flag = [=](std::size_t i) {
@@ -43,8 +43,8 @@ void flag_columns(std::uint32_t* __restrict flags, const float* heights, const f
 
 }  // namespace
 
-// The masks' columns that a segment crosses are those after the one of its left end, up to the one of its
-// right end.
+// A segment crosses the columns after the last one not right of its left end, up to the last one not right of its right
+// end.
 void Horizon::measure_chain(std::span<const Vertex> chain) {
   const std::size_t count = chain.size();
   vertex_columns_.resize(count);
@@ -55,13 +55,13 @@ void Horizon::measure_chain(std::span<const Vertex> chain) {
     const float within = x < last ? x : last;
     vertex_columns_[i] = x < 0 ? -1 : static_cast<std::int32_t>(within);
   }
-  // Where two vertices are one above the other this is no number; such a segment has no column.
+  // If two vertices are one above the other, the slope is not a number; the segment has no columns.
   for (std::size_t i = 0; i + 1 < count; ++i)
     slopes_[i] = (chain[i + 1].y - chain[i].y) / (chain[i + 1].x - chain[i].x);
 }
 
-// The chain's heights, from left to right in blocks of columns: what a segment writes beyond its last column
-// the next one overwrites.
+// Computes the chain's heights from left to right in blocks of columns. What a segment writes beyond its last column is
+// overwritten by the next segment.
 void Horizon::trace_chain(std::span<const Vertex> chain, bool leftwards) {
   float* const heights = heights_.data();
   const auto trace = [&](Vertex left, std::int32_t before, std::int32_t last, float slope) {

@@ -1,5 +1,5 @@
-// Horizon::draw_edge, which every edge of a net goes through: in a header of its own so that a walk over many edges has it in its
-// loop. For horizon.cpp and walk.cpp alone.
+// Horizon::draw_edge, which processes every edge of a net. It is in a header so that it can be inlined into the loop over
+// the edges. Only horizon.cpp and walk.cpp include it.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@
 namespace sightline::algorithms::skala {
 namespace edge {
 
-// The last column not right of x, -1 if none. Without a branch: where lines go is as good as random.
+// The last column not right of x, -1 if none. Has no branches, because the direction of lines is unpredictable.
 inline int column_before(float x, float last) {
   const float within = std::max(x < last ? x : last, -0.5F);
   return static_cast<int>(within) - static_cast<int>(within < 0);
 }
 
-// Four columns at once, for which any of the compilers has instructions or makes them up.
+// Four columns at a time: every compiler has instructions for this or emulates them.
 using Floats = float __attribute__((vector_size(16)));
 using Ints = std::int32_t __attribute__((vector_size(16)));
 
@@ -31,12 +31,12 @@ inline Floats load(const float* from) {
 inline void store(const Floats& values, float* to) {
   std::memcpy(to, &values, sizeof values);
 }
-// By masks of ones or zeros.
+// Selects a where `first` has all bits set, and b where it is 0.
 inline Floats either(Ints first, Floats a, Floats b) {
   return std::bit_cast<Floats>((first & std::bit_cast<Ints>(a)) | (~first & std::bit_cast<Ints>(b)));
 }
 
-// The sum of four numbers that do not add up to more than 32 bits.
+// The sum of four numbers; it must fit in 32 bits.
 inline std::uint32_t sum_of(Ints numbers) {
   const auto pairs = std::bit_cast<std::array<std::uint64_t, 2>>(numbers);
   const std::uint64_t sum = pairs[0] + pairs[1];
@@ -62,15 +62,16 @@ class Line {
 
 }  // namespace edge
 
-// Most segments of a net are in at most a block of columns, and how many they have is as good as random: a block is worked on
-// as a whole, without a branch on it, and what is beyond the segment is left out of the sums and as it was in the masks.
+// Most segments of a net cross at most a block of columns, and how many is unpredictable. Therefore a whole block is
+// processed without branching on that number; columns beyond the segment do not count and are left unchanged in the
+// masks.
 inline Horizon::Sight Horizon::draw_edge(Vertex from, Vertex to, int before_from, int before_to, Wake& wake) {
   using edge::Floats;
   using edge::Ints;
   const bool leftwards = to.x < from.x;
   const Vertex left = leftwards ? to : from;
   const Vertex right = leftwards ? from : to;
-  // Those in (left, right], so that of two joined segments one has the column of their joint.
+  // The columns in (left, right], so that the column of a joint belongs to only one of the two segments.
   const Columns columns{(leftwards ? before_to : before_from) + 1, leftwards ? before_from : before_to};
   const int count = columns.last - columns.first + 1;
   if (static_cast<unsigned>(count - 1) >= block) return draw_long(from, to, leftwards, wake);
@@ -82,7 +83,7 @@ inline Horizon::Sight Horizon::draw_edge(Vertex from, Vertex to, int before_from
   const Ints own = Ints{0, 1, 2, 3} < count;
   const Ints over = (heights - top > usual_slack) & own;
   const Ints under = (bottom - heights > usual_slack) & own;
-  constexpr std::int32_t below_bottom = 1 << 8;  // above any sum of ones
+  constexpr std::int32_t below_bottom = 1 << 8;  // exceeds any sum of ones
   const Ints flags = (over & 1) | (under & below_bottom);
   Sight sight = Sight::hidden;
   if (const std::uint32_t seen = edge::sum_of(flags); seen != 0) {
@@ -99,7 +100,7 @@ inline Horizon::Sight Horizon::draw_edge(Vertex from, Vertex to, int before_from
   }
   const auto end = static_cast<std::size_t>(leftwards ? columns.first : columns.last);
   wake = {static_cast<int>(end), top_[end], bottom_[end]};
-  // The next segment loads some of these columns: it must not wait for what was stored unchanged.
+  // The next segment loads some of these columns and must not wait for stores that change nothing.
   const Ints higher = (top < heights) & own;
   const Ints lower = (heights < bottom) & own;
   if (edge::any_of(higher)) edge::store(edge::either(higher, heights, top), &top_[first]);

@@ -1,4 +1,3 @@
-// See passing.hpp.
 #include "host/algorithms/skala/passing.hpp"
 
 #include <algorithm>
@@ -7,7 +6,7 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// Of a vertex on the line from one to another.
+// The parameter of a vertex on the line from one vertex to another.
 double part_of(Vertex from, Vertex to, Vertex at) {
   const double dx = double{to.x} - from.x;
   const double dy = double{to.y} - from.y;
@@ -30,7 +29,7 @@ LinePart leading_part(std::span<const double> from, std::span<const double> to) 
   return part;
 }
 
-std::vector<Piece> seen_where(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
+std::vector<Piece> visible_pieces(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
                               const std::vector<Piece>& after) {
   std::vector<LinePart> parts;
   const auto take = [&](const std::vector<Piece>& pieces, double low, double high) {

@@ -1,5 +1,5 @@
-// Where surfaces over the same places pass through each other: what of a line lies on the eye's side of all others, and the line
-// in which two of them meet within half a cell.
+// Surfaces that pass through each other: the part of a line that is on the eye's side of all other surfaces, and the line
+// in which two surfaces meet within half a cell.
 #pragma once
 
 #include <array>
@@ -12,25 +12,27 @@
 
 namespace sightline::algorithms::skala {
 
-// How far a place of a surface is on the eye's side of each other surface, in heights.
+// How far a point of a surface is on the eye's side of each other surface, in units of height.
 using Leads = std::vector<double>;
 
-// Of a line between two places: where it leads all others. Empty: first > last.
+// The part of a line between two points where it leads all other surfaces; empty if first > last.
 [[nodiscard]] LinePart leading_part(std::span<const double> from, std::span<const double> to);
 
-// Of a line of which `before` is seen as long as nothing of its cell is there, and `after` with the other surfaces there: the former where
-// it leads, the latter elsewhere.
-[[nodiscard]] std::vector<Piece> seen_where(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
+// The visible pieces of a line. `before` is visible as long as nothing else of its cell is drawn, `after` once the other
+// surfaces of the cell are drawn. The result is `before` where the line leads and `after` elsewhere.
+[[nodiscard]] std::vector<Piece> visible_pieces(Vertex from, Vertex to, const LinePart& leads, const std::vector<Piece>& before,
                                             const std::vector<Piece>& after);
 
-// A side of a triangle, by the numbers of its ends, and where on it from the first: the same seen from both sides.
+// A point on a side of a triangle: the numbers of the side's ends and the parameter from the first. It does not depend on
+// which of the side's two triangles is given.
 struct Meeting {
   std::size_t a = 0;
   std::size_t b = 0;
   double at = 0;
 };
 
-// Where the difference of two surfaces is zero on a triangle, given at its corners; of a side whose ends differ in whether they are above 0.
+// The line on a triangle where the difference of two surfaces, given at the corners, is zero. It ends on the sides of
+// which only one end is above 0.
 [[nodiscard]] std::optional<std::array<Meeting, 2>> meeting_line(const std::array<double, 3>& differences);
 
 }  // namespace sightline::algorithms::skala

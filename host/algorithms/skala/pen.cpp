@@ -6,8 +6,8 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// Ends of pieces are numbered: piece n has 2 n and 2 n + 1.
-constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+// Ends of pieces are numbered: piece n has the ends 2 n and 2 n + 1.
+constexpr std::uint32_t no_end = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void Sheet::line(std::uint32_t layer, const std::vector<Vertex>& corners) {
       {layer, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points.size() - first)});
 }
 
-// To whom every end is joined.
+// The end that each end is joined to, or none.
 std::vector<std::uint32_t> Stitcher::partners() const {
   struct Named {
     std::uint32_t layer;
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> Stitcher::partners() const {
     if (a.joint != b.joint) return a.joint < b.joint;
     return a.layer != b.layer ? a.layer < b.layer : a.end < b.end;
   });
-  std::vector<std::uint32_t> partner(2 * pieces_.size(), nobody);
+  std::vector<std::uint32_t> partner(2 * pieces_.size(), no_end);
   for (std::size_t i = 0; i + 1 < named.size(); ++i) {
     if (named[i].joint != named[i + 1].joint || named[i].layer != named[i + 1].layer) continue;
     partner[named[i].end] = named[i + 1].end;
@@ -54,11 +54,11 @@ void Stitcher::finish(Sheet& sheet) {
   std::vector<Vertex> corners;
   for (std::uint32_t piece = 0; piece < pieces_.size(); ++piece) {
     if (drawn[piece]) continue;
-    // Back to where the line begins, or once around.
+    // Goes back to the start of the line, or once around a closed line.
     std::uint32_t start = 2 * piece;
-    while (partner[start] != nobody && partner[start] / 2 != piece) start = partner[start] ^ 1U;
+    while (partner[start] != no_end && partner[start] / 2 != piece) start = partner[start] ^ 1U;
     corners.assign(1, end(start));
-    for (std::uint32_t at = start; at != nobody && !drawn[at / 2]; at = partner[at ^ 1U]) {
+    for (std::uint32_t at = start; at != no_end && !drawn[at / 2]; at = partner[at ^ 1U]) {
       drawn[at / 2] = true;
       corners.push_back(end(at ^ 1U));
     }

@@ -1,5 +1,5 @@
-// From visible pieces to lines of a drawing: pieces that follow each other in drawing are joined as they
-// come; those of contours and silhouettes, which come cell by cell, by the names of their ends.
+// Joins visible pieces to lines of a drawing. Consecutive pieces are joined as they are drawn; those of contours and
+// silhouettes, which are found cell by cell, are joined by the names of their ends.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sightline::algorithms::skala {
 
-// Mask columns as coordinates of the drawing.
+// Converts mask columns to coordinates of the drawing.
 class Sheet {
  public:
   Sheet(picture::VectorDrawing& drawing, int columns)
@@ -26,7 +26,7 @@ class Sheet {
   float scale_;
 };
 
-// One line in the making.
+// A line under construction.
 class Pen {
  public:
   void draw(Sheet& sheet, std::uint32_t layer, const std::vector<Piece>& pieces) {
@@ -50,7 +50,7 @@ class Pen {
   std::vector<Vertex> corners_;
 };
 
-// A place where pieces may be joined; 0: nowhere.
+// Names a place where pieces may be joined; 0: not joined.
 using Joint = std::uint64_t;
 
 class Stitcher {
@@ -58,13 +58,13 @@ class Stitcher {
   void add(std::uint32_t layer, const Piece& piece, Joint from, Joint to) {
     pieces_.push_back({piece, {from, to}, layer});
   }
-  // `from` and `to` name the ends of a segment of which these are the visible pieces.
+  // `from` and `to` name the ends of the segment that these are the visible pieces of.
   void add(std::uint32_t layer, Vertex start, Vertex end, const std::vector<Piece>& pieces, Joint from,
            Joint to) {
     for (const Piece& piece : pieces)
       add(layer, piece, piece.from == start ? from : 0, piece.to == end ? to : 0);
   }
-  // Joints belong to one layer. Lines come out in the order of their first pieces.
+  // Joints belong to one layer. Lines are emitted in the order of their first pieces.
   void finish(Sheet& sheet);
 
  private:

@@ -9,12 +9,12 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// 255 units of y and 16384 columns both have 24 bits, what a float holds.
+// 255 units of y and 16384 columns both take 24 bits, the precision of a float.
 constexpr double lattice_x = 1024;
 constexpr double lattice_y = 65536;
-// Extents below this are the rounding of a picture that has none.
+// Smaller extents are rounding errors of a picture without extent.
 constexpr double smallest_extent = 1e-12;
-// What lies farther out, is infinite or no number is undefined.
+// Values that are larger, infinite or not a number are undefined.
 constexpr double farthest = 1e300;
 
 struct Turn {
@@ -22,7 +22,7 @@ struct Turn {
   double cosine = 1;
 };
 
-// Exact at multiples of 45 degrees but for the root, and symmetric bit for bit about them.
+// Exact at multiples of 45 degrees, except for the root, and exactly symmetric about them.
 Turn within_quadrant(double degrees) {
   if (degrees == 45) return {std::sqrt(0.5), std::sqrt(0.5)};
   const double radians = std::min(degrees, 90 - degrees) / 180 * std::numbers::pi;
@@ -54,7 +54,7 @@ struct Extremes {
   }
 };
 
-// To 0..size, in steps of 1 / lattice; in the middle if there is no extent.
+// Maps an extent to 0..size, in steps of 1 / lattice; to the middle if it is empty.
 class Fit {
  public:
   Fit(Extremes extremes, double size, double lattice) : step_(1 / lattice) {
@@ -66,7 +66,7 @@ class Fit {
       shift_ = size * lattice / 2;
     }
   }
-  // As value * scale + shift, where `from` is 0.
+  // As value * scale + shift, for values relative to `from`.
   [[nodiscard]] double from() const { return low_; }
   [[nodiscard]] double scale() const { return scale_ * step_; }
   [[nodiscard]] double shift() const { return shift_ * step_; }
@@ -82,7 +82,7 @@ class Fit {
   double shift_ = 0;
 };
 
-// What a place along one axis of the grid adds to a point's screen x and depth.
+// What a coordinate along one axis of the grid adds to the screen x and the depth of a point.
 struct Term {
   double x = 0;
   double depth = 0;
@@ -95,13 +95,13 @@ std::vector<Term> terms(const std::vector<double>& places, double to_x, double t
   return all;
 }
 
-// Heights on the screen: middle and factor of an affine map.
+// Heights on the screen: the middle and the factor of an affine map.
 struct Upwards {
   double middle = 0;
   double factor = 0;
 
   Upwards(scene::Interval range, double to_screen) {
-    // Halves, since the difference of two heights may be beyond the greatest double.
+    // Computed from halves, because the difference of two heights may overflow.
     const double half = range.high / 2 - range.low / 2;
     if (!(half > 0) || !std::isfinite(1 / half)) return;
     middle = range.high / 2 + range.low / 2;
@@ -125,7 +125,7 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family,
   const Turn elevation = turn_of(view.elevation);
   rows_ = row_is_slice_ ? grid.slices() : grid.points();
   columns_ = row_is_slice_ ? grid.points() : grid.slices();
-  // Where depth says nothing, from left to right on the screen.
+  // If all depths are equal, the order is from left to right on the screen.
   const bool along_x_back =
       rotation.sine > 0 || (rotation.sine == 0 && rotation.cosine < 0);  // greater x is nearer
   const bool along_z_back = rotation.cosine < 0 || (rotation.cosine == 0 && rotation.sine < 0);
@@ -138,13 +138,13 @@ Surface::Surface(const scene::HeightGrid& grid, const View& view, Family family,
   const std::vector<Term>& row_terms = row_is_slice_ ? z_terms : x_terms;
   const std::vector<Term>& column_terms = row_is_slice_ ? x_terms : z_terms;
   const Upwards upwards(grid.range, sides.height * elevation.cosine);
-  // Of every vertex, row by row: its number, and where it lies before it is fitted.
+  // Visits every vertex, row by row, with its number and its position before fitting.
   const auto for_each = [&](const scene::HeightGrid& of, const auto& visit) {
     std::size_t vertex = 0;
     for (std::size_t row = 0; row < rows_; ++row) {
       const Term in_row = row_terms[row];
       std::size_t index = height_index(row, 0);
-      // The last step may lead below 0, which is not looked at.
+      // The last step may be below 0 and is then not used.
       const std::size_t step = columns_ > 1 ? height_index(row, 1) - index : 0;
       for (std::size_t column = 0; column < columns_; ++column, index += step) {
         const Term in_column = column_terms[column];

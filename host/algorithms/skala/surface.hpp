@@ -1,13 +1,13 @@
-// A height grid on the screen, in the order in which it is drawn: row 0 in front, and in every row the
-// column nearest to the eye first, whatever the rotation (Skala 1985, section 3).
+// A height grid on the screen, in drawing order: row 0 is in front, and in every row the column nearest to the eye is
+// first, whatever the rotation (Skala 1985, section 3).
 //
 // With x, z, h in [-1, 1], rotation A and elevation E:
 //   screen x = x cos A + z sin A     depth = -x sin A + z cos A     screen y = 0.6 h cos E + depth sin E
-// where 0.6 is View::sides' height, and x and z are stretched by the others.
-// Both are fitted to 0..255 by their extremes over the defined points, and rounded to a lattice far finer
-// than a mask column: points that coincide in exact arithmetic then coincide here, and the last bit of a sine
-// does not decide what is visible. Along a vertical of the screen depth grows with z / cos A and with
-// -x / sin A; so every row's and every column's order follows from two signs.
+// where 0.6 is the height of View::sides; x and z are scaled by its other members.
+// Both are fitted to 0..255 by their extremes over the defined points, and rounded to a lattice far finer than a mask
+// column. Points that coincide in exact arithmetic then coincide here, and the last bit of a sine does not decide
+// visibility. Along a vertical of the screen, depth grows with z / cos A and with -x / sin A, so the order of rows and
+// columns follows from two signs.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ struct Vertex {
 
 class Surface {
  public:
-  // `family` along_x and along_z: the slices are the rows; else the rows are those along x. The picture is fitted to all grids that share it,
-  // which have the same places and range; none: to this grid.
+  // For `family` along_x and along_z, the slices are the rows; otherwise the rows are the slices along x. The picture is
+  // fitted to all grids in `sharing`, which have the same coordinates and range; if it is empty, to this grid.
   Surface(const scene::HeightGrid& grid, const View& view, Family family, std::span<const scene::HeightGrid> sharing = {});
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
@@ -47,17 +47,17 @@ class Surface {
     const Vertex& vertex = at(row, column);
     return vertex.y == vertex.y;
   }
-  // Any place of the box in which x, z and height run from -1 to 1; and beyond it.
+  // The position of a point in coordinates of the box, where x, z and height are -1..1. The point may be outside the box.
   [[nodiscard]] Vertex place(double x, double z, double height) const;
-  // A height of the grid in these terms: its range is -1 to 1. 0 for all if the range is nothing.
+  // A height of the grid mapped to -1..1 by the grid's range; 0 if the range is empty.
   [[nodiscard]] double normalised_height(double height) const;
-  // Towards the eye of x, z and height.
+  // The direction towards the eye in x, z and height.
   [[nodiscard]] std::array<double, 3> to_eye() const;
-  // The same in the units of View::sides, x and y, and what 0 and 255 of the picture are there.
+  // The position in the units of View::sides, and the position and extents in these units of the picture's 0..255.
   [[nodiscard]] std::array<double, 2> project(double x, double z, double height) const;
   [[nodiscard]] std::array<double, 2> origin() const { return origin_; }
   [[nodiscard]] std::array<double, 2> extents() const { return extents_; }
-  // Is every vertex defined?
+  // Whether every vertex is defined.
   [[nodiscard]] bool whole() const { return whole_; }
   // Index of the vertex's height in the grid.
   [[nodiscard]] std::size_t height_index(std::size_t row, std::size_t column) const {
@@ -75,7 +75,7 @@ class Surface {
   bool whole_ = true;
   std::vector<Vertex> vertices_;
 
-  // To the screen: of x, z and height each, and where these are fitted to.
+  // The map to the screen: factors of x, z and height, and the fit of the result.
   std::array<double, 3> across_{};
   std::array<double, 3> up_{};
   std::array<double, 2> from_{};
@@ -87,7 +87,7 @@ class Surface {
   scene::Interval range_;
 };
 
-// along_x or along_z, as asked for or else the less end-on; both stays.
+// The given family if it is along_x, along_z or both; otherwise the family that is less end-on.
 [[nodiscard]] Family resolved_family(const View& view);
 
 }  // namespace sightline::algorithms::skala

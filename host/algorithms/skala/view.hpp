@@ -1,5 +1,5 @@
-// What is wanted of a drawing of a height grid, and seen from where: for the native algorithm and for the program on the 8080
-// (host/programs/skala), which always has rims and leaves out what says so.
+// The parameters of a drawing of a height grid, including the point of view. They are used by the native algorithm and by
+// the program on the 8080 (host/programs/skala), which always has rims and ignores the parameters marked here.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@ namespace sightline::algorithms::skala {
 
 enum class Subject { lines, surface, contours };
 
-// Which slices are inked: z constant, x constant, both cell by cell, or the family that is less end-on. For
-// contours: the net of the cells, if that is asked for.
+// The slices to ink: z constant, x constant, both cell by cell, or the family that is less end-on. For contours: the net
+// of the cells, if requested.
 enum class Family { along_x, along_z, both, automatic };
 
-// What decides the colour of a facet: its slope, as a grey, or its height (picture::height_colour).
+// What determines the colour of a facet: its slope (grey), or its height (picture::height_colour).
 enum class Colouring { slope, heights };
 
-// The proportions of the box around a surface: how long its sides are that stand for the domain's and for the range of heights.
+// The lengths of the sides of the box around a surface, which correspond to the domain and to the range of heights.
 struct BoxSides {
   double x = 1;
   double z = 1;
@@ -32,16 +32,16 @@ struct View {
   Family family = Family::automatic;
   double rotation = 0;    // degrees about the vertical; a quarter turn brings x = -1 to the front; finite
   double elevation = 30;  // degrees of the eye above the horizon; negative: seen from below; finite
-  double zoom = 1;        // > 0, about the middle of the picture; of pictures of dots only
-  int levels = 8;         // contour levels, 0 .. 255, at equal distances inside the range of the heights
-  std::vector<double> level_heights = {};  // contour levels themselves, ascending, at most 255; empty: as `levels` says
+  double zoom = 1;        // > 0, about the middle of the picture; only for pictures of dots
+  int levels = 8;         // number of contour levels, 0 .. 255, evenly spaced inside the range of heights
+  std::vector<double> level_heights = {};  // explicit contour levels, ascending, at most 255; empty: `levels` decides
   BoxSides sides = {};
   Colouring colouring = Colouring::slope;
-  int columns = 4096;  // of the masks over the picture's width; 4096 are 16 to a dot of the 256 of the paper
+  int columns = 4096;  // of the masks over the picture's width; 4096 is 16 per dot of the paper's 256
   bool visibility = true;
   bool rims = true;         // ink the edge of the surface between the ends of slices, and around contours
   bool silhouette = false;  // ink where the surface turns away from the eye
-  bool net = false;         // contours and surfaces: ink every cell's margins
+  bool net = false;         // contours and surfaces: ink the edges of every cell
 };
 
 }  // namespace sightline::algorithms::skala

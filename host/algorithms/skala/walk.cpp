@@ -16,7 +16,8 @@
 namespace sightline::algorithms::skala {
 namespace {
 
-// A contour begins and ends on edges that may be the horizon themselves: it is inked to this depth behind it.
+// A contour begins and ends on edges that may be the horizon themselves, so it is inked up to this depth behind the
+// horizon.
 constexpr float contour_slack = -1.0F / 32;
 
 struct Corner {
@@ -24,16 +25,16 @@ struct Corner {
   std::size_t column = 0;
 };
 
-// The listener of a walk that nobody watches; a watched one is compiled apart.
-struct Unwatched {
+// The listener that does nothing. Walks with a listener are compiled separately.
+struct NoListener {
   void line(std::span<const Vertex>, const std::vector<Piece>&) {}
   template <class Screen>
   void row_ended(const Screen&) {}
 };
 
-class Watched {
+class TraceListener {
  public:
-  explicit Watched(Trace& trace) : trace_(&trace) {}
+  explicit TraceListener(Trace& trace) : trace_(&trace) {}
   void line(std::span<const Vertex> line, const std::vector<Piece>& seen) { trace_->line(line, seen); }
   template <class Screen>
   void row_ended(const Screen& screen) {
@@ -48,7 +49,7 @@ int columns_of(const View& view) {
   return std::clamp(view.columns, fewest_columns, most_columns);
 }
 
-// The screen is a Horizon or a GappedHorizon.
+// Draws one surface. `Screen` is Horizon or GappedHorizon.
 template <class Listener, class Screen>
 class Walker {
  public:
@@ -64,12 +65,12 @@ class Walker {
         all_edges_(net_ || !lines_ || view_.silhouette),
         diagonals_(!lines_ || view_.silhouette),
         rims_(view_.rims && view_.subject != Subject::surface),
-        net_only_(!gapped && std::is_same_v<Listener, Unwatched> && lines_ && net_ && !view_.silhouette && view_.visibility && surface_.whole() &&
+        net_only_(!gapped && std::is_same_v<Listener, NoListener> && lines_ && net_ && !view_.silhouette && view_.visibility && surface_.whole() &&
                   surface_.columns() > 1),
         slices_only_(!gapped && lines_ && !all_edges_ && view_.visibility && surface_.whole() && surface_.columns() > 2),
         dots_(lines_ && (!surface_.whole() || surface_.columns() == 1)) {}
 
-  Walked go() {
+  WalkResult go() {
     begin();
     for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) {
       if (net_only_) {
@@ -81,7 +82,7 @@ class Walker {
     return end();
   }
 
-  // The same in parts: those of all surfaces take turns.
+  // The steps of the walk. For several surfaces, each step is taken for all of them in turn.
   void begin() {
     const std::size_t rows = surface_.rows();
     const std::size_t columns = surface_.columns();
@@ -100,14 +101,15 @@ class Walker {
     if (!defined) return;
     diagonals_ ? cover(row, column, Half::far) : cover(row, column);
   }
-  // A cell through which other surfaces pass, twice: how it is seen alone, and, with the others there, as it is then.
-  void rehearse(std::size_t row, std::size_t column) {
+  // A cell through which other surfaces pass is drawn twice: draw_alone() finds what is visible of it alone, draw_among()
+  // draws it among the other surfaces.
+  void draw_alone(std::size_t row, std::size_t column) {
     pass_ = Pass::alone;
     seen_alone_.clear();
     cell(row, column);
     pass_ = Pass::usual;
   }
-  void perform(std::size_t row, std::size_t column, std::span<const Walk* const> rivals, double towards_eye) {
+  void draw_among(std::size_t row, std::size_t column, std::span<const Walk* const> rivals, double towards_eye) {
     pass_ = Pass::among;
     next_alone_ = 0;
     rivals_ = rivals;
@@ -115,7 +117,7 @@ class Walker {
     cell(row, column);
     pass_ = Pass::usual;
   }
-  // What the cell hides.
+  // Adds the whole cell to the occluders.
   void cover_cell(std::size_t row, std::size_t column) {
     if (!cell_defined(surface_, row, column)) return;
     if (!diagonals_) return cover(row, column);
@@ -128,7 +130,7 @@ class Walker {
     wake_ = {};
     listener_.row_ended(horizon_);
   }
-  Walked end() {
+  WalkResult end() {
     for (Pen& pen : column_pens_) pen.lift(sheet_);
     stitcher_.finish(sheet_);
     return std::move(walked_);
@@ -143,7 +145,7 @@ class Walker {
     end_row();
   }
 
-  // Between a row and the next farther one, with that.
+  // Draws the strip between a row and the next farther one, and that row.
   void strip(std::size_t row) {
     begin_strip(row);
     strips_ = gapped && !all_edges_ && view_.visibility;
@@ -152,7 +154,7 @@ class Walker {
     end_row();
   }
 
-  // Slices alone: between two of them the surface is ruled, as if nothing stood between the ends of a strip.
+  // For slices alone: between two of them the surface is ruled, as if nothing were between the ends of a strip.
   void cover_strip(std::size_t row) {
     std::vector<Vertex> outline;
     const std::size_t cells = surface_.columns() - 1;
@@ -168,7 +170,7 @@ class Walker {
     }
   }
 
-  // The same where only rims lie between slices.
+  // The same if there are only rims between the slices.
   void strip_of_slices(std::size_t row) {
     const std::size_t last = surface_.columns() - 1;
     column_edge(row, 0);
@@ -183,7 +185,7 @@ class Walker {
     end_row();
   }
 
-  // strip() without what a net does not have.
+  // strip() without the parts that a net does not have.
   void strip_of_net(std::size_t row) {
     if constexpr (!gapped) {
       const std::span<const Vertex> near = surface_.row(row);
@@ -215,7 +217,7 @@ class Walker {
     }
   }
 
-  // Neither this cell nor the next is missing, so that no edge of the surface lies between them.
+  // Whether this cell and the next both exist, so that no edge of the surface is between them.
   [[nodiscard]] bool whole_strip(std::size_t row, std::size_t column) const {
     if (surface_.whole()) return true;
     return surface_.defined(row, column) && surface_.defined(row + 1, column) &&
@@ -240,24 +242,24 @@ class Walker {
     return view_.visibility ? horizon_.pieces() : unhidden_;
   }
 
-  // Of a line that was just tested: alone, nothing is inked yet.
+  // For a line that was just tested. In the pass `alone` nothing is inked.
   template <class LeadingPart>
   bool seen_in_pass(Vertex from, Vertex to, const LeadingPart& leading) {
     if (pass_ == Pass::alone) {
       seen_alone_.push_back(horizon_.pieces());
       return false;
     }
-    seen_among_ = seen_where(from, to, leading(), seen_alone_[next_alone_++], horizon_.pieces());
+    seen_among_ = visible_pieces(from, to, leading(), seen_alone_[next_alone_++], horizon_.pieces());
     return !seen_among_.empty();
   }
 
-  // At a place between two corners.
+  // The leads at a point between two corners.
   [[nodiscard]] Leads leads(Corner a, Corner b, double t) const {
     Leads all;
     for (const Walk* rival : rivals_) {
       const auto at = [&](Corner corner) { return (order_.heights[id(corner)] - rival->heights[id(corner)]) * towards_eye_; };
       const double lead = t == 0 ? at(a) : at(a) + t * (at(b) - at(a));
-      all.push_back(lead == lead ? lead : 0);  // one that is not there hides nothing
+      all.push_back(lead == lead ? lead : 0);  // NaN: a missing surface hides nothing
     }
     return all;
   }
@@ -283,7 +285,7 @@ class Walker {
 
   void column_edge(std::size_t row, std::size_t column) {
     if (!surface_.defined(row, column) || !surface_.defined(row + 1, column)) return;
-    // A net has all edges and inks them alike.
+    // A net has all edges and inks them all in the same way.
     const bool rim = !net_ && edge_of_surface_across(row, column);
     if (!all_edges_ && !rim) return;
     Wake wake;
@@ -300,7 +302,7 @@ class Walker {
       silhouette({row, column}, {row + 1, column});
   }
 
-  // The cell's diagonal, and the contours on both sides of it.
+  // Draws the cell's diagonal and the contours on both sides of it.
   void inside(std::size_t row, std::size_t column) {
     const Corner beside{row, column + 1};
     const Corner behind{row + 1, column};
@@ -316,7 +318,7 @@ class Walker {
     contours({Corner{row + 1, column + 1}, behind, beside});
   }
 
-  // What half a cell hides from now on.
+  // Adds half a cell to the occluders.
   void cover(std::size_t row, std::size_t column, Half half) {
     if constexpr (gapped) {
       if (!view_.visibility) return;
@@ -324,7 +326,7 @@ class Walker {
       horizon_.cover(std::array{corner, surface_.at(row, column + 1), surface_.at(row + 1, column)});
     }
   }
-  // A cell of whose diagonal nothing is drawn.
+  // Adds a cell without a drawn diagonal to the occluders.
   void cover(std::size_t row, std::size_t column) {
     if constexpr (gapped)
       horizon_.cover(std::array{surface_.at(row, column), surface_.at(row, column + 1), surface_.at(row + 1, column + 1), surface_.at(row + 1, column)});
@@ -350,7 +352,7 @@ class Walker {
     }
   }
 
-  // On the side between two corners, of which the first has the lower number.
+  // A point on the side between two corners, of which the first has the lower number.
   struct ContourEnd {
     Vertex at;
     Corner a;
@@ -374,14 +376,14 @@ class Walker {
     stitcher_.add(layer(first_contour) + level, from.at, to.at, pieces(), from.joint, to.joint);
   }
 
-  // The same from both sides of the edge.
+  // Gives the same result for both directions of the edge.
   [[nodiscard]] ContourEnd crossing(Corner a, Corner b, double level) const {
     if (id(b) < id(a)) std::swap(a, b);
     const double low = order_.heights[id(a)];
     const double high = order_.heights[id(b)];
-    // Halves, since the difference of two heights may be beyond the greatest double.
+    // Computed from halves, because the difference of two heights may overflow.
     double t = (level / 2 - low / 2) / (high / 2 - low / 2);
-    // Heights so small and close that their halves are equal.
+    // The heights are so small and close that their halves are equal.
     if (!(t >= 0 && t <= 1)) t = 0.5;
     const Vertex from = vertex(a);
     const Vertex to = vertex(b);
@@ -390,7 +392,7 @@ class Walker {
     return {at, a, b, t, 0};
   }
 
-  // Of an edge: 1 + 3 times its first vertex, and which way it goes from there.
+  // Names an edge: 1 + 3 times its first vertex + its direction.
   [[nodiscard]] Joint joint(std::size_t a, std::size_t b) const {
     const std::size_t first = std::min(a, b);
     const std::size_t step = std::max(a, b) - first;
@@ -404,7 +406,7 @@ class Walker {
     stitcher_.add(layer(silhouettes), vertex(from), vertex(to), pieces(), 1 + Joint{id(from)}, 1 + Joint{id(to)});
   }
 
-  // A point that no line ends in.
+  // Draws a point in which no line ends.
   void dot(std::size_t row, std::size_t column) {
     if (!dots_ || !surface_.defined(row, column)) return;
     if (column > 0 && surface_.defined(row, column - 1)) return;
@@ -452,10 +454,10 @@ class Walker {
   bool all_edges_;
   bool diagonals_;
   bool rims_;
-  bool net_only_;     // nothing but edges, each inked
-  bool slices_only_;  // and nothing interrupts a slice but its last rim
+  bool net_only_;     // draws only edges, and inks each
+  bool slices_only_;  // and only rims interrupt a slice
   bool dots_;
-  bool strips_ = false;  // hide as a whole, not cell by cell
+  bool strips_ = false;  // strips hide as a whole, not cell by cell
   Wake wake_;
   Pen row_pen_;
   std::vector<Pen> column_pens_;
@@ -463,11 +465,11 @@ class Walker {
   std::vector<std::int32_t> far_columns_;
   Stitcher stitcher_;
   std::vector<Piece> unhidden_;
-  Walked walked_;
-  // Where several surfaces pass through each other.
+  WalkResult walked_;
+  // Used if several surfaces pass through each other.
   enum class Pass { usual, alone, among };
   Pass pass_ = Pass::usual;
-  std::vector<std::vector<Piece>> seen_alone_;  // of the lines of a cell, in the order in which they are tested
+  std::vector<std::vector<Piece>> seen_alone_;  // of the lines of a cell, in the order of the tests
   std::size_t next_alone_ = 0;
   std::vector<Piece> seen_among_;
   std::span<const Walk* const> rivals_;
@@ -475,7 +477,7 @@ class Walker {
 };
 
 template <class Listener>
-Walked walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener listener) {
+WalkResult walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener listener) {
   if (order.surface->whole()) {
     Horizon screen(columns_of(*order.view));
     return Walker<Listener, Horizon>(order, drawing, listener, screen).go();
@@ -484,10 +486,10 @@ Walked walk_for(const Walk& order, picture::VectorDrawing& drawing, Listener lis
   return Walker<Listener, GappedHorizon>(order, drawing, listener, screen).go();
 }
 
-// Several surfaces at once.
-class TogetherWalk {
+// Draws several surfaces at once.
+class MultiSurfaceWalk {
  public:
-  TogetherWalk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings)
+  MultiSurfaceWalk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings)
       : orders_(orders),
         surface_(*orders[0].surface),
         sheet_(drawing, columns_of(*orders[0].view)),
@@ -496,7 +498,7 @@ class TogetherWalk {
         visibility_(orders[0].view->visibility),
         towards_eye_(surface_.to_eye()[2] >= 0 ? 1 : -1) {
     walkers_.reserve(orders.size());
-    for (const Walk& order : orders) walkers_.emplace_back(order, drawing, Unwatched(), screen_);
+    for (const Walk& order : orders) walkers_.emplace_back(order, drawing, NoListener(), screen_);
     for (std::size_t i = 0; i < orders.size(); ++i) {
       rivals_.emplace_back();
       for (std::size_t j = 0; j < orders.size(); ++j)
@@ -504,14 +506,14 @@ class TogetherWalk {
     }
   }
 
-  std::vector<Walked> go() {
+  std::vector<WalkResult> go() {
     for (auto& walker : walkers_) walker.begin();
     for (std::size_t row = 0; row + 1 < surface_.rows(); ++row) {
       for (auto& walker : walkers_) walker.begin_strip(row);
       for (std::size_t column = 0; column < surface_.columns(); ++column) cell(row, column);
       for (auto& walker : walkers_) walker.end_row();
     }
-    std::vector<Walked> result;
+    std::vector<WalkResult> result;
     for (auto& walker : walkers_) result.push_back(walker.end());
     stitcher_.finish(sheet_);
     return result;
@@ -526,7 +528,7 @@ class TogetherWalk {
     turns_.clear();
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       const double middle = whole ? sum_of(i, row, column) * towards_eye_ : 0;
-      // A cell that is not there hides nothing.
+      // A missing cell hides nothing.
       turns_.push_back({middle == middle ? -middle : 0, i});
     }
     std::sort(turns_.begin(), turns_.end());
@@ -536,11 +538,11 @@ class TogetherWalk {
   void passing_cell(std::size_t row, std::size_t column, const Coverage::Saved& saved) {
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       screen_.restore(saved);
-      walkers_[i].rehearse(row, column);
+      walkers_[i].draw_alone(row, column);
       screen_.restore(saved);
       for (std::size_t j = 0; j < orders_.size(); ++j)
         if (j != i) walkers_[j].cover_cell(row, column);
-      walkers_[i].perform(row, column, rivals_[i], towards_eye_);
+      walkers_[i].draw_among(row, column, rivals_[i], towards_eye_);
     }
   }
 
@@ -558,7 +560,7 @@ class TogetherWalk {
     bool level = false;
     bool below = false;
   };
-  // Of the corners of all cells from one to another.
+  // For the corners of the cells in a range around a cell.
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j, std::size_t row, std::size_t column, std::size_t around) const {
     Sides sides;
     for (std::size_t r = row - std::min(row, around); r <= std::min(row + 1 + around, surface_.rows() - 1); ++r)
@@ -588,7 +590,8 @@ class TogetherWalk {
     return screen_.saved(std::min(x), std::max(x));
   }
 
-  // The lines in which surfaces meet, on the near half of the cell before anything of it is there, on the far half behind the near ones.
+  // Draws the lines in which surfaces meet: on the near half of the cell before the cell is drawn, on the far half behind
+  // the near halves.
   void meet(std::size_t row, std::size_t column, const Coverage::Saved& saved) {
     if (visibility_ && saved.columns.empty()) return;
     const std::size_t near = row * surface_.columns() + column;
@@ -600,7 +603,7 @@ class TogetherWalk {
       std::size_t pair = 0;
       for (std::size_t i = 0; i < orders_.size(); ++i)
         for (std::size_t j = i + 1; j < orders_.size(); ++j, ++pair) {
-          // Where one only touches the other from one side, they do not pass through each other.
+          // If one surface only touches the other from one side, they do not pass through each other.
           if (!both_defined(i, j, row, column) || !sides(i, j, row, column, 1).below) continue;
           add_meeting(i, j, corners, pair);
         }
@@ -623,7 +626,7 @@ class TogetherWalk {
       const Vertex from = orders_[i].surface->at(a / surface_.columns(), a % surface_.columns());
       const Vertex to = orders_[i].surface->at(b / surface_.columns(), b % surface_.columns());
       ends[k] = {static_cast<float>(from.x + t * (double{to.x} - from.x)), static_cast<float>(from.y + t * (double{to.y} - from.y))};
-      // For each pair one of each corner and each side.
+      // A joint for each pair of surfaces and each corner or side.
       const std::size_t step = b - a;
       const std::size_t way = t == 0 || t == 1 ? 3 : step == surface_.columns() ? 1 : step == 1 ? 0 : 2;
       joints[k] = 1 + 4 * (pair * surface_.rows() * surface_.columns() + Joint{t == 1 ? b : a}) + way;
@@ -633,7 +636,7 @@ class TogetherWalk {
       pieces_.assign(1, {ends[0], ends[1]});
     } else if (screen_.test(ends[0], ends[1], contour_slack)) {
       pieces_ = screen_.pieces();
-      // Surfaces that meet there may cover the last half column of it.
+      // Surfaces that meet there may cover up to half a column of the line's ends.
       const auto near = [](Vertex a, Vertex b) { return std::abs(a.x - b.x) <= 0.5F && std::abs(a.y - b.y) <= 0.1F; };
       if (near(pieces_.front().from, ends[0])) pieces_.front().from = ends[0];
       if (near(pieces_.back().to, ends[1])) pieces_.back().to = ends[1];
@@ -644,14 +647,14 @@ class TogetherWalk {
   }
 
   std::span<const Walk> orders_;
-  const Surface& surface_;  // the first; all have the same places
+  const Surface& surface_;  // the first; all have the same coordinates
   Sheet sheet_;
   GappedHorizon screen_;
   std::uint32_t meetings_;
   bool visibility_;
   double towards_eye_;  // 1 if greater heights are nearer to the eye, else -1
-  std::vector<Walker<Unwatched, GappedHorizon>> walkers_;
-  std::vector<std::vector<const Walk*>> rivals_;  // of each: all others
+  std::vector<Walker<NoListener, GappedHorizon>> walkers_;
+  std::vector<std::vector<const Walk*>> rivals_;  // by surface: all others
   std::vector<std::pair<double, std::size_t>> turns_;
   Stitcher stitcher_;
   std::vector<Piece> pieces_;
@@ -659,16 +662,16 @@ class TogetherWalk {
 
 }  // namespace
 
-Walked walk(const Walk& order, picture::VectorDrawing& drawing) {
-  return walk_for(order, drawing, Unwatched());
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing) {
+  return walk_for(order, drawing, NoListener());
 }
-Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
-  return walk_for(order, drawing, Watched(trace));
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace) {
+  return walk_for(order, drawing, TraceListener(trace));
 }
 
-std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings) {
+std::vector<WalkResult> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings) {
   if (orders.empty()) return {};
-  return TogetherWalk(orders, drawing, meetings).go();
+  return MultiSurfaceWalk(orders, drawing, meetings).go();
 }
 
 }  // namespace sightline::algorithms::skala

@@ -1,10 +1,10 @@
-// The way through a grid from the foreground to the background: every edge of the surface once, tested
-// against what is nearer, inked if it is wanted, and added to the masks.
+// Traverses a grid from the foreground to the background. Every edge of the surface is tested once against everything
+// nearer, inked if requested, and added to the masks.
 //
-// Cell by cell from the nearest corner: a cell's near edges have been drawn; then come contours on its near
-// triangle, its diagonal, contours on its far triangle, and last its two far edges, which lie behind no part
-// of the cell (Skala 1985, sections 3 to 5). In a picture of slices only the edges of the surface are drawn
-// between them: with these every part of the surface's outline is in the masks.
+// The traversal goes cell by cell from the nearest corner. When a cell is reached, its near edges are already drawn. Then
+// come the contours on its near triangle, its diagonal, the contours on its far triangle, and last its two far edges,
+// which no part of the cell is behind (Skala 1985, sections 3 to 5). In a picture of slices, only the edges of the
+// surface are drawn between them; with these, the masks include the whole outline of the surface.
 #pragma once
 
 #include <cstddef>
@@ -26,24 +26,24 @@ enum Layer : std::uint32_t { along_rows, along_columns, rims, silhouettes, first
 struct Walk {
   const Surface* surface = nullptr;
   const View* view = nullptr;
-  std::vector<std::uint8_t> bands;  // contours: how many levels are at or below every vertex
-  std::vector<double> heights;      // contours, several surfaces: of every vertex
+  std::vector<std::uint8_t> bands;  // contours: number of levels at or below each vertex
+  std::vector<double> heights;      // contours, several surfaces: by vertex
   std::vector<double> levels;
-  std::uint32_t first_layer = 0;  // of the drawing: those of Layer count from it
+  std::uint32_t first_layer = 0;  // of the drawing: where the layers of Layer start
 };
 
-struct Walked {
-  std::vector<bool> seen;  // surfaces: of every cell, by row * (columns - 1) + column; empty otherwise
+struct WalkResult {
+  std::vector<bool> seen;  // surfaces: by row * (columns - 1) + column, whether the cell is visible; otherwise empty
 };
 
-// The drawing's layers must be there; lines are added to it. A surface with holes takes a GappedHorizon.
-Walked walk(const Walk& order, picture::VectorDrawing& drawing);
-// The same, told to somebody.
-Walked walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace);
+// Adds lines to the drawing, whose layers must exist. A surface with holes takes a GappedHorizon.
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing);
+// The same, reporting to `trace`.
+WalkResult walk(const Walk& order, picture::VectorDrawing& drawing, Trace& trace);
 
-// Several surfaces over the same places at once, cell by cell; of two in a cell the one on the eye's side comes first. Where two pass
-// through each other within a cell, each line of it is compared with the other surfaces where they are on the eye's side of it, and the
-// line in which they meet is added to the layer `meetings`.
-std::vector<Walked> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings);
+// Draws several surfaces with the same coordinates at once, cell by cell; in a cell, the surface on the eye's side comes
+// first. If two pass through each other within a cell, each line of the cell is compared with the other surfaces where
+// they are on the eye's side of it, and the line in which they meet is added to the layer `meetings`.
+std::vector<WalkResult> walk(std::span<const Walk> orders, picture::VectorDrawing& drawing, std::uint32_t meetings);
 
 }  // namespace sightline::algorithms::skala

@@ -1,4 +1,3 @@
-// See boundary.hpp.
 #include "host/algorithms/willis/boundary.hpp"
 
 #include <algorithm>
@@ -11,7 +10,7 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
-// rho(v), squared.
+// The square of rho(v).
 std::uint64_t squared_radius(const Surface& s, const Point& v) {
   std::uint64_t most = 0;
   for (const Point& w : s.points) most = std::max(most, squared_distance(v, w));
@@ -49,7 +48,7 @@ bool reach_each_other(const Surface& s, const Surface& t, BoundaryShape shape) {
   return reaches(t, s, shape) || reaches(s, t, shape);
 }
 
-bool clustered(const Surface& s, const Surface& t, const PairRules& rules) {
+bool form_cluster(const Surface& s, const Surface& t, const PairRules& rules) {
   return (can_obscure(s, t, rules.rule90) || can_obscure(t, s, rules.rule90)) &&
          reach_each_other(s, t, rules.shape);
 }

@@ -1,4 +1,3 @@
-// See cut.hpp.
 #include "host/algorithms/willis/cut.hpp"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
-// The middle, or the point of the lattice between a and b that is nearest to it; empty if there is none.
+// The middle of a and b, or the nearest lattice point between them; nullopt if there is none.
 std::optional<Point> middle(const Point& a, const Point& b) {
   const Vector3 d = between(b, a);
   const std::int64_t steps = std::gcd(std::gcd(d[0], d[1]), d[2]);
@@ -29,7 +28,7 @@ Surface piece_of(const Surface& s, std::vector<Point> points) {
   return piece;
 }
 
-// Where a chord may end: the corners and the middles of edges, in the order of the outline.
+// A possible end of a chord: a corner or the middle of an edge, in the order of the outline.
 struct Stop {
   Point point{};
   std::size_t place = 0;  // 2 i for corner i, 2 i + 1 for the middle of the edge after it
@@ -45,7 +44,7 @@ std::vector<Stop> stops_of(const std::vector<Point>& points) {
   return stops;
 }
 
-// spans[i * n + k]: squared diameter of the stops from i over k more, around the outline.
+// spans[i * n + k]: squared diameter of stop i and the next k stops around the outline.
 std::vector<std::uint64_t> spans_of(const std::vector<Stop>& stops) {
   const std::size_t n = stops.size();
   std::vector<std::uint64_t> spans(n * n);
@@ -58,14 +57,14 @@ std::vector<std::uint64_t> spans_of(const std::vector<Stop>& stops) {
   return spans;
 }
 
-// A chord along an edge cuts nothing off.
+// Whether a chord is along an edge, so that it cuts nothing off.
 bool on_one_edge(std::size_t a, std::size_t b, std::size_t places) {
   const std::size_t apart = (b + places - a) % places;
   return apart <= 1 || apart + 1 >= places || (apart == 2 && a % 2 == 0) ||
          (apart + 2 == places && b % 2 == 0);
 }
 
-// Corners from `first` to `last`, ends included, without middles in between.
+// Corners from `first` to `last`, inclusive, without the middles between.
 std::vector<Point> part(const std::vector<Stop>& stops, std::size_t first, std::size_t last) {
   std::vector<Point> points;
   for (std::size_t i = first;; i = (i + 1) % stops.size()) {
@@ -74,7 +73,7 @@ std::vector<Point> part(const std::vector<Stop>& stops, std::size_t first, std::
   }
 }
 
-// The point where p, q crosses the plane, at which it is a and b, of different signs.
+// The point where the segment p, q crosses a plane whose values there are a and b, of opposite signs.
 std::optional<Point> crossing(const Point& p, const Point& q, Int128 a, Int128 b) {
   Point x{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -92,7 +91,7 @@ std::optional<std::array<Surface, 2>> segment_cut(const Surface& s, const std::o
 
 }  // namespace
 
-std::optional<std::array<Surface, 2>> halved(const Surface& s) {
+std::optional<std::array<Surface, 2>> halve(const Surface& s) {
   if (s.points.size() == 2) {
     return segment_cut(s, middle(s.points[0], s.points[1]));
   }
@@ -118,7 +117,7 @@ std::optional<std::array<Surface, 2>> halved(const Surface& s) {
 std::optional<std::array<Surface, 2>> cut_by(const Surface& s, const SurfacePlane& plane) {
   std::array<std::vector<Point>, 2> points;
   const std::size_t n = s.points.size();
-  // In plan there is one edge, not one there and one back.
+  // In plan there is one edge, not one in each direction.
   for (std::size_t i = 0; i < n; ++i) {
     const Point& p = s.points[i];
     const Point& q = s.points[(i + 1) % n];

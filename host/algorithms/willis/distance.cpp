@@ -1,5 +1,5 @@
-// See distance.hpp. The same formulas twice: the distances themselves in double, and whether they are at most
-// the limit in integers, where what would be divided by is on the other side of the inequality.
+// The same formulas twice: distances in double, and comparisons with the limit in integers, where both sides are
+// multiplied by the divisor instead of dividing.
 #include "host/algorithms/willis/distance.hpp"
 
 #include <algorithm>
@@ -46,8 +46,8 @@ auto cross(const Vector<A>& a, const Vector<B>& b) {
   return Vector<Number>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Squared distance of p from the segment a, b. Where rounding takes an end for the foot of the perpendicular
-// or the other way round, the two hardly differ; so with polygons below.
+// Squared distance of p from the segment a, b. If rounding confuses an end with the foot of the perpendicular, the two
+// distances hardly differ; the same holds for polygons below.
 double to_segment(const Point& p, const Point& a, const Point& b) {
   const auto along = approximate_difference(b, a);
   const auto away = approximate_difference(p, a);
@@ -114,22 +114,22 @@ bool polygon_within_exactly(const Point& p, const std::vector<Point>& polygon, c
   return within;
 }
 
-// A bound of the rounding error, as a part of the squared lengths that went in: the formulas
-// take some twenty roundings, each of which may be off by 2^-53.
+// A bound of the rounding error relative to the squared lengths that were used: the formulas take about twenty roundings
+// with an error of up to 2^-53 each.
 constexpr double rounding = 64 * 0x1p-53;
-// Between lines that are not too near to being parallel (flat_angle), the normal loses half of the digits.
+// For lines that are not too nearly parallel (flat_angle), the normal loses half of its digits.
 constexpr double crossing_rounding = 1e-8;
 constexpr double flat_angle = 1e-8;  // squared sine
 
 double reach(const Point& p, const std::vector<Point>& polygon) {
   double most = 0;
   for (const Point& q : polygon) most = std::max(most, static_cast<double>(squared_distance(p, q)));
-  // An edge is no longer than two of these.
+  // No edge is longer than two of these.
   return 4 * most;
 }
 
-// Yes, no, or too close to tell.
-std::optional<bool> settled(double distance, double uncertain, std::uint64_t limit) {
+// Yes, no, or nullopt if it is too close to decide.
+std::optional<bool> decide(double distance, double uncertain, std::uint64_t limit) {
   const auto bound = static_cast<double>(limit);
   uncertain += bound * 0x1p-52;
   if (distance + uncertain < bound) return true;
@@ -141,8 +141,8 @@ Limit exact(std::uint64_t limit) {
   return Limit(Int128{limit});
 }
 
-// Empty if the common perpendicular of the lines does not meet both segments; `unsure` is set if the lines
-// are too nearly parallel to say.
+// nullopt if the common perpendicular of the lines does not meet both segments; `unsure` is set if the lines are too
+// nearly parallel to decide.
 std::optional<double> across(const Point& a, const Point& b, const Point& c, const Point& d, bool& unsure) {
   const auto e = approximate_difference(b, a);
   const auto f = approximate_difference(d, c);
@@ -173,7 +173,7 @@ bool edges_within_exactly(const Point& a, const Point& b, const Point& c, const 
   return height * height <= limit * square;
 }
 
-// Only along a common perpendicular: what is nearest at an end is found as the distance of a corner.
+// Tests only the common perpendicular; if the nearest point is an end, the test of corners finds it.
 bool edges_within(const Point& a, const Point& b, const Point& c, const Point& d, std::uint64_t limit) {
   bool unsure = false;
   const auto distance = across(a, b, c, d, unsure);
@@ -182,7 +182,7 @@ bool edges_within(const Point& a, const Point& b, const Point& c, const Point& d
   const double size = static_cast<double>(squared_distance(a, c)) +
                       static_cast<double>(squared_distance(a, b)) +
                       static_cast<double>(squared_distance(c, d));
-  const auto answer = settled(*distance, size * crossing_rounding, limit);
+  const auto answer = decide(*distance, size * crossing_rounding, limit);
   return answer ? *answer : edges_within_exactly(a, b, c, d, exact(limit));
 }
 
@@ -202,7 +202,7 @@ bool any_within(const Surface& s, const Surface& t, PointTest&& point_within, Ed
   return false;
 }
 
-// Six times the volume of a, b, c, d: below 2^101.
+// Six times the volume of the tetrahedron a, b, c, d: below 2^101.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Vector3 u = between(b, a);
   const Vector3 v = between(c, a);
@@ -214,7 +214,7 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d) 
                         minor(u[0], u[1], v[0], v[1]) * w[2]);
 }
 
-// Of points in one plane, seen from the normal's end.
+// For points in one plane, as seen from the end of its normal.
 int turn(const Vector3& normal, const Point& a, const Point& b, const Point& c) {
   const std::size_t axis = geometry::dominant_axis(normal);
   const Vector3 u = between(b, a);
@@ -225,9 +225,9 @@ int turn(const Vector3& normal, const Point& a, const Point& b, const Point& c) 
   return normal[axis] < 0 ? -sign : sign;
 }
 
-// The segment p, q, in the plane of the polygon, has a point of it.
+// Whether the segment p, q, which is in the plane of the polygon, has a point in common with it.
 bool flat_segment_meets(const Point& p, const Point& q, const Surface& t) {
-  // They do not meet iff a side of the polygon, or the segment's line, has them apart.
+  // They do not meet iff a side of the polygon, or the segment's line, separates them.
   int left = 0;
   int right = 0;
   for (const Point& c : t.points) {
@@ -245,7 +245,7 @@ bool flat_segment_meets(const Point& p, const Point& q, const Surface& t) {
   return true;
 }
 
-// In plan all points are in one level plane; segments in one line meet if their boxes do.
+// In plan all points are in one level plane; collinear segments meet if their boxes do.
 bool segments_meet(const Surface& s, const Surface& t) {
   const int a = t.plane.side(s.points[0]);
   const int b = t.plane.side(s.points[1]);
@@ -295,7 +295,7 @@ bool within_exactly(const Point& p, const std::vector<Point>& polygon, const Vec
 }
 
 bool within(const Point& p, const std::vector<Point>& polygon, const Vector3& normal, std::uint64_t limit) {
-  const auto answer = settled(to_polygon(p, polygon, normal), reach(p, polygon) * rounding, limit);
+  const auto answer = decide(to_polygon(p, polygon, normal), reach(p, polygon) * rounding, limit);
   return answer ? *answer : within_exactly(p, polygon, normal, limit);
 }
 

@@ -1,7 +1,7 @@
-// Whether convex polygons come as near as a given distance, exactly.
+// Decides exactly whether convex polygons are within a given distance of each other.
 //
-// Distances are first computed in double, with a bound on what rounding can have done; only if the question
-// is closer than that is it decided again in integers as wide as their sizes need.
+// Distances are first computed in double, with a bound of the rounding error. If the result is closer to the limit than
+// that, it is recomputed in integers of sufficient width.
 // A polygon of two points is a segment.
 #pragma once
 
@@ -12,19 +12,19 @@
 
 namespace sightline::algorithms::willis {
 
-// The distance of p from the polygon, squared, is at most `limit`. The normal is that of the polygon's plane,
-// and is not looked at for a segment.
+// Whether the squared distance of p from the polygon is at most `limit`. `normal` is the normal of the polygon's plane;
+// it is ignored for a segment.
 [[nodiscard]] bool within(const Point& p, const std::vector<Point>& polygon, const Vector3& normal,
                           std::uint64_t limit);
 
-// The distance between the edges of the two polygons, and of their corners from the other one, squared, is at
-// most `limit`: the distance of the polygons, if the limit is not below the square of either's diameter.
+// Whether the squared distance between edges of the two polygons, or between a corner of one and the other, is at most
+// `limit`. This is the distance of the polygons if the limit is at least the square of either's diameter.
 [[nodiscard]] bool within(const Surface& s, const Surface& t, std::uint64_t limit);
 
-// The two have a point in common. Exact in 128 bits.
+// Whether the two have a point in common. Exact in 128 bits.
 [[nodiscard]] bool meet(const Surface& s, const Surface& t);
 
-// The same questions, answered without the filter.
+// The same questions, answered without the floating-point filter.
 [[nodiscard]] bool within_exactly(const Point& p, const std::vector<Point>& polygon, const Vector3& normal,
                                   std::uint64_t limit);
 [[nodiscard]] bool within_exactly(const Surface& s, const Surface& t, std::uint64_t limit);

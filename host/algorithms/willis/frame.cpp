@@ -1,4 +1,3 @@
-// See frame.hpp.
 #include "host/algorithms/willis/frame.hpp"
 
 #include <algorithm>
@@ -10,12 +9,12 @@ std::optional<std::string> plan_error(const Model& model, const scene::PolyCamer
   if (!model.plan) return std::nullopt;
   if (!camera.perspective) {
     if (camera.forward[model.vertical] == 0) return std::nullopt;
-    return "in plan the direction of view is level";
+    return "in plan the direction of view must be level";
   }
   const std::int32_t height = camera.eye[model.vertical];
   for (const Surface& wall : model.pieces) {
     if (height >= wall.low && height <= wall.high) continue;
-    return std::string("in plan the eye is between the feet and the tops of all walls: found ") +
+    return std::string("in plan the eye must be between the feet and the tops of all walls: found ") +
            "xyz"[model.vertical] + " = " + std::to_string(height) + ", expected " + std::to_string(wall.low) +
            " to " + std::to_string(wall.high) + " of a wall";
   }
@@ -27,7 +26,7 @@ Frames::Frames(const Model& model) : model_(model) {
   firsts_.reserve(model.pieces.size());
   std::vector<std::uint32_t> numbers(model.pieces.size());
   for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
-  // Pieces of one plane are marked by one test.
+  // One test marks all pieces of a plane.
   const auto key = [&](std::uint32_t i) {
     const SurfacePlane& plane = model.pieces[i].plane;
     return std::tie(plane.normal, plane.offset);
@@ -75,7 +74,7 @@ std::span<const std::uint32_t> Frames::order(const scene::PolyCamera& camera,
     if (model_.plan) eye[model_.vertical] = 0;
     make_keys(representatives, [&](const Point& p) { return ~squared_distance(eye, p); });
   } else {
-    // The eye is infinitely far back: of two surfaces the one less far along the view is nearer.
+    // The eye is infinitely far back: of two surfaces, the one less far along the view is nearer.
     const Vector3 forward = geometry::vector_of(camera.forward);
     make_keys(representatives, [&](const Point& p) {
       return ~(static_cast<std::uint64_t>(geometry::dot(forward, geometry::vector_of(p))) +

@@ -1,4 +1,4 @@
-// What Willis leaves to be done for every frame: which surfaces are turned to the eye, and how far they are.
+// The work that Willis's method does for every frame: finding the surfaces turned to the eye and their distances.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,27 @@
 
 namespace sightline::algorithms::willis {
 
-// Which corner of each piece its distance is measured to. Empty span: the first vertex of each.
+// The corner of each piece to which its distance is measured. Empty span: the first vertex of each piece is used.
 using Representatives = std::span<const std::uint32_t>;
 
-// Why this camera cannot view a model in plan: a roof or a floor would be visible. Empty if it can.
+// Why this camera cannot view a model in plan (a roof or a floor would be visible); nullopt if it can.
 [[nodiscard]] std::optional<std::string> plan_error(const Model& model, const scene::PolyCamera& camera);
 
-// One model, many frames. A frame's order is written over the last one's; several threads need one each.
+// Computes frames of one model. order() overwrites the result of the last call; several threads need a Frames each.
 class Frames {
  public:
-  // The model outlives this.
+  // The model must outlive this object.
   explicit Frames(const Model& model);
 
-  // The pieces turned to the eye, the least priority first: the place in the order is the priority. Within a
-  // cell the priority falls as the distance grows; pieces that are equally far are ordered by number,
-  // which may be done as they cannot overlap. The camera's eye is below poly_coordinate_limit.
+  // The pieces turned to the eye, in ascending priority. Within a cell, priority decreases with distance; pieces at equal
+  // distances are ordered by number, which is correct because they cannot overlap. Precondition: the coordinates of the
+  // eye are below poly_coordinate_limit.
   [[nodiscard]] std::span<const std::uint32_t> order(const scene::PolyCamera& camera,
                                                      Representatives representatives = {});
 
  private:
   struct Key {
-    std::uint64_t nearness = 0;  // larger if nearer
+    std::uint64_t nearness = 0;  // greater if nearer
     std::uint32_t cell = 0;      // rank
     std::uint32_t piece = 0;
   };

@@ -1,4 +1,3 @@
-// See model.hpp.
 #include "host/algorithms/willis/model.hpp"
 
 #include <algorithm>
@@ -19,8 +18,8 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
-// A piece of a surface that is not in a cluster is in none either: its boundary lies within the whole one's.
-// So only what clusters are cut into has to be looked at again.
+// Cuts clusters until there are none. A piece of a surface that is in no cluster is in no cluster either, because its
+// boundary is within that of the whole surface. Therefore only the pieces of clusters are tested again.
 class Unclustering {
  public:
   Unclustering(Model& model, const ModelOptions& options, Trace* trace) : model_(model), options_(options), trace_(trace) {
@@ -65,7 +64,7 @@ class Unclustering {
     return std::min(a, b);
   }
 
-  // Why the larger of a pair cannot be cut; empty if it can.
+  // Why the larger surface of a pair cannot be cut; nullopt if it can.
   [[nodiscard]] std::optional<ResidualReason> obstacle(std::uint32_t a, std::uint32_t b) const {
     const Surface& s = model_.pieces[larger(a, b)];
     const Limits& limits = options_.limits;
@@ -77,17 +76,17 @@ class Unclustering {
 
   [[nodiscard]] ResidualReason reason_of(std::uint32_t a, std::uint32_t b) const {
     if (const auto reason = obstacle(a, b)) return *reason;
-    return halved(model_.pieces[larger(a, b)]) ? ResidualReason::pieces : ResidualReason::lattice;
+    return halve(model_.pieces[larger(a, b)]) ? ResidualReason::pieces : ResidualReason::lattice;
   }
 
-  // Next to where two surfaces touch, cutting the one would make the other the larger, and so on for ever.
+  // Where two surfaces touch, cutting one would make the other the larger, and so on without end.
   void mark_touching() {
     touching_.assign(model_.pieces.size(), 0);
     for (const auto& [a, b] : pairs_)
       if (meet(model_.pieces[a], model_.pieces[b])) touching_[a] = touching_[b] = 1;
   }
 
-  // Cuts every surface that has to be. False if there is nothing to cut, or no room.
+  // Cuts every surface that must be cut. Returns false if there is nothing to cut, or no space.
   bool cut_once() {
     mark_touching();
     std::vector<std::uint32_t> marked;
@@ -100,7 +99,7 @@ class Unclustering {
     bool any = false;
     for (const std::uint32_t piece : marked) {
       if (model_.pieces.size() >= options_.limits.pieces) break;
-      auto halves = halved(model_.pieces[piece]);
+      auto halves = halve(model_.pieces[piece]);
       if (!halves) continue;
       any = true;
       if (trace_ != nullptr) trace_->cut(piece, *halves, static_cast<std::uint32_t>(model_.pieces.size()));
@@ -131,7 +130,7 @@ class Unclustering {
   std::uint64_t squared_smallest_ = 0;
   std::vector<NumberPair> pairs_;
   std::vector<std::uint8_t> touching_;                // by piece: 1 if it touches its partner in a cluster
-  std::vector<std::array<std::uint32_t, 2>> halves_;  // of a piece just cut; itself twice if it was not
+  std::vector<std::array<std::uint32_t, 2>> halves_;  // by piece: its halves if it was just cut, otherwise the piece twice
 };
 
 std::string face_name(const scene::PolyScene& scene, const FacePlace& place) {
@@ -171,7 +170,7 @@ base::Result<Model> make_model(const scene::PolyScene& scene, const ModelOptions
   if (!surfaces) return std::move(surfaces.error());
   Model model = make_model(std::move(*surfaces), options, trace);
   if (model.tests > options.limits.tests)
-    return base::Error{.found = "found " + std::to_string(model.tests) + " pairs of " + std::to_string(model.pieces.size()) + " pieces to be kept apart by cuts",
+    return base::Error{.found = "found " + std::to_string(model.tests) + " pairs of " + std::to_string(model.pieces.size()) + " pieces to be separated by cuts",
                        .expected = "at most " + std::to_string(options.limits.tests) + " pairs"};
   return model;
 }

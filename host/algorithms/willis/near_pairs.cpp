@@ -1,4 +1,3 @@
-// See near_pairs.hpp.
 #include "host/algorithms/willis/near_pairs.hpp"
 
 #include <algorithm>
@@ -33,7 +32,7 @@ class Grid {
           const std::uint32_t j = members_[m];
           if (j == i || seen[j] == i) continue;
           seen[j] = i;
-          // If the other reaches farther it finds this one, which may not find it.
+          // Only the box that reaches farther reports the pair, because the other may not find it.
           const bool mine = boxes_[i].squared_reach > boxes_[j].squared_reach ||
                             (boxes_[i].squared_reach == boxes_[j].squared_reach && i < j);
           if (mine && near_each_other(boxes_[i], boxes_[j]))
@@ -46,7 +45,7 @@ class Grid {
   }
 
  private:
-  // Cells about as large as the boxes are on average, not many more than boxes.
+  // Chooses cells about as large as the average box, and not many more cells than boxes.
   void lay_out() {
     Point high{};
     double sizes = 0;

@@ -1,4 +1,4 @@
-// Pairs of boxes that are near each other, by a uniform grid.
+// Finds pairs of boxes that are near each other, using a uniform grid.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sightline::algorithms::willis {
 
-// A box and how far what is in it reaches out, squared; in lattice units.
+// A box, and the square of the distance that its boundary reaches beyond it, in lattice units.
 struct ReachingBox {
   Point low{};
   Point high{};
@@ -19,7 +19,7 @@ struct ReachingBox {
 
 [[nodiscard]] ReachingBox box_of(const Surface& s);
 
-// The boxes are as near as the reach of either.
+// Whether the boxes are within the reach of either.
 [[nodiscard]] bool near_each_other(const ReachingBox& a, const ReachingBox& b);
 
 using NumberPair = std::pair<std::uint32_t, std::uint32_t>;  // first < second

@@ -1,4 +1,3 @@
-// See order_cells.hpp.
 #include "host/algorithms/willis/order_cells.hpp"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace {
 
 enum Part : std::size_t { before = 0, in = 1, behind = 2 };
 
-// Where a surface is with respect to a plane; empty if on both sides.
+// The side of a plane on which a surface is; nullopt if it is on both.
 std::optional<Part> part_of(const Surface& s, const SurfacePlane& plane) {
   bool positive = false;
   bool negative = false;
@@ -38,14 +37,14 @@ struct Set {
 
 using Division = std::array<Set, 3>;
 
-// A piece of an old surface in one of the parts.
+// A piece of the surface at an index of the previous list, in one of the parts.
 struct Place {
   Part part = before;
   std::uint32_t number = 0;
 };
 
-// Empty if a cut would leave the lattice.
-std::optional<Division> divided(const Set& set, const SurfacePlane& plane) {
+// nullopt if a cut would need a point off the lattice.
+std::optional<Division> divide(const Set& set, const SurfacePlane& plane) {
   Division division;
   std::vector<std::array<std::optional<Place>, 2>> places(set.surfaces.size());
   const auto put = [&](Part part, Surface s) {
@@ -76,7 +75,7 @@ std::optional<Division> divided(const Set& set, const SurfacePlane& plane) {
   return division;
 }
 
-// Planes of surfaces in conflict, the ones that cut least and divide most evenly first.
+// Planes of surfaces in conflict, ordered by the number of cuts and then by how evenly they divide.
 std::vector<SurfacePlane> candidates(const Set& set) {
   constexpr std::size_t most = 32;
   std::vector<std::uint32_t> members;
@@ -107,7 +106,7 @@ std::vector<SurfacePlane> candidates(const Set& set) {
   return planes;
 }
 
-// What is still to be put in order, and where its place is to be written: part of a node, or the root.
+// A set still to be ordered, and where its place in the tree is written: a part of a node, or the root.
 struct Task {
   Set set;
   std::size_t node = 0;
@@ -148,7 +147,7 @@ class Builder {
   [[nodiscard]] std::optional<std::pair<SurfacePlane, Division>> division_of(const Set& set) const {
     if (set.conflicts.empty()) return std::nullopt;
     for (const SurfacePlane& plane : candidates(set)) {
-      auto division = divided(set, plane);
+      auto division = divide(set, plane);
       if (!division) continue;
       std::size_t pieces = pieces_ - set.surfaces.size();
       for (const Set& part : *division) pieces += part.surfaces.size();
@@ -193,7 +192,7 @@ class Builder {
   std::vector<Task> tasks_;
 };
 
-// The eye is before (1), in or behind (-1) the plane; without perspective it is infinitely far back.
+// 1 if the eye is in front of the plane, 0 if in it, -1 if behind it. In orthographic views the eye is infinitely far back.
 int side_of_eye(const SurfacePlane& plane, const scene::PolyCamera& camera) {
   if (!camera.perspective)
     return -geometry::sign(geometry::dot(plane.normal, geometry::vector_of(camera.forward)));
@@ -222,7 +221,7 @@ void rank_cells(const OrderCells& cells, const scene::PolyCamera& camera, std::v
       continue;
     }
     const OrderNode& node = cells.nodes[static_cast<std::size_t>(place)];
-    // What is taken last comes before the rest.
+    // What is pushed last is processed first.
     if (side_of_eye(node.plane, camera) >= 0)
       places.insert(places.end(), {node.before, node.in, node.behind});
     else

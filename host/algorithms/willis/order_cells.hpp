@@ -1,10 +1,10 @@
-// Order cells: the order of surfaces that touch, which no distance and no number of cuts can tell.
+// Order cells: the order of surfaces that touch, which neither distances nor any number of cuts can decide.
 //
-// Where two surfaces touch and one can obscure the other, space is divided by the plane of one of them (as
-// Schumacker did for clusters of faces): what is on the eye's side comes before what is in the plane, and that
-// before what is beyond. Surfaces in different cells are never compared by distance. So solids that are not
-// convex fall into convex parts, and parts that touch are kept apart. A plane is only used if it cuts
-// surfaces at points of the lattice; touching surfaces for which there is no such plane stay in one cell.
+// If two surfaces touch and one can obscure the other, space is divided by the plane of one of them (as Schumacker did
+// for clusters of faces): surfaces on the eye's side come before those in the plane, and these before those beyond it.
+// Surfaces in different cells are never compared by distance. So solids that are not convex are divided into convex
+// parts, and parts that touch are separated. A plane is only used if it cuts surfaces at lattice points; touching
+// surfaces without such a plane stay in one cell.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace sightline::algorithms::willis {
 
-// A node's number, or, negative, ~ the number of a cell.
+// The number of a node or, if negative, ~ the number of a cell.
 using OrderPlace = std::int32_t;
 
 struct OrderNode {
@@ -31,13 +31,13 @@ struct OrderCells {
   std::uint32_t cells = 1;
 };
 
-// The two touch, and one can obscure the other.
+// Whether the two touch and one can obscure the other.
 [[nodiscard]] bool touching_conflict(const Surface& s, const Surface& t);
 
-// Sets every surface's cell, cutting surfaces where needed; never into more than `most` pieces.
+// Sets the cell of every surface and cuts surfaces where needed, into at most `most` pieces.
 [[nodiscard]] OrderCells make_order_cells(std::vector<Surface>& surfaces, std::size_t most);
 
-// ranks[c]: a number for cell c, larger for what comes before; as seen by the camera.
+// ranks[c]: the rank of cell c as seen by the camera, greater if it comes before others.
 void rank_cells(const OrderCells& cells, const scene::PolyCamera& camera, std::vector<std::uint32_t>& ranks);
 
 }  // namespace sightline::algorithms::willis

@@ -1,4 +1,3 @@
-// See sight_lines.hpp.
 #include "host/algorithms/willis/sight_lines.hpp"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ namespace sightline::algorithms::willis {
 
 namespace {
 
-// The corners of a piece in space; of a wall in plan the rectangle that stands on it.
+// The corners of a piece in space; for a wall in plan, of the rectangle that stands on it.
 std::vector<Point> corners_of(const Model& model, const Surface& s) {
   if (!model.plan) return s.points;
   std::vector<Point> corners{s.points[0], s.points[1], s.points[1], s.points[0]};
@@ -25,7 +24,7 @@ std::vector<Point> corners_of(const Model& model, const Surface& s) {
   return corners;
 }
 
-// A piece from one eye, for many lines.
+// A piece prepared for many lines from one eye.
 struct SeenPiece {
   Vector3 normal;
   Int128 distance;                           // of the eye from the plane, times the length of the normal
@@ -44,7 +43,7 @@ SeenPiece seen_from(const scene::PolyPoint& eye, const SurfacePlane& plane, cons
   return seen;
 }
 
-// The line from the eye along d (components below 2^12) passes the inside of the polygon.
+// Whether the line from the eye along d (components below 2^12) passes through the inside of the polygon.
 bool passes(const SeenPiece& piece, const Vector3& d) {
   bool left = false;
   bool right = false;
@@ -57,14 +56,14 @@ bool passes(const SeenPiece& piece, const Vector3& d) {
   return left || right;
 }
 
-// One line: how many pieces it hits, and which of them, as places in the order, is nearest and highest.
+// One line: the number of pieces it hits, and the positions in the order of the nearest and of the highest.
 struct Hits {
   int count = 0;
   std::size_t nearest = 0;
   std::size_t highest = 0;
 };
 
-// In their order.
+// The pieces are given in ascending priority.
 Hits hits_of(const std::vector<SeenPiece>& pieces, const Vector3& d) {
   Hits hits;
   Int128 nearest_num = 0;
@@ -90,7 +89,7 @@ Vector3 level_direction(std::size_t vertical, std::mt19937& random) {
   return d;
 }
 
-// Past a corner of the polygon.
+// A direction past a corner of the polygon.
 Vector3 direction_near(const std::vector<Point>& corners, const Point& from, std::mt19937& random) {
   const Vector3 to = between(corners[random() % corners.size()], from);
   const std::int64_t size = std::max({std::abs(to[0]), std::abs(to[1]), std::abs(to[2])}) / 1000 + 1;

@@ -1,4 +1,3 @@
-// See spans.hpp.
 #include "host/algorithms/willis/spans.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace sightline::algorithms::willis {
 namespace {
 
 constexpr double overlap = 1e-6;  // of pieces of a face, in points
-constexpr double nearest = 1e-3;  // scene units before the eye, where surfaces are clipped
+constexpr double nearest = 1e-3;  // scene units in front of the eye, where surfaces are clipped
 
 using SpaceVector = geometry::RealVector;
 
@@ -64,7 +63,7 @@ class SpanMaker {
     const auto [low, high] = std::minmax_element(
         image_.begin(), image_.end(), [](const ImagePoint& a, const ImagePoint& b) { return a.y < b.y; });
     const int first = line_from(low->y, window_.height);
-    const int last = line_from(high->y + 2 * overlap, window_.height);  // excluded
+    const int last = line_from(high->y + 2 * overlap, window_.height);  // exclusive
     if (first >= last) return;
     const auto first_span = static_cast<std::uint32_t>(frame_.spans.size());
     bool any = false;
@@ -82,12 +81,12 @@ class SpanMaker {
   }
 
  private:
-  // The first line or column whose point is not before `at`, less the overlap.
+  // The first line or column whose point is at or after `at`, minus the overlap.
   static int line_from(double at, int size) {
     return static_cast<int>(std::clamp(std::ceil(at - 0.5 - overlap), 0.0, static_cast<double>(size)));
   }
 
-  // In points of the picture; without what is behind the eye.
+  // The outline in points of the picture, without the part behind the eye.
   void outline(const Surface& s) {
     corners_.clear();
     if (model_.plan) {
@@ -108,7 +107,7 @@ class SpanMaker {
     }
   }
 
-  // The same point for both directions of an edge.
+  // Gives the same point for both directions of an edge.
   static SpaceVector clipped(const SpaceVector& p, const SpaceVector& q) {
     const SpaceVector& a = p[2] < q[2] ? p : q;
     const SpaceVector& b = p[2] < q[2] ? q : p;
@@ -191,9 +190,9 @@ void make_spans(const Model& model, std::span<const std::uint32_t> order, const 
   for (std::size_t i = 0; i < order.size(); ++i) maker.add(order[i], static_cast<std::uint32_t>(i + 1));
 }
 
-picture::PixelGrid resolved(const FrameSpans& frame, const ImageWindow& window) {
+picture::PixelGrid resolve_priorities(const FrameSpans& frame, const ImageWindow& window) {
   picture::PixelGrid faces(window.width, window.height);
-  // Later ones have the higher priority.
+  // Later surfaces have higher priority.
   for (const SurfaceSpans& surface : frame.surfaces) {
     for (std::uint32_t i = 0; i < surface.line_count; ++i) {
       const Span& span = frame.spans[surface.first_span + i];

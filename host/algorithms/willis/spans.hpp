@@ -1,9 +1,8 @@
-// A frame as the priority display is given it: for every surface turned to the eye the points it covers, line
-// by line of the scan, with its priority.
+// A frame in the form that the priority display receives: for every surface turned to the eye, its priority and the
+// points it covers, by scan line.
 //
-// Column c from the left and line r from the top have their point at (c + 1/2, r + 1/2). Pieces of one face
-// have its number, so that cuts do not show; they overlap by a millionth of a point, so that no point falls
-// between them either.
+// Column c from the left and line r from the top have their point at (c + 1/2, r + 1/2). All pieces of a face have the
+// face's number, so cuts are invisible. They overlap by a millionth of a point, so no point falls between them.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +18,8 @@
 
 namespace sightline::algorithms::willis {
 
-// What of the image plane (PolyCamera) is shown: the point (x, y) at column `left + scale x` and line
-// `top - scale y`.
+// The shown part of the image plane (PolyCamera): the point (x, y) is at column `left + scale x` and line `top - scale
+// y`.
 struct ImageWindow {
   int width = 512;
   int height = 512;
@@ -29,16 +28,16 @@ struct ImageWindow {
   double top = 256;   // line of y = 0
 };
 
-// Square with the picture, straight ahead, `extent` across its shorter side: degrees, or scene units without
-// perspective.
+// A window straight ahead, with `extent` across the shorter side of the picture: in degrees, or in scene units for
+// parallel projection.
 [[nodiscard]] ImageWindow window_ahead(const scene::PolyCamera& camera, int width, int height, double extent);
-// Shows all of the scene that is before the eye, at most 90 degrees of it.
+// A window that shows the whole part of the scene in front of the eye, but at most 90 degrees.
 [[nodiscard]] ImageWindow window_around(const scene::PolyScene& scene, const scene::PolyCamera& camera,
                                         int width, int height);
 
 struct Span {
   std::uint16_t from = 0;  // column
-  std::uint16_t to = 0;    // excluded
+  std::uint16_t to = 0;    // exclusive
 };
 
 struct SurfaceSpans {
@@ -55,15 +54,15 @@ struct FrameSpans {
   std::vector<Span> spans;
 };
 
-// Pieces in ascending priority -> what they cover; those that cover no point are left out. Written over the
-// last frame's.
+// Computes what pieces, given in ascending priority, cover. Pieces that cover no point are omitted. Overwrites the last
+// frame.
 void make_spans(const Model& model, std::span<const std::uint32_t> order, const scene::PolyCamera& camera,
                 const ImageWindow& window, FrameSpans& frame);
 
-// Face number + 1 of the highest priority at each point, 0 where there is nothing. The bottom row first.
-[[nodiscard]] picture::PixelGrid resolved(const FrameSpans& frame, const ImageWindow& window);
+// At each point, the face number + 1 of the highest priority, or 0. The bottom row is first.
+[[nodiscard]] picture::PixelGrid resolve_priorities(const FrameSpans& frame, const ImageWindow& window);
 
-// 1 where the face to the left or below is another one, 0 elsewhere.
+// 1 where the face to the left or below differs, otherwise 0.
 [[nodiscard]] picture::PixelGrid outlines(const picture::PixelGrid& faces);
 
 }  // namespace sightline::algorithms::willis

@@ -1,12 +1,11 @@
 // A surface in the sense of Willis (1977): a convex piece of a face, seen from one side only.
 //
-// Points lie on a lattice of 2^-12 of a scene unit, so that an edge can be halved twelve times and everything
-// stays an integer: coordinates below 2^30, squared distances below 2^64, a plane at a point below 2^75.
-// Pieces are only ever cut at vertices, at middles of edges and at points that are on the lattice, and are
-// therefore exactly in the plane of their face.
+// Points lie on a lattice of 2^-12 of a scene unit, so that an edge can be halved twelve times and everything stays an
+// integer: coordinates below 2^30, squared distances below 2^64, a plane at a point below 2^75. Pieces are only cut at
+// vertices, at middles of edges and at lattice points, and therefore stay exactly in the plane of their face.
 //
-// In plan (the paper's own setting: walls standing on the ground) a surface is a segment, two points whose
-// vertical coordinate is 0, with the heights between which the wall stands.
+// In plan (the paper's own setting: walls standing on the ground) a surface is a segment: two points with vertical
+// coordinate 0, and the heights of the wall's foot and top.
 #pragma once
 
 #include <array>
@@ -44,8 +43,8 @@ using geometry::Vector3;
   return squared_length(between(a, b));
 }
 
-// The plane of a face; positive on the side from which the face is seen. In scene units: the normal below
-// 2^40, the offset below 2^60.
+// The plane of a face, positive on the side from which the face is seen. In scene units, the normal is below 2^40, the
+// offset below 2^60.
 struct SurfacePlane {
   Vector3 normal{};
   std::int64_t offset = 0;
@@ -60,10 +59,10 @@ struct SurfacePlane {
 };
 
 struct Surface {
-  // Convex, without points in a row, counterclockwise as seen from where the normal points to; two in plan.
+  // Convex, without collinear points, counterclockwise as seen from the end of the normal; two points in plan.
   std::vector<Point> points;
   SurfacePlane plane;
-  std::uint32_t face = 0;  // number in the scene, bodies one after the other
+  std::uint32_t face = 0;  // number in the scene, counted over all bodies
   std::uint32_t body = 0;
   std::uint32_t cell = 0;  // order cell: only surfaces of the same cell are ordered by distance
   std::int32_t low = 0;    // in plan: heights, in scene units
@@ -71,7 +70,7 @@ struct Surface {
   int depth = 0;  // cuts between the scene's face and this piece
 };
 
-// Squared largest distance between two points of the surface: the square of the paper's L.
+// Squared largest distance between two points of the surface, the square of the paper's L.
 [[nodiscard]] std::uint64_t squared_diameter(const std::vector<Point>& points);
 
 }  // namespace sightline::algorithms::willis

@@ -1,4 +1,3 @@
-// See surfaces.hpp.
 #include "host/algorithms/willis/surfaces.hpp"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ using Ring = std::vector<scene::VertexIndex>;
 class FacePieces {
  public:
   FacePieces(const scene::PolyScene& scene, const scene::PolyFace& face) : scene_(scene) {
-    // A long ring's area vector outgrows what the predicates take; only its direction matters.
+    // The area vector of a long ring exceeds the limit of the predicates; only its direction matters.
     const Vector3 area = scene::ring_normal(scene.vertices, face.outline);
     axis_ = geometry::dominant_axis(area);
     positive_ = area[axis_] > 0;
@@ -28,7 +27,7 @@ class FacePieces {
 
   [[nodiscard]] const SurfacePlane& plane() const { return plane_; }
 
-  // Empty if the face has too many corners.
+  // nullopt if the face has too many corners.
   [[nodiscard]] std::optional<std::vector<Ring>> convex(const scene::PolyFace& face) const {
     if (face.holes.empty() && is_convex(face.outline)) return std::vector<Ring>{without_rows(face.outline)};
     const auto triangles = scene::triangulate(scene_.vertices, face);
@@ -45,7 +44,7 @@ class FacePieces {
     return scene_.vertices[ring[i % ring.size()]];
   }
 
-  // Of three successive corners.
+  // The turn at corner i of the ring.
   [[nodiscard]] int turn(const Ring& ring, std::size_t i) const {
     const int sign = geometry::sign(geometry::turn(geometry::flattened(at(i, ring), axis_),
                                                    geometry::flattened(at(i + 1, ring), axis_),
@@ -66,7 +65,7 @@ class FacePieces {
     return corners;
   }
 
-  // The plane through a corner where the ring turns.
+  // The plane through a corner at which the ring turns.
   [[nodiscard]] SurfacePlane plane_of(const Ring& ring) const {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int here = turn(ring, i);
@@ -78,7 +77,7 @@ class FacePieces {
     return {};
   }
 
-  // Joins two rings at a common edge while what comes out is convex.
+  // Joins rings at common edges as long as the result is convex.
   void join(std::vector<Ring>& rings) const {
     for (std::size_t a = 0; a < rings.size(); ++a) {
       for (std::size_t b = a + 1; b < rings.size();) {
@@ -123,7 +122,7 @@ base::Error error_at(std::size_t body, std::size_t face, std::string message) {
   return {"", "body " + std::to_string(body) + " face " + std::to_string(face), std::move(message)};
 }
 
-// The wall over its plan; empty if the face is no rectangle with vertical sides.
+// The wall over its plan; nullopt if the face is not a rectangle with vertical sides.
 std::optional<Surface> wall_of(const scene::PolyScene& scene, const Ring& corners, const SurfacePlane& plane,
                                std::size_t vertical) {
   if (corners.size() != 4 || plane.normal[vertical] != 0) return std::nullopt;
@@ -183,7 +182,7 @@ base::Result<std::vector<Surface>> walls_of(const scene::PolyScene& scene, std::
       const auto rings = pieces.convex(scene.bodies[b].faces[f]);
       auto wall = rings && rings->size() == 1 ? wall_of(scene, rings->front(), pieces.plane(), vertical)
                                               : std::nullopt;
-      if (!wall) return error_at(b, f, "in plan every face is level or a rectangle with two vertical sides");
+      if (!wall) return error_at(b, f, "in plan every face must be level or a rectangle with two vertical sides");
       wall->face = number;
       wall->body = static_cast<std::uint32_t>(b);
       walls.push_back(std::move(*wall));

@@ -1,4 +1,4 @@
-// The surfaces of a scene: its faces in convex pieces, as seen from outside; those of sheets from both sides.
+// The surfaces of a scene: its faces divided into convex pieces, seen from outside; those of sheets from both sides.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace sightline::algorithms::willis {
 
-// The scene is a checked one (precondition). Faces that are not convex, or have holes, are made of triangles
-// between their own corners, joined as long as they stay convex. An error names a face with too many corners.
+// Precondition: the scene is checked. Faces that are not convex, or have holes, are divided into triangles between their
+// corners, which are joined as long as the result is convex. The error names a face with too many corners.
 [[nodiscard]] base::Result<std::vector<Surface>> surfaces_of(const scene::PolyScene& scene);
 
-// The walls in plan, as the paper has them. An error names a face that is neither a rectangle with two
-// vertical sides nor level; level faces (roofs, floors) have no part in a plan and are left out.
+// The walls in plan, as in the paper. The error names a face that is neither level nor a rectangle with two vertical
+// sides. Level faces (roofs, floors) are omitted.
 [[nodiscard]] base::Result<std::vector<Surface>> walls_of(const scene::PolyScene& scene,
                                                           std::size_t vertical);
 
-// Number of a face counted over all bodies -> its body, and its number there.
+// Maps the number of a face, counted over all bodies, to its body and its number there.
 struct FacePlace {
   std::size_t body = 0;
   std::size_t face = 0;

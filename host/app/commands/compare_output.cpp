@@ -43,7 +43,7 @@ std::string view_text(const SceneComparison& comparison) {
 
 // The points that a device lit, compared with those that exact lines light by its rule of rounding.
 std::string raster_text(std::string_view method, const picture::RasterDifference& raster) {
-  const auto apart = [](const picture::PointsApart& points) {
+  const auto apart = [](const picture::DifferingPoints& points) {
     if (points.all == 0) return std::string("none");
     if (points.beyond_1 == 0) return fmt::format("{} (none more than a point away)", points.all);
     return fmt::format("{} ({} more than a point away, {} more than two)", points.all, points.beyond_1, points.beyond_2);

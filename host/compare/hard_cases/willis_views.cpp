@@ -96,7 +96,7 @@ PixelGrid ordered_faces(const willis::Model& model, const PolyCamera& camera, in
   willis::Frames frames(model);
   willis::FrameSpans spans;
   willis::make_spans(model, frames.order(camera, representatives), camera, window, spans);
-  return willis::resolved(spans, window);
+  return willis::resolve_priorities(spans, window);
 }
 
 std::vector<std::uint32_t> random_corners(const willis::Model& model, std::uint32_t seed) {

@@ -102,9 +102,9 @@ class FlightInProgress::Host {
     result.wrong_orders = shown.wrong;
     if (!points || shown.wrong == 0) return;
     make(frame, exact, spans_);
-    const auto right = willis::resolved(spans_, window(frame));
+    const auto right = willis::resolve_priorities(spans_, window(frame));
     make(frame, shown.pieces, spans_);
-    const auto made = willis::resolved(spans_, window(frame));
+    const auto made = willis::resolve_priorities(spans_, window(frame));
     for (std::size_t i = 0; i < right.values.size(); ++i) result.wrong_points += right.values[i] != made.values[i] ? 1 : 0;
   }
 

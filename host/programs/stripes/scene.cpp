@@ -46,7 +46,7 @@ class Projection {
   Projection(const scene::PolyScene& scene, const View& view)
       : scene_(scene),
         camera_(view.camera),
-        frame_{native::pixels_a_unit(view.camera, view.scale), {view.left, view.bottom}, picture_size, picture_size} {}
+        frame_{native::pixels_per_unit(view.camera, view.scale), {view.left, view.bottom}, picture_size, picture_size} {}
 
   [[nodiscard]] std::array<double, 2> placed(const std::array<double, 2>& image) const {
     return {frame_.centre[0] + frame_.scale[0] * image[0], frame_.centre[1] + frame_.scale[1] * image[1]};

@@ -40,9 +40,9 @@ native::StripeFrame frame_of(const native::FaceSet& set, const scene::PolyCamera
     }
   }
   native::StripeFrame frame{{}, {}, raster, raster};
-  const auto unit = native::pixels_a_unit(camera, 1);
+  const auto unit = native::pixels_per_unit(camera, 1);
   const double size = std::max((high[0] - low[0]) * unit[0], (high[1] - low[1]) * unit[1]);
-  frame.scale = native::pixels_a_unit(camera, raster / size);
+  frame.scale = native::pixels_per_unit(camera, raster / size);
   for (std::size_t axis = 0; axis < 2; ++axis) frame.centre[axis] = -low[axis] * frame.scale[axis];
   return frame;
 }

@@ -83,7 +83,7 @@ TEST_F(HardBounds, LeaveOutWhatIsTooMuchWork) {
     EXPECT_EQ(ran.exit_code, 0) << file << '\n' << ran.err;
     for (const char* method : {"willis", "willis-8080"})
       EXPECT_TRUE(has(ran.out, std::string(method) + " not compared: found ")) << file << '\n' << ran.out;
-    EXPECT_TRUE(has(ran.out, "pieces to be kept apart by cuts, expected at most 500000 pairs\n")) << file << '\n' << ran.out;
+    EXPECT_TRUE(has(ran.out, "pieces to be separated by cuts, expected at most 500000 pairs\n")) << file << '\n' << ran.out;
     EXPECT_TRUE(has(ran.out, "montani-re  ")) << ran.out;
     EXPECT_TRUE(has(ran.out, "stripes-8080  ")) << ran.out;
   }

@@ -29,9 +29,9 @@ TEST(RasterDifference, OfALineAndOneShiftedAndShortened) {
   EXPECT_EQ(d.lit_in_truth, 10U);
   EXPECT_EQ(d.lit_in_drawn, 9U);
   // At 1, 2, 3 and 4 from (7, 3).
-  EXPECT_EQ(d.missing, (PointsApart{4, 3, 2}));
+  EXPECT_EQ(d.missing, (DifferingPoints{4, 3, 2}));
   // At 1, 1.41 and 3.
-  EXPECT_EQ(d.extra, (PointsApart{3, 2, 1}));
+  EXPECT_EQ(d.extra, (DifferingPoints{3, 2, 1}));
   EXPECT_DOUBLE_EQ(d.hausdorff.greatest, 4);
   EXPECT_DOUBLE_EQ(d.hausdorff.usual, 4) << "fewer than a thousand points: the greatest";
   EXPECT_FALSE(d.same());
@@ -47,10 +47,10 @@ TEST(RasterDifference, DistancesAreEuclidean) {
   };
   EXPECT_DOUBLE_EQ(distance_of(3, -4).hausdorff.greatest, 5);
   EXPECT_DOUBLE_EQ(distance_of(-5, 10).hausdorff.greatest, std::sqrt(125.0));
-  EXPECT_EQ(distance_of(0, 1).extra, (PointsApart{1, 0, 0}));
-  EXPECT_EQ(distance_of(1, 1).extra, (PointsApart{1, 1, 0}));
-  EXPECT_EQ(distance_of(-2, 0).extra, (PointsApart{1, 1, 0}));
-  EXPECT_EQ(distance_of(2, 1).extra, (PointsApart{1, 1, 1}));
+  EXPECT_EQ(distance_of(0, 1).extra, (DifferingPoints{1, 0, 0}));
+  EXPECT_EQ(distance_of(1, 1).extra, (DifferingPoints{1, 1, 0}));
+  EXPECT_EQ(distance_of(-2, 0).extra, (DifferingPoints{1, 1, 0}));
+  EXPECT_EQ(distance_of(2, 1).extra, (DifferingPoints{1, 1, 1}));
   EXPECT_TRUE(distance_of(0, 0).same());
 }
 
@@ -66,8 +66,8 @@ TEST(RasterDifference, OneMovedPointOfAScreenfulIsFound) {
   drawn.set(700, 517, 1);
   const RasterDifference d = raster_difference(truth, drawn);
   EXPECT_EQ(d.lit_in_truth, 2047U);
-  EXPECT_EQ(d.missing, (PointsApart{1, 0, 0})) << "its neighbours on the line are lit";
-  EXPECT_EQ(d.extra, (PointsApart{1, 1, 1}));
+  EXPECT_EQ(d.missing, (DifferingPoints{1, 0, 0})) << "its neighbours on the line are lit";
+  EXPECT_EQ(d.extra, (DifferingPoints{1, 1, 1}));
   EXPECT_DOUBLE_EQ(d.hausdorff.greatest, 5);
   EXPECT_DOUBLE_EQ(d.hausdorff.usual, 0) << "one of two thousand";
 }
@@ -78,18 +78,18 @@ TEST(RasterDifference, OfNothing) {
   something.set(4, 3, 1);
   const PixelGrid nothing(5, 4);
   const RasterDifference lost = raster_difference(something, nothing);
-  EXPECT_EQ(lost.missing, (PointsApart{2, 2, 2}));
+  EXPECT_EQ(lost.missing, (DifferingPoints{2, 2, 2}));
   EXPECT_EQ(lost.hausdorff.greatest, infinite);
   EXPECT_EQ(lost.hausdorff.usual, infinite);
   const RasterDifference invented = raster_difference(nothing, something);
-  EXPECT_EQ(invented.extra, (PointsApart{2, 2, 2}));
+  EXPECT_EQ(invented.extra, (DifferingPoints{2, 2, 2}));
   EXPECT_TRUE(raster_difference(nothing, nothing).same());
   EXPECT_EQ(raster_difference(nothing, nothing).hausdorff.greatest, 0);
 }
 
 // Every pair of points.
 struct ByPairs {
-  PointsApart apart;
+  DifferingPoints apart;
   std::vector<double> distances;  // ascending
 };
 

@@ -86,7 +86,7 @@ Hatched hatch(const scene::PolyScene& scene, const scene::PolyCamera& camera, co
   const picture::LineLayer edges{"", exact::visible_edges(scene, camera)};
   result.window = picture::drawing_window(picture::united_lines({&edges, 1}, scene, camera), camera, field);
   result.units = 100 / (result.window.high[0] - result.window.low[0]);
-  auto hatching = picture::hatched(scene, camera, result.window, result.units, options);
+  auto hatching = picture::hatch(scene, camera, result.window, result.units, options);
   EXPECT_TRUE(hatching);
   if (hatching) result.hatching = std::move(*hatching);
   return result;

@@ -83,7 +83,7 @@ TEST(MontaniReAroundEye, FacesOfOneSetAreRefusedByName) {
   scene.camera = {true, {500, 500, 300}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto set = faces_of(scene, scene.camera);
   ASSERT_FALSE(set);
-  EXPECT_NE(set.error().found.find("of body 0 reaches from before the eye to behind it"), std::string::npos);
+  EXPECT_NE(set.error().found.find("of body 0 is partly in front of and partly behind the eye"), std::string::npos);
   Agreement agreement;
   compare_view(scene, scene.camera, agreement);
   EXPECT_EQ(agreement.first_wrong, "");

@@ -28,10 +28,10 @@ constexpr geometry::Vector3 ahead{0, 0, 1};
 
 TEST(SightOracle, MeetsTheNearestAndLooksThroughHoles) {
   const scene::PolyScene scene = frame_before_square();
-  EXPECT_EQ(nearest_face(scene, {{1, 1, 0}, ahead}), (MetFace{1, 0}));
-  EXPECT_EQ(nearest_face(scene, {{4, 4, 0}, ahead}), (MetFace{0, 0}));
-  EXPECT_EQ(nearest_face(scene, {{1, 1, 15}, ahead}), (MetFace{0, 0}));
-  EXPECT_EQ(nearest_face(scene, {{1, 1, 15}, {0, 0, -1}}), (MetFace{1, 0}));
+  EXPECT_EQ(nearest_face(scene, {{1, 1, 0}, ahead}), (FaceHit{1, 0}));
+  EXPECT_EQ(nearest_face(scene, {{4, 4, 0}, ahead}), (FaceHit{0, 0}));
+  EXPECT_EQ(nearest_face(scene, {{1, 1, 15}, ahead}), (FaceHit{0, 0}));
+  EXPECT_EQ(nearest_face(scene, {{1, 1, 15}, {0, 0, -1}}), (FaceHit{1, 0}));
   EXPECT_FALSE(nearest_face(scene, {{1, 1, 21}, ahead}));
   EXPECT_FALSE(nearest_face(scene, {{9, 1, 0}, ahead}));
   EXPECT_FALSE(nearest_face(scene, {{-1, 1, 10}, {1, 0, 0}})) << "along the frame";

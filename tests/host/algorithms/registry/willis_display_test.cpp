@@ -24,7 +24,7 @@ TEST(WillisDisplay, ShowsWhatIsResolvedNatively) {
     const willis::ImageWindow window = willis::window_around(scene, scene.camera, 512, 512);
     willis::make_spans(model, frames.order(scene.camera), scene.camera, window, spans);
     ASSERT_TRUE(fits_display(spans, window));
-    EXPECT_EQ(displayed(spans, display), willis::resolved(spans, window)) << scene.name;
+    EXPECT_EQ(show_on_display(spans, display), willis::resolve_priorities(spans, window)) << scene.name;
   }
   EXPECT_EQ(display.device.counts().exchanges, 4U);
   EXPECT_EQ(display.device.counts().writes_lost, 0U);

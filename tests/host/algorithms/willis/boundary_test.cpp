@@ -18,8 +18,8 @@ namespace {
 
 TEST(WillisBoundary, FaceToFaceNeitherHidesTheOther) {
   const Surface t = wall({0, 10}, {5, 10}, 1);  // seen from below
-  EXPECT_FALSE(clustered(turned(wall({0, 0}, {10, 0})), t, {}));
-  EXPECT_TRUE(clustered(wall({0, 0}, {10, 0}), t, {}));  // turned the same way
+  EXPECT_FALSE(form_cluster(turned(wall({0, 0}, {10, 0})), t, {}));
+  EXPECT_TRUE(form_cluster(wall({0, 0}, {10, 0}), t, {}));  // turned the same way
 }
 
 TEST(WillisBoundary, AreasBySampling) {
@@ -121,7 +121,7 @@ TEST(WillisCut, PiecesTileTheSurfaceAndItsDiameterFalls) {
       return sum;
     };
     if (area(s) == 0) continue;
-    const auto halves = halved(s);
+    const auto halves = halve(s);
     ASSERT_TRUE(halves);
     EXPECT_EQ(area((*halves)[0]) + area((*halves)[1]), area(s));
     for (const Surface& half : *halves) {
@@ -135,18 +135,18 @@ TEST(WillisCut, PiecesTileTheSurfaceAndItsDiameterFalls) {
 TEST(WillisCut, TwelveHalvingsThenTheLattice) {
   Surface s = wall({0, 0}, {1, 0});
   for (int i = 0; i < lattice_bits; ++i) {
-    const auto halves = halved(s);
+    const auto halves = halve(s);
     ASSERT_TRUE(halves) << i;
     s = (*halves)[1];
   }
   EXPECT_EQ(squared_diameter(s.points), 1U);
-  EXPECT_FALSE(halved(s));
+  EXPECT_FALSE(halve(s));
 }
 
 TEST(WillisCut, AMiddleBesideTheLatticeIsMovedAlongTheEdge) {
   Surface s = wall({0, 0}, {3, 6}, 0);
   for (int i = 0; i < lattice_bits + 1; ++i) {
-    const auto halves = halved(s);
+    const auto halves = halve(s);
     ASSERT_TRUE(halves) << i;
     s = (*halves)[squared_diameter((*halves)[1].points) > squared_diameter((*halves)[0].points) ? 1 : 0];
     for (const Point& p : s.points) EXPECT_EQ(s.plane.side(p), 0);

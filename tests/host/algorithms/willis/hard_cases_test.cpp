@@ -51,14 +51,14 @@ picture::PixelGrid drawn(const Model& model, const scene::PolyCamera& camera, in
   Frames frames(model);
   FrameSpans spans;
   make_spans(model, frames.order(camera, corners), camera, window, spans);
-  return resolved(spans, window);
+  return resolve_priorities(spans, window);
 }
 
 void expect_at_the_length(const std::string& file, bool inside) {
   const auto sides = sides_of(file);
   for (const BoundaryShape shape : shapes) {
     EXPECT_EQ(reaches(sides[2], sides[0], shape), inside);
-    EXPECT_EQ(clustered(sides[0], sides[2], {shape, false}), inside);
+    EXPECT_EQ(form_cluster(sides[0], sides[2], {shape, false}), inside);
   }
 }
 
@@ -74,17 +74,17 @@ TEST(WillisHardCases, W2OneWayIsEnough) {
   EXPECT_TRUE(reaches(sides[2], sides[0], BoundaryShape::oval));
   EXPECT_FALSE(reaches(sides[0], sides[2], BoundaryShape::oval));
   for (const BoundaryShape shape : shapes) {
-    EXPECT_TRUE(clustered(sides[0], sides[2], {shape, false}));
-    EXPECT_TRUE(clustered(sides[2], sides[0], {shape, false}));
+    EXPECT_TRUE(form_cluster(sides[0], sides[2], {shape, false}));
+    EXPECT_TRUE(form_cluster(sides[2], sides[0], {shape, false}));
   }
 }
 
 TEST(WillisHardCases, W3NeighboursInAChainOnly) {
   const auto sides = sides_of("W3.json");
   for (const BoundaryShape shape : shapes) {
-    EXPECT_TRUE(clustered(sides[0], sides[2], {shape, false}));
-    EXPECT_TRUE(clustered(sides[2], sides[4], {shape, false}));
-    EXPECT_FALSE(clustered(sides[0], sides[4], {shape, false}));
+    EXPECT_TRUE(form_cluster(sides[0], sides[2], {shape, false}));
+    EXPECT_TRUE(form_cluster(sides[2], sides[4], {shape, false}));
+    EXPECT_FALSE(form_cluster(sides[0], sides[4], {shape, false}));
   }
 }
 
@@ -116,7 +116,7 @@ double covered(const std::vector<Surface>& walls, const Surface& whole, Boundary
 
 TEST(WillisHardCases, W5HalvesCoverALittleOverAThird) {
   const Surface wall = sides_of("W5.json")[0];
-  const auto halves = halved(wall);
+  const auto halves = halve(wall);
   ASSERT_TRUE(halves);
   const double whole = covered({wall}, wall, BoundaryShape::oval);
   const double parts = covered({(*halves)[0], (*halves)[1]}, wall, BoundaryShape::oval);

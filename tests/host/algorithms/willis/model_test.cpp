@@ -181,7 +181,7 @@ TEST(WillisModel, MoreTestsThanTheLimitAreRefused) {
   options.limits.tests = 5;
   const auto beyond = make_model(scene, options);
   ASSERT_FALSE(beyond);
-  EXPECT_NE(beyond.error().message().find(" pieces to be kept apart by cuts, expected at most 5 pairs"), std::string::npos)
+  EXPECT_NE(beyond.error().message().find(" pieces to be separated by cuts, expected at most 5 pairs"), std::string::npos)
       << beyond.error().message();
 }
 

@@ -56,7 +56,7 @@ picture::PixelGrid drawn(const Model& model, const Setting& setting, Representat
   Frames frames(model);
   FrameSpans spans;
   make_spans(model, frames.order(setting.camera, representatives), setting.camera, setting.window, spans);
-  return resolved(spans, setting.window);
+  return resolve_priorities(spans, setting.window);
 }
 
 void expect_exact(const scene::PolyScene& scene, const Setting& setting, const ModelOptions& options = {}) {

@@ -125,7 +125,7 @@ TEST(Flight, CountsWrongOrdersAgainstExactOnes) {
         const auto window = willis::window_ahead(flight.path[frame], 512, 512, 60);
         willis::FrameSpans spans;
         willis::make_spans(flight.model, exact.order(flight.path[frame]), flight.path[frame], window, spans);
-        const auto faces = willis::resolved(spans, window);
+        const auto faces = willis::resolve_priorities(spans, window);
         for (int row = 0; row < 512; ++row)
           for (int column = 0; column < 512; ++column)
             other_points[frame] += faces.values[faces.index(column, row)] != picture[static_cast<std::size_t>(511 - row) * 512 + static_cast<std::size_t>(column)] ? 1 : 0;
