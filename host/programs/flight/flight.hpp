@@ -81,13 +81,13 @@ struct Outcome {
 
 // The whole flight at once. Error program_failed: the program did not end, or not as it should, or the display lost something. Error
 // differs: a priority is not the twin's, which is a defect of this program.
-[[nodiscard]] base::Result<Outcome> run(const Order& order);
+[[nodiscard]] base::Result<Outcome> run(const Order& order, const Program& program = resident_program());
 
 // A flight that is run from time to time, while somebody looks: all that is known of a frame is known when the display has been told to show it.
 class FlightInProgress {
  public:
   // Model and path outlive this.
-  explicit FlightInProgress(const Order& order);
+  explicit FlightInProgress(const Order& order, const Program& program = resident_program());
   ~FlightInProgress();
   FlightInProgress(const FlightInProgress&) = delete;
   FlightInProgress& operator=(const FlightInProgress&) = delete;

@@ -35,7 +35,7 @@ struct Outcome {
 // Errors: those of project_scene and encode; bad_input: the scene does not fit while it is drawn, where, and by how much (the twin finds
 // it out); program_failed: the program did not end, stopped, or a device complains; differs: its picture is not its twin's, which is a
 // defect of this program.
-[[nodiscard]] base::Result<Outcome> run(const Order& order);
+[[nodiscard]] base::Result<Outcome> run(const Order& order, const Program& program = resident_program());
 
 // The plotter's commands by kind.
 struct PenWork {
