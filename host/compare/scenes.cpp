@@ -347,7 +347,8 @@ class SceneMethods::Parts {
                           twin_pieces(*twin, lines, static_cast<int>(options_.fraction_bits)), options_);
       const programs::jones::TwinCounts& c = twin->counts;
       row.counts = {{"cells_read", c.distinct_cells}, {"cells", cells_->cells.size()}, {"visits", c.visits}, {"openings_tested", c.openings_tested}, {"lines_clipped", c.lines_clipped}};
-      if (const auto core = program.core_at(comparison.camera.eye); core && options_.host_times) {
+      if (options_.host_times) {
+        const auto core = program.core_at(comparison.camera.eye);
         const auto view_once = [&] { static_cast<void>(programs::jones::run_twin(program.program(), *core, order)); };
         row.host_seconds = median_seconds(view_once, options_.host_seconds);
       }

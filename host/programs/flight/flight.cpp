@@ -125,9 +125,9 @@ class FlightInProgress::Host {
 };
 
 struct FlightInProgress::Parts {
-  explicit Parts(const Order& given)
+  Parts(const Order& given, const Program& program)
       : order(given), outcome{pack(given.model, given.path, given.precision), {}, {}, {}}, host(given.model, given.path),
-        machine(resident_program(), outcome.packed.stream, machine_options(host, given)) {
+        machine(program, outcome.packed.stream, machine_options(host, given)) {
     if (order.check) twin = run_twin(outcome.packed.stream);
   }
   static MachineOptions machine_options(Host& host, const Order& order) {
@@ -164,7 +164,7 @@ struct FlightInProgress::Parts {
   std::optional<TwinFlight> twin;
 };
 
-FlightInProgress::FlightInProgress(const Order& order) : parts_(std::make_unique<Parts>(order)) {}
+FlightInProgress::FlightInProgress(const Order& order, const Program& program) : parts_(std::make_unique<Parts>(order, program)) {}
 FlightInProgress::~FlightInProgress() = default;
 
 void FlightInProgress::run(core::TStateInstant until) {
@@ -197,8 +197,8 @@ base::Result<Plan> plan_flight(const scene::PolyScene& scene, bool level, std::u
   return Plan{std::move(*model), std::move(*path)};
 }
 
-base::Result<Outcome> run(const Order& order) {
-  FlightInProgress flight(order);
+base::Result<Outcome> run(const Order& order, const Program& program) {
+  FlightInProgress flight(order, program);
   flight.run(flight.latest_end());
   const MachineFlight& machine = flight.outcome().flight;
   if (const std::string difference = flight.difference(); !difference.empty())

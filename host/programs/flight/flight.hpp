@@ -82,14 +82,14 @@ struct Outcome {
 
 // Runs the whole flight at once. Error program_failed: the program did not end, or ended wrongly, or the display lost
 // writes. Error differs: a priority differs from the twin's, which is a defect of this program.
-[[nodiscard]] base::Result<Outcome> run(const Order& order);
+[[nodiscard]] base::Result<Outcome> run(const Order& order, const Program& program = resident_program());
 
 // A flight that is run in parts while somebody watches. The data of a frame is complete when the display has been told to
 // show it.
 class FlightInProgress {
  public:
   // Model and path must outlive this.
-  explicit FlightInProgress(const Order& order);
+  explicit FlightInProgress(const Order& order, const Program& program = resident_program());
   ~FlightInProgress();
   FlightInProgress(const FlightInProgress&) = delete;
   FlightInProgress& operator=(const FlightInProgress&) = delete;

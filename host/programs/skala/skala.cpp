@@ -35,9 +35,9 @@ std::string failure_of(const MachinePicture& picture, core::ClockRate clock) {
   return {};
 }
 
-base::Result<Outcome> run(std::span<const std::uint8_t> stream, const MachineOptions& options, bool check) {
+base::Result<Outcome> run(const Program& program, std::span<const std::uint8_t> stream, const MachineOptions& options, bool check) {
   Outcome outcome;
-  outcome.picture = run_machine(resident_program(), stream, options);
+  outcome.picture = run_machine(program, stream, options);
   const MachinePicture& picture = outcome.picture;
   if (const std::string failure = failure_of(picture, options.clock); !failure.empty()) return base::program_failed(failure);
   if (check) {
@@ -69,20 +69,20 @@ base::Result<Outcome> run(const Order& order) {
   options.device = order.device;
   options.link = order.link;
   options.clock = order.clock;
-  auto outcome = run(stream_of(order.grid, order.view, {order.device}), options, order.check);
+  auto outcome = run(resident_program(), stream_of(order.grid, order.view, {order.device}), options, order.check);
   if (!outcome || !order.view.visibility || !order.time_plain) return outcome;
   View plain_view = order.view;
   plain_view.visibility = false;
-  const auto plain = run(stream_of(order.grid, plain_view, {order.device}), options, order.check);
+  const auto plain = run(resident_program(), stream_of(order.grid, plain_view, {order.device}), options, order.check);
   if (!plain) return plain.error();
   outcome->plain_drawing = plain->picture.drawing;
   return outcome;
 }
 
-base::Result<Outcome> run(std::span<const std::uint8_t> stream, Device device, bool check) {
+base::Result<Outcome> run(std::span<const std::uint8_t> stream, Device device, bool check, const Program& program) {
   MachineOptions options;
   options.device = device;
-  return run(stream, options, check);
+  return run(program, stream, options, check);
 }
 
 }  // namespace sightline::programs::skala

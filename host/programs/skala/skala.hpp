@@ -45,6 +45,7 @@ struct Outcome {
 [[nodiscard]] base::Result<Outcome> run(const Order& order);
 
 // The same for arbitrary commands, with a parallel link at 3 MHz.
-[[nodiscard]] base::Result<Outcome> run(std::span<const std::uint8_t> stream, Device device, bool check);
+[[nodiscard]] base::Result<Outcome> run(std::span<const std::uint8_t> stream, Device device, bool check,
+                                        const Program& program = resident_program());
 
 }  // namespace sightline::programs::skala

@@ -51,9 +51,8 @@ class PlotterFront final : public i8080::Front {
 
 // The number of toggles in the list at `at`.
 std::uint32_t toggles_at(const i8080::Machine& machine, i8080::Address at) {
-  std::uint32_t count = 0;
-  while (machine.peek(at++) != picture_size) ++count;
-  return count;
+  const auto list = machine.memory().subspan(at);
+  return static_cast<std::uint32_t>(std::find(list.begin(), list.end(), std::uint8_t{picture_size}) - list.begin());
 }
 
 // Counts faces on the raster board, where the program writes a face's colour before it draws the face: then the face's

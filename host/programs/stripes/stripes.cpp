@@ -41,7 +41,7 @@ picture::PixelGrid faces_of(const TwinPicture& twin, const ProjectedScene& scene
 
 }  // namespace
 
-base::Result<Outcome> run(const Order& order) {
+base::Result<Outcome> run(const Order& order, const Program& program) {
   auto projected = project_scene(order.scene, order.view, order.options.priority == Computer::host);
   if (!projected) return projected.error();
   auto stream = encode(*projected, order.options);
@@ -49,7 +49,7 @@ base::Result<Outcome> run(const Order& order) {
   Outcome outcome{std::move(*projected), std::move(*stream), {}, {}};
   MachineOptions options;
   options.device = order.options.output == Output::vector ? Device::calcomp : Device::ef9365;
-  outcome.picture = run_machine(resident_program(), outcome.stream.bytes, options);
+  outcome.picture = run_machine(program, outcome.stream.bytes, options);
   const MachinePicture& picture = outcome.picture;
   if (!picture.ended) return base::program_failed("the program on the 8080 did not end");
   const bool full = picture.status == Status::full;

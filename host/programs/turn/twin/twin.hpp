@@ -41,7 +41,6 @@ class Twin {
   [[nodiscard]] bool next(std::uint32_t switches, TwinPicture& picture);
 
   [[nodiscard]] std::uint32_t angle() const { return angle_; }
-  [[nodiscard]] std::uint32_t structure_angle() const { return at_; }
   // The state word of a slot.
   [[nodiscard]] std::uint32_t state(std::uint32_t slot) const { return word(slots_ + 4 * slot); }
 

@@ -208,5 +208,30 @@ TEST(Flight, KeepsApartWhatTouches) {
   }
 }
 
+// Programs with one wrong byte: a checked run either fails or has the priorities of the right program.
+TEST(Flight, ACheckedRunOfAWrongProgramFails) {
+  const scene::PolyScene town = scene::generate_town(10);
+  const auto plan = plan_flight(town, false, 5);
+  ASSERT_TRUE(plan) << plan.error().message();
+  const Order order{.model = plan->model, .path = plan->path, .check = true};
+  const auto right = run(order);
+  ASSERT_TRUE(right) << right.error().message();
+  Program program = resident_program();
+  int differences = 0;
+  for (std::size_t at = 100; at < program.memory.size(); at += tests::effort(61U, 401U)) {
+    program.memory[at] ^= 1U;
+    const auto wrong = run(order, program);
+    program.memory[at] ^= 1U;
+    if (!wrong) {
+      differences += wrong.error().kind == base::ErrorKind::differs ? 1 : 0;
+      continue;
+    }
+    ASSERT_EQ(wrong->flight.frames.size(), right->flight.frames.size()) << "byte " << at;
+    for (std::size_t i = 0; i < right->flight.frames.size(); ++i)
+      EXPECT_EQ(wrong->flight.frames[i].priorities, right->flight.frames[i].priorities) << "byte " << at << ", frame " << i;
+  }
+  EXPECT_GT(differences, 0);
+}
+
 }  // namespace
 }  // namespace sightline::programs::flight

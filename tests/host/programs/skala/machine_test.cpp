@@ -10,6 +10,7 @@
 #include "host/programs/skala/skala.hpp"
 #include "tests/host/programs/skala/machine_support.hpp"
 #include "tests/host/programs/skala/twin/support.hpp"
+#include "tests/support/effort.hpp"
 
 namespace sightline::programs::skala {
 namespace {
@@ -228,6 +229,23 @@ TEST(SkalaGuest, PathsOfThePenGoFromLoweringToLifting) {
   ASSERT_EQ(paths.size(), 2U);
   EXPECT_EQ(paths[0], expected[0]);
   EXPECT_EQ(paths[1].corners.front(), (picture::PenPoint{0, 0}));
+}
+
+// Programs with one wrong byte: a checked run either fails or has the picture of the right program.
+TEST(SkalaGuest, ACheckedRunOfAWrongProgramFails) {
+  const auto stream = picture().draw(60, 9).draw(5, 40).end();
+  const auto right = skala::run(stream.bytes(), Device::ef9365, true);
+  ASSERT_TRUE(right) << right.error().message();
+  Program program = resident_program();
+  int differences = 0;
+  for (std::size_t at = 100; at < program.memory.size(); at += tests::effort(41U, 211U)) {
+    program.memory[at] ^= 1U;
+    const auto wrong = skala::run(stream.bytes(), Device::ef9365, true, program);
+    program.memory[at] ^= 1U;
+    if (wrong) EXPECT_EQ(wrong->picture.raster, right->picture.raster) << "byte " << at;
+    else differences += wrong.error().kind == base::ErrorKind::differs ? 1 : 0;
+  }
+  EXPECT_GT(differences, 0);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "host/programs/stripes/stripes.hpp"
+#include "host/scene/generate/scene.hpp"
 #include "tests/host/programs/stripes/views.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/effort.hpp"
@@ -228,6 +230,24 @@ TEST(StripesDamage, WhatDoesNotFitIsSaid) {
     ring.push_back({static_cast<std::uint16_t>(k * 4096 + 2048), 0x9000, 0});
   }
   EXPECT_EQ(message_of(jagged, {}), "face 0 of body 0: 18 sides in a line, 3 too many, expected at most 15 for the 8080");
+}
+
+// Programs with one wrong byte: a checked run either fails or has the picture of the right program.
+TEST(StripesDamage, ACheckedRunOfAWrongProgramFails) {
+  const scene::PolyScene scene = scene::generate_boxes(2);
+  const Order order{.scene = scene, .view = view_of(scene, scene.camera), .check = true};
+  const auto right = run(order);
+  ASSERT_TRUE(right) << right.error().message();
+  Program program = resident_program();
+  int differences = 0;
+  for (std::size_t at = 100; at < program.memory.size(); at += tests::effort(701U, 1201U)) {
+    program.memory[at] ^= 1U;
+    const auto wrong = run(order, program);
+    program.memory[at] ^= 1U;
+    if (wrong) EXPECT_EQ(wrong->picture.raster, right->picture.raster) << "byte " << at;
+    else differences += wrong.error().kind == base::ErrorKind::differs ? 1 : 0;
+  }
+  EXPECT_GT(differences, 0);
 }
 
 }  // namespace

@@ -229,5 +229,31 @@ TEST(TurnGuest, IsFastEnough) {
   }
 }
 
+// Programs with one wrong bit: checked pictures either fail or are those of the right program.
+TEST(TurnGuest, ACheckedRunOfAWrongProgramFails) {
+  const TurnedModel& model = turned(cube, Memory::words_8k, true);
+  Program program = assemble_program(true, Memory::words_8k);
+  PicturesOrder order = at_speed(9001, 5);
+  order.display_files = true;
+  const auto right = run_pictures(program, model.tape, order);
+  ASSERT_TRUE(right) << right.error().message();
+  int differences = 0;
+  for (std::size_t at = 3; at < program.core.size(); at += tests::effort(29U, 211U)) {
+    const core::Word18 word = program.core[at];
+    if (word.value() == 0) continue;
+    program.core[at] = core::Word18(word.value() ^ 1U);
+    const auto wrong = run_pictures(program, model.tape, order);
+    program.core[at] = word;
+    if (!wrong) {
+      differences += wrong.error().kind == base::ErrorKind::differs ? 1 : 0;
+      continue;
+    }
+    ASSERT_EQ(wrong->pictures.size(), right->pictures.size());
+    for (std::size_t i = 0; i < right->pictures.size(); ++i)
+      EXPECT_EQ(wrong->pictures[i].display_file, right->pictures[i].display_file) << "word " << at << ", picture " << i;
+  }
+  EXPECT_GT(differences, 0);
+}
+
 }  // namespace
 }  // namespace sightline::programs::turn
