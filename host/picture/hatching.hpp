@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,10 @@ struct HatchOptions {
   double angle = 45;                // degrees, counterclockwise from the horizontal of the paper
   double spacing = 1;               // of the densest lines, in units of the drawing
   std::array<double, 3> light{};    // towards the light, of any length but 0, in the axes of the scene
+  bool shade = true;                // faces by their light; otherwise only those that a section cut
+  // Faces of this material lie in the plane of a section: they take lines at 45 degrees, those of the second, fourth ... body at 135.
+  std::optional<std::uint32_t> cut_material = {};
+  double cut_spacing = 2;           // of these, in units of the drawing
 };
 
 // How dark a face is, by the share of light that its direction loses: which lines it takes.
@@ -33,15 +38,17 @@ enum class Tone : std::uint8_t { light, fourth, half, full, crossed };
 // `facing`: the cosine of the angle between the normal, turned to the eye, and the direction of the light.
 [[nodiscard]] Tone tone_of(double facing);
 
+// Which lines are parallel to each other.
+enum class HatchDirection : std::uint8_t { along, across, cut, cut_across };
+
 struct Hatching {
   scene::PolyScene scene;           // with the lines as crossings behind its own
   ChosenEdges lines;                // all that were added, ascending
-  std::vector<std::uint8_t> across;  // of each line: one of those across
+  std::vector<HatchDirection> directions;  // of each line
 };
 
-// Kinds of layers of what is seen of these lines.
-inline constexpr std::string_view hatching_kind = "hatching";
-inline constexpr std::string_view cross_hatching_kind = "cross-hatching";
+// Kinds of layers of what is seen of these lines, by direction.
+inline constexpr std::array<std::string_view, 4> hatching_kinds{"hatching", "cross-hatching", "section", "section-across"};
 
 inline constexpr std::size_t most_hatch_lines = 2'000'000;
 
