@@ -38,6 +38,7 @@
 #include "host/picture/vector_drawing.hpp"
 #include "host/scene/model/poly_scene.hpp"
 #include "host/scene/read/load.hpp"
+#include "host/scene/read/section.hpp"
 
 namespace sightline::hidden_lines {
 
@@ -110,6 +111,8 @@ struct ViewOptions {
   bool hidden = false;  // also draw the hidden parts of the edges, dashed
   Layers layers = Layers::kind;
   std::optional<HatchOptions> hatch = {};  // faces are shaded by lines
+  // The faces of this material are the cut faces of a section (scene::section_of). They are hatched, 2 units of the field apart.
+  std::optional<std::uint32_t> cut_material = {};
   picture::DrawingField field = {};        // the size of the drawing, and the part of the image that it shows
   bool strokes = false;                    // fill in Drawing::strokes
   unsigned jobs = 1;                       // threads for a view, if the algorithm can use several; the result is the same
@@ -119,7 +122,7 @@ struct ViewOptions {
 struct Stroke {
   std::array<double, 2> from{};  // in the unit of the field, from its bottom left
   std::array<double, 2> to{};
-  std::string kind;  // of picture::edge_kind_names, "hatching" or "cross-hatching"
+  std::string kind;  // of picture::edge_kind_names or picture::hatching_kinds
   std::string layer;
   bool hidden = false;
   std::vector<std::array<std::array<double, 3>, 2>> edges = {};  // the edges that lie there: both ends, in the unit of the file
@@ -128,6 +131,7 @@ struct Stroke {
 
 struct Drawing {
   picture::VectorDrawing picture;
+  picture::ImageWindow window = {};  // the part of the image that the drawing shows
   // The exact visible pieces of the chosen edges, by vertex numbers and fractions of their length. Edges across which the
   // surface is flat are included.
   picture::LinePicture visible = {};
@@ -175,6 +179,39 @@ class Views {
 // Error bad_input: the algorithm does not apply to the scene or to the view. Error usage: no algorithm has this name.
 [[nodiscard]] base::Result<registry::LineView> visible_edges(const scene::PolyScene& scene, const Camera& camera,
                                                              std::string_view algorithm = "exact");
+
+// --- Sheets
+
+// Where a view belongs among others. `free`: an oblique view.
+enum class Side : std::uint8_t { front, back, left, right, top, bottom, free };
+
+struct SheetView {
+  Camera camera;  // without perspective
+  Side side = Side::free;
+};
+
+// Several views of one scene on one sheet at one scale, arranged as in third-angle projection (the view from above lies above that from
+// the front) or in first-angle projection (it lies below), ISO 5456-2. Views in one row or column are aligned.
+class SheetLayout {
+ public:
+  // The views together fill the field, `gap` units apart, unless it has a scale. The scene outlives the layout.
+  SheetLayout(const scene::PolyScene& scene, std::span<const SheetView> views, const picture::DrawingField& field, bool first_angle,
+              double gap = 10);
+
+  // With the scale of the sheet, for ViewOptions::field.
+  [[nodiscard]] const picture::DrawingField& field() const { return field_; }
+  // All drawings on one sheet, as large as the field or larger; made with field() of the views in their order. Their strokes are moved to
+  // their places.
+  [[nodiscard]] picture::VectorDrawing sheet(std::span<Drawing> drawings) const;
+
+ private:
+  picture::DrawingField field_;
+  // Of each view: where the middle of the scene lies in its image, and on the sheet.
+  std::vector<std::array<double, 2>> in_image_;
+  std::vector<std::array<double, 2>> on_sheet_;
+};
+
+// --- Strokes
 
 // Drawing::strokes as text: one JSON object per line. Ends are moved by `margin` to the right and up and rounded to a
 // millionth.

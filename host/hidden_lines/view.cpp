@@ -211,7 +211,7 @@ class Views::Work {
       if (seams_) whole = without_seams(whole, chosen, camera);
       hidden = divided(picture::hidden_pieces(whole, drawn), chosen, true);
     }
-    if (!options_.hatch) {
+    if (!options_.hatch && !options_.cut_material) {
       add_all(layers, hidden);
       draw(layers, scene(), camera, std::nullopt, result);
     } else if (auto added = add_hatching(camera, std::move(layers), std::move(hidden), result); !added) {
@@ -343,7 +343,8 @@ class Views::Work {
     const picture::DrawingField& field = options_.field;
     picture::UnitedLines lines = picture::united_lines(layers, of, camera);
     const picture::ImageWindow window = given ? *given : picture::drawing_window(lines, camera, field);
-    if (options_.hatch) picture::leave_out_hatching_on_lines(lines, layers, window);
+    if (options_.hatch || options_.cut_material) picture::leave_out_hatching_on_lines(lines, layers, window);
+    result.window = window;
     for (LineLayer& layer : layers) layer.picture = {};
     const std::vector<picture::LineStroke> strokes = picture::strokes_in(lines, layers, window, field);
     result.stroke_count = strokes.size();
@@ -367,24 +368,26 @@ class Views::Work {
     edges.insert(edges.end(), hidden.begin(), hidden.end());
     const picture::ImageWindow window = picture::drawing_window(picture::united_lines(edges, scene(), camera), camera, options_.field);
     const double units = window.units(options_.field);
-    const picture::HatchOptions wanted{options_.hatch->angle, options_.hatch->spacing, options_.hatch->light.value_or(usual_light(camera))};
+    const HatchOptions shading = options_.hatch.value_or(HatchOptions{});
+    picture::HatchOptions wanted{shading.angle, shading.spacing, shading.light.value_or(usual_light(camera)), options_.hatch.has_value()};
+    wanted.cut_material = options_.cut_material;
     const auto hatching = picture::hatch(scene(), camera, window, units, wanted);
     if (!hatching) return in_file(hatching.error(), "hatch");
     const auto lines = prepared(hatching->scene);
     if (!lines) return in_file(lines.error(), source_.name);
     const auto seen = registry::view_of(*lines, camera, hatching->lines);
     if (!seen) return in_file(seen.error(), source_.name);
-    LineLayer along{"hatching", {}, {}, std::string(picture::hatching_kind)};
-    LineLayer across{"cross-hatching", {}, {}, std::string(picture::cross_hatching_kind)};
+    std::array<LineLayer, picture::hatching_kinds.size()> hatched;
+    for (std::size_t k = 0; k < hatched.size(); ++k) hatched[k] = {std::string(picture::hatching_kinds[k]), {}, {}, std::string(picture::hatching_kinds[k])};
+    hatched[3].label = hatched[2].label;
     std::size_t line = 0;
     for (const LinePiece& piece : seen->picture.pieces) {
       while (hatching->lines.edges[line] < piece.edge) ++line;
-      (hatching->across[line] != 0 ? across : along).picture.pieces.push_back(piece);
+      hatched[static_cast<std::size_t>(hatching->directions[line])].picture.pieces.push_back(piece);
     }
     result.hatch_lines = hatching->lines.edges.size();
     result.hatch_pieces = seen->picture.pieces.size();
-    layers.push_back(std::move(along));
-    layers.push_back(std::move(across));
+    for (LineLayer& layer : hatched) layers.push_back(std::move(layer));
     add_all(layers, hidden);
     draw(layers, hatching->scene, camera, window, result);
     return base::Done{};

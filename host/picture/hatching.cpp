@@ -31,10 +31,10 @@ class Hatcher {
  public:
   Hatcher(const scene::PolyScene& scene, const scene::PolyCamera& camera, const ImageWindow& window,
           double units, const HatchOptions& options)
-      : camera_(camera), view_(camera), axes_{view_.axis(0), view_.axis(1), view_.axis(2)}, light_(geometry::unit(options.light)) {
+      : camera_(camera), view_(camera), shade_(options.shade), cut_material_(options.cut_material), axes_{view_.axis(0), view_.axis(1), view_.axis(2)}, light_(geometry::unit(options.light)) {
     result_.scene = scene;
-    families_[0] = family(options.angle, options.spacing / units, window);
-    families_[1] = family(options.angle + 90, options.spacing / units, window);
+    families_ = {family(options.angle, options.spacing / units, window), family(options.angle + 90, options.spacing / units, window),
+                 family(45, options.cut_spacing / units, window), family(135, options.cut_spacing / units, window)};
     image_.reserve(scene.vertices.size());
     for (const scene::PolyPoint& v : scene.vertices) image_.push_back(view_.at(v));
   }
@@ -42,9 +42,9 @@ class Hatcher {
   base::Result<Hatching> run() {
     std::uint32_t number = 0;
     const std::vector<scene::PolyBody>& bodies = result_.scene.bodies;
-    for (const scene::PolyBody& body : bodies) {
-      for (const scene::PolyFace& face : body.faces) {
-        add(face, body.sheet, number++);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      for (const scene::PolyFace& face : bodies[b].faces) {
+        add(face, b, number++);
         if (result_.lines.edges.size() > most_hatch_lines) {
           return base::Error{"", "", "hatching of more than " + std::to_string(most_hatch_lines) + " lines", "fewer",
                              "a wider spacing"};
@@ -76,20 +76,29 @@ class Hatcher {
     return family;
   }
 
-  void add(const scene::PolyFace& face, bool sheet, std::uint32_t number) {
+  [[nodiscard]] bool is_cut(std::uint32_t face) const {
+    const std::vector<std::uint32_t>& materials = result_.scene.material_of;
+    return cut_material_ && !materials.empty() && materials[face] == *cut_material_;
+  }
+
+  void add(const scene::PolyFace& face, std::size_t body, std::uint32_t number) {
+    const bool sheet = result_.scene.bodies[body].sheet;
+    const bool cut = is_cut(number);
+    if (!cut && !shade_) return;
     const geometry::Vector3 normal = scene::plane_of(result_.scene.vertices, face).normal;
     const geometry::Vector3 sight = camera_.perspective ? geometry::difference(at(face.outline[0]), camera_.eye)
                                                         : geometry::vector_of(camera_.forward);
     const int facing = -geometry::sign(geometry::wide_dot(normal, sight));
     if (facing == 0 || (facing < 0 && !sheet)) return;
+    if (cut) return lines(face, normal, body % 2 == 0 ? HatchDirection::cut : HatchDirection::cut_across, 1, number);
     RealVector shaded = geometry::unit(geometry::real_vector(normal));
     if (!result_.scene.surfaces.empty() && !sheet) shaded = result_.scene.surfaces[result_.scene.surface_of[number]].normal;
     double light = geometry::dot(shaded, light_);
     if (facing < 0) light = -light;
     const Tone tone = tone_of(light);
     if (tone == Tone::light) return;
-    lines(face, normal, 0, tone == Tone::fourth ? 4 : tone == Tone::half ? 2 : 1, number);
-    if (tone == Tone::crossed) lines(face, normal, 1, 2, number);
+    lines(face, normal, HatchDirection::along, tone == Tone::fourth ? 4 : tone == Tone::half ? 2 : 1, number);
+    if (tone == Tone::crossed) lines(face, normal, HatchDirection::across, 2, number);
   }
 
   [[nodiscard]] const scene::PolyPoint& at(scene::VertexIndex v) const { return result_.scene.vertices[v]; }
@@ -110,8 +119,9 @@ class Hatcher {
             std::min(family.last, static_cast<std::int64_t>(std::ceil(std::min(high, static_cast<double>(family.last)))))};
   }
 
-  void lines(const scene::PolyFace& face, const geometry::Vector3& normal, std::size_t which, std::int64_t every,
+  void lines(const scene::PolyFace& face, const geometry::Vector3& normal, HatchDirection direction, std::int64_t every,
              std::uint32_t number) {
+    const auto which = static_cast<std::size_t>(direction);
     auto [first, last] = range(face, families_[which]);
     const std::int64_t over = ((first % every) + every) % every;
     if (over != 0) first += every - over;
@@ -122,8 +132,8 @@ class Hatcher {
       if (along.sign == 0) continue;
       bool zero = false;
       for (const auto& [low, high] : scene::cuts_of(result_.scene.vertices, face, cut, along.axis, true, zero)) {
-        if (along.sign > 0) add_line({low.point, high.point}, number, plane, which == 1);
-        else add_line({high.point, low.point}, number, plane, which == 1);
+        if (along.sign > 0) add_line({low.point, high.point}, number, plane, direction);
+        else add_line({high.point, low.point}, number, plane, direction);
       }
       if (result_.lines.edges.size() > most_hatch_lines) return;
     }
@@ -151,7 +161,7 @@ class Hatcher {
     return known->second;
   }
 
-  void add_line(const std::array<scene::CutPoint, 2>& ends, std::uint32_t face, std::uint32_t plane, bool across) {
+  void add_line(const std::array<scene::CutPoint, 2>& ends, std::uint32_t face, std::uint32_t plane, HatchDirection direction) {
     scene::add_crossing(result_.scene, face, face, plane, ends);
     const scene::PolyCrossing& line = result_.scene.crossings.back();
     ChosenEdges& lines = result_.lines;
@@ -160,14 +170,16 @@ class Hatcher {
     lines.turned_away.push_back(0);
     if (!result_.scene.surface_of.empty()) lines.surfaces.push_back(result_.scene.surface_of[face]);
     lines.first_surface.push_back(static_cast<std::uint32_t>(lines.surfaces.size()));
-    result_.across.push_back(across ? 1 : 0);
+    result_.directions.push_back(direction);
   }
 
   const scene::PolyCamera& camera_;
   CameraView view_;
+  bool shade_;
+  std::optional<std::uint32_t> cut_material_;
   std::array<RealVector, 3> axes_;  // normalized
   RealVector light_;
-  std::array<HatchFamily, 2> families_;
+  std::array<HatchFamily, 4> families_;  // by direction
   std::vector<SeenPoint> image_;  // by vertex
   std::map<std::pair<std::size_t, std::int64_t>, std::uint32_t> planes_;  // of lines in use
   Hatching result_;
@@ -270,7 +282,7 @@ base::Result<Hatching> hatch(const scene::PolyScene& scene, const scene::PolyCam
 
 void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> layers, const ImageWindow& window) {
   const auto kind_of = [&](const UnitedLine& line) -> std::string_view { return layers[line.layer].kind; };
-  for (const std::string_view kind : {hatching_kind, cross_hatching_kind}) {
+  for (const std::string_view kind : hatching_kinds) {
     const auto is_hatching = [&](const UnitedLine& line) { return kind_of(line) == kind; };
     // All lines of a kind are parallel: the longest gives the direction.
     Along along;
@@ -287,7 +299,7 @@ void leave_out_hatching_on_lines(UnitedLines& lines, std::span<const LineLayer> 
     along.near = 1e-6 * std::max(window.high[0] - window.low[0], window.high[1] - window.low[1]);
     const auto is_hidden = [&](const UnitedLine& line) { return layers[line.layer].hidden; };
     const auto is_visible_edge = [&](const UnitedLine& line) {
-      return !is_hidden(line) && kind_of(line) != hatching_kind && kind_of(line) != cross_hatching_kind;
+      return !is_hidden(line) && std::find(hatching_kinds.begin(), hatching_kinds.end(), kind_of(line)) == hatching_kinds.end();
     };
     take_out(lines, along, is_hatching, is_visible_edge);
     take_out(lines, along, is_hidden, is_hatching);

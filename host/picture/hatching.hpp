@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,10 @@ struct HatchOptions {
   double angle = 45;                // degrees on the paper, counterclockwise from the horizontal
   double spacing = 1;               // distance of the densest lines, in units of the drawing
   std::array<double, 3> light{};    // towards the light, of any length except 0, in the axes of the scene
+  bool shade = true;                // hatch faces by their light; otherwise only the cut faces of a section
+  // The faces of this material are cut by a section. They have lines at 45 degrees, in every second body at 135 degrees.
+  std::optional<std::uint32_t> cut_material = {};
+  double cut_spacing = 2;           // distance of these lines, in units of the drawing
 };
 
 // The tone of a face: which lines it takes, according to the light that it loses by its direction.
@@ -33,15 +38,17 @@ enum class Tone : std::uint8_t { light, fourth, half, full, crossed };
 // `facing`: the cosine of the angle between the normal, turned to the eye, and the direction of the light.
 [[nodiscard]] Tone tone_of(double facing);
 
+// Lines of one direction are parallel.
+enum class HatchDirection : std::uint8_t { along, across, cut, cut_across };
+
 struct Hatching {
   scene::PolyScene scene;           // the given scene, with the lines appended to its crossings
   ChosenEdges lines;                // all added lines, ascending
-  std::vector<std::uint8_t> across;  // by line: 1 if it belongs to the lines across
+  std::vector<HatchDirection> directions;  // by line
 };
 
-// The layer kinds of the visible parts of these lines.
-inline constexpr std::string_view hatching_kind = "hatching";
-inline constexpr std::string_view cross_hatching_kind = "cross-hatching";
+// The layer kinds of the visible parts of these lines, by direction.
+inline constexpr std::array<std::string_view, 4> hatching_kinds{"hatching", "cross-hatching", "section", "section-across"};
 
 inline constexpr std::size_t most_hatch_lines = 2'000'000;
 

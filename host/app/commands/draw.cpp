@@ -182,6 +182,9 @@ struct DrawLinesArguments {
   double min_length = 0;
   std::string strokes;  // name of a file
   int turntable = 1;
+  std::vector<std::string> views;  // of a sheet
+  bool first_angle = false;
+  std::vector<std::string> section;  // "x=12.5"
   bool go_on = false;
   bool json = false;
   DrawOutput output;
@@ -311,6 +314,36 @@ hidden_lines::Views views_of(const scene::LoadedScene& source, const hidden_line
   return views;
 }
 
+// The planes of --section. What lies between the eye and a plane is taken away. Error usage: no plane, or one that is seen edge on.
+std::vector<scene::SectionPlane> section_planes(const std::vector<std::string>& texts, const scene::PolyScene& scene,
+                                                const scene::PolyCamera& camera) {
+  std::vector<scene::SectionPlane> planes;
+  const std::array<double, 3> eye = scene::file_point(scene, camera.eye);
+  for (const std::string& text : texts) {
+    const auto at = text.size() > 2 && text[1] == '=' ? base::decimal_number(std::string_view(text).substr(2)) : std::nullopt;
+    if (!at || text[0] < 'x' || text[0] > 'z')
+      throw base::usage_error(fmt::format("--section: found \"{}\", expected an axis and a place in the unit of the file, such as x=12.5", text));
+    scene::SectionPlane plane{static_cast<std::size_t>(text[0] - 'x'), *at, true};
+    const double towards = camera.perspective ? *at - eye[plane.axis] : static_cast<double>(camera.forward[plane.axis]);
+    if (towards == 0) {
+      throw base::usage_error(fmt::format("--section: found {}, which this view sees edge on, expected a plane across the view or another "
+                                          "view, such as --view iso", text));
+    }
+    plane.keep_above = towards > 0;
+    planes.push_back(plane);
+  }
+  return planes;
+}
+
+// What is left of a scene behind the planes of --section.
+scene::Section cut_open(const DrawLinesArguments& arguments, const scene::LoadedScene& source) {
+  const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
+  const auto planes = section_planes(arguments.section, source.scene, aimed.camera);
+  scene::PolyImportOptions options;
+  options.eye = arguments.mesh.eye;
+  return value_of(scene::section_of(source, planes, options), source.name);
+}
+
 // Converts the options of the command to options of the views.
 hidden_lines::ViewOptions view_options(const registry::LineAlgorithm& algorithm, const DrawLinesArguments& arguments) {
   hidden_lines::ViewOptions options;
@@ -324,6 +357,80 @@ hidden_lines::ViewOptions view_options(const registry::LineAlgorithm& algorithm,
   options.strokes = !arguments.strokes.empty();
   options.jobs = arguments.jobs;
   return options;
+}
+
+hidden_lines::Side side_of(std::string_view view) {
+  using hidden_lines::Side;
+  constexpr std::array<std::pair<std::string_view, Side>, 6> sides{{{"front", Side::front},
+                                                                    {"back", Side::back},
+                                                                    {"left", Side::left},
+                                                                    {"right", Side::right},
+                                                                    {"top", Side::top},
+                                                                    {"bottom", Side::bottom}}};
+  for (const auto& [name, side] : sides)
+    if (name == view) return side;
+  return Side::free;
+}
+
+// Several views on one sheet of paper.
+ExitCode draw_sheet(const registry::LineAlgorithm& algorithm, const DrawLinesArguments& arguments, const scene::LoadedScene& source,
+                    hidden_lines::ViewOptions options, hidden_lines::Format format) {
+  std::vector<AimedCamera> aimed;
+  std::vector<scene::PolyCamera> cameras;
+  std::vector<hidden_lines::SheetView> views;
+  for (const std::string& name : arguments.views) {
+    CameraArguments camera;
+    camera.view = name;
+    camera.vertical = arguments.camera.vertical;
+    aimed.push_back(aimed_camera_of(camera, source.scene, source.name));
+    cameras.push_back(aimed.back().camera);
+    views.push_back({aimed.back().camera, side_of(name)});
+    if (std::count(arguments.views.begin(), arguments.views.end(), name) > 1)
+      throw base::usage_error(fmt::format("--views: found {} twice, expected each view once", name));
+  }
+  options.field = field_of(arguments, format, std::nullopt, scale_of(arguments.output, source, cameras.front()));
+  const hidden_lines::SheetLayout layout(source.scene, views, options.field, arguments.first_angle);
+  options.field = layout.field();
+  std::optional<Output> file;
+  std::optional<Output> strokes;
+  const std::array outputs{NamedOutput{&arguments.output.file, &file}, NamedOutput{&arguments.strokes, &strokes}};
+  static_cast<void>(open_outputs(outputs, arguments.json, "-: named by --output and --strokes"));
+  const hidden_lines::Views prepared = views_of(source, options, cameras);
+  std::vector<hidden_lines::Drawing> drawings;
+  Json documents = Json::array();
+  std::size_t stroke_count = 0;
+  double length = 0;
+  base::ProgressLine line;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    line.show(fmt::format("view {} of {}", i + 1, views.size()));
+    drawings.push_back(value_of_view(prepared.at(cameras[i])));
+    stroke_count += drawings.back().stroke_count;
+    length += drawings.back().drawn_length;
+    if (!arguments.json) continue;
+    Json document = summary_of(algorithm, arguments.output.file, source, aimed[i], drawings.back());
+    document["view"] = arguments.views[i];
+    documents.push_back(std::move(document));
+  }
+  const picture::VectorDrawing sheet = layout.sheet(drawings);
+  if (!arguments.output.scale.empty()) require_room(sheet, arguments.output);
+  write_drawing(sheet, arguments.output, format, source.name, *file);
+  if (strokes) {
+    std::string lines;
+    for (const hidden_lines::Drawing& drawing : drawings) lines += hidden_lines::json_lines(drawing.strokes, arguments.output.paper.margin);
+    strokes->write(std::string_view(lines));
+    strokes->commit();
+  }
+  if (arguments.json) {
+    print_json(documents);
+    return ExitCode::ok;
+  }
+  const double unit = scene::millimetres(source.report.unit) * source.scene.step;
+  std::string summary = counted(stroke_count, "line");
+  if (format != hidden_lines::Format::png || arguments.output.is_sheet())
+    summary += fmt::format(", {:.3g} m in all, {} views at a scale of {:.4g}:1", length / 1000, views.size(), *options.field.scale / unit);
+  say_written(arguments.output.file, fmt::format("{}, {}", summary, size_text(arguments.output, format)));
+  say_written(arguments.strokes, counted(stroke_count, "line"));
+  return ExitCode::ok;
 }
 
 ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArguments arguments) {
@@ -344,10 +451,18 @@ ExitCode run_draw_lines(const registry::LineAlgorithm& algorithm, DrawLinesArgum
   if (arguments.layers.empty()) arguments.layers = format == hidden_lines::Format::steps ? "none" : "kind";
   hidden_lines::ViewOptions options = view_options(algorithm, arguments);
   arguments.mesh.eye = eye_of(arguments.camera);
-  const scene::LoadedScene source =
+  const scene::LoadedScene whole =
       load_scene(arguments.scene, arguments.mesh, algorithm.draws_crossings ? Wires::keep : Wires::remove);
+  std::optional<scene::Section> section;
+  if (!arguments.section.empty()) {
+    section = cut_open(arguments, whole);
+    options.cut_material = section->cut_material;
+    if (whole.scene.surfaces.empty() && !options.edges.crease) options.edges.crease = 0;
+  }
+  const scene::LoadedScene& source = section ? section->loaded : whole;
   const std::size_t faces = scene::face_count(source.scene);
   reject_long_work(source, algorithm.name, algorithm.mesh_time, arguments.go_on);
+  if (!arguments.views.empty()) return draw_sheet(algorithm, arguments, source, std::move(options), format);
   const AimedCamera aimed = aimed_camera_of(arguments.camera, source.scene, source.name);
   const std::optional<double> extent = image_field(arguments.field, source.scene, aimed.camera);
   options.field = field_of(arguments, format, extent, scale_of(arguments.output, source, aimed.camera));
@@ -429,13 +544,35 @@ void add_draw_lines(const Command& command, const registry::LineAlgorithm& algor
   command.option("SCENE", arguments->scene, scene_help).required();
   add_camera_options(command, arguments->camera);
   add_field_option(command, arguments->field, "everything");
-  command
-      .option("--turntable", arguments->turntable,
-              "Make this many numbered drawings, once around the vertical axis through the middle of the scene")
-      .range(1, 9999)
-      .default_value()
-      .value("N")
-      .group("View");
+  const Option turntable =
+      command
+          .option("--turntable", arguments->turntable,
+                  "Make this many numbered drawings, once around the vertical axis through the middle of the scene")
+          .range(1, 9999)
+          .default_value()
+          .value("N")
+          .group("View");
+  if (algorithm.draws_crossings) {
+    const Option views =
+        command
+            .option("--views", arguments->views,
+                    "Draw several views, as --view names them, on one sheet at one scale in third-angle projection: front,top,right,iso")
+            .separated_by(',')
+            .value("NAME,...")
+            .group("View")
+            .excludes(turntable);
+    for (const char* other : {"--view", "--eye", "--look-at", "--orthographic", "--up", "--forward", "--right", "--perspective", "--field"})
+      views.excludes(command.added(other));
+    command.flag("--first-angle", arguments->first_angle, "Arrange the views of --views in first-angle projection").needs(views).group("View");
+    command
+        .option("--section", arguments->section,
+                "Remove the part of the scene in front of this plane, in the unit of the file, and hatch the cut faces")
+        .separated_by(',')
+        .value("x=X,...")
+        .group("View")
+        .excludes(turntable)
+        .excludes(views);
+  }
   add_edge_options(command, arguments->edges);
   const Option hidden =
       command.flag("--hidden", arguments->hidden, "Draw hidden lines, dashed, in a separate layer").group("Edges");

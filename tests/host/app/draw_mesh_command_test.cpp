@@ -408,6 +408,50 @@ TEST_F(DrawMesh, AScaleThatDoesNotFitNamesThePaper) {
   EXPECT_TRUE(has(read("a.plt"), "PU0,549;\nPD0,7173,11040,7173,11040,549,0,549;")) << read("a.plt");
 }
 
+// 10 x 6 x 4 units, 100 x 60 x 40 mm.
+TEST_F(DrawMesh, SeveralViewsShareASheet) {
+  write("box.obj", box);
+  expect_ok({"draw", "exact", "box.obj", "--views", "front,top,right", "--scale", "10:1", "--size", "A4", "--landscape", "-o", "a.svg"});
+  // 150 x 110 mm with the gaps, in the middle of 297 x 210: the view from the front at 73.5 .. 173.5 and 100 .. 160 from the top.
+  for (const char* part : {"M73.5 100l100 0 0 60-100 0 0-60", "M173.5 90l-100 0 0-40 100 0 0 40", "M183.5 100l40 0 0 60-40 0 0-60"}) EXPECT_TRUE(has(read("a.svg"), part)) << part << read("a.svg");
+  expect_ok({"draw", "exact", "box.obj", "--views", "front,top,right", "--first-angle", "--scale", "10:1", "--size", "A4", "--landscape", "-o", "b.svg"});
+  // From the front at 123.5 .. 223.5 and 50 .. 110, from above below that, from the right to the left.
+  for (const char* part : {"M123.5 110l0-60 100 0 0 60-100 0", "M123.5 120l100 0 0 40-100 0 0-40", "M113.5 110l-40 0 0-60 40 0 0 60"}) EXPECT_TRUE(has(read("b.svg"), part)) << part << read("b.svg");
+  const auto refused = [&](std::vector<std::string> more, std::string_view expected) {
+    std::vector<std::string> all{"draw", "exact", "box.obj", "-o", "x.svg"};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto ran = sightline(all);
+    EXPECT_EQ(ran.exit_code, 2) << ran.err;
+    EXPECT_TRUE(has(ran.err, expected)) << ran.err;
+  };
+  refused({"--views", "front,above"}, "found \"above\", expected front, back");
+  refused({"--views", "front,front"}, "found front twice");
+  refused({"--views", "front,top", "--view", "iso"}, "--view");
+  refused({"--views", "front,top", "--turntable", "3"}, "--turntable");
+  refused({"--views", "front,top", "--section", "x=1"}, "--section");
+  refused({"--first-angle"}, "--views");
+  refused({"--views", "front,right", "--scale", "20:1"}, "found a drawing of 290.0x120.0 mm");
+}
+
+TEST_F(DrawMesh, ASectionTakesAwayWhatIsBeforeThePlane) {
+  write("box.obj", box);
+  // From the front the box's 10 x 6 units remain at z = 1, from the right side 2.5 of its 10 units in x are gone.
+  for (const auto& [section, view, drawn] : {std::array{"z=1", "front", "M10 154l"}, {"x=2.5", "top", ""}}) {
+    const auto ran = sightline({"draw", "exact", "box.obj", "--view", view, "--section", section, "--json", "-o", "a.svg"});
+    EXPECT_EQ(ran.exit_code, *drawn == 0 ? 2 : 0) << ran.err;
+    if (*drawn == 0) EXPECT_TRUE(has(ran.err, "which this view sees edge on")) << ran.err;
+    else EXPECT_TRUE(has(read("a.svg"), "section")) << read("a.svg");
+  }
+  for (const char* wrong : {"x", "w=1", "x=", "x=a", "x=nan", "x=1e999"}) {
+    const auto ran = sightline({"draw", "exact", "box.obj", "--section", wrong, "-o", "b.svg"});
+    EXPECT_EQ(ran.exit_code, 2) << wrong << ran.err;
+    EXPECT_TRUE(has(ran.err, "expected an axis and a place in the unit of the file, such as x=12.5")) << ran.err;
+  }
+  const auto nothing = sightline({"draw", "exact", "box.obj", "--view", "front", "--section", "z=-100", "-o", "b.svg"});
+  EXPECT_EQ(nothing.exit_code, 4) << nothing.err;
+  EXPECT_TRUE(has(nothing.err, "nothing behind the planes of the section")) << nothing.err;
+}
+
 // A side of 20 x 40 units of the file, of which 60 are across the paper's 180 mm; its coordinates are multiples of 0.1.
 TEST_F(DrawMesh, TheFieldIsInTheUnitOfTheFile) {
   write("half.obj", "v 0.5 0.5 0.5\nv 20.5 0.5 0.5\nv 20.5 40.5 0.5\nv 0.5 40.5 0.5\nv 0.5 0.5 10.5\nv 20.5 0.5 10.5\nv 20.5 40.5 10.5\n"

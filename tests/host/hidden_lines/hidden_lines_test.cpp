@@ -53,6 +53,103 @@ TEST(HiddenLines, OfACubeInMemoryNineEdgesAreSeenAndThreeHidden) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 12);
 }
 
+// A box of 10 x 6 x 4, whose sides differ.
+scene::PolyMesh box() {
+  scene::PolyMesh mesh = cube();
+  mesh.source = "box";
+  for (auto& vertex : mesh.vertices) {
+    vertex[1] *= 0.6;
+    vertex[2] *= 0.4;
+  }
+  return mesh;
+}
+
+// The lowest and the highest place of what is drawn.
+std::array<std::array<double, 2>, 2> extent_of(const std::vector<Stroke>& strokes) {
+  std::array<std::array<double, 2>, 2> extent{{{1e9, 1e9}, {-1e9, -1e9}}};
+  for (const Stroke& stroke : strokes) {
+    for (const auto& end : {stroke.from, stroke.to}) {
+      for (std::size_t a = 0; a < 2; ++a) {
+        extent[0][a] = std::min(extent[0][a], end[a]);
+        extent[1][a] = std::max(extent[1][a], end[a]);
+      }
+    }
+  }
+  return extent;
+}
+
+// x to the right, y upwards, z towards the eye of the view from the front.
+TEST(HiddenLines, ASheetHasItsViewsAlignedAtOneScale) {
+  const auto scene = load(box());
+  ASSERT_TRUE(scene) << scene.error().message();
+  const std::array views{SheetView{{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}}, Side::front},
+                         SheetView{{false, {}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}}, Side::top},
+                         SheetView{{false, {}, {-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, Side::right}};
+  for (const bool first_angle : {false, true}) {
+    ViewOptions options;
+    options.strokes = true;
+    options.field.width = 300;
+    options.field.height = 200;
+    const SheetLayout layout(scene->scene, views, options.field, first_angle, 20);
+    options.field = layout.field();
+    // 10 + 4 units and a gap are as wide as the field, 6 + 4 and a gap would be 240 at the same scale.
+    const double scale = std::min(280.0 / 14, 180.0 / 10);
+    ASSERT_DOUBLE_EQ(*options.field.scale * 1 / scene->scene.step, scale);
+    const auto prepared = Views::of(*scene, options);
+    ASSERT_TRUE(prepared) << prepared.error().message();
+    std::vector<Drawing> drawings;
+    for (const SheetView& view : views) drawings.push_back(*prepared->at(view.camera));
+    const picture::VectorDrawing sheet = layout.sheet(drawings);
+    EXPECT_EQ(sheet.width, 300);
+    EXPECT_EQ(sheet.height, 200);
+    EXPECT_EQ(sheet.lines.size(), drawings[0].picture.lines.size() + drawings[1].picture.lines.size() + drawings[2].picture.lines.size());
+    const auto front = extent_of(drawings[0].strokes);
+    const auto top = extent_of(drawings[1].strokes);
+    const auto right = extent_of(drawings[2].strokes);
+    EXPECT_NEAR(front[1][0] - front[0][0], 10 * scale, 1e-9);
+    EXPECT_NEAR(front[1][1] - front[0][1], 6 * scale, 1e-9);
+    EXPECT_NEAR(top[1][1] - top[0][1], 4 * scale, 1e-9);
+    EXPECT_NEAR(right[1][0] - right[0][0], 4 * scale, 1e-9);
+    for (std::size_t end = 0; end < 2; ++end) {
+      EXPECT_NEAR(top[end][0], front[end][0], 1e-9) << "one above the other";
+      EXPECT_NEAR(right[end][1], front[end][1], 1e-9) << "side by side";
+    }
+    if (first_angle) {
+      EXPECT_NEAR(front[0][1] - top[1][1], 20, 1e-9);
+      EXPECT_NEAR(front[0][0] - right[1][0], 20, 1e-9);
+    } else {
+      EXPECT_NEAR(top[0][1] - front[1][1], 20, 1e-9);
+      EXPECT_NEAR(right[0][0] - front[1][0], 20, 1e-9);
+    }
+    // Its files have what the strokes say.
+    double least = 1e9;
+    for (const picture::DrawingPoint& point : sheet.points) least = std::min(least, double{point.x});
+    EXPECT_NEAR(least, std::min(front[0][0], right[0][0]), 1e-4);
+  }
+}
+
+TEST(HiddenLines, ACutIsHatchedAtADistanceOnThePaper) {
+  const auto scene = load(box());
+  ASSERT_TRUE(scene);
+  const scene::SectionPlane plane{2, 2, false};
+  const auto section = scene::section_of(*scene, {&plane, 1});
+  ASSERT_TRUE(section) << section.error().message();
+  ViewOptions options;
+  options.strokes = true;
+  options.field = {100, 100, {}};
+  options.cut_material = section->cut_material;
+  const auto drawing = view(section->loaded, Camera{false, {}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}}, options);
+  ASSERT_TRUE(drawing) << drawing.error().message();
+  // 10 x 6 units at 10 mm a unit: lines at 45 degrees that are 2 mm apart meet the diagonal across them every 2 mm.
+  std::size_t lines = 0;
+  for (const Stroke& stroke : drawing->strokes) {
+    if (stroke.layer != "section") continue;
+    ++lines;
+    EXPECT_NEAR(stroke.to[0] - stroke.from[0], stroke.to[1] - stroke.from[1], 1e-6);
+  }
+  EXPECT_NEAR(static_cast<double>(lines), (100 + 60) / std::sqrt(2.0) / 2, 2);
+}
+
 TEST(HiddenLines, ViewsOfOnePreparationAreTheViewsOfEach) {
   const auto scene = load("house");
   ASSERT_TRUE(scene) << scene.error().message();

@@ -162,7 +162,7 @@ TEST(LineDrawing, ShortLinesAreLeftOutUnlessTheyCloseAGap) {
 
 // Edges first, then hatching, then hidden lines; all but for rounding.
 TEST(Hatching, LeavesOutWhatLiesOnEdgesAndHidesDashes) {
-  const std::array layers{LineLayer{"crease", {}, {}, "crease"}, LineLayer{"hatching", {}, {}, std::string(hatching_kind)},
+  const std::array layers{LineLayer{"crease", {}, {}, "crease"}, LineLayer{"hatching", {}, {}, std::string(hatching_kinds[0])},
                           hidden_layer({}, "crease")};
   UnitedLines lines;
   lines.lines = {{{0, 5, 1}, {4, 5, 1}, 0}, {{0, 5 + 1e-9, 1}, {10, 5 + 1e-9, 1}, 1}, {{6, 5, 1}, {12, 5, 1}, 2}, {{6, 5, 1}, {6, 9, 1}, 2}};

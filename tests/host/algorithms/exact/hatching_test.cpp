@@ -142,7 +142,7 @@ TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
       const auto strokes = picture::strokes_in(united, {&layer, 1}, made.window, field);
       const picture::VectorDrawing drawing = picture::line_drawing(strokes, {&layer, 1}, made.window, field);
       if (drawing.points.size() != 2) continue;  // outside of the window
-      const double angle = (degrees + (made.hatching.across[l] != 0 ? 90 : 0)) * std::numbers::pi / 180;
+      const double angle = (degrees + (made.hatching.directions[l] == picture::HatchDirection::across ? 90 : 0)) * std::numbers::pi / 180;
       for (const picture::DrawingPoint& p : drawing.points) {
         const double at = (-std::sin(angle) * p.x + std::cos(angle) * p.y) / options.spacing;
         EXPECT_NEAR(at, std::round(at), 1e-4);  // coordinates of the drawing are in single precision
