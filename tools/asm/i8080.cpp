@@ -27,7 +27,7 @@ void enter_defines(I8080Program& program, const I8080Options& options) {
 }
 
 void lay_out(I8080Program& program, const I8080Options& options, std::size_t sources, int& number) {
-  // Enough for chains of EQUs that refer forward; a longer one is refused as not settling.
+  // Enough for chains of EQUs that refer forward. A longer chain is an error.
   constexpr int most_layout_passes = 16;
   std::size_t unknown = 0;
   program.modules.resize(sources);

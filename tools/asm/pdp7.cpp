@@ -40,7 +40,7 @@ void enter_permanent_symbols(SymbolTable& symbols) {
   enter(symbols, "i", pdp7::indirect_bit, Form::indirect, SymbolKind::permanent);
 }
 
-// What must not change any more before words can be made.
+// Everything that must be the same in two successive passes before words are made.
 auto layout(const Pdp7Program& program) {
   std::map<std::string, std::optional<std::uint32_t>> values;
   for (const auto& [key, symbol] : program.symbols) values.emplace(key, symbol.value);
@@ -151,7 +151,7 @@ Assembly assemble_pdp7(std::span<const SourceFile> sources, const Options& optio
     }
   };
   begin();
-  // Enough for a chain of forward references in literals that move one another; what takes longer does not settle.
+  // Enough for a chain of forward references in literals that move each other. A longer chain is an error.
   constexpr int most_layout_passes = 12;
   int pass = 0;
   const auto read = [&](bool final = false) {

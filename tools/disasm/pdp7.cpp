@@ -35,7 +35,7 @@ std::uint32_t class_bits(Class c) {
   return c == Class::opr ? 0740000U : c == Class::eae ? 0640000U : 0700000U;
 }
 
-// True if `name` says something that is part of `word` and nothing that changes the sense of the rest.
+// True if `name` is part of `word` and does not change the meaning of the other bits.
 bool part_of(std::uint32_t name, std::uint32_t word, Class c) {
   if ((name & ~word) != 0) return false;
   if (c != Class::opr) return true;
@@ -43,14 +43,14 @@ bool part_of(std::uint32_t name, std::uint32_t word, Class c) {
   return (name & rotates) == 0 || ((name ^ word) & rotate_twice) == 0;
 }
 
-// Skips first, HLT last, as the machine acts; the rest from the high bits down.
+// Skips first and HLT last, in the order in which the machine acts; the others from the high bits down.
 std::uint32_t place_in_line(std::uint32_t name, Class c) {
   if (c != Class::opr) return name;
   const std::uint32_t bits = name & ~class_bits(c);
   return (bits & skips) != 0 ? 0100000U + bits : bits == halt ? 0U : bits;
 }
 
-// The fewest names whose OR is the word, found by taking the one that adds most bits each time.
+// The fewest names whose OR is the word: each step takes the name that adds most bits.
 std::vector<const Microinstruction*> names_of(std::uint32_t word, Class c) {
   std::vector<const Microinstruction*> names;
   for (std::uint32_t covered = class_bits(c); covered != word;) {
@@ -92,8 +92,7 @@ std::optional<std::string> exact_name(std::uint32_t word) {
   return std::nullopt;
 }
 
-// Multiply, divide and normalise have their usual count in the name: mul-11 is a multiplication of nine
-// steps.
+// The names of multiply, divide and normalise include their usual step count: mul-11 is a multiplication of nine steps.
 std::optional<std::string> changed_count(std::uint32_t word) {
   for (const Microinstruction& micro : pdp7::microinstructions) {
     if ((micro.value & step_count_mask) == 0 || (micro.value & command_mask) == 0) continue;
@@ -134,7 +133,7 @@ bool alphanumeric(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
 
-// An instruction of DEC's language with its octal numbers as `as` reads them, with a leading 0.
+// Puts a leading 0 before the octal numbers of an instruction in DEC's language, as `as` expects.
 std::string with_leading_zeros(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size(); ++at) {

@@ -16,7 +16,7 @@ bool printing(std::uint8_t byte) {
 
 enum class End { none, proper, early };
 
-// Whether the first word with hole 7 is also the last of its block, and the line of the hole the third.
+// Whether the first word with hole 7 is also the last of its block, and whether the hole is in its third line.
 End hole7_ends_a_block(std::span<const std::uint8_t> tape) {
   std::size_t line_of_word = 0;
   bool early = false;

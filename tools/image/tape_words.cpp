@@ -9,9 +9,8 @@ base::Error TapeReader::error(std::size_t byte, std::string found, std::string e
                      std::move(expected)};
 }
 
-// Before the first word anything without hole 8 is leader (some tapes have their name punched there in
-// readable shapes); after it only blank feed is, so that a hole 8 that was lost does not shift all the words
-// that follow.
+// Before the first word any line without hole 8 is leader (some tapes have their name punched there in readable shapes).
+// After it only blank feed is skipped, so that one lost hole 8 does not shift all words that follow.
 std::optional<base::Error> TapeReader::skip_feed(std::string_view expected) {
   for (; at_ < tape_.size() && (tape_[at_] & hole8) == 0; ++at_) {
     if (in_data_ && tape_[at_] != 0) {

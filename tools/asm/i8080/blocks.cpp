@@ -1,5 +1,4 @@
-// Directives that enclose lines: conditionals, macros, repeats. A body is kept as text, each line with its
-// place.
+// Directives that enclose lines: conditionals, macros, repeats. A body is kept as text with the position of each line.
 #include <algorithm>
 #include <utility>
 
@@ -15,13 +14,13 @@ bool opens_definition(Directive directive) {
          directive == Directive::irpc;
 }
 
-// `;;` begins a comment that does not come along into expansions.
+// `;;` begins a comment that is not copied into expansions.
 std::string_view without_private_comment(std::string_view text) {
   const std::size_t at = start_of_comment(text, 0);
   return text.substr(at).starts_with(";;") ? text.substr(0, at) : text;
 }
 
-// As it is read again: a first digit above 9 has a 0 before it.
+// In the radix, with a leading 0 if the first digit is above 9, so that it can be read again.
 std::string in_radix(unsigned value, unsigned radix) {
   std::string digits;
   do {
@@ -58,10 +57,10 @@ void I8080Pass::conditional(Directive directive, const Head& head) {
   conditionals_.push_back(opened);
 }
 
-// A condition with an error in it is false.
+// A condition with an error is false.
 bool I8080Pass::condition(Directive directive) {
   if (directive == Directive::if_first_pass || directive == Directive::if_second_pass) {
-    // The passes that lay the program out are the first, the one that makes the bytes is the second.
+    // IF1 is true in the layout passes, IF2 in the pass that makes the bytes.
     return expect_end() && final_ == (directive == Directive::if_second_pass);
   }
   if (directive == Directive::if_ || directive == Directive::if_zero) {
@@ -164,7 +163,7 @@ void I8080Pass::repeat(Directive directive) {
     if (directive == Directive::irpc) {
       for (const char c : text) definition.rows.push_back({std::string(1, c)});
     } else {
-      // Without brackets the arguments are the list themselves.
+      // Without brackets the arguments themselves are the list.
       if (given.list.size() < 2) given = split_arguments(text, 0, rules_);
       for (const Argument& argument : given.list) definition.rows.push_back({argument.text});
     }
@@ -202,7 +201,7 @@ void I8080Pass::collect() {
   collect_line();
 }
 
-// A statement behind `!` is set off from column 1, where it did not stand.
+// A statement after `!` is indented, because it did not begin in column 1.
 void I8080Pass::collect_line() {
   const std::string indent = statement_.begins_line ? "" : " ";
   Position at = place(0);

@@ -1,5 +1,4 @@
-// Directives of a single statement: data, location, symbols, files. Those that enclose lines are in
-// i8080_blocks.
+// Directives of a single statement: data, location, symbols, files. i8080/blocks.cpp has those that enclose lines.
 #include <algorithm>
 #include <utility>
 
@@ -90,7 +89,7 @@ void I8080Pass::data_bytes(bool mark_last) {
   expect_end();
 }
 
-// A string alone between commas is data; one that is part of an expression is not.
+// A string alone between commas is data; a string in an expression is not.
 bool I8080Pass::data_string(bool mark_last) {
   if (token_.kind != I8080TokenKind::string) return false;
   const I8080Token after = I8080Lexer(lexer_).next();
@@ -116,7 +115,7 @@ void I8080Pass::data_words() {
   expect_end();
 }
 
-// Without a fill byte the bytes are not given at all: they do not appear in a HEX file.
+// Without a fill byte the bytes stay undefined: they do not appear in a HEX file.
 void I8080Pass::space() {
   const std::size_t at = token_.column;
   const auto size = settled("a size");
@@ -148,7 +147,7 @@ void I8080Pass::origin() {
   if (!address || !expect_end()) return;
   if (phase_ != 0) return error(0, "ORG", ".DEPHASE before it");
   leave_common();
-  // Other segments may go on where this one was.
+  // Other segments may continue at the location of this one.
   const std::size_t counter = counter_of_[segment_];
   counters_[counter] = location_;
   const bool shared = std::any_of(counter_of_.begin(), counter_of_.end(), [&](const auto& each) {
@@ -204,7 +203,7 @@ void I8080Pass::include(bool library) {
   error(at, quoted(name) + ", which cannot be read", "a file beside " + including);
 }
 
-// Where the file is among those read; empty if it cannot be. Each is read once for all passes.
+// The index of the file among those read; nothing if it cannot be read. Each file is read once for all passes.
 std::optional<std::size_t> I8080Pass::read_included(const std::string& path) {
   const auto known = program_.included.find(path);
   if (known != program_.included.end()) return known->second;
@@ -223,7 +222,7 @@ void I8080Pass::externals() {
     share(name);
     I8080Entry& entry = program_.symbols[name];
     if (entry.name.empty()) entry.name = name;
-    entry.external = true;  // of another source of this program, or never used
+    entry.external = true;  // defined in another source of this program, or never used
   }
 }
 
@@ -237,7 +236,7 @@ void I8080Pass::publics() {
   }
 }
 
-// .RADIX n: its own number is decimal.
+// .RADIX n: n itself is decimal.
 void I8080Pass::radix() {
   const std::size_t at = std::min(token_.column, statement_.text.size());
   lexer_ = I8080Lexer(statement_.text, at, rules_);
@@ -249,7 +248,7 @@ void I8080Pass::radix() {
   expect_end();
 }
 
-// .PHASE address: labels and `$` have the values of a program there, the bytes stay where they are.
+// .PHASE address: labels and `$` have the values of a program at that address; the bytes stay where they are.
 void I8080Pass::phase(const Head& head) {
   if (head.operation == ".dephase") {
     phase_ = 0;
@@ -261,7 +260,7 @@ void I8080Pass::phase(const Head& head) {
   phase_ = (std::uint32_t{*address} - location_) & 0xFFFFU;
 }
 
-// .COMMENT *...*: the first sign ends it when it comes again.
+// .COMMENT *...*: the comment ends at the second occurrence of its first character.
 void I8080Pass::comment(const Head& head) {
   const std::string_view text = statement_.text;
   const std::size_t at = skip_blanks(text, head.operands);
@@ -271,7 +270,7 @@ void I8080Pass::comment(const Head& head) {
   comment_begun_ = place(head.operation_at);
 }
 
-// COMMON /NAME/: the bytes behind it, to the next segment, lie where those of the first block of the name do.
+// COMMON /NAME/: the bytes up to the next segment share the addresses of the first block of that name.
 void I8080Pass::common() {
   leave_common();
   std::string_view text = statement_.text.substr(std::min(token_.column, statement_.text.size()));

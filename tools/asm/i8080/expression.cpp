@@ -1,5 +1,4 @@
-// Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits,
-// unsigned.
+// Expressions, by Intel's precedence (8080/8085 Assembly Language Programming Manual, chapter 2): 16 bits, unsigned.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -13,7 +12,7 @@ namespace {
 constexpr std::uint32_t word_mask = 0xFFFF;
 constexpr int deepest_nesting = 100;
 
-// Loosest first. NOT is between AND and the relations and has one operand.
+// Lowest precedence first. NOT is between AND and the relations and has one operand.
 constexpr int not_level = 2;
 constexpr int relation_level = 3;
 constexpr int sum_level = 4;
@@ -37,11 +36,11 @@ int precedence(Operator operation) {
     case Operator::mod:
     case Operator::shl:
     case Operator::shr: return tightest_level;
-    default: return -1;  // these precede their operand
+    default: return -1;  // prefix operators
   }
 }
 
-// MACRO-80 divides amounts; both results have the sign of the quotient.
+// MACRO-80 divides absolute values; both results have the sign of the quotient.
 std::uint32_t signed_result_of(Operator operation, std::uint32_t a, std::uint32_t b) {
   const auto amount = [](std::uint32_t value) { return (value & 0x8000U) != 0 ? (0U - value) & word_mask : value; };
   const std::uint32_t result = operation == Operator::divide ? amount(a) / amount(b) : amount(a) % amount(b);
@@ -144,7 +143,7 @@ bool I8080Pass::go_deeper() {
   return false;
 }
 
-// An operator before its operand, which reaches as far as operators of its level and tighter.
+// A prefix operator; its operand includes infix operators of its level and above.
 std::optional<I8080Value> I8080Pass::prefix(Operator operation, int operand_level) {
   if (!go_deeper()) return std::nullopt;
   advance();
@@ -237,7 +236,7 @@ std::optional<I8080Value> I8080Pass::primary() {
   return std::nullopt;
 }
 
-// A label may have the name of an instruction, a register or an operator between operands; null: there is none.
+// A label may have the name of an instruction, a register or an infix operator. Null if there is no such label.
 const I8080Entry* I8080Pass::label_of(const std::string& key) const {
   const auto found = program_.symbols.find(scoped(key));
   const bool defined = found != program_.symbols.end() && found->second.defined_in_pass != 0;

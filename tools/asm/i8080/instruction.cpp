@@ -1,5 +1,4 @@
-// Instructions: the operands a mnemonic takes, and which of its rows they choose, come from the instruction
-// table.
+// Instructions: the instruction table gives the operands of a mnemonic and the rows that they select.
 #include <array>
 
 #include "tools/asm/i8080/pass.hpp"
@@ -63,7 +62,7 @@ std::optional<std::uint8_t> opcode_of(const Mnemonic& rows, const Codes& codes) 
   return std::nullopt;
 }
 
-// SP and PSW are both 6 and so is M: which of them was meant shows only by name.
+// SP, PSW and M all have code 6: only the name shows which was meant.
 bool wrong_name(Operand operand, std::string_view name) {
   if (is_register(operand)) return name == "sp" || name == "psw";
   if (operand == Operand::pair) return name == "psw" || name == "m";
@@ -87,7 +86,7 @@ std::optional<std::uint8_t> code_of(Operand operand, std::uint32_t value) {
 
 }  // namespace
 
-// An operand that lies in the opcode.
+// An operand that is part of the opcode.
 std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
   const I8080Token first = token_;
   const I8080Token after = I8080Lexer(lexer_).next();
@@ -103,7 +102,7 @@ std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
       return code;
     }
   }
-  // A register, even where a label has its name.
+  // The name means the register even if a label has the same name.
   const Word* const named = alone ? word(first.value, WordKind::register_name) : nullptr;
   std::optional<I8080Value> value;
   if (named != nullptr) {
@@ -147,7 +146,7 @@ void I8080Pass::instruction(const Mnemonic& rows) {
   for (int i = 1; i < form.bytes(); ++i, data >>= 8) emit(static_cast<std::uint8_t>(data));
 }
 
-// An instruction as a value: its opcode. Operands that lie in the opcode may be left out from the right.
+// An instruction as a value: its opcode. Trailing operands that are part of the opcode may be omitted.
 std::optional<std::uint8_t> I8080Pass::opcode_value(const Mnemonic& rows) {
   const std::size_t at = token_.column;
   const Instruction& form = *rows.front();

@@ -11,8 +11,8 @@ namespace {
 
 using image::hexadecimal;
 
-constexpr std::size_t most_errors = 1000;       // and as many warnings
-constexpr std::size_t characters_a_line = 256;  // a longer line counts as several against the limit
+constexpr std::size_t most_errors = 1000;       // the same limit for warnings
+constexpr std::size_t characters_a_line = 256;  // a longer line counts as several lines in the limit
 constexpr std::size_t most_places_shown = 3;    // of nested expansions
 
 std::string local_name(std::size_t number) {
@@ -21,7 +21,7 @@ std::string local_name(std::size_t number) {
   return "??" + digits;
 }
 
-// Those that stand before their operand: a label of that name could not be told from it.
+// Prefix operators: a label of that name could not be distinguished from the operator.
 bool is_prefix(Operator operation) {
   return operation == Operator::not_ || operation == Operator::high || operation == Operator::low || operation == Operator::nul;
 }
@@ -103,7 +103,7 @@ void I8080Pass::end_of_frame() {
 
 // Symbols
 
-// No name has a line break.
+// The separator is a line break, which no name contains.
 std::string I8080Pass::scoped(const std::string& name) const {
   if (!program_.modules_known) return name;
   const I8080Module& module = program_.modules[source_];
@@ -119,7 +119,7 @@ void I8080Pass::share(const std::string& name) {
   module.shared.insert(name);
 }
 
-// What would let a name that is not known here be that of another source; empty if none has it.
+// The declaration that would make an unknown name known from another source; empty if no source defines it.
 std::string I8080Pass::where_else(const std::string& name) const {
   if (!program_.modules_known) return {};
   const bool declares = program_.modules[source_].declares && !program_.modules[source_].shared.contains(name);
@@ -211,7 +211,7 @@ void I8080Pass::emit(std::uint8_t byte) {
   bytes_.push_back(byte);
 }
 
-// `frame` is the one the statement came from: it may have opened another.
+// `frame` is the frame of the statement, which may have pushed another.
 void I8080Pass::end_statement(I8080Frame& frame) {
   if (!final_ || !frame.row || (bytes_.empty() && (!shown_value_ || frame.row_filled))) return;
   std::size_t shown = 0;
@@ -282,7 +282,7 @@ void I8080Pass::warning(std::size_t at, std::string found, std::string expected)
   if (final_) say(Severity::warning, place(at), std::move(found), std::move(expected));
 }
 
-// Inside an expansion the place is that of the macro's text; the place of the call follows.
+// Inside an expansion the position is in the macro's text, and the position of the call follows it.
 std::string I8080Pass::where_from() const {
   std::string text;
   std::size_t shown = 0;

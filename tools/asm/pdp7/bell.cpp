@@ -68,7 +68,7 @@ std::string_view BellPass::take_name() {
   return text_.substr(start, at_ - start);
 }
 
-// What stands here, as a message shows it; with the dialect to which it belongs, if that is DEC's.
+// What the message shows as found here; names --dialect dec if the construct belongs to it.
 std::string BellPass::found() const {
   if (at_ >= text_.size()) return "the end of the file";
   const char c = text_[at_];
@@ -218,7 +218,7 @@ void BellPass::assign(std::string_view name, const Position& at) {
     error(at, shown_name(name) + " with another value than in the pass before",
           "a definition that does not depend on itself");
   }
-  // A source that repeats the machine's own value leaves it the name of an instruction.
+  // A source may define an instruction again with the same value; it stays an instruction.
   const bool known_instruction = same || (symbol.form != 0 && symbol.form != relocatable_form &&
                                           !symbol.was_permanent && symbol.value == value->value);
   if (first) symbol.defined = at;

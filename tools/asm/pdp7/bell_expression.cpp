@@ -27,7 +27,7 @@ std::string shown_name(std::string_view name) {
   return "'" + std::string(name.substr(0, most)) + (name.size() > most ? "...'" : "'");
 }
 
-// Letters in the sense of as.s (lactab, class 6).
+// A letter by the character classes of as.s (lactab, class 6).
 bool bell_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '*';
 }
@@ -108,7 +108,7 @@ std::optional<BellPass::Number> BellPass::character() {
     return std::nullopt;
   }
   advance(2);
-  character_before_ = left;  // what follows <a needs no blank before it
+  character_before_ = left;  // an operand after <a needs no blank before it
   return Number{left ? code_of(c) << left_half : code_of(c), 0, true};
 }
 
@@ -145,7 +145,7 @@ std::optional<BellPass::Number> BellPass::number() {
   return Number{n, 0, true};
 }
 
-// A forward one is taken from the pass before: the definition behind as many as this pass has met.
+// A forward reference takes its value from the pass before: the next definition after those that this pass has read.
 std::optional<BellPass::Number> BellPass::relative_label(const Position& at, std::size_t digit,
                                                          bool forward) {
   const auto& met = relative_[digit];
@@ -195,7 +195,7 @@ std::optional<BellPass::Number> BellPass::symbol(std::string_view name, const Po
   return Number{*found.value, found.form == relocatable_form ? 1 : 0, true};
 }
 
-// With what the writer may have meant: another dialect's word, or another case.
+// The message suggests what the writer may have meant: a word of the other dialect, or the other case.
 void BellPass::undefined(std::string_view name, const Position& at) {
   const std::string shown = shown_name(name);
   if (peek() == ',') return error(at, shown + ", a tag of --dialect dec", "a label, with ':' behind the name");

@@ -7,10 +7,10 @@
 namespace sightline::assembler {
 namespace {
 
-constexpr int deepest_literal = 16;  // a literal in a literal in ...: more is a source gone wrong
+constexpr int deepest_literal = 16;  // literals inside literals; deeper nesting is an error in the source
 constexpr std::string_view a_term = "a number, a name, '.' or '('";
 
-// The dialect to which an undefined name belongs, as far as one can tell.
+// The dialect that an undefined name suggests, as text for the message.
 std::string dialect_of(std::string_view name) {
   const std::string lower = lower_case(name.substr(0, 6));
   if (lower == "sys") return ", a system call of --dialect bell";
@@ -125,7 +125,7 @@ std::optional<Value> Pdp7Pass::symbol() {
   if (marked) mark_variable(found, name);
   if (found.kind == SymbolKind::undefined) {
     const bool external = program_.externals.contains(program_.symbols.key(name.text)) && !is_own(name.text);
-    if (!options_.undefined_are_variables && !external) {  // an external one is reported where it is declared
+    if (!options_.undefined_are_variables && !external) {  // an undeclared external is reported at its declaration
       error(name.at, "undefined symbol " + describe(name) + dialect_of(name.text),
             "a tag, an assignment, or #" + std::string(name.text));
     }

@@ -85,7 +85,7 @@ void Pdp7Pass::skip_statement() {
   while (!at_end_of_statement()) advance();
 }
 
-// What may stand between statements: an end of line, `;`, or `>` of an open conditional.
+// Statements are separated by the end of a line, `;`, or the `>` of an open conditional.
 void Pdp7Pass::end_statement() {
   if (!at_end_of_statement()) {
     error(token_.at, found_here(), "an operator or the end of the statement");
@@ -133,7 +133,7 @@ void Pdp7Pass::statement() {
       const auto address = address_of(*value, at, "a '/' straight after the word",
                                       " (a comment needs a blank before its '/')");
       location_ = address.value_or(location_);
-      if (value->known && !address) lexer_.skip_line();  // it was meant as a comment
+      if (value->known && !address) lexer_.skip_line();  // the `/` was meant to begin a comment
       location_by_origin_ = true;
     }
     advance();
@@ -270,7 +270,7 @@ std::string Pdp7Pass::found_here() const {
   return shown;
 }
 
-// Names of the machine and of -D are those of all sources.
+// Symbols of the machine and of -D are common to all sources.
 bool Pdp7Pass::is_own(std::string_view name) {
   if (!program_.modules_known || !program_.modules[source_].declares) return false;
   if (program_.modules[source_].shared.contains(program_.symbols.key(name))) return false;
