@@ -47,7 +47,7 @@ void lay_out(I8080Program& program, const I8080Options& options, std::size_t sou
     unknown = program.unknown_equates;
     I8080Pass(options, program, number++, false).run(sources);
   } while (number <= most_layout_passes &&
-           (program.values_moved ||
+           (program.values_changed ||
             (program.unknown_equates > 0 && (number == 2 || program.unknown_equates < unknown))));
 }
 

@@ -36,7 +36,7 @@ std::uint32_t class_bits(Class c) {
 }
 
 // True if `name` is part of `word` and does not change the meaning of the other bits.
-bool part_of(std::uint32_t name, std::uint32_t word, Class c) {
+bool is_part_of(std::uint32_t name, std::uint32_t word, Class c) {
   if ((name & ~word) != 0) return false;
   if (c != Class::opr) return true;
   if ((name & skips) != 0 && ((name ^ word) & skip_inverted) != 0) return false;
@@ -44,7 +44,7 @@ bool part_of(std::uint32_t name, std::uint32_t word, Class c) {
 }
 
 // Skips first and HLT last, in the order in which the machine acts; the others from the high bits down.
-std::uint32_t place_in_line(std::uint32_t name, Class c) {
+std::uint32_t action_order(std::uint32_t name, Class c) {
   if (c != Class::opr) return name;
   const std::uint32_t bits = name & ~class_bits(c);
   return (bits & skips) != 0 ? 0100000U + bits : bits == halt ? 0U : bits;
@@ -57,7 +57,7 @@ std::vector<const Microinstruction*> names_of(std::uint32_t word, Class c) {
     const Microinstruction* best = nullptr;
     int most = 0;
     for (const Microinstruction& micro : pdp7::microinstructions) {
-      if (pdp7::instruction_of(micro.value).instruction_class != c || !part_of(micro.value, word, c))
+      if (pdp7::instruction_of(micro.value).instruction_class != c || !is_part_of(micro.value, word, c))
         continue;
       const int added = std::popcount(micro.value & ~covered);
       if (added > most) {
@@ -70,12 +70,12 @@ std::vector<const Microinstruction*> names_of(std::uint32_t word, Class c) {
     covered |= best->value;
   }
   std::sort(names.begin(), names.end(), [c](const auto* a, const auto* b) {
-    return place_in_line(a->value, c) > place_in_line(b->value, c);
+    return action_order(a->value, c) > action_order(b->value, c);
   });
   return names;
 }
 
-std::string joined(const std::vector<const Microinstruction*>& names) {
+std::string join_names(const std::vector<const Microinstruction*>& names) {
   std::string text;
   for (const Microinstruction* micro : names) text += (text.empty() ? "" : " ") + std::string(micro->name);
   return text;
@@ -108,13 +108,13 @@ std::optional<std::string> changed_count(std::uint32_t word) {
 std::optional<std::string> shift(std::uint32_t word) {
   const auto names = names_of(word & ~step_count_mask, Class::eae);
   if (names.empty()) return std::nullopt;
-  return joined(names) + " " + short_octal(word & step_count_mask);
+  return join_names(names) + " " + short_octal(word & step_count_mask);
 }
 
 std::optional<std::string> eae(std::uint32_t word, const pdp7::Instruction& row) {
   if (row.operation == pdp7::Operation::eae_setup) {
     const auto names = names_of(word, Class::eae);
-    return names.empty() ? std::nullopt : std::optional(joined(names));
+    return names.empty() ? std::nullopt : std::optional(join_names(names));
   }
   if (const auto counted = changed_count(word)) return counted;
   const bool shifts = row.operation == pdp7::Operation::eae_long_right ||
@@ -126,7 +126,7 @@ std::optional<std::string> eae(std::uint32_t word, const pdp7::Instruction& row)
 std::optional<std::string> opr(std::uint32_t word) {
   if ((word & rotates) == rotates) return std::nullopt;
   const auto names = names_of(word, Class::opr);
-  return names.empty() ? std::nullopt : std::optional(joined(names));
+  return names.empty() ? std::nullopt : std::optional(join_names(names));
 }
 
 bool alphanumeric(char c) {

@@ -71,7 +71,7 @@ base::Result<CoreImage> read_image(std::span<const std::uint8_t> bytes, std::str
   }
   if (!address)
     return base::Error{std::string(file), "", "an HRI tape without an address",
-                       "the address to read it in at"};
+                       "the address at which to read it in"};
   return read_hri(bytes, file, *address, warnings);
 }
 

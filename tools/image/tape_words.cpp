@@ -51,7 +51,7 @@ base::Error TapeReader::early_error(const TapeWord& word, std::string_view expec
 std::string TapeReader::early_warning(const TapeWord& word) const {
   const std::size_t byte = word.early.value_or(word.byte);
   const base::Error warning = error(byte, "hole 7 in line " + std::to_string(byte - word.byte + 1) + " of the last word",
-                              "it in line 3; the tape is read to this word");
+                              "it in line 3; the tape is read up to this word");
   return warning.message();
 }
 

@@ -109,7 +109,7 @@ TEST(IntelHex, WhatIsRefused) {
   EXPECT_EQ(read_error(":0400000500010000F6"),
             "f.hex:1:10: error: found a start address above FFFF, expected one within the 64K of an 8080");
   EXPECT_EQ(read_error(":01000000AA55\n:01000000AB54\n"),
-            "f.hex:2:10: error: found another byte for address 0000, expected one value an address");
+            "f.hex:2:10: error: found another byte for address 0000, expected one value per address");
   EXPECT_EQ(read_error(":00000001FF\n:01000000AA55"),
             "f.hex:2:1: error: found ':' after the end record, expected the end of the file");
   EXPECT_EQ(read_error(":01000001AA54"), "f.hex:1:2: error: found data in an end record, expected length 00");

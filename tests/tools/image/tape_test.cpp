@@ -148,7 +148,7 @@ TEST(EarlyHole7, EndsAnHriTapeWithAWarning) {
     EXPECT_EQ(read.value(), (CoreImage{{{0300, Word18(0123456)}, {0301, Word18(1)}}, 0100}));
     EXPECT_EQ(warnings, (std::vector<std::string>{"t: byte " + std::to_string(line) + ": hole 7 in line " +
                                                   std::to_string(line - 5) +
-                                                  " of the last word, expected it in line 3; the tape is read to this word"}));
+                                                  " of the last word, expected it in line 3; the tape is read up to this word"}));
     EXPECT_EQ(recognise(tape, "t").value(), Format::hri);
     EXPECT_TRUE(read_hri(tape, "t", 0300));
   }
@@ -201,7 +201,7 @@ TEST(Recognition, ReadsWithTheAddressThatTheFormatNeeds) {
   EXPECT_TRUE(read_image(rim_lines, "t", {}));
   EXPECT_TRUE(read_image(hri_lines, "t", 5));
   EXPECT_EQ(message(read_image(hri_lines, "t", {})),
-            "t: error: found an HRI tape without an address, expected the address to read it in at");
+            "t: error: found an HRI tape without an address, expected the address at which to read it in");
   EXPECT_EQ(message(read_image(rim_lines, "t", 5)),
             "t: error: found an address for a RIM tape, expected none: the tape has its own");
 }

@@ -65,15 +65,15 @@ bool I8080Pass::condition(Directive directive) {
   }
   if (directive == Directive::if_ || directive == Directive::if_zero) {
     const std::size_t at = token_.column;
-    const auto value = settled("a condition");
+    const auto value = constant_value("a condition");
     if (!value || !expect_end()) return false;
     const bool odd = (*value & 1U) != 0;
     if (odd != (*value != 0) && rules_.if_takes_bit_zero) {
       const std::string dialect(i8080_dialect_names[static_cast<std::size_t>(rules_.dialect)]);
-      warning(at, "value " + std::to_string(*value) + " of IF, whose bit 0 alone counts with --dialect " + dialect, "0 or an odd value");
+      warning(at, "value " + std::to_string(*value) + " of IF, of which only bit 0 is tested with --dialect " + dialect, "0 or an odd value");
     } else if (odd != (*value != 0) && rules_.dialect == I8080Dialect::common) {
       warning(at, "value " + std::to_string(*value) + " of IF",
-              "0, an odd value or --dialect, because it is taken for true, and with mac and intel bit 0 alone counts");
+              "0, an odd value or --dialect: it is true here; mac and intel test bit 0 alone");
     }
     return (rules_.if_takes_bit_zero ? odd : *value != 0) == (directive == Directive::if_);
   }
@@ -121,7 +121,7 @@ Arguments I8080Pass::arguments_of(std::string_view text, std::size_t at) {
   Arguments arguments = split_arguments(text, at, rules_);
   if (rules_.dialect == I8080Dialect::common && arguments.bang != std::string_view::npos) {
     warning(arguments.bang, "'!' in an argument",
-            "--dialect, because it is taken for itself, and with m80 and intel the next character is taken as it is");
+            "--dialect: it is an ordinary character here; m80 and intel take the next character literally");
   }
   return arguments;
 }
@@ -146,7 +146,7 @@ void I8080Pass::repeat(Directive directive) {
   definition.kind = directive;
   definition.macro.name = name_of(directive);
   if (directive == Directive::rept) {
-    definition.iterations = settled("a count").value_or(0);
+    definition.iterations = constant_value("a count").value_or(0);
     expect_end();
     return begin_definition(std::move(definition));
   }
@@ -249,7 +249,7 @@ std::vector<std::string> I8080Pass::argument_texts(const Arguments& arguments) {
       continue;
     }
     read_operands(argument.column);
-    const auto value = settled("a value");
+    const auto value = constant_value("a value");
     if (value && !token_.is(',')) expect_end();
     texts.push_back(in_radix(value.value_or(0), radix_));
   }

@@ -42,7 +42,7 @@ struct I8080Rules {
   bool empty_irpc_is_one = true;        // IRPC without characters is expanded once, else not at all
   bool first_character_is_low = false;  // of a string of two characters that is a value; else it is the high byte
   bool divides_signed = false;          // `/` and MOD in two's complement; MOD has the sign of the quotient
-  bool garbles_prefixes = false;        // fails on HIGH, LOW, NOT or `-` after an operator of higher precedence
+  bool fails_on_weak_prefixes = false;        // fails on HIGH, LOW, NOT or `-` after an operator of higher precedence
   bool minus_is_tightest = false;       // unary `-` applies to the next operand, else to the product after it
   std::size_t significant = 0;          // characters of a name; 0: all
 };

@@ -11,13 +11,13 @@ namespace {
 constexpr std::uint8_t last_character_mark = 0x80;
 
 // A name in INCLUDE is relative to the file it is in.
-std::string beside(std::string_view including, std::string_view name) {
+std::string path_beside(std::string_view including, std::string_view name) {
   const std::size_t slash = including.find_last_of("/\\");
   if (slash == std::string_view::npos || name.starts_with('/')) return std::string(name);
   return std::string(including.substr(0, slash + 1)) + std::string(name);
 }
 
-std::vector<std::string> ways_to_write(std::string_view name, bool library) {
+std::vector<std::string> candidate_names(std::string_view name, bool library) {
   std::vector<std::string> names{std::string(name)};
   const std::string lower = lower_case(name);
   if (library && name.find('.') == std::string_view::npos) {
@@ -118,7 +118,7 @@ void I8080Pass::data_words() {
 // Without a fill byte the bytes stay undefined: they do not appear in a HEX file.
 void I8080Pass::space() {
   const std::size_t at = token_.column;
-  const auto size = settled("a size");
+  const auto size = constant_value("a size");
   if (!size) return;
   shown_value_ = statement_location_;
   if (token_.is(',')) {
@@ -127,14 +127,14 @@ void I8080Pass::space() {
     const auto fill = expression();
     const std::uint8_t byte = fill ? byte_of(*fill, fill_at).value_or(0) : std::uint8_t{0};
     count_lines(*size / listing_bytes_a_row);
-    for (std::uint32_t i = 0; i < *size && !said_overflow_ && !stopped_; ++i) emit(byte);
+    for (std::uint32_t i = 0; i < *size && !reported_overflow_ && !stopped_; ++i) emit(byte);
     if (!fill) return;
   } else if (location_ + *size > memory_end) {
-    if (!said_overflow_) {
+    if (!reported_overflow_) {
       error(at, std::to_string(*size) + " bytes of space",
             "at most " + std::to_string(memory_end - location_) + " up to the end of the 64K");
     }
-    said_overflow_ = true;
+    reported_overflow_ = true;
     location_ = memory_end;
   } else {
     location_ += *size;
@@ -143,7 +143,7 @@ void I8080Pass::space() {
 }
 
 void I8080Pass::origin() {
-  const auto address = settled("an address");
+  const auto address = constant_value("an address");
   if (!address || !expect_end()) return;
   if (phase_ != 0) return error(0, "ORG", ".DEPHASE before it");
   leave_common();
@@ -158,7 +158,7 @@ void I8080Pass::origin() {
     counters_.push_back(*address);
   }
   location_ = *address;
-  said_overflow_ = false;
+  reported_overflow_ = false;
   shown_value_ = *address;
 }
 
@@ -190,12 +190,12 @@ void I8080Pass::include(bool library) {
   const auto in_file =
       std::find_if(frames_.rbegin(), frames_.rend(), [](const auto& f) { return !f->is_expansion(); });
   const std::string& including = program_.files[(*in_file)->file()].name;
-  for (const std::string& written : ways_to_write(name, library)) {
-    const auto file = read_included(beside(including, written));
+  for (const std::string& written : candidate_names(name, library)) {
+    const auto file = read_included(path_beside(including, written));
     if (!file) continue;
     for (const auto& frame : frames_) {
       if (!frame->is_expansion() && frame->file() == *file)
-        return error(at, quoted(name) + ", which is being read", "no file that includes itself");
+        return error(at, quoted(name) + ", which is being read", "a file that does not include itself");
     }
     push(std::make_unique<I8080Frame>(*file, program_.files[*file].text, rules_));
     return;
@@ -255,7 +255,7 @@ void I8080Pass::phase(const Head& head) {
     expect_end();
     return;
   }
-  const auto address = settled("an address");
+  const auto address = constant_value("an address");
   if (!address || !expect_end()) return;
   phase_ = (std::uint32_t{*address} - location_) & 0xFFFFU;
 }
@@ -300,7 +300,7 @@ void I8080Pass::leave_common() {
   const std::uint32_t size = location_ - block.begins;
   if (behind_block_) {
     if (size > block.size) {
-      say(Severity::error, block_opened_, std::to_string(size) + " bytes of COMMON /" + *open_block_ + "/",
+      report(Severity::error, block_opened_, std::to_string(size) + " bytes of COMMON /" + *open_block_ + "/",
           "at most the " + std::to_string(block.size) + " of its first block");
     }
     location_ = *behind_block_;

@@ -30,7 +30,7 @@ const char* expected_for(Operand operand) {
 }
 
 // Bits of the opcode for the code of an operand.
-std::uint8_t placed(Operand operand, std::uint8_t code) {
+std::uint8_t opcode_bits(Operand operand, std::uint8_t code) {
   switch (operand) {
     case Operand::to_register:
     case Operand::restart: return static_cast<std::uint8_t>(code << 3);
@@ -56,14 +56,14 @@ std::optional<std::uint8_t> opcode_of(const Mnemonic& rows, const Codes& codes) 
   for (const Instruction* const row : rows) {
     if (!takes(*row, codes)) continue;
     unsigned opcode = row->value;
-    for (std::size_t i = 0; i < codes.size(); ++i) opcode |= placed(row->operands[i], codes[i]);
+    for (std::size_t i = 0; i < codes.size(); ++i) opcode |= opcode_bits(row->operands[i], codes[i]);
     return static_cast<std::uint8_t>(opcode);
   }
   return std::nullopt;
 }
 
 // SP, PSW and M all have code 6: only the name shows which was meant.
-bool wrong_name(Operand operand, std::string_view name) {
+bool is_other_name(Operand operand, std::string_view name) {
   if (is_register(operand)) return name == "sp" || name == "psw";
   if (operand == Operand::pair) return name == "psw" || name == "m";
   if (operand == Operand::pair_psw) return name == "sp" || name == "m";
@@ -92,7 +92,7 @@ std::optional<std::uint8_t> I8080Pass::field(Operand operand) {
   const I8080Token after = I8080Lexer(lexer_).next();
   const bool alone = first.kind == I8080TokenKind::name &&
                      (after.kind == I8080TokenKind::end || after.is(',') || after.is(')'));
-  if (at_end() || (alone && wrong_name(operand, first.value))) {
+  if (at_end() || (alone && is_other_name(operand, first.value))) {
     unexpected(expected_for(operand));
     return std::nullopt;
   }

@@ -52,7 +52,7 @@ struct I8080Program {
   std::map<std::string, std::optional<std::size_t>>
       included;                     // path -> its index in `files`; nothing if it cannot be read
   std::size_t unknown_equates = 0;  // in the last pass
-  bool values_moved = false;        // in the last pass, compared with the pass before
+  bool values_changed = false;        // in the last pass, compared with the pass before
   image::ByteImage image;
   std::vector<ListingLine> listing;
   std::vector<Diagnostic> diagnostics;
@@ -114,8 +114,8 @@ class I8080Pass {
   // The key of a name of the current source in `symbols`.
   [[nodiscard]] std::string scoped(const std::string& name) const;
   void share(const std::string& name);
-  [[nodiscard]] std::string where_else(const std::string& name) const;
-  void doubt_publics();
+  [[nodiscard]] std::string suggest_declaration(const std::string& name) const;
+  void warn_about_undefined_publics();
   void emit(std::uint8_t byte);
   void end_statement(I8080Frame& frame);
 
@@ -124,7 +124,7 @@ class I8080Pass {
   void control_line();
   [[nodiscard]] bool is_control(std::string_view text) const;
   [[nodiscard]] bool in_comment();
-  void doubt_comment();
+  void warn_about_bang_in_comment();
   [[nodiscard]] std::optional<Head> head();
   [[nodiscard]] const Word* word(const std::string& name, WordKind kind) const;
   [[nodiscard]] bool is_operation(const std::string& name) const;
@@ -187,7 +187,7 @@ class I8080Pass {
                                                   const I8080Value& b, std::size_t at);
   [[nodiscard]] std::optional<Operator> operation_of_token() const;
   // An expression whose value must be the same in every pass.
-  [[nodiscard]] std::optional<std::uint16_t> settled(std::string_view what);
+  [[nodiscard]] std::optional<std::uint16_t> constant_value(std::string_view what);
   [[nodiscard]] std::optional<std::uint8_t> byte_of(const I8080Value& value, std::size_t at);
 
   // Tokens and messages (pass.cpp)
@@ -201,7 +201,7 @@ class I8080Pass {
   [[nodiscard]] Position place(std::size_t at) const;
   void error(std::size_t at, std::string found, std::string expected);
   void warning(std::size_t at, std::string found, std::string expected);
-  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  void report(Severity severity, const Position& at, std::string found, std::string expected);
   [[nodiscard]] std::string where_from() const;
 
   const I8080Options& options_;
@@ -219,7 +219,7 @@ class I8080Pass {
   std::uint32_t location_ = 0;
   std::uint32_t statement_location_ = 0;
   std::uint32_t phase_ = 0;  // .PHASE: added to locations used as values
-  bool behind_operator_ = false;  // the next operand of an expression follows an operator
+  bool after_operator_ = false;  // the next operand of an expression follows an operator
   unsigned radix_ = 10;
   std::optional<char> comment_end_;  // the character that ends .COMMENT, while one is open
   Position comment_begun_;
@@ -240,9 +240,9 @@ class I8080Pass {
   std::vector<std::uint8_t> bytes_;           // of this statement
   std::optional<std::uint32_t> shown_value_;  // of a statement without bytes, for the listing
   bool shown_equated_ = false;                // shown_value_ is from EQU or SET
-  bool said_phase_ = false;                   // only the first is reported, as it causes the others
-  bool said_overflow_ = false;                // since the last ORG
-  bool said_overlap_ = false;                 // in this statement
+  bool reported_phase_error_ = false;                   // only the first is reported, as it causes the others
+  bool reported_overflow_ = false;                // since the last ORG
+  bool reported_overlap_ = false;                 // in this statement
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
   std::size_t source_ = 0;  // the source being read, with its included files

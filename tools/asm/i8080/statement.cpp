@@ -12,9 +12,9 @@ void I8080Pass::statement() {
   statement_location_ = location_;
   bytes_.clear();
   shown_value_.reset();
-  shown_equated_ = said_overlap_ = false;
+  shown_equated_ = reported_overlap_ = false;
   if (comment_end_ && in_comment()) return;
-  if (rules_.dialect == I8080Dialect::common) doubt_comment();
+  if (rules_.dialect == I8080Dialect::common) warn_about_bang_in_comment();
   if (definition_) return collect();
   if (statement_.begins_line && statement_.text.starts_with('$') && is_control(statement_.text)) return control_line();
   const auto parsed = head();
@@ -49,7 +49,7 @@ bool I8080Pass::in_comment() {
 }
 
 // Warns of `!` in a comment before a possible statement.
-void I8080Pass::doubt_comment() {
+void I8080Pass::warn_about_bang_in_comment() {
   if (!final_ || statement_.text.find('!') == std::string_view::npos) return;
   const std::string_view text = statement_.text;
   for (std::size_t at = text.find('!', start_of_comment(text, 0)); at != std::string_view::npos; at = text.find('!', at + 1)) {
@@ -59,7 +59,7 @@ void I8080Pass::doubt_comment() {
     const bool label = end < text.size() && text[end] == ':';
     if (!label && !is_operation(folded(text.substr(from, end - from)))) continue;
     return warning(at, "'!' in a comment before " + quoted(text.substr(from, end - from)),
-                   "--dialect, because with mac a statement begins there");
+                   "--dialect: mac begins a statement there");
   }
 }
 

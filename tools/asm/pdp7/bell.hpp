@@ -96,7 +96,7 @@ class BellPass {
   [[nodiscard]] std::optional<Number> character();
   [[nodiscard]] std::optional<Number> relative_label(const Position& at, std::size_t digit, bool forward);
   [[nodiscard]] std::optional<Number> symbol(std::string_view name, const Position& at);
-  [[nodiscard]] std::optional<Number> checked(Number value, const Position& at);
+  [[nodiscard]] std::optional<Number> check_relocation(Number value, const Position& at);
   void undefined(std::string_view name, const Position& at);
 
   [[nodiscard]] std::uint32_t relocated(const Number& value) const;
@@ -105,7 +105,7 @@ class BellPass {
   Symbol& look_up(std::string_view name, const Position& at);
   void error(const Position& at, std::string found, std::string expected);
   void warning(const Position& at, std::string found, std::string expected);
-  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  void report(Severity severity, const Position& at, std::string found, std::string expected);
 
   std::span<const SourceFile> sources_;
   Pdp7Program& program_;
@@ -118,7 +118,7 @@ class BellPass {
   std::size_t line_start_ = 0;
   Number location_{0, 1, true};
   bool base_used_ = false;                    // a word or a label used `..`, which must not change any more
-  bool character_before_ = false;             // the operand just read was <a
+  bool after_left_character_ = false;             // the operand just read was <a
   bool in_location_ = false;                  // reading the new value of `.` or `..`
   std::optional<std::uint32_t> instruction_;  // the first name of a word, if it is one of the machine
   std::array<std::vector<std::uint32_t>, 10> relative_;  // definitions in this pass

@@ -155,7 +155,7 @@ void Pdp7Pass::mark_variable(Symbol& symbol, const Token& at) {
   }
   if (symbol.kind != SymbolKind::variable) {
     error(at.at, "'#' at symbol " + describe(at) + ", which is defined otherwise",
-          "a name of its own for a variable");
+          "another name for the variable");
     return;
   }
   const std::string key = is_own(at.text) ? program_.symbols.own_key(at.text, source_) : program_.symbols.key(at.text);
@@ -175,7 +175,7 @@ std::optional<Value> Pdp7Pass::literal() {
   --nesting_;
   if (!content) return std::nullopt;
   if (token_.kind == TokenKind::close) advance();
-  const std::uint32_t index = literal_index(finished(*content, inside), content->known);
+  const std::uint32_t index = literal_index(word_of(*content, inside), content->known);
   if (pools_placed_ >= program_.pool_bases.size()) return Value::unknown();
   return Value::number((program_.pool_bases[pools_placed_] + index) & image::last_address);
 }
@@ -190,7 +190,7 @@ std::uint32_t Pdp7Pass::literal_index(std::uint32_t word, bool known) {
   return next;
 }
 
-std::uint32_t Pdp7Pass::finished(const Value& value, const Position& at) {
+std::uint32_t Pdp7Pass::word_of(const Value& value, const Position& at) {
   std::vector<Remark> remarks;
   const std::uint32_t word = arithmetic_.word(value, location_, remarks);
   remark(at, remarks);
@@ -200,7 +200,7 @@ std::uint32_t Pdp7Pass::finished(const Value& value, const Position& at) {
 std::optional<std::uint32_t> Pdp7Pass::address_of(const Value& value, const Position& at,
                                                   std::string_view what, const char* hint) {
   if (!value.known) return std::nullopt;
-  const std::uint32_t address = finished(value, at);
+  const std::uint32_t address = word_of(value, at);
   if (address <= image::last_address) return address;
   error(at, std::string(what) + " " + base::octal(address, 6),
         std::string("an address from 00000 to 77777") + hint);

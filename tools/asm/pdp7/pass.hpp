@@ -26,7 +26,7 @@ struct EmittedWord {
   Position at;
   std::uint32_t address = 0;
   std::uint32_t word = 0;
-  std::string stands_for;  // the source of a literal or variable; empty for a word of the source
+  std::string generated_source;  // the source of a literal or variable; empty for a word of the source
 };
 
 // State handed from pass to pass; at the end, the result.
@@ -75,10 +75,10 @@ class Pdp7Pass {
   void end_of_file();
   void next_tape();
   void declare(bool external);
-  void refuse_undefined_declarations();
+  void report_undefined_declarations();
   void place_literals(const Position& at);
   void place_variables(const Position& at);
-  void emit(std::uint32_t word, const Position& at, std::string stands_for = {});
+  void emit(std::uint32_t word, const Position& at, std::string generated_source = {});
 
   // Expressions
   [[nodiscard]] std::optional<Value> expression();
@@ -89,7 +89,7 @@ class Pdp7Pass {
   [[nodiscard]] std::optional<Value> literal();
   [[nodiscard]] bool starts_a_term() const;
   [[nodiscard]] std::uint32_t literal_index(std::uint32_t word, bool known);
-  [[nodiscard]] std::uint32_t finished(const Value& value, const Position& at);
+  [[nodiscard]] std::uint32_t word_of(const Value& value, const Position& at);
   [[nodiscard]] std::optional<std::uint32_t> address_of(const Value& value, const Position& at,
                                                         std::string_view what, const char* hint = "");
   void mark_variable(Symbol& symbol, const Token& at);
@@ -105,7 +105,7 @@ class Pdp7Pass {
   [[nodiscard]] std::string found_here() const;
   void error(const Position& at, std::string found, std::string expected);
   void warning(const Position& at, std::string found, std::string expected);
-  void say(Severity severity, const Position& at, std::string found, std::string expected);
+  void report(Severity severity, const Position& at, std::string found, std::string expected);
   void remark(const Position& at, std::span<const Remark> remarks);
 
   std::span<const SourceFile> sources_;

@@ -90,7 +90,7 @@ void Pdp7Pass::conditional(bool when_zero) {
   }
   const Position opened = token_.at;
   advance();
-  const std::uint32_t word = value && value->known ? finished(*value, at) : 0;
+  const std::uint32_t word = value && value->known ? word_of(*value, at) : 0;
   const bool zero = word == 0 || (word == minus_zero && !options_.twos_complement);
   statement_follows_ = true;
   if (zero != when_zero) return skip_block(opened);
@@ -143,7 +143,7 @@ void Pdp7Pass::declare(bool external) {
       return skip_statement();
     }
     if (look_up(token_).kind == SymbolKind::permanent)
-      error(token_.at, "permanent symbol " + describe(token_), "a name of its own");
+      error(token_.at, "permanent symbol " + describe(token_), "another name");
     declared_.emplace_back(token_, external);
     Pdp7Program::Module& module = program_.modules[source_];
     module.declares = true;
@@ -152,7 +152,7 @@ void Pdp7Pass::declare(bool external) {
   }
 }
 
-void Pdp7Pass::refuse_undefined_declarations() {
+void Pdp7Pass::report_undefined_declarations() {
   for (const auto& [name, external] : declared_) {
     if (program_.symbols[name.text].kind != SymbolKind::undefined) continue;
     error(name.at, (external ? "external symbol " : "internal symbol ") + describe(name) + ", which no source defines",

@@ -42,7 +42,7 @@ TEST(I8080Dialect, ABangEndsACommentOfDigitalResearch) {
   EXPECT_EQ(bytes(intel, text), (Bytes{0x3E, 1}));
   EXPECT_EQ(bytes(common, text), (Bytes{0x3E, 1}));
   EXPECT_EQ(first_message(common, text),
-            "t.asm:1:16: warning: found '!' in a comment before 'RET', expected --dialect, because with mac a statement begins there");
+            "t.asm:1:16: warning: found '!' in a comment before 'RET', expected --dialect: mac begins a statement there");
   EXPECT_EQ(first_message(common, " NOP ; that is all!\n NOP ; so be it! And no more\n"), "");
   EXPECT_EQ(first_message(common, " NOP ; go! NEXT: is the label\n").substr(0, 26), "t.asm:1:10: warning: found");
 }
@@ -204,8 +204,8 @@ TEST(I8080Dialect, WordsOfTwoCharacters) {
   EXPECT_EQ(bytes(m80, " DW 'AB'\n LXI H,'AB'\n"), (Bytes{0x42, 0x41, 0x21, 0x42, 0x41}));
   EXPECT_EQ(bytes(common, " DW 'AB'\n"), (Bytes{0x42, 0x41}));
   EXPECT_EQ(first_message(common, " DW 'AB'\n"),
-            "t.asm:1:5: warning: found ''AB'' as a value, expected --dialect, because its first character is taken for the high byte, and in "
-            "MAC it is the low byte");
+            "t.asm:1:5: warning: found ''AB'' as a value, expected --dialect: its first character is the high byte here, the low "
+            "byte in MAC");
   EXPECT_EQ(first_message(common, " DW 'AA','A'\n DB 'AB'\n"), "");
 }
 
@@ -218,10 +218,10 @@ TEST(I8080Dialect, DivisionsWithSign) {
 }
 
 // MAC 2.0 marks all of these with E; what it takes without E has no warning.
-TEST(I8080Dialect, PrefixesBehindStrongerOperatorsOfMac) {
+TEST(I8080Dialect, PrefixesAfterOperatorsOfHigherPrecedenceInMac) {
   for (const char* refused : {"5--3", "5-NOT 3", "5*-3", "6/-3", "1 EQ NOT 0FFFEH", "5-HIGH 300H", "5*LOW 3", "- -5", "2*NOT 1", "1 OR HIGH 300H",
                               "1 EQ HIGH 100H", "NOT HIGH 100H", "HIGH LOW 5", "-HIGH 300H", "-NOT 1"}) {
-    EXPECT_NE(first_message(mac, std::string(" DW ") + refused + "\n").find("behind a stronger operator"), std::string::npos) << refused;
+    EXPECT_NE(first_message(mac, std::string(" DW ") + refused + "\n").find("after an operator of higher precedence"), std::string::npos) << refused;
     EXPECT_EQ(first_message(m80, std::string(" DW ") + refused + "\n"), "") << refused;
   }
   for (const char* taken : {"-5*3", "5 AND NOT 4", "5 XOR NOT 4", "5-+3", "5 OR -1", "5 EQ -1", "5 SHL (-1)", "HIGH 300H+1", "HIGH NOT 0", "HIGH -1",

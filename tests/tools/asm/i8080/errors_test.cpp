@@ -58,7 +58,7 @@ TEST(I8080Errors, OneMistakeOneMessage) {
       {"X EQU Y\n ORG X\nY EQU 5",
        "2:6: error: found a forward reference, expected an address known at this line"},
       {"X EQU X+1",
-       "1:7: error: found 'X', whose own value is not known, expected an EQU that does not rest on itself"},
+       "1:7: error: found 'X', whose value is not known, expected an EQU that does not depend on itself"},
       {" .Z80", "1:2: error: found '.Z80', expected 8080 source with Intel's mnemonics"},
       {" CPU Z80", "1:6: error: found 'Z80', expected 8080"},
       {" EXTRN PUTC\n CALL PUTC",

@@ -154,8 +154,8 @@ TEST(BellLanguage, LabelsHideInstructions) {
   EXPECT_EQ(words(a), (Words{0200001, 5}));
   EXPECT_EQ(
       messages(a),
-      (Texts{"t.s:3:1: warning: found label 'iof', which hides the instruction of this name, expected a "
-             "name of its own"}));
+      (Texts{"t.s:3:1: warning: found label 'iof', which hides the instruction of this name, expected "
+             "another name"}));
 }
 
 TEST(BellLanguage, DefinesWinOverAssignments) {
@@ -196,16 +196,16 @@ TEST(BellErrors, EachIsNamedWithItsPlace) {
       "lac nowhere",
       "1:5: error: found undefined name 'nowhere', expected a label or an assignment in one of the sources");
   expect("begin, lac 5",
-         "1:1: error: found 'begin', a tag of --dialect dec, expected a label, with ':' behind the name");
+         "1:1: error: found 'begin', a tag of --dialect dec, expected a label, with ':' after the name");
   expect("08",
          "1:1: error: found '8' in octal number '08', expected octal digits; a decimal number begins with "
          "another "
          "digit than 0");
   expect("262144", "1:1: error: found number '262144', expected at most 0777777, which is 18 bits");
-  expect("a: 1\na: 2", "2:1: error: found label 'a', already defined at t.s:1, expected a name of its own");
+  expect("a: 1\na: 2", "2:1: error: found label 'a', already defined at t.s:1, expected another name");
   expect("a: 1\na = 2",
-         "2:1: error: found an assignment to 'a', which is a label, expected a name of its own");
-  expect("jmp 1f", "1:5: error: found '1f' without a label 1: behind it, expected the label, or 1b");
+         "2:1: error: found an assignment to 'a', which is a label, expected another name");
+  expect("jmp 1f", "1:5: error: found '1f' without a label 1: after it, expected the label, or 1b");
   expect("jmp 1b\n1: 0", "1:5: error: found '1b' without a label 1: before it, expected the label, or 1f");
   expect("12: 0", "1:1: error: found '12:', expected a relative label 0: to 9:, or a name");
   expect("10f", "1:1: error: found '10f', expected a number, or a relative label 0b to 9b or 0f to 9f");
@@ -219,11 +219,11 @@ TEST(BellErrors, EachIsNamedWithItsPlace) {
   expect("law -3",
          "1:1: error: found word 757775, which is no law, expected an operand that fits the instruction");
   expect("<\"a",
-         "1:1: error: found no character behind '<', expected another than '\"', which begins a comment; its "
+         "1:1: error: found no character after '<', expected another than '\"', which begins a comment; its "
          "code "
          "is 042");
   expect("<\n",
-         "1:1: error: found no character behind '<', expected one of ASCII, blank to '~', or its code as a "
+         "1:1: error: found no character after '<', expected one of ASCII, blank to '~', or its code as a "
          "number");
   expect(
       "1\n..=0",

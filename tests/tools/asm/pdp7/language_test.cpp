@@ -267,11 +267,11 @@ TEST(Pdp7Language, NameEqualsExpressionComma) {
 
 TEST(Pdp7Language, ATagByAnExpressionHasOnePlace) {
   EXPECT_EQ(messages(assemble("f=jms, 0\nf=jms, 0")),
-            (Texts{"t.s:2:1: error: found symbol 'f', already defined at t.s:1, expected a name of its own"}));
+            (Texts{"t.s:2:1: error: found symbol 'f', already defined at t.s:1, expected another name"}));
   EXPECT_EQ(messages(assemble("f=jms, 0\nf=5")),
-            (Texts{"t.s:2:1: error: found an assignment to 'f', which is a tag, expected a name of its own"}));
+            (Texts{"t.s:2:1: error: found an assignment to 'f', which is a tag, expected another name"}));
   EXPECT_EQ(messages(assemble("lac=jms, 0")),
-            (Texts{"t.s:1:1: error: found permanent symbol 'lac' as a tag, expected a name of its own"}));
+            (Texts{"t.s:1:1: error: found permanent symbol 'lac' as a tag, expected another name"}));
 }
 
 TEST(Pdp7Language, PunchMakesNoWord) {
