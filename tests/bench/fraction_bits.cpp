@@ -1,7 +1,7 @@
 // What fraction bits of Jones's program buy on the screen, from many random places of each scene: the length that the
 // Type 340's own vectors, between whole points, show wrongly, as a share of the visible length.
 //
-//   sightline_fraction_bits [VIEWS]      (1,000 views a scene unless told; several minutes)
+//   sightline_fraction_bits [VIEWS]      (default: 1,000 views per scene; several minutes)
 //
 // Mean over the views, and its differences from 0 bits view by view with their standard errors: the default of
 // `sightline jones --fraction` is the cheapest number of bits that is not worse by more than these.

@@ -186,7 +186,7 @@ class JonesClipRoutines : public testing::TestWithParam<bool> {
   }
 };
 
-TEST_P(JonesClipRoutines, LinesAgainstMasks) {
+TEST_P(JonesClipRoutines, LinesAreClippedToMasks) {
   machine.halt_at_piece();
   for (int i = 0; i < rounds / 20; ++i) {
     const Ring ring = i == 0 ? Ring{{-1024, -1024}, {1022, -1024}, {1022, 1022}, {-1024, 1022}}
@@ -265,7 +265,7 @@ TEST_P(JonesClipRoutines, RatioOfDistancesFromASlopedEdge) {
   }
 }
 
-TEST_P(JonesClipRoutines, OpeningsAgainstMasks) {
+TEST_P(JonesClipRoutines, OpeningsIntersectMasks) {
   int visible = 0, empty = 0;
   for (int i = 0; i < rounds; ++i) {
     const Ring around = polygon(i % 4 == 0 ? 14 : 6, i % 3 == 0 ? -60 : -1024, i % 3 == 0 ? 60 : 1022);

@@ -96,7 +96,7 @@ TEST_F(JonesSwitches, TheEyeStaysInItsBox) {
 }
 
 // Close to the far wall nothing may be seen at all; that must not keep the machine from going on.
-TEST_F(JonesSwitches, APictureOfNothingIsAPicture) {
+TEST_F(JonesSwitches, AnEmptyPictureIsShown) {
   program = assembled(one_cell({200, 200, 50}, {{0, 0, 0}, {400, 400, 400}}, {}), true);
   ASSERT_EQ(twin_view(program).display_file.size(), 2U);
   const Console seen = after(0, 1.0);

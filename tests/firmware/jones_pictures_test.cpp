@@ -48,7 +48,7 @@ TEST_P(JonesPictures, AreTheSameWithoutTheEae) {
 }
 
 // Lengths wrong by more than a point: at most one per cent of what is truly seen.
-TEST_P(JonesPictures, ShowWhatIsTrulySeen) {
+TEST_P(JonesPictures, ShowTheVisibleLines) {
   constexpr int views = 21;
   constexpr double a_point = 1.0;
   const scene::CellScene scene = scene::builtin_scene(GetParam());

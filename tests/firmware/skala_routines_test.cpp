@@ -43,7 +43,7 @@ TEST(SkalaProgram, FitsBelowItsMasks) {
 }
 
 // Worked by hand from section 3: e = -3 at first, then -1, 1-5, -2, 0-5, -3. Backwards it is the same dots.
-TEST(SkalaLines, GoTheSameWayThereAndBack) {
+TEST(SkalaLines, LightTheSameDotsInBothDirections) {
   const Dots expected{{10, 20}, {11, 20}, {12, 21}, {13, 21}, {14, 22}, {15, 22}};
   for (const int device : {0x00, 0x80}) {
     const auto d = static_cast<std::uint8_t>(device);

@@ -27,7 +27,7 @@ Stroke at(std::uint16_t x) {
   return {.time = at_nanoseconds(x), .x = x};
 }
 
-TEST(StrokeBuffer, HandsOnWhatWaitsBeforeAPassBeginsOrEnds) {
+TEST(StrokeBuffer, FlushesBeforeAPassBeginsOrEnds) {
   Transcript taker;
   StrokeBuffer strokes;
   strokes.hand_to(&taker);
@@ -45,7 +45,7 @@ TEST(StrokeBuffer, HandsOnWhatWaitsBeforeAPassBeginsOrEnds) {
   EXPECT_EQ(taker.blocks, 3U);
 }
 
-TEST(StrokeBuffer, LosesNoneOfMoreThanItHolds) {
+TEST(StrokeBuffer, LosesNoStrokeBeyondItsCapacity) {
   Transcript taker;
   StrokeBuffer strokes;
   strokes.hand_to(&taker);
@@ -60,7 +60,7 @@ TEST(StrokeBuffer, LosesNoneOfMoreThanItHolds) {
 }
 
 // A taker has the strokes of its time, and those that nobody wants are gone.
-TEST(StrokeBuffer, ChangesHands) {
+TEST(StrokeBuffer, TheTakerMayChange) {
   Transcript first;
   Transcript second;
   StrokeBuffer strokes;

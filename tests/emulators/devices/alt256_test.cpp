@@ -56,7 +56,7 @@ TEST(Alt256, WritesWhileNotReadyAreLost) {
   EXPECT_EQ(board->raster()->at(1, 0), 0);
 }
 
-TEST(Alt256, ADotNeedsNoTimeAfterTheTimesThatNanosecondsCanCount) {
+TEST(Alt256, ADotTakesNoTimeBeyondTheNanosecondRange) {
   const auto board = std::make_unique<Alt256>(sightline::core::ClockRate{1});
   constexpr std::int64_t late = 9'300'000'000;
   board->write(data, 7, at_t_state(late));

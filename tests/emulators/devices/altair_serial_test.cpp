@@ -68,7 +68,7 @@ TEST(AltairSerial, TheNextKeyComesNoSoonerThanTheLineAllows) {
   EXPECT_FALSE(line.serial.wants_key());
 }
 
-TEST(AltairSerial, WhatIsWrittenTooSoonTakesThePlaceOfWhatWaits) {
+TEST(AltairSerial, ACharacterWrittenTooSoonReplacesTheWaitingOne) {
   Line line(AltairBoard::two_sio);
   for (const char c : {'1', '2', '3'}) line.out(data, c, 0);
   line.serial.advance(core::at_t_state(10 * character));

@@ -383,7 +383,7 @@ TEST_F(Board, BlankingInterrupt) {
   EXPECT_FALSE(board->interrupt());
 }
 
-TEST_F(Board, NoBlankingComesAfterTheTimesThatNanosecondsCanCount) {
+TEST_F(Board, NoBlankingBeyondTheNanosecondRange) {
   board = std::make_unique<Ef9365>(sightline::core::ClockRate{1});
   board->write(1, 0x20, at_t_state(9'300'000'000));
   EXPECT_EQ(board->deadline(), sightline::core::never_t);

@@ -151,7 +151,7 @@ TEST(I8251, ACharacterWrittenTooSoonReplacesTheWaitingOne) {
   EXPECT_EQ(link.chip().counts().transmit_overwritten, 1U);
 }
 
-TEST(I8251, WhatIsKeptOfTheBytesSentHasABound) {
+TEST(I8251, TheRecordOfBytesSentIsBounded) {
   sightline::devices::KeptBytes kept(2);
   for (const std::uint8_t value : three_bytes) kept.push_back(value);
   EXPECT_EQ(kept.bytes(), (std::vector<std::uint8_t>{three_bytes[0], three_bytes[1]}));

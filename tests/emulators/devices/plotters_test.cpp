@@ -66,7 +66,7 @@ TEST(CalComp565, HandshakeTranscript) {
   EXPECT_EQ(plotter.totals().busy.count(), 620'000);
 }
 
-TEST(CalComp565, TheDrumTurnsOnWhereItsCountEnds) {
+TEST(CalComp565, TheDrumPositionWraps) {
   constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
   Paper paper;
   CalComp565 plotter(three_megahertz, paper.strokes, {last, 0});
@@ -77,7 +77,7 @@ TEST(CalComp565, TheDrumTurnsOnWhereItsCountEnds) {
   EXPECT_EQ(back.place(), (PlotterPlace{-last - 1, 0}));
 }
 
-TEST(Minigraf0507, AMotorTurnsOnWhereItsCountEnds) {
+TEST(Minigraf0507, AMotorPositionWraps) {
   constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
   Paper paper;
   Minigraf0507 plotter(three_megahertz, paper.strokes, {}, {last, -last - 1});

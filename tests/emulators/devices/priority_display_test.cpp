@@ -74,7 +74,7 @@ TEST(PriorityDisplay, OfEqualPrioritiesTheFirstBegunIsShown) {
   EXPECT_EQ(point(display, 1, 5), 3U);
 }
 
-TEST(PriorityDisplay, RandomSurfacesAgainstASearch) {
+TEST(PriorityDisplay, RandomSurfacesMatchASearch) {
   std::mt19937 random(5);
   PriorityDisplay display;
   struct Surface {
@@ -145,7 +145,7 @@ TEST(PriorityDisplay, BlankingBeginsAfter512Lines) {
   EXPECT_EQ(display.read(Register::line, at_nanoseconds(frame - 1)), 624U);
 }
 
-TEST(PriorityDisplay, WhatDoesNotFitIsLeftOutAndCounted) {
+TEST(PriorityDisplay, OverflowIsOmittedAndCounted) {
   PriorityDisplay display(2, 3);
   const Host host{display, at_nanoseconds(0)};
   display.write(Register::span, span(0, 5), {});  // of no surface

@@ -97,7 +97,7 @@ std::string text_of(const i8080::Instruction& row, unsigned opcode) {
   return text;
 }
 
-TEST(I8080Isa, TheTableIsTheMeasuredOne) {
+TEST(I8080Isa, TheTableEqualsTheMeasurements) {
   const auto timings = read_timings();
   ASSERT_EQ(timings.size(), 256U);
   for (const Timing& timing : timings) {

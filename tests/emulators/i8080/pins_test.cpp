@@ -133,7 +133,7 @@ void expect_same(const Program& program, int& hung) {
   }
 }
 
-TEST(I8080Pins, EveryTStateOfEveryProgramIsThatOfTheChip) {
+TEST(I8080Pins, EveryTStateOfEveryProgramMatchesTheChip) {
   const std::vector<Program> programs = read_programs();
   ASSERT_EQ(programs.size(), 100U);
   int hung = 0;

@@ -172,7 +172,7 @@ void expect_same(const Case& expected) {
   }
 }
 
-TEST(I8080SingleStep, EveryCaseOfEveryOpcodeIsThatOfTheChip) {
+TEST(I8080SingleStep, EveryCaseOfEveryOpcodeMatchesTheChip) {
   const std::vector<Case> cases = read_cases();
   ASSERT_EQ(cases.size(), 256U * 20U);
   for (const Case& one : cases) {

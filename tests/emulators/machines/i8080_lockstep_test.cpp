@@ -356,12 +356,12 @@ TEST(I8080Machine, ShowsTheCyclesOfTheTStateByTStateBus) {
   compare(random, {.ready = true}, 400, "INT and READY");
 }
 
-TEST(I8080Machine, HoldIsThatOfTheTStateByTStateBus) {
+TEST(I8080Machine, HoldMatchesTheTStateByTStateBus) {
   std::mt19937 random(static_cast<unsigned>(tests::lockstep_seed(1975)));
   compare(random, {.hold = true}, 600, "INT and HOLD");
 }
 
-TEST(I8080Machine, HoldAmongWaitStatesIsThatOfTheTStateByTStateBus) {
+TEST(I8080Machine, HoldAmongWaitStatesMatchesTheTStateByTStateBus) {
   std::mt19937 random(static_cast<unsigned>(tests::lockstep_seed(8228)));
   compare(random, {.ready = true, .hold = true}, 200, "INT, READY and HOLD");
 }

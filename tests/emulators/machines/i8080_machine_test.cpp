@@ -179,7 +179,7 @@ TEST(I8080Machine, AHaltThatEndedUnobservedLeavesNoHlta) {
   EXPECT_EQ(bench.recorder.seen.back().status, 0xA2);
 }
 
-TEST(I8080Machine, AnObserverOfMarksIsAskedWhereARunBeginsAtMarksAndAfterReportedCycles) {
+TEST(I8080Machine, StopIsCalledAtTheStartOfARunAtMarksAndAfterReportedCycles) {
   struct Marked : i8080::Observer {
     std::array<std::uint8_t, 65536> of_memory{};
     std::array<std::uint8_t, 256> of_ports{};
@@ -269,7 +269,7 @@ TEST(I8080Machine, ADeviceMayRequestAnInterruptOrAStopByAnAccess) {
   EXPECT_EQ(machine.run({}), StopReason::device);
 }
 
-TEST(I8080Machine, ALongHoldIsPassedOver) {
+TEST(I8080Machine, ALongHoldIsSkipped) {
   i8080::Machine machine;
   const std::array<core::Setting, 2> times{{{"first", 2'000}, {"length", 4'000'000'000}}};
   ASSERT_EQ(machine.attach("bus-master", times), "");

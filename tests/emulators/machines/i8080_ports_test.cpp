@@ -143,7 +143,7 @@ TEST(I8080Ports, LinesRequestTheRestartsTheyAreWiredTo) {
   EXPECT_EQ(ports.acknowledge(at_t_state(131)), 0xFF);
 }
 
-TEST(I8080Ports, ALineMayBeWiredAnew) {
+TEST(I8080Ports, ALineMayBeRewired) {
   Both both;
   ASSERT_EQ(both.ports.wire("rung", 2), "");
   ASSERT_EQ(both.ports.wire("rung", 0), "");
@@ -164,7 +164,7 @@ TEST(I8080Ports, DevicesWithoutAConnectedLineAreNeverPolled) {
   EXPECT_FALSE(both.ports.interrupt());
 }
 
-TEST(I8080Ports, OfAllDevicesThoseOfTheListComeFirst) {
+TEST(I8080Ports, ListedDevicesComeFirst) {
   i8080::Machine machine;
   ASSERT_EQ(machine.attach(Latch::info, std::make_unique<Latch>()), "");
   ASSERT_EQ(machine.attach(Timer::info, std::make_unique<Timer>()), "");
@@ -191,7 +191,7 @@ TEST(I8080Ports, TwoDevicesOnOnePortAreAnErrorWithBothNames) {
   EXPECT_EQ(both.ports.attach(reader, std::make_unique<Latch>()), "port FF is read by \"timer\" and by \"reader\"");
   EXPECT_EQ(both.ports.devices().size(), 2U);
   both.ports.out(0x0F, 1, at_t_state(10));
-  EXPECT_EQ(both.ports.unanswered()[0x0F].writes, 1U) << "a device that is refused has no ports";
+  EXPECT_EQ(both.ports.unanswered()[0x0F].writes, 1U) << "a rejected device has no ports";
   i8080::Machine machine;
   ASSERT_EQ(machine.attach("2sio"), "");
   EXPECT_EQ(machine.attach(Latch::info, std::make_unique<Latch>()), "port 10 is read by \"2sio\" and by \"latch\"");
@@ -206,7 +206,7 @@ TEST(I8080Ports, KnownDevicesDoNotDisturbEachOther) {
   EXPECT_EQ(place, i8080::known_devices.size());
 }
 
-TEST(I8080Ports, WhatIsUnknownIsAnErrorWithTheNearestName) {
+TEST(I8080Ports, AnUnknownNameIsAnErrorWithTheNearestName) {
   i8080::Machine machine;
   const std::string ef9356 = machine.attach("ef9356");
   EXPECT_EQ(ef9356.find("found device \"ef9356\", expected one of: ef9365, alt256, "), 0U) << ef9356;
@@ -254,7 +254,7 @@ struct Front : core::PortDevice {
   }
 };
 
-TEST(I8080Ports, AFrontStandsBeforeADevice) {
+TEST(I8080Ports, AFrontInterceptsADevice) {
   i8080::Machine machine;
   ASSERT_EQ(machine.attach(Latch::info, std::make_unique<Latch>()), "");
   Front front(machine);
@@ -266,7 +266,7 @@ TEST(I8080Ports, AFrontStandsBeforeADevice) {
   EXPECT_EQ(machine.unanswered()[0x30].writes, 1U);
 }
 
-TEST(I8080Ports, AStopThatIsRequestedBetweenTwoRunsEndsTheNext) {
+TEST(I8080Ports, AStopRequestedBetweenTwoRunsEndsTheNext) {
   i8080::Machine machine;
   machine.request_stop();
   EXPECT_EQ(machine.run({.instructions = 3}), i8080::StopReason::device);

@@ -407,7 +407,7 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
     return false;
   }
   if (!(all.of_every.expected == all.of_watched.asked)) {
-    ADD_FAILURE() << "marked cycles and boundaries";
+    ADD_FAILURE() << "marked cycles or boundaries differ";
     return false;
   }
   const CycleSum& drawn = all.fast_strokes.all;
@@ -418,7 +418,7 @@ bool run_one(std::mt19937_64& random, bool draws, Done& done) {
   for (pdp7::Address a = 0; a <= pdp7::address_mask; ++a) {
     const core::Word18 word = all.fast.peek(a);
     if (all.every.peek(a) != word || all.watched.peek(a) != word || all.mixed.peek(a) != word) {
-      ADD_FAILURE() << "core at " << std::oct << a;
+      ADD_FAILURE() << "core differs at " << std::oct << a;
       return false;
     }
   }

@@ -146,7 +146,7 @@ TEST_F(Pdp7, TheDisplayInterruptsWhenItStopsAndItsIotsReadIt) {
   EXPECT_EQ(machine.registers().ac.value(), pdp7::status::light_pen);
 }
 
-TEST_F(Pdp7, UnansweredInstructionsAreCountedWithTheirFirstPlace) {
+TEST_F(Pdp7, UnansweredInstructionsAreCountedWithTheirFirstAddress) {
   pdp7::Options bare;
   bare.model.eae = false;
   Machine machine(bare);
@@ -295,7 +295,7 @@ TEST_F(Pdp7, AbsentDevicesAnswerNothing) {
   }
 }
 
-TEST_F(Pdp7, TtsSkipsWithATeletype) {
+TEST_F(Pdp7, TtsSkipsIfThereIsATeletype) {
   for (const bool teletype : {false, true}) {
     pdp7::Options options;
     if (!teletype) options.devices = {"clock", "reader", "punch"};
@@ -338,7 +338,7 @@ class Lamp final : public core::IotDevice {
   core::Word18 shown;
 };
 
-TEST_F(Pdp7, ADeviceOfOnesOwnIsReachedByItsCode) {
+TEST_F(Pdp7, AUserDefinedDeviceIsReachedByItsCode) {
   Machine machine;
   ASSERT_EQ(machine.attach(Lamp::info, std::make_unique<Lamp>()), "");
   machine.load(0100, {0760017, 0704504, 0740040});
@@ -366,7 +366,7 @@ TEST_F(Pdp7, ADeviceCodeTakenTwiceIsAnErrorWithBothNames) {
 }
 
 // Also one of a device that is not there yet.
-TEST_F(Pdp7, TheCodesOfADeviceThatWaitsAreTaken) {
+TEST_F(Pdp7, ADeferredDeviceReservesItsCodes) {
   constexpr std::array<std::uint8_t, 1> edge{005};
   core::IotDeviceInfo lamp = Lamp::info;
   lamp.codes = edge;
@@ -391,7 +391,7 @@ struct Stopper final : core::IotDevice {
   Machine& machine;
 };
 
-TEST_F(Pdp7, AStopThatASkipTestRequestsIsAtTheNextBoundary) {
+TEST_F(Pdp7, AStopRequestedByASkipTestTakesEffectAtTheNextBoundary) {
   for (const bool fast : {true, false}) {
     Machine machine;
     ASSERT_EQ(machine.attach(Stopper::info, std::make_unique<Stopper>(machine)), "");
@@ -415,7 +415,7 @@ TEST_F(Pdp7, AnUnknownDeviceIsAnErrorWithTheNearestName) {
   EXPECT_EQ(Machine(options).error(), "found device \"drum\", expected one of: " + names);
 }
 
-TEST_F(Pdp7, ASettingThatADeviceDoesNotHaveIsAnError) {
+TEST_F(Pdp7, AnUnknownSettingIsAnError) {
   Machine machine;
   const std::array<core::Setting, 1> unknown{core::Setting{"flash", 1}};
   EXPECT_EQ(machine.attach("display", unknown), "found option of the display \"flash\", expected one of: 342, 347, flash-again");
@@ -427,7 +427,7 @@ TEST_F(Pdp7, ASettingThatADeviceDoesNotHaveIsAnError) {
 }
 
 // IDLA plugs a display in that starts with it; the IOT of a Graphic-2 before it does not.
-TEST_F(Pdp7, ADeviceThatWaitsIsThereFromItsFirstIotOn) {
+TEST_F(Pdp7, ADeferredDeviceIsConnectedByItsFirstIot) {
   Machine machine;
   ASSERT_EQ(machine.attach_when_used("display"), "");
   machine.load(0100, {0700547, 0740040, 0200200, 0700606, 0740000, 0600104});

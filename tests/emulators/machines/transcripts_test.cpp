@@ -160,7 +160,7 @@ TEST(Pdp7Vectors, EachEngineGivesTheResultsOfAnotherSimulator) {
   EXPECT_EQ(cases, 6688);
 }
 
-TEST(Pdp7Transcripts, NoInstructionRowIsWithoutATranscript) {
+TEST(Pdp7Transcripts, EveryInstructionRowHasATranscript) {
   std::set<std::string> written;
   for (const TranscriptCase& c : all_cases()) written.insert(c.rows.begin(), c.rows.end());
   for (const auto& row : pdp7::instructions) {

@@ -70,7 +70,7 @@ TEST_F(EaeLaws, DividendIsQuotientTimesDivisorPlusRemainder) {
   }
 }
 
-TEST_F(EaeLaws, DivisionThatDoesNotFitIsRefused) {
+TEST_F(EaeLaws, DivisionOverflowIsRejected) {
   for (int i = 0; i < 20000; ++i) {
     const std::uint32_t divisor = word();
     const std::uint32_t high = divisor + word() % (mask - divisor + 1);

@@ -85,7 +85,7 @@ TEST_F(Pdp7Peripherals, ReaderReadsALineOfEightHoles) {
   EXPECT_EQ(iot(9'000'000, 0700112), 0012U);
 }
 
-TEST_F(Pdp7Peripherals, ReaderAssemblesThreeLinesAndPassesOverThoseWithoutHoleEight) {
+TEST_F(Pdp7Peripherals, ReaderAssemblesThreeLinesAndSkipsThoseWithoutHoleEight) {
   reader_.load({0, 0, 0212, 0077, 0234, 0256, 0201, 0202, 0203});
   iot(0, 0700144);
   EXPECT_EQ(reader_.deadline(), at_nanoseconds(6 * line));
@@ -103,7 +103,7 @@ TEST_F(Pdp7Peripherals, ReaderOutOfTapeNeverRaisesItsFlag) {
   EXPECT_FALSE(skips(1'000'000'000, 0700101));
 }
 
-TEST_F(Pdp7Peripherals, ANewRequestLeavesTheTapeWhereItHadComeTo) {
+TEST_F(Pdp7Peripherals, ANewRequestDoesNotMoveTheTape) {
   reader_.load({0201, 0202, 0203, 0204, 0205, 0206});
   iot(0, 0700144);
   iot(line + 10, 0700144);
@@ -137,7 +137,7 @@ TEST_F(Pdp7Peripherals, KeyboardMarksChannelEightAndSendsTenCharactersASecond) {
   EXPECT_EQ(iot(200'000'000, 0700312), 0302U);
 }
 
-TEST_F(Pdp7Peripherals, AProgramThatHasReadItsKeyAsksForNone) {
+TEST_F(Pdp7Peripherals, WaitingForAKeyEndsWhenTheProgramReadsIt) {
   EXPECT_FALSE(skips(0, 0700301));
   EXPECT_TRUE(keyboard_.asked());
   keyboard_.press(at_nanoseconds(0), 'A');
@@ -188,7 +188,7 @@ TEST(Pdp7Clock, SixtyHertzDoesNotDrift) {
   EXPECT_EQ(clock.deadline(), at_nanoseconds(1'000'000'000));
 }
 
-TEST_F(Pdp7Peripherals, CafPutsEveryFlagDownAndTheClockOff) {
+TEST_F(Pdp7Peripherals, CafClearsEveryFlagAndTurnsTheClockOff) {
   reader_.load({0201});
   iot(0, 0700104);
   iot(0, 0700204, 1);

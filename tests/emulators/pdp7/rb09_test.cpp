@@ -104,7 +104,7 @@ TEST_F(Rb09, ADigitAboveNineOrASectorAboveSeventyNineIsIllegal) {
   }
 }
 
-TEST_F(Rb09, ReadsFromTheNextPassageOfTheWord) {
+TEST_F(Rb09, ReadsWhenTheWordPassesNext) {
   // Sector 1 of track 2 comes by at word 64 of each turn; at 100,000 ns that of this turn has passed.
   begin(100'000, 0x201, 0500, 3, status::busy);
   EXPECT_EQ(state(), status::busy);
@@ -122,7 +122,7 @@ TEST_F(Rb09, ReadsFromTheNextPassageOfTheWord) {
   EXPECT_FALSE(skips());
 }
 
-TEST_F(Rb09, GoesOnOverSectorsTracksAndTheEndOfTheDisk) {
+TEST_F(Rb09, ContinuesAcrossSectorsTracksAndTheEndOfTheDisk) {
   begin(0, 0x1'99'79, 07776, 130, status::busy);
   const auto words = serve();
   ASSERT_EQ(words.size(), 130U);
@@ -151,7 +151,7 @@ TEST_F(Rb09, ObeysItsChoices) {
   EXPECT_EQ(serve()[64].second, 64U);
 }
 
-TEST_F(Rb09, TheCoreAddressWrapsWhereItEnds) {
+TEST_F(Rb09, TheCoreAddressWraps) {
   begin(0, 0, 017777, 2, status::busy);
   EXPECT_EQ(serve()[1].first, 0U);
   pdp7::Rb09 extended{pdp7::rb09::Choices{.word = core::Duration(1000)}, pdp7::address_mask};
@@ -160,12 +160,12 @@ TEST_F(Rb09, TheCoreAddressWrapsWhereItEnds) {
   EXPECT_EQ(extended.core_address(), 057777U);
 }
 
-TEST_F(Rb09, AWordCountOfZeroIsAllOfThem) {
+TEST_F(Rb09, AWordCountOfZeroIsTheMaximum) {
   begin(0, 0, 0, 0, status::busy);
   EXPECT_EQ(serve().size(), 65536U);
 }
 
-TEST_F(Rb09, WritesBesideTheImage) {
+TEST_F(Rb09, WritesAreKeptApartFromTheImage) {
   EXPECT_FALSE(disk_->changed());
   begin(0, 0x100, 0, 2, status::busy | status::write);
   EXPECT_EQ(break_at(disk_->deadline())->direction, core::DataBreak::Direction::from_core);

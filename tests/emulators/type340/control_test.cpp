@@ -72,7 +72,7 @@ TEST_F(DisplayControl, IdleDisplayHasNoDeadline) {
 }
 
 // A word that comes when none was asked for is dropped.
-TEST_F(DisplayControl, UnaskedWordIsIgnored) {
+TEST_F(DisplayControl, UnrequestedWordIsIgnored) {
   display_.served(at_nanoseconds(0), Word18(0003000));
   EXPECT_EQ(display_.deadline(), core::never);
   EXPECT_EQ(display_.counters().words, 0U);
@@ -120,7 +120,7 @@ TEST_F(DisplayControl, StartWhileRunningAbandonsTheWord) {
   EXPECT_EQ(display_.registers().intensity, 7);
 }
 
-TEST_F(DisplayControl, RestartRunsOnFromTheCounter) {
+TEST_F(DisplayControl, RestartContinuesFromTheCounter) {
   const std::int64_t t = play(0, 0100, {0, 0003000});
   display_.restart(at_nanoseconds(t));
   ASSERT_NE(display_.data_break(), nullptr);
@@ -138,7 +138,7 @@ TEST_F(DisplayControl, PowerClearStopsEverything) {
 }
 
 // A stop word that names mode 1: IDRS does the buffer again, now as a point word, and the display runs on.
-TEST_F(DisplayControl, ResumeAfterAStopDoesTheBufferAgain) {
+TEST_F(DisplayControl, ResumeAfterAStopExecutesTheBufferAgain) {
   const std::int64_t t = play(0, 0, {0023000});
   ASSERT_EQ(display_.data_break(), nullptr);
   display_.resume(at_nanoseconds(t));

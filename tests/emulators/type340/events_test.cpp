@@ -78,7 +78,7 @@ TEST(DisplayEvents, AgreeWithTheModelFromDeadlineToDeadline) {
   compare_all("F", [](const EventFile& file) { return run_watched(file, Stepping::deadlines); });
 }
 
-TEST(DisplayEvents, AgreeWithTheModelWhenNobodyWatches) {
+TEST(DisplayEvents, AgreeWithTheModelWithoutATaker) {
   compare_all(
       "FI",
       [](const EventFile& file) {

@@ -69,7 +69,7 @@ TEST_F(DisplayOptions, JumpAndSaveReturnsOnEscape) {
   EXPECT_FALSE(display_.registers().save);
 }
 
-TEST_F(DisplayOptions, JumpGoesOnInTheModeItNames) {
+TEST_F(DisplayOptions, JumpContinuesInTheModeItNames) {
   put(0, {0160000, 0420100});  // DJP 100, mode point
   put(0100, {0000321, 0003000});
   run(0);
@@ -79,7 +79,7 @@ TEST_F(DisplayOptions, JumpGoesOnInTheModeItNames) {
 
 // The subroutine plants a jump back at its end: DDS writes DJP to the saved address, and the escape before it does not
 // return, for DDS has taken SAVE down.
-TEST_F(DisplayOptions, DepositPlantsTheReturn) {
+TEST_F(DisplayOptions, DepositStoresTheReturnJump) {
   put(0, {0160117, 0760200, 0003000});      // DJS 200, mode 7
   put(0200, {0300210, 0600003, 0160000});   // DDS 210, mode 4; a vector that escapes; to mode 7
   put(0203, {0560210});                     // DJP 210, mode 7
@@ -92,7 +92,7 @@ TEST_F(DisplayOptions, DepositPlantsTheReturn) {
 
 // IDRS in the deflection of a lit Y point that names mode 7 does its word again as DDS 2100; the point's own request, at
 // 42.1 us, then takes the place of the write.
-TEST_F(DisplayOptions, ARequestTakesThePlaceOfADeposit) {
+TEST_F(DisplayOptions, ARequestReplacesADeposit) {
   using Direction = core::DataBreak::Direction;
   for (const std::int64_t served : {42'500, 50'000}) {
     Display display({.subroutines_347 = true}, strokes_);
@@ -127,7 +127,7 @@ TEST_F(DisplayOptions, EdgeEscapesFromASubroutineToo) {
 }
 
 // A start forgets a call under way.
-TEST_F(DisplayOptions, StartTakesSaveDown) {
+TEST_F(DisplayOptions, StartClearsSave) {
   put(0, {0160117, 0740100});
   run(0, 7000);
   display_.load_address_and_start(at_nanoseconds(8000), Word18(0300));

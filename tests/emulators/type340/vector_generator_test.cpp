@@ -59,7 +59,7 @@ TEST(RateMultiplier, FollowsTheReferencePaths) {
 }
 
 // Every pulse of every vector, by the stage that it turns on.
-TEST(RateMultiplier, StagesPassTheStepsOfThePulses) {
+TEST(RateMultiplier, StagesMakeTheStepsOfThePulses) {
   for (unsigned dx = 0; dx < 128; ++dx) {
     for (unsigned dy = 0; dy < 128; ++dy) {
       const auto d = static_cast<std::uint8_t>(dx | dy);

@@ -66,7 +66,7 @@ static_assert(following(Mode::character, Word18(0010237)).mode == Mode::paramete
 static_assert(following(Mode::character, Word18(0010203)).mode == Mode::character);
 static_assert(following(Mode::subroutine, Word18(0705312)).mode == Mode::vector);
 
-TEST(DisplayWords, FieldsOfALayoutHaveNamesOfTheirOwn) {
+TEST(DisplayWords, FieldsOfALayoutHaveDistinctNames) {
   for (const Layout& layout : layouts) {
     std::set<std::string_view> names;
     for (const Field& field : layout.fields) {

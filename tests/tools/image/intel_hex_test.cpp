@@ -69,7 +69,7 @@ TEST(IntelHex, RandomImagesComeBack) {
   }
 }
 
-TEST(IntelHex, WhatIsTaken) {
+TEST(IntelHex, AcceptedVariants) {
   for (const char* text :
        {":01000000AA55\r\n:00000001FF\r\n", ":01000000aa55\n\n:00000001ff",
         ":01000000AA55\n:0000000000\n\x1A\x1A", ":020000020000FC\n:01000000AA55\n:00000001FF",
@@ -82,7 +82,7 @@ TEST(IntelHex, WhatIsTaken) {
   }
 }
 
-TEST(IntelHex, WhatIsRefused) {
+TEST(IntelHex, Errors) {
   EXPECT_EQ(read_error(""),
             "f.hex:1:1: error: found the end of the file, expected an end record, :00000001FF");
   EXPECT_EQ(read_error(":01000000AA55\n"),
@@ -115,7 +115,7 @@ TEST(IntelHex, WhatIsRefused) {
   EXPECT_EQ(read_error(":01000001AA54"), "f.hex:1:2: error: found data in an end record, expected length 00");
 }
 
-TEST(IntelHex, EverySingleDamageIsNoticed) {
+TEST(IntelHex, EverySingleDamageIsDetected) {
   const std::string good = known_file(":00010001FE\n");
   const auto whole = read_intel_hex(good, "f").value();
   for (std::size_t i = 0; i < good.size() - 1; ++i) {

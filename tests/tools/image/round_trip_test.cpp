@@ -81,7 +81,7 @@ TEST(RoundTrip, Hri) {
 
 // Hole 8 lost anywhere in a word is refused. (The one case that cannot be seen at once is the first line of a
 // word without data: it becomes blank feed, and the words after it are shifted.)
-TEST(RoundTrip, ALostHole8IsNoticed) {
+TEST(RoundTrip, ALostHole8IsDetected) {
   Images images(4);
   for (int i = 0; i < tests::effort(20, 3); ++i) {
     const Tape tape = write_rim(images.sparse(017762), "t").value();

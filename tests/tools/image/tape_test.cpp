@@ -64,7 +64,7 @@ TEST(Rim, LeaderMayBeReadableAndFeedMayStandBetweenWords) {
   EXPECT_TRUE(read_rim(tape, "t"));
 }
 
-TEST(Rim, DamageIsNamedWithItsByte) {
+TEST(Rim, DamageIsReportedWithItsByte) {
   EXPECT_EQ(message(read_rim({}, "t")),
             "t:byte 0: error: found the end of the tape, expected DAC address, JMP start or HLT");
   EXPECT_EQ(message(read_rim(first_lines(rim_lines, 6), "t")),
@@ -120,7 +120,7 @@ TEST(Hri, FillsGapsAndKeepsTheBank) {
   EXPECT_EQ(read.value().start, 020002U);
 }
 
-TEST(Hri, DamageIsNamedWithItsByte) {
+TEST(Hri, DamageIsReportedWithItsByte) {
   EXPECT_EQ(
       message(read_hri(with(hri_lines, 8, 0200), "t", 0)),
       "t:byte 9: error: found the end of the tape, expected a word, the last with hole 7 in its third line");

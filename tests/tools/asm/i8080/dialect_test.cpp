@@ -165,7 +165,7 @@ TEST(I8080MacManual, EvaluationOfParameters) {
 }
 
 // Figure 24.
-TEST(I8080MacManual, BracketsAreTakenOffOneByOne) {
+TEST(I8080MacManual, BracketsAreRemovedOneByOne) {
   const std::string text =
       "IRPM1 MACRO X\n IRP Y,X\nY: NOP\n ENDM\n ENDM\n IRPM1 <<ONE,TWO,THREE>>\n"
       "IRPM2 MACRO X\n IRP Y,<X>\nY: NOP\n ENDM\n ENDM\n IRPM2 <FOUR,FIVE,SIX>\n"
@@ -229,7 +229,7 @@ TEST(I8080Dialect, PrefixesAfterOperatorsOfHigherPrecedenceInMac) {
     EXPECT_EQ(first_message(mac, std::string(" DW ") + taken + "\n"), "") << taken;
 }
 
-TEST(I8080Dialect, LongNamesAreWarnedOf) {
+TEST(I8080Dialect, LongNamesDrawAWarning) {
   EXPECT_EQ(first_message(intel, "SEVENCH: NOP\n"),
             "t.asm:1:1: warning: found 'SEVENCH' of 7 characters, expected at most 6, which are all that count with --dialect intel");
   EXPECT_EQ(first_message(m80, "SIXTEENCHARACTER: NOP\n"), "");
@@ -257,7 +257,7 @@ TEST(I8080Dialect, ALabelOnEndm) {
   EXPECT_EQ(bytes(m80, "P MACRO\n JMP DONE\nDONE: ENDM\n P\n NOP\n"), (Bytes{0xC3, 3, 0, 0}));
 }
 
-TEST(I8080Dialect, WhatIsOpenAtTheEnd) {
+TEST(I8080Dialect, OpenConditionalsAtTheEnd) {
   EXPECT_EQ(bytes(m80, "P MACRO\n IF 1\n DB 1\n ENDM\n P\n DB 2\n"), (Bytes{1, 2}));
   EXPECT_EQ(first_message(m80, " IF 1\n DB 1\n END\n").substr(0, 20), "t.asm:1:2: warning: ");
 }
@@ -286,7 +286,7 @@ TEST(I8080Dialect, DirectivesOfMacro80) {
   EXPECT_EQ(bytes(m80, "P MACRO X\n DB X\n ENDM\n .RADIX 16\n P %0FE\n .RADIX 2\n P %101\n"), (Bytes{0xFE, 5}));
 }
 
-TEST(I8080Dialect, CommonBlocksOfANameLieOverEachOther) {
+TEST(I8080Dialect, CommonBlocksOfOneNameOverlap) {
   EXPECT_EQ(bytes(m80, " DB 1\n COMMON /C/\nA1: DS 2\nB1: DB 9\n CSEG\n DB 2\n COMMON /C/\nA2: DS 2\n CSEG\n DB A1,A2\n"),
             (Bytes{1, 0, 0, 9, 2, 1, 1}));
   EXPECT_FALSE(assembled(m80, " COMMON /C/\n DS 1\n CSEG\n COMMON /C/\n DS 2\n").ok());
@@ -294,7 +294,7 @@ TEST(I8080Dialect, CommonBlocksOfANameLieOverEachOther) {
 }
 
 // Utility Software Manual, 2.6.1, 2.6.3, 2.6.7, 2.6.15: a segment goes on where it was left, and ORG is of the segment it is in.
-TEST(I8080Dialect, SegmentsGoOnWhereTheyWereLeft) {
+TEST(I8080Dialect, SegmentsContinueWhereTheyWereLeft) {
   const auto assembly = assembled(m80,
                                   " ORG 100H\n DB 1\n DSEG\n ORG 200H\nV: DB 2\n CSEG\n DB 3\n DSEG\nW: DB 4\n ASEG\n ORG 8\n DB 5\n CSEG\n"
                                   "X: DW V,W,X\n ASEG\n DB 6\n END\n");
@@ -324,7 +324,7 @@ TEST(I8080Dialect, ExternalsAreFoundInOtherSourcesOfTheCommand) {
 }
 
 // MACRO-80, 2.6.10 and 2.6.12; RMAC and Intel, chapter 4: a name is that of its module unless PUBLIC says otherwise.
-TEST(I8080Dialect, NamesOfAModuleAreItsOwn) {
+TEST(I8080Dialect, NamesOfAModuleAreLocal) {
   const std::vector<SourceFile> sources{
       {"a.asm", " PUBLIC START,OUT\n EXTRN PUTC\nSTART: CALL PUTC\nLOOP: JMP LOOP\nN EQU 5\nOUT: DB N\n"},
       {"b.asm", "LOOP: JMP LOOP\nN SET 6\nN SET N+1\nPUTC:: DB N\n LXI H,OUT##\n"},
@@ -343,7 +343,7 @@ TEST(I8080Dialect, NamesOfAModuleAreItsOwn) {
   EXPECT_EQ(bytes_of(assemble_i8080(sources, options))[6], 9);
 }
 
-TEST(I8080Dialect, NamesOfModulesThatDoNotMeet) {
+TEST(I8080Dialect, UndeclaredNamesBetweenModules) {
   const auto first = [](const std::string& a, const std::string& b) {
     const auto all = messages(assemble_i8080(std::vector<SourceFile>{{"a.asm", a}, {"b.asm", b}}));
     return all.empty() ? std::string() : all[0];
@@ -364,7 +364,7 @@ TEST(I8080Dialect, NamesOfModulesThatDoNotMeet) {
 
 // --- Laws ---
 
-TEST(I8080Dialect, TheDisassemblerIsReadTheSameInEach) {
+TEST(I8080Dialect, DisassembliesReadTheSameInEachDialect) {
   std::mt19937 random(1974);
   for (int program = 0; program < tests::effort(1000, 100); ++program) {
     image::ByteImage image;
@@ -385,7 +385,7 @@ TEST(I8080Dialect, TheDisassemblerIsReadTheSameInEach) {
   }
 }
 
-TEST(I8080Dialect, NamesAndRowsAreWhole) {
+TEST(I8080Dialect, NamesAndRowsAreComplete) {
   for (const std::string_view name : i8080_dialect_names) {
     const auto dialect = i8080_dialect_named(name);
     ASSERT_TRUE(dialect) << name;

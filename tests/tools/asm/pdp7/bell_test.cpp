@@ -48,7 +48,7 @@ TEST(BellLanguage, MinusIsTwosComplement) {
 }
 
 // expr: r has the sum until a blank ORs it into srand. 9+7 is 16, 020.
-TEST(BellLanguage, PlusAndMinusBindMoreCloselyThanBlanks) {
+TEST(BellLanguage, PlusAndMinusBindMoreTightlyThanBlanks) {
   EXPECT_EQ(words_at_0("1 2 4\n5 4\n1 9+7\n9+7 1\n1 + 2 4\n6 -2 1"), (Words{7, 5, 021, 021, 7, 5}));
 }
 
@@ -158,7 +158,7 @@ TEST(BellLanguage, LabelsHideInstructions) {
              "another name"}));
 }
 
-TEST(BellLanguage, DefinesWinOverAssignments) {
+TEST(BellLanguage, DefinesOverrideAssignments) {
   Options options = bell_options();
   options.defines = {{"t", core::Word18(5)}};
   EXPECT_EQ(words(assemble("..=0\nt=3\nt", options)), (Words{5}));
@@ -188,7 +188,7 @@ TEST(BellErrors, ConstructsOfDecAreNamedWithTheirDialect) {
   }
 }
 
-TEST(BellErrors, EachIsNamedWithItsPlace) {
+TEST(BellErrors, EachHasItsPosition) {
   const auto expect = [](const std::string& source, const std::string& message) {
     EXPECT_EQ(first_message(source), "t.s:" + message) << source;
   };
@@ -327,7 +327,7 @@ class Generated {
   Words words_;
 };
 
-TEST(BellLanguage, GeneratedProgramsHaveTheirWords) {
+TEST(BellLanguage, GeneratedProgramsHaveTheExpectedWords) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const Generated program(seed);
     const Assembly at_0 = bell("..=0\n" + program.text());

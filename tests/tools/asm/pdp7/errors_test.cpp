@@ -18,7 +18,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) {
 
 class Pdp7Errors : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Pdp7Errors, SaysWhatAndWhere) {
+TEST_P(Pdp7Errors, HaveTheirMessageAndPosition) {
   const Assembly assembly = assemble(GetParam().source);
   EXPECT_EQ(messages(assembly), Texts{GetParam().message});
   EXPECT_EQ(assembly.ok(), std::string(GetParam().message).find("error:") == std::string::npos);
@@ -137,7 +137,7 @@ TEST(Pdp7ErrorsAtOnce, AllOfAFileInOneRunInTheirOrder) {
                    "three:1:7: error: found a second start address, expected one START with an address"}));
 }
 
-TEST(Pdp7ErrorsAtOnce, DeepNestingIsRefusedNotObeyed) {
+TEST(Pdp7ErrorsAtOnce, DeepNestingIsAnError) {
   const auto repeated = [](char c) {  // then a 1
     std::string text(100000, c);
     text.push_back('1');
