@@ -1,5 +1,4 @@
-// The resident Skala program's monitor: what it refuses, both links, a picture larger than its buffer,
-// devices that fail.
+// The resident Skala program's monitor: rejected commands, both links, a picture larger than its buffer, failing devices.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +76,7 @@ TEST(SkalaReceipt, OverTheSerialLink) {
   EXPECT_EQ(machine.ef9365().totals().dots, 11U);
 }
 
-// A host at half the speed: the stop bit is not where it should be.
+// The host sends at half the speed: the stop bit is not where it should be.
 TEST(SkalaReceipt, StopsAtALineError) {
   SkalaMachine machine({1, 10, 10, 2, 20, 10, 0}, {{"ef9365"}, {"serial", {{"baud", 4800}}}});
   machine.machine().deposit(label("LINKSW"), 1);
@@ -94,7 +93,7 @@ TEST(SkalaDevices, MustAnswer) {
   EXPECT_EQ(minigraf.run(), 1);
 }
 
-// The carriage stands at its end: the first step off it is an error of the plotter's.
+// The carriage is at its end: a step beyond it is a plotter error.
 TEST(SkalaDevices, APlotterErrorStopsTheProgram) {
   SkalaMachine machine({10, 2, 1, 200, 200, 2, 250, 250, 0},
                        {{"ef9365"}, {"alt256"}, {"calcomp565", {{"start-y", 1100}}}, {"minigraf0507"}, {"parallel"}});

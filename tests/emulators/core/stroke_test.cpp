@@ -1,4 +1,4 @@
-// A buffer hands on every stroke once and in order, and what waits before a pass begins or ends.
+// A buffer passes on every stroke once and in order, and flushes waiting strokes before a pass begins or ends.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace sightline::core {
 namespace {
 
-// Each stroke as its x, passes as brackets.
+// Records each stroke as its x, passes as brackets.
 struct Transcript final : StrokeTaker {
   std::string text;
   std::size_t blocks = 0;
@@ -59,7 +59,7 @@ TEST(StrokeBuffer, LosesNoStrokeBeyondItsCapacity) {
   EXPECT_EQ(taker.text, expected);
 }
 
-// A taker has the strokes of its time, and those that nobody wants are gone.
+// Each taker gets the strokes of its time; strokes without taker are dropped.
 TEST(StrokeBuffer, TheTakerMayChange) {
   Transcript first;
   Transcript second;

@@ -1,4 +1,4 @@
-// The raster's orientation, and that every printable character has a shape of its own.
+// The raster's orientation, and a distinct shape for every printable character.
 #include "emulators/core/raster.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Devices of this test on the ports of an 8080: which ports reach them, what an absent one leaves, what they may do by themselves,
-// who comes first, and what attach() and wire() refuse.
+// This test's own devices on the ports of an 8080: the ports that reach them, the effect of an absent one, their requests, their
+// priority, and the errors of attach() and wire().
 #include "emulators/machines/i8080_ports.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using core::PortDeviceInfo;
 using core::PortRange;
 using core::TStateInstant;
 
-// A byte that can be written and read.
+// One byte, readable and writable.
 struct Latch : core::PortDevice {
   static constexpr std::array reads{PortRange{0x10, 0x11}};
   static constexpr std::array writes{PortRange{0x10, 0x10}};
@@ -39,8 +39,8 @@ struct Latch : core::PortDevice {
   std::vector<core::Count> counts() const override { return {{"written", static_cast<std::uint64_t>(written)}}; }
 };
 
-// Counts down in T-states from a write and then asks for an interrupt, on one line until it is read, on the
-// other until it is written.
+// Counts down in T-states from a write and then requests an interrupt, on one line until it is read, on the other until it is
+// written.
 struct Timer : core::PortDevice {
   static constexpr std::array reads{PortRange{0x20, 0x20}, PortRange{0xFF, 0xFF}};
   static constexpr std::array writes{PortRange{0x20, 0x20}};
@@ -51,7 +51,7 @@ struct Timer : core::PortDevice {
   TStateInstant due = never_t;
   bool rung = false;
   bool unread = false;
-  int asked = 0;  // for lines and deadline
+  int asked = 0;  // calls for lines and deadline
 
   void advance(TStateInstant now) override {
     if (due > now) return;
@@ -181,7 +181,7 @@ TEST(I8080Ports, ListedDevicesComeFirst) {
 }
 
 TEST(I8080Ports, TwoDevicesOnOnePortAreAnErrorWithBothNames) {
-  // Write only, and read only, on ports that others have in both directions.
+  // Write-only and read-only devices on ports that others use in both directions.
   static constexpr std::array writes{PortRange{0x0F, 0x12}};
   static constexpr PortDeviceInfo writer{.name = "writer", .help = "", .choice = "", .writes = writes};
   static constexpr std::array reads{PortRange{0xFF, 0xFF}};
@@ -238,7 +238,7 @@ TEST(I8080Ports, AStrictMachineEndsARunAtAnUnansweredAccess) {
   EXPECT_EQ(machine.run(), i8080::StopReason::halt);
 }
 
-// Notes what passes, and hands it on with its complement.
+// Records each access, and passes it on complemented.
 struct Front : core::PortDevice {
   explicit Front(i8080::Machine& of) : machine(of) {}
   i8080::Machine& machine;

@@ -1,5 +1,4 @@
-// Intel HEX and raw bytes: records known from Intel's description, round trips, and everything that can be
-// wrong.
+// Intel HEX and raw bytes: records from Intel's description, round trips, and every error.
 #include "tools/image/intel_hex.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +20,7 @@ ByteImage image_of(std::uint16_t address, const std::vector<std::uint8_t>& bytes
   return image;
 }
 
-// Sixteen bytes at 0100; the checksum 40 was added up by hand.
+// Sixteen bytes at 0100; the checksum 40 was computed by hand.
 constexpr std::string_view known_record = ":10010000214601360121470136007EFE09D2190140\n";
 
 std::string known_file(std::string_view end) {

@@ -1,4 +1,4 @@
-// The octal core image: what it says, and every way to say it wrongly.
+// The octal core image: its format, and every error in it.
 #include "tools/image/octal.hpp"
 
 #include <gtest/gtest.h>

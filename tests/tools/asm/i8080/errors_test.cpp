@@ -1,4 +1,4 @@
-// What the 8080 assembler refuses, and how it says so.
+// The errors of the 8080 assembler and their messages.
 #include <gtest/gtest.h>
 
 #include "tests/tools/asm/i8080/assemble.hpp"

@@ -1,4 +1,4 @@
-// The language of the 8080 assembler but macros: instructions, numbers, expressions, data, symbols, files.
+// The language of the 8080 assembler without macros: instructions, numbers, expressions, data, symbols, files.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,7 +9,7 @@
 namespace sightline::assembler {
 namespace {
 
-// Every documented opcode, by the mnemonics of a table that is not the assembler's own.
+// Every documented opcode, by the mnemonics of a table independent of the assembler.
 TEST(I8080Language, EveryInstruction) {
   std::ifstream table(SIGHTLINE_TEST_DATA "/i8080/opcode-timing.csv");
   std::string line;
@@ -48,7 +48,7 @@ TEST(I8080Language, Numbers) {
   EXPECT_EQ(bytes8080(" DW 65535,0FFFFH,0BH,0DH,1BH"), (Bytes{255, 255, 255, 255, 11, 0, 13, 0, 27, 0}));
 }
 
-// Values worked out by Intel's order: HIGH LOW; * / MOD SHL SHR; + -; relations; NOT; AND; OR XOR.
+// Values computed by Intel's precedence: HIGH LOW; * / MOD SHL SHR; + -; relations; NOT; AND; OR XOR.
 TEST(I8080Language, Precedence) {
   const std::vector<std::pair<std::string, int>> cases{
       {"2+3*4", 14},          {"(2+3)*4", 20},
@@ -190,7 +190,7 @@ TEST(I8080Language, DirectivesWithoutEffect) {
             Bytes{0});
 }
 
-// They are no reserved words in CP/M's ASM.
+// They are not reserved words in CP/M's ASM.
 TEST(I8080Language, DirectivesWithoutEffectAreLabelsInColumn1) {
   const auto assembly = assemble8080(
       "ENTRY LXI H,1234H\nNAME DB 'FOO'\nPAGE DS 1\nTITLE DB 1\nglobal dw 2\n JMP NAME\n LDA TITLE");

@@ -1,4 +1,4 @@
-// Every kind of mistake in a source, with the place and the words of its message.
+// Every kind of error in a source, with the position and text of its message.
 #include <gtest/gtest.h>
 
 #include "tests/tools/asm/assemble.hpp"

@@ -1,5 +1,5 @@
-// What sources assemble to. The words are worked out by hand from the instruction formats (P4-17 to P4-23,
-// P4-58) and from the language rules of DIGITAL-7-3-S; programs of the period give the rest.
+// The words that sources assemble to, worked out by hand from the instruction formats (P4-17 to P4-23, P4-58) and from the
+// language rules of DIGITAL-7-3-S, or taken from programs of the time.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -280,8 +280,8 @@ TEST(Pdp7Language, PunchMakesNoWord) {
   EXPECT_EQ(words(a), (Words{1, 2, 3, 0200002}));
 }
 
-// DIGITAL-7-3-S, appendix 3. All sources are one program, so the declarations only have to be true.
-// DIGITAL-7-3-S, appendix 3: a program unit's names are its own but for those that it declares.
+// DIGITAL-7-3-S, appendix 3: the undeclared names of a program unit are local to it. All sources are one program, so
+// declarations only need to be consistent.
 TEST(Pdp7Language, NamesOfASourceWithDeclarationsAreLocal) {
   const std::vector<SourceFile> sources{{"a", "100/\nexternal sqrt\nloop, jms sqrt\njmp loop\nn=1\nlac n\nlac v#\n"},
                                         {"b", "internal sqrt\nsqrt, 0\nloop, jmp i sqrt\njmp loop\nn=2\nlac n\nlac v#\n"}};
@@ -290,7 +290,7 @@ TEST(Pdp7Language, NamesOfASourceWithDeclarationsAreLocal) {
   const auto word = [&assembly](std::uint32_t at) { return assembly.image.words.at(at).value(); };
   const std::vector<std::uint32_t> expected{0100104, 0600100, 0200001, 0200111, 0, 0620104, 0600105, 0200002, 0200112};
   for (std::uint32_t n = 0; n < expected.size(); ++n) EXPECT_EQ(word(0100 + n), expected[n]) << n;
-  // Two variables, one for each source.
+  // Two variables, one in each source.
   EXPECT_EQ(assembly.image.words.size(), 11U);
   Options options;
   options.defines.push_back({"n", core::Word18(7)});
@@ -335,7 +335,7 @@ TEST(Pdp7Language, OtherAssemblersConstructsAreNamed) {
   }
 }
 
-// Sources of the other dialect are refused by its name, and make no words.
+// The messages for constructs of the other dialect name it; they make no words.
 TEST(Pdp7Language, ConstructsOfBellAreNamedWithTheirDialect) {
   for (const std::string source : {"loop: lac 5", "lac 5 \" comment", "jmp 1f", "jmp 2b", ".=.+5", "<ab>", "sys 5", "1: 0"}) {
     const Assembly a = assemble(source);
