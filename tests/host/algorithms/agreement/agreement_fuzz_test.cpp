@@ -101,7 +101,7 @@ class Everyone {
   std::vector<std::pair<const registry::LineAlgorithm*, decltype(registry::PreparedScene::view)>> others_;
 };
 
-TEST(AgreementFuzz, RandomScenesAreSeenAlikeByAll) {
+TEST(AgreementFuzz, AllAlgorithmsAgreeOnRandomScenes) {
   constexpr int views = 8;
   const std::uint32_t first = number_from("SIGHTLINE_FUZZ_SEED", 1);
   const std::uint32_t scenes = number_from("SIGHTLINE_FUZZ_SCENES", tests::effort(60U, 15U));

@@ -24,7 +24,7 @@ struct Figure {
 
 class JonesFigures : public testing::TestWithParam<Figure> {};
 
-TEST_P(JonesFigures, AreThePublishedOnes) {
+TEST_P(JonesFigures, EqualThePublishedFigures) {
   const Figure& figure = GetParam();
   const auto scene = *scene::generate_scene(figure.family, figure.size);
   const picture::LinePicture exact = exact::visible_edges(scene, scene.camera);

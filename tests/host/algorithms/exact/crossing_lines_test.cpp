@@ -91,7 +91,7 @@ std::optional<std::vector<PiercedPoint>> pierced_points(const scene::PolyScene& 
   return points;
 }
 
-TEST(CrossingLines, OfTurnedSolidsAreFoundAndSeenAsByTryingAll) {
+TEST(CrossingLines, OfTurnedSolidsMatchAnExhaustiveSearch) {
   Dice dice(162);
   int compared = 0;
   std::size_t ends = 0;
@@ -137,7 +137,7 @@ TEST(CrossingLines, OfTurnedSolidsAreFoundAndSeenAsByTryingAll) {
 }
 
 // With the eye among sheets that pass through each other, so that much lies behind it, at the edge of what coordinates may be.
-TEST(CrossingLines, AreSeenAsTheOracleSeesThemFromAmongThem) {
+TEST(CrossingLines, FromAmongThemExactAndOracleAgree) {
   Dice dice(61);
   std::size_t pieces = 0;
   for (int round = 0; round < 60; ++round) {

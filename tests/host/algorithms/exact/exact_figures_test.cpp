@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(, Figures,
                            return std::string(figure.param.family) + std::to_string(figure.param.size);
                          });
 
-TEST_P(Figures, AreThePublishedOnes) {
+TEST_P(Figures, EqualThePublishedFigures) {
   const Figure& figure = GetParam();
   const auto scene = *scene::generate_scene(figure.family, figure.size);
   for (const Maker& maker : {exact_maker, oracle_maker}) {

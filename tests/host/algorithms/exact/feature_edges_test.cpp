@@ -84,7 +84,7 @@ TEST(FeatureEdges, OfTurnedSolidsAreTheSameEdgesOfTheFile) {
 }
 
 // In perspective, too, and with the eye near; the pictures need only agree.
-TEST(FeatureEdges, AreSeenAsTheOracleSeesThem) {
+TEST(FeatureEdges, ExactAndOracleSeeTheSame) {
   Dice dice(5);
   int compared = 0;
   for (int round = 0; compared < 60 && round < 400; ++round) {

@@ -96,7 +96,7 @@ picture::LinePicture seen(const Hatched& hatched) {
   return exact::visible_edges(exact::make_edge_mesh(hatched.hatching.scene), hatched.camera, &hatched.hatching.lines);
 }
 
-TEST(Hatching, IsSeenAsTheOracleSeesIt) {
+TEST(Hatching, ExactAndOracleSeeTheSame) {
   Dice dice(31);
   std::size_t lines = 0;
   std::size_t pieces = 0;
@@ -121,7 +121,7 @@ TEST(Hatching, IsSeenAsTheOracleSeesIt) {
 }
 
 // On the paper: at the angle, at whole multiples of the spacing; in space: on their faces, but for rounding.
-TEST(Hatching, LinesAreWhereTheyAreSaidToBe) {
+TEST(Hatching, LinesHaveTheRequestedAngleAndSpacing) {
   Dice dice(7);
   for (int i = 0; i < 6; ++i) {
     const auto scene = *scene::generate_scene("boxes", 5, 10U + static_cast<unsigned>(i));
@@ -229,7 +229,7 @@ TEST(Hatching, AHoleHasNone) {
 }
 
 // Lines in which bodies of a scene without surfaces cross.
-TEST(CrossingsWithoutSurfaces, AreSeenAsTheOracleSeesThem) {
+TEST(CrossingsWithoutSurfaces, ExactAndOracleSeeTheSame) {
   Dice dice(11);
   std::size_t pieces = 0;
   std::size_t crossings = 0;

@@ -51,7 +51,7 @@ TEST(ImageGrid, SmallOccludersKeepSmallCells) {
 
 // The law of a query: of the occluders whose bounds touch a rectangle each passes once, in one of the cells, and no
 // other; and in a cell the nearest comes first. On any number of threads.
-TEST(ImageGrid, EveryOccluderThatTouchesARectanglePassesOnce) {
+TEST(ImageGrid, EveryOccluderThatTouchesARectangleIsVisitedOnce) {
   std::mt19937 generator(3);
   const auto below = [&generator](std::uint32_t limit) { return static_cast<std::uint32_t>(generator()) % limit; };
   for (int round = 0; round < 60; ++round) {

@@ -78,7 +78,7 @@ TEST_P(Wires, NothingButLines) {
 }
 
 // A square of two triangles: its diagonal is drawn if a wire says so, its sides are what they are without one.
-TEST(WireKinds, AFlatEdgeAndALineOfItsOwn) {
+TEST(WireKinds, AFlatEdgeAndASeparateLine) {
   PolyScene scene;
   scene.vertices = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {4, 4, 7}};
   scene.bodies = {{"", true, {{{0, 1, 2}, {}}, {{0, 2, 3}, {}}}}};
@@ -150,7 +150,7 @@ TEST(RoundedWires, AreSeenOnTheirFaces) {
 }
 
 // A tenth behind the face is behind it, if tenths are the steps of the file.
-TEST(RoundedWires, ShortNumbersAreMeantAsTheyAre) {
+TEST(RoundedWires, NumbersWithFewDecimalsAreExact) {
   scene::PolyMesh mesh = cube_with_wires([](const Point& p) -> Point { return p; });
   const scene::PolyCamera camera{false, {}, {-1, -1, -1}, {1, 0, -1}, {-1, 2, -1}};
   const auto seen = [&] {

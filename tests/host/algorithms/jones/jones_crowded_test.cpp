@@ -50,7 +50,7 @@ TEST_F(CrowdedBuilding, IsDrawnExactlyFromWithinAndWithout) {
   }
 }
 
-TEST_F(CrowdedBuilding, AViewThroughAnOuterDoorTouchesLittleOfTheWallOutside) {
+TEST_F(CrowdedBuilding, AViewThroughAnOuterDoorVisitsFewLinesOfTheWallOutside) {
   for (std::int32_t y = 0; y < rooms; ++y) {
     const jones::Counts counts = view(from_room(0, y)).counts;
     EXPECT_LT(counts.lines_clipped, 32 * counts.visits) << y;

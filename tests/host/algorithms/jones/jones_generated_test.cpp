@@ -88,7 +88,7 @@ class GeneratedSet : public testing::TestWithParam<std::string_view> {
   }
 };
 
-TEST_P(GeneratedSet, IsSeenAsExactSaysAfterAutomaticDecomposition) {
+TEST_P(GeneratedSet, EqualsExactAfterAutomaticDecomposition) {
   for (const scene::GeneratedSceneName& name : scene::generated_set()) {
     if (name.family != GetParam()) continue;
     const auto scene = *scene::generate_scene(name.family, name.size, name.seed);

@@ -28,7 +28,7 @@ jones::View view_of(const scene::CellComplex& complex, const scene::PolyCamera& 
 }
 
 // J3: of two rooms the one on the side looked into is seen, all of it that is before the eye.
-TEST(JonesHardCases, EyeOnAWallIsOnTheSideLookedInto) {
+TEST(JonesHardCases, EyeOnAWallIsOnTheSideOfTheViewingDirection) {
   const geometry::Box left{{-50, -50, -100}, {0, 50, 100}};
   const geometry::Box right{{0, -50, -100}, {50, 50, 100}};
   scene::PolyScene scene;
@@ -128,7 +128,7 @@ TEST(JonesHardCases, EyeInLineWithWalls) {
 }
 
 // J17: a side given twice, by two planes through the same line.
-TEST(JonesHardCases, SidesInOneLineDoNotPileUp) {
+TEST(JonesHardCases, SidesInOneLineAreMerged) {
   const HardCase hard = corridor({portal(100, {0, 40}, {0, 20})}, 200);
   scene::CellComplex complex = hard.complex();
   scene::ComplexOpening& opening = complex.openings.back();
@@ -149,7 +149,7 @@ TEST(JonesHardCases, SidesInOneLineDoNotPileUp) {
   EXPECT_EQ(view.counts.mask_sides, 4U);
 }
 
-TEST(JonesHardCases, AnEyeThatCannotBeIsAnError) {
+TEST(JonesHardCases, AnInvalidEyeIsAnError) {
   const scene::PolyScene scene = scene::generate_boxes(1);
   const auto result = scene::decompose_grid(scene);
   const auto& complex = *result;

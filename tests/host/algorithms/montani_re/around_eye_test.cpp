@@ -78,7 +78,7 @@ TEST(MontaniReAroundEye, WallsInLineWithThePyramids) {
   }
 }
 
-TEST(MontaniReAroundEye, FacesOfOneSetAreRefusedByName) {
+TEST(MontaniReAroundEye, ErrorsNameTheFaces) {
   scene::PolyScene scene = scene::generate_rooms(2);
   scene.camera = {true, {500, 500, 300}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto set = faces_of(scene, scene.camera);

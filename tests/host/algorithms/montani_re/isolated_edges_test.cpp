@@ -79,7 +79,7 @@ TEST(IsolatedEdges, MayRunFromCornerToCornerOfTheSheet) {
   expect_agreement(scene, along_z());
 }
 
-TEST(IsolatedEdges, LeaveHolesAlone) {
+TEST(IsolatedEdges, DoNotCrossHoles) {
   scene::PolyScene scene = touching(5);
   const auto first = static_cast<scene::VertexIndex>(scene.vertices.size());
   scene.vertices.insert(scene.vertices.end(), {{-9, -9, 0}, {-9, 30, 0}, {30, 30, 0}, {30, -9, 0}});
@@ -89,7 +89,7 @@ TEST(IsolatedEdges, LeaveHolesAlone) {
 }
 
 // A face that is behind the sheet at its edge and reaches round it to the front elsewhere.
-TEST(IsolatedEdges, AreJudgedByTheFaceBesideThem) {
+TEST(IsolatedEdges, DependOnTheAdjacentFace) {
   scene::PolyScene scene = touching(5);
   scene.vertices[3] = {1, 2, 0};
   scene.vertices[4] = {3, 2, 0};
@@ -102,7 +102,7 @@ TEST(IsolatedEdges, AreJudgedByTheFaceBesideThem) {
 }
 
 // A box standing on the back, too, and something before all of it.
-TEST(IsolatedEdges, AreHiddenByWhatIsNearer) {
+TEST(IsolatedEdges, AreHiddenByNearerFaces) {
   scene::PolyScene scene = touching(5);
   add_sheet(scene, {{2, 0, -3}, {3, 0, -3}, {3, 9, -2}, {2, 9, -2}});
   expect_agreement(scene, along_z());

@@ -43,7 +43,7 @@ TEST(LatticePcs, Table1) {
   EXPECT_EQ(ours, table);
 }
 
-TEST(LatticePcs, ChainsOfFigure1ComeBack) {
+TEST(LatticePcs, ChainsOfFigure1RoundTrip) {
   const LatticePcs pcs = lattice_pcs(figure_1).value();
   const auto loops = boundary_of(pcs);
   ASSERT_EQ(loops.size(), 3U);
@@ -65,7 +65,7 @@ TEST(LatticePcs, ChainsOfFigure1ComeBack) {
   EXPECT_EQ(lattice_pcs(given), pcs);
 }
 
-TEST(LatticePcs, ChainsThatDoNotCloseAreRefused) {
+TEST(LatticePcs, ChainsThatDoNotCloseAreErrors) {
   const std::array<FreemanChain, 1> open{{{{0, 0}, "0022"}}};
   const std::array<FreemanChain, 1> strange{{{{0, 0}, "0248"}}};
   EXPECT_FALSE(lattice_pcs(open).has_value());
@@ -76,7 +76,7 @@ TEST(LatticePcs, TwoThousandSetOperations) {
   EXPECT_EQ(wrong_set_operations(1985, 667), 0);
 }
 
-TEST(LatticePcs, ThereAndBackForRandomSets) {
+TEST(LatticePcs, RandomSetsRoundTrip) {
   RandomPolygons random(3);
   for (int round = 0; round < 300; ++round) {
     const LatticePcs pcs = pcs_of(random.polygons());

@@ -136,7 +136,7 @@ TEST(MontaniReRegionBoundary, LoopsThatOnlyTouchAreApart) {
   EXPECT_EQ(exact_area(pinched.image, loops[0]), 350);
 }
 
-TEST(MontaniReRegionBoundary, OfNothingIsNothing) {
+TEST(MontaniReRegionBoundary, OfAnEmptyRegionIsEmpty) {
   EXPECT_TRUE(boundary_of(Image(false), {}).empty());
 }
 

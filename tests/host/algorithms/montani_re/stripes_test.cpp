@@ -118,7 +118,7 @@ TEST(MontaniReStripes, DifferenceAndOverwritingAreTheSame) {
   }
 }
 
-TEST(MontaniReStripes, ThinnerStripesAreNearerToTheTruth) {
+TEST(MontaniReStripes, ThinnerStripesHaveSmallerErrors) {
   const FaceSet set = set_of(scene::generate_boxes(12));
   const ListedFaces seen = listed_faces(set);
   const StripeFrame frame = frame_of(set, 128);

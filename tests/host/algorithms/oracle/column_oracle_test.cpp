@@ -78,7 +78,7 @@ Chain run_at(int x, std::int64_t depth, int from, int to, SegmentRole role) {
   return {0, {{x, from, depth, none}, {x, to, depth, role}}};
 }
 
-TEST(ColumnOracle, TestedPiecesShowBesideLowerColumns) {
+TEST(ColumnOracle, TestedPiecesAreVisibleNextToLowerColumns) {
   const Chain cover = run_at(3, 10, 0, 11, mask);
   const Chain tested = run(20, 1, 10, test);
   EXPECT_EQ(lit({cover, tested}), ".#........#.");
@@ -103,7 +103,7 @@ TEST(ColumnOracle, SurfacesAreFilledBetweenPieces) {
   EXPECT_EQ(lit({run(1, 4, 6, mask), run(2, 5, 5, shade), run(3, 9, 9, shade)}), ".......###..");
 }
 
-TEST(ColumnOracle, SilhouettesAreRecordsThatWereLeft) {
+TEST(ColumnOracle, SilhouettesAreRecordsThatEnd) {
   const auto folds = [](std::initializer_list<int> heights) {
     std::vector<Chain> chains;
     for (const int y : heights) chains.push_back(run(static_cast<std::int64_t>(chains.size()), y, y, mask));

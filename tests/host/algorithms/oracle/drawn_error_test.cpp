@@ -14,7 +14,7 @@ namespace {
 const std::vector<ScreenSegment> square{
     {0, 0, 100, 0}, {100, 0, 100, 100}, {100, 100, 0, 100}, {0, 100, 0, 0}};
 
-TEST(DrawnError, OfTheSameDrawingInPiecesAndBackwardsIsNothing) {
+TEST(DrawnError, OfTheSameDrawingInPiecesAndBackwardsIsZero) {
   const std::vector<ScreenSegment> pieces{{40, 0, 0, 0},      {40, 0, 100, 0}, {100, 100, 100, 0},
                                           {0, 100, 100, 100}, {0, 100, 0, 0},  {20, 0, 60, 0}};
   const DrawnError error = drawn_error(square, pieces, 0.01);
@@ -46,7 +46,7 @@ TEST(DrawnError, ForgivesAShiftUpToTheDistance) {
   EXPECT_GT(drawn_error(square, shifted, 0.5).missing, 390);
 }
 
-TEST(DrawnError, WithAnEmptySideIsAllOfTheOther) {
+TEST(DrawnError, WithAnEmptyDrawingIsTheLengthOfTheOther) {
   EXPECT_DOUBLE_EQ(drawn_error(square, {}, 1).missing, 400);
   EXPECT_DOUBLE_EQ(drawn_error({}, square, 1).extra, 400);
   EXPECT_DOUBLE_EQ(drawn_error({}, {}, 1).true_length, 0);
@@ -60,7 +60,7 @@ TEST(DrawnError, APointHasNoLengthButCanBeNear) {
 
 // Stretches are found by halving. Every step for itself, as the header defines the measure, gives the same
 // bits.
-TEST(DrawnError, OfStretchesIsThatOfTheirSteps) {
+TEST(DrawnError, ByBisectionEqualsThatByEveryStep) {
   const auto near = [](double x, double y, const ScreenSegment& s, double distance) {
     const double dx = s.x1 - s.x0;
     const double dy = s.y1 - s.y0;

@@ -98,7 +98,7 @@ TEST(RealLines, OfAnEmptyRoomAndOfTouchingBoxes) {
       16U);
 }
 
-TEST(Matter, RefusesWhatIsEmptyOrTooLarge) {
+TEST(Matter, RejectsEmptyAndTooLargeScenes) {
   EXPECT_FALSE(Matter::of(scene::CellScene{}));
   EXPECT_FALSE(Matter::of(room({{{20, 20, 20}, {20, 40, 40}}}, {})));
   std::vector<Box> many;

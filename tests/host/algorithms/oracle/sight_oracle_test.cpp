@@ -26,7 +26,7 @@ scene::PolyScene frame_before_square() {
 
 constexpr geometry::Vector3 ahead{0, 0, 1};
 
-TEST(SightOracle, MeetsTheNearestAndLooksThroughHoles) {
+TEST(SightOracle, MeetsTheNearestAndPassesThroughHoles) {
   const scene::PolyScene scene = frame_before_square();
   EXPECT_EQ(nearest_face(scene, {{1, 1, 0}, ahead}), (MetFace{1, 0}));
   EXPECT_EQ(nearest_face(scene, {{4, 4, 0}, ahead}), (MetFace{0, 0}));

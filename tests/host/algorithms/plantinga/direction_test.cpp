@@ -155,7 +155,7 @@ TEST(Direction, RootsOfReducibleFormsAreRational) {
   }
 }
 
-TEST(Direction, OrderIsExactHoweverNear) {
+TEST(Direction, OrderIsExactForAnyDistance) {
   Forms forms;
   int near_ones = 0;
   for (int i = 0; i < 200; ++i) {

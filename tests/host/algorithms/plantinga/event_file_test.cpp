@@ -55,7 +55,7 @@ TEST(EventFile, ThereAndBack) {
   EXPECT_EQ(encode_events(*read), made().bytes);
 }
 
-TEST(EventFile, TruncatedFilesAreRefused) {
+TEST(EventFile, TruncatedFilesAreErrors) {
   for (std::size_t size = 0; size < made().bytes.size(); size += size < 60 ? 1 : 37) {
     const Bytes part(made().bytes.begin(), made().bytes.begin() + static_cast<std::ptrdiff_t>(size));
     EXPECT_NE(error_of(part), "") << size;
@@ -66,7 +66,7 @@ TEST(EventFile, TruncatedFilesAreRefused) {
             "x.events: byte 0: an empty file, expected an event file, which begins with SIGHTLINE EVENTS");
 }
 
-TEST(EventFile, ForeignFilesAreRefused) {
+TEST(EventFile, ForeignFilesAreErrors) {
   Bytes bytes = made().bytes;
   bytes[17] = 9;
   EXPECT_EQ(error_of(bytes), "x.events: byte 17: version 9, expected version 1");
@@ -79,7 +79,7 @@ TEST(EventFile, ForeignFilesAreRefused) {
   EXPECT_NE(read.error().message().find("events of another model"), std::string::npos);
 }
 
-TEST(EventFile, EveryDamagedByteIsRefusedOrHarmless) {
+TEST(EventFile, EveryDamagedByteIsAnErrorOrHarmless) {
   for (std::size_t i = 34; i + 8 < made().bytes.size(); i += 3) {
     for (const int flip : {1, 4, 128}) {
       Bytes bytes = made().bytes;

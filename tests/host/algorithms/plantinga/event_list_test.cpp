@@ -72,7 +72,7 @@ TEST(EventList, ATurnOfTriangles) {
   expect_turn(scene::generate_triangles(12, 3));
 }
 
-TEST(EventList, TurnsOfScenesFullOfContacts) {
+TEST(EventList, TurnsOfScenesWithManyContacts) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_turn(scene::generate_bricks(5, seed));
   expect_turn(scene::generate_touch(2));
 }
@@ -130,7 +130,7 @@ TEST(EventList, EveryEventChangesSomething) {
   }
 }
 
-TEST(EventList, TheNumberOfThreadsDoesNotShow) {
+TEST(EventList, TheResultDoesNotDependOnTheNumberOfThreads) {
   const RotationModel model(three_boxes());
   BuildOptions options;
   options.threads = 1;
@@ -194,7 +194,7 @@ TEST(EventList, LargeSteps) {
   }
 }
 
-TEST(EventList, LimitsEndWithWhatWasDone) {
+TEST(EventList, LimitsReturnThePartialResult) {
   const RotationModel model(three_boxes());
   BuildOptions options;
   options.threads = 1;

@@ -116,7 +116,7 @@ std::vector<double> crossings(const FaceRegion& region, double y) {
   return at;
 }
 
-TEST(MontaniReFaces, OutlinesHoldThePixelsOfTheirFaces) {
+TEST(MontaniReFaces, OutlinesContainThePixelsOfTheirFaces) {
   for (const Setting& setting : settings) {
     const scene::PolyScene scene = scene_of(setting);
     const auto seen = prepared(scene, 1).regions(scene.camera, window);
@@ -141,7 +141,7 @@ TEST(MontaniReFaces, OutlinesHoldThePixelsOfTheirFaces) {
   }
 }
 
-TEST(MontaniReFaces, RefuseOtherThicknesses) {
+TEST(MontaniReFaces, RejectOtherThicknesses) {
   const scene::PolyScene scene = scene::generate_boxes(2);
   FaceOptions options;
   options.stripe = 3;

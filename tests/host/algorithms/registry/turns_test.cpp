@@ -45,7 +45,7 @@ double exact_length(const scene::PolyScene& scene, std::int32_t x, std::int32_t 
   return sum;
 }
 
-TEST(TurnMethods, FramesAreThoseOfExact) {
+TEST(TurnMethods, FramesEqualThoseOfExact) {
   const scene::PolyScene scene = two_boxes();
   for (const TurnMethod& method : turn_methods()) {
     ASSERT_FALSE(method.why_not(scene)) << method.name;
@@ -62,7 +62,7 @@ TEST(TurnMethods, FramesAreThoseOfExact) {
   }
 }
 
-TEST(TurnMethods, KeepWhatTheyFound) {
+TEST(TurnMethods, SaveTheirResults) {
   const scene::PolyScene scene = two_boxes();
   const TurnMethod& method = *find_turn_method("plantinga");
   const std::string file = testing::TempDir() + "turn.events";

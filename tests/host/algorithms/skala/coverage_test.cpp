@@ -118,7 +118,7 @@ class Covering : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(Covering, LinesOnTheFloorAreAsRaysSay) {
+TEST_P(Covering, LinesOnTheFloorMatchRays) {
   Counts counts;
   std::mt19937 dice(1);
   for_views([&](const Rays& rays, const Surface& surface, const Box& box, const Coverage& coverage) {
@@ -141,7 +141,7 @@ TEST_P(Covering, LinesOnTheFloorAreAsRaysSay) {
   EXPECT_LT(counts.unsure, counts.visible + counts.hidden);
 }
 
-TEST_P(Covering, EdgesOfTheBoxAreAsRaysSay) {
+TEST_P(Covering, EdgesOfTheBoxMatchRays) {
   Counts counts;
   for_views([&](const Rays& rays, const Surface& surface, const Box& box, const Coverage& coverage) {
     const std::vector<BoxEdge> drawn = visible_box(surface, box, &coverage);
@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(Skala, Covering, testing::Values("sinc", "peaks", "step
                          [](const auto& chosen) { return std::string(chosen.param); });
 
 // Of three corners of the box one is nearest to the eye: the edges that meet there are left out, whatever the view.
-TEST(VisibleBox, EdgesThatMeetNearestToTheEyeAreLeftOut) {
+TEST(VisibleBox, EdgesAtTheNearestCornerAreOmitted) {
   const scene::HeightGrid grid = sample(*scene::height_function("saddle"), {5, 5});
   for (int rotation = 5; rotation < 360; rotation += 30)
     for (const double elevation : {-60.0, -10.0, 10.0, 60.0}) {

@@ -92,7 +92,7 @@ void compare(const DepthScene& scene, const picture::VectorDrawing& drawing, int
 
 class Functions : public testing::TestWithParam<const char*> {};
 
-TEST_P(Functions, LinesAreThoseThatDepthAlonePredicts) {
+TEST_P(Functions, LinesMatchTheDepthOracle) {
   const auto function = scene::height_function(GetParam());
   ASSERT_TRUE(function);
   Tally tally;

@@ -66,7 +66,7 @@ TEST(SkalaFigure, EverythingIsOnThePage) {
 }
 
 // From above and not turned: x to the right and the second axis upwards, a unit as long in both.
-TEST(SkalaFigure, TicksStandWhereTheirValuesAre) {
+TEST(SkalaFigure, TicksAreAtTheirValues) {
   View view;
   view.rotation = 0;
   view.elevation = 90;
@@ -199,7 +199,7 @@ class Areas : public testing::TestWithParam<const char*> {
 };
 
 // What they reach under is painted over: the picture is that of the facets.
-TEST_P(Areas, AreTheFacets) {
+TEST_P(Areas, EqualTheFacets) {
   std::mt19937 dice(11);
   int painted = 0;
   for_views([&](const scene::HeightGrid&, const View&, const VectorDrawing& drawing) {

@@ -303,7 +303,7 @@ TEST(SeveralSurfaces, TouchWithoutALine) {
 }
 
 // In whatever order they are given.
-TEST(SeveralSurfaces, OrderMeansNothing) {
+TEST(SeveralSurfaces, OrderHasNoEffect) {
   const scene::HeightGrid a = sample(*scene::height_function("saddle"), {9, 9});
   scene::HeightGrid b = a;
   for (double& height : b.heights) height = 0.1 - height / 3;

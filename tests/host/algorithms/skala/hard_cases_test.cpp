@@ -52,7 +52,7 @@ std::size_t count(const VectorDrawing& drawing, std::uint32_t layer) {
   return lines;
 }
 
-TEST(SkalaHardCases, S1TheFirstSliceIsWhollyVisible) {
+TEST(SkalaHardCases, S1TheFirstSliceIsCompletelyVisible) {
   const VectorDrawing drawing = draw(hard_case_grid("S1.csv"), lines(Family::along_x, 0, 30));
   ASSERT_FALSE(drawing.lines.empty());
   EXPECT_EQ(drawing.lines[0].count, 5U);
@@ -129,7 +129,7 @@ TEST(SkalaHardCases, S5EndOnSlicesAreUprightLines) {
   EXPECT_EQ(places.size(), 4U);
 }
 
-TEST(SkalaHardCases, S4ACliffHidesNothingOfItself) {
+TEST(SkalaHardCases, S4ACliffDoesNotHideItself) {
   // A step in 1/100 of the width: both slices go up and down again.
   const VectorDrawing drawing = draw(hard_case_grid("S4.dat"), lines(Family::along_x, 0, 30));
   ASSERT_FALSE(drawing.lines.empty());

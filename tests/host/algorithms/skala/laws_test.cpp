@@ -42,7 +42,7 @@ bool near_segment(picture::DrawingPoint p, picture::DrawingPoint a, picture::Dra
 
 class Views : public testing::TestWithParam<double> {};
 
-TEST_P(Views, WithoutVisibilityEverythingIsThere) {
+TEST_P(Views, WithoutVisibilityEverythingIsDrawn) {
   for (const Subject subject : {Subject::lines, Subject::contours}) {
     View view;
     view.subject = subject;
@@ -160,7 +160,7 @@ TEST(SkalaContours, AreClosedLinesAtTheirLevel) {
   }
 }
 
-TEST(SkalaSurface, HiddenCellsAreLeftOutAndTheRestIsFarToNear) {
+TEST(SkalaSurface, HiddenCellsAreOmittedAndTheRestIsFarToNear) {
   View view;
   view.subject = Subject::surface;
   const VectorDrawing drawing = draw(grid_of("sinc", 41, 41), view);
@@ -171,7 +171,7 @@ TEST(SkalaSurface, HiddenCellsAreLeftOutAndTheRestIsFarToNear) {
 }
 
 // What the masks leave out is what the painter covers: the picture of all cells is the same.
-TEST(SkalaSurface, LeavingOutHiddenCellsChangesNoPixel) {
+TEST(SkalaSurface, OmittingHiddenCellsChangesNoPixel) {
   for (const char* name : {"sinc", "peaks", "rosen", "step"}) {
     View view;
     view.subject = Subject::surface;
