@@ -1,5 +1,4 @@
-// Cases whose visible parts are worked out by hand, for `exact` and for the oracle. The eye is at the origin
-// and looks along z.
+// Cases whose visible parts are computed by hand, for `exact` and for the oracle. The eye is at the origin and looks along z.
 #include <gtest/gtest.h>
 
 #include "tests/host/algorithms/exact/edge_scenes.hpp"

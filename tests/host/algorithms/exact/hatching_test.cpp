@@ -1,5 +1,5 @@
-// Hatching and lines between bodies of scenes that are no mesh: what is seen of them by `exact` and by the oracle, and laws
-// of where the lines are.
+// Hatching, and crossing lines between bodies of scenes without surfaces: `exact` compared with the oracle, and laws of the
+// positions of the lines.
 #include "host/picture/hatching.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ void add_box(scene::PolyScene& scene, const PolyPoint& low, const PolyPoint& hig
   }
 }
 
-// Boxes anywhere, most of which pass through others, and a sheet through all.
+// Random boxes, most of which pass through others, and a sheet through all of them.
 scene::PolyScene crossing_boxes(Dice& dice, int count) {
   scene::PolyScene scene;
   for (int i = 0; i < count; ++i) {
@@ -120,7 +120,7 @@ TEST(Hatching, ExactAndOracleSeeTheSame) {
   EXPECT_GT(pieces, 2000U);
 }
 
-// On the paper: at the angle, at whole multiples of the spacing; in space: on their faces, but for rounding.
+// On the paper: at the angle, at integer multiples of the spacing; in space: on their faces, within rounding.
 TEST(Hatching, LinesHaveTheRequestedAngleAndSpacing) {
   Dice dice(7);
   for (int i = 0; i < 6; ++i) {
@@ -162,7 +162,7 @@ TEST(Hatching, LinesHaveTheRequestedAngleAndSpacing) {
   }
 }
 
-// A square of 80 by 80 that fills the middle of the paper, seen from before: so much ink, whatever the angle.
+// A square of 80 by 80 in the middle of the paper, seen from the front: the amount of ink does not depend on the angle.
 TEST(Hatching, InkIsAreaBySpacing) {
   scene::PolyScene scene;
   scene::PolyBody& body = scene.bodies.emplace_back();
@@ -241,7 +241,7 @@ TEST(CrossingsWithoutSurfaces, ExactAndOracleSeeTheSame) {
     const picture::ChosenEdges chosen = picture::EdgeChooser(scene, *picture::edge_choice_named("all")).at(*camera);
     const picture::LinePicture fast = exact::visible_edges(exact::make_edge_mesh(scene), *camera, &chosen);
     EXPECT_TRUE(fast == oracle::visible_edges(scene, *camera, chosen)) << i;
-    // What is seen of the edges is the same as without the lines.
+    // The visible parts of the edges are the same without the lines.
     picture::LinePicture edges;
     const VertexIndex first = scene.crossings.empty() ? static_cast<VertexIndex>(scene.vertices.size())
                                                       : scene.crossings.front().from;

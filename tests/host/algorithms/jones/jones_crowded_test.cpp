@@ -1,5 +1,5 @@
-// Cells with thousands of lines and openings, as the space around a building: the picture is exact, and a
-// view from a room touches little of them.
+// Cells with thousands of lines and openings, like the space around a building: the picture is exact, and a view from a room
+// visits few of them.
 #include <gtest/gtest.h>
 
 #include "host/algorithms/exact/visible_edges.hpp"

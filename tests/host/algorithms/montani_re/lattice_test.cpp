@@ -1,5 +1,6 @@
-// Stripes on the lattice: Table 1 of the paper entry by entry, chains and back, set operations against four
-// bits a square, outlines and holes.
+// Stripes on the lattice: Table 1 of the paper entry by entry, conversion to chains and back, set operations compared with four
+// bits
+// per square, outlines and holes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace sightline::algorithms::montani_re {
 namespace {
 
-// Figure 1 is not legible; with these chains and the paper's starting points Table 1 comes out.
+// Figure 1 is illegible; these chains, with the paper's starting points, give Table 1.
 const std::array<FreemanChain, 3> figure_1{{{{6, 11}, "6666666664222222253666666642222222220710"},
                                             {{12, 2}, "22231222344466666666602222076660"},
                                             {{11, 8}, "23466601"}}};

@@ -36,7 +36,7 @@ TEST(DrawnError, CountsAnExtraDiagonal) {
   five.push_back({0, 0, 100, 100});
   const DrawnError error = drawn_error(square, five, 1);
   EXPECT_EQ(error.missing, 0);
-  EXPECT_NEAR(error.extra, 98 * 1.41421356, 1);  // less what is within 1 of a side at each corner
+  EXPECT_NEAR(error.extra, 98 * 1.41421356, 1);  // minus the parts within 1 of a side at each corner
 }
 
 TEST(DrawnError, ForgivesAShiftUpToTheDistance) {
@@ -58,8 +58,7 @@ TEST(DrawnError, APointHasNoLengthButCanBeNear) {
   EXPECT_NEAR(drawn_error({{40, 50, 60, 50}}, point, 5).missing, 10, 0.5);
 }
 
-// Stretches are found by halving. Every step for itself, as the header defines the measure, gives the same
-// bits.
+// The implementation finds stretches by bisection. Testing every step, as the header defines the metric, gives the same bits.
 TEST(DrawnError, ByBisectionEqualsThatByEveryStep) {
   const auto near = [](double x, double y, const ScreenSegment& s, double distance) {
     const double dx = s.x1 - s.x0;
@@ -88,7 +87,7 @@ TEST(DrawnError, ByBisectionEqualsThatByEveryStep) {
     return total;
   };
   std::mt19937 engine(1971);
-  // Half points, so that lines often run at exactly the distance from each other.
+  // Half-integer points, so that lines often run at exactly the distance from each other.
   const auto place = [&] { return static_cast<double>(engine() % 80) / 2; };
   const auto drawing = [&] {
     std::vector<ScreenSegment> lines;

@@ -1,5 +1,6 @@
-// Every method that turns a scene is behind one door: its frames are those of exact, what it found can be
-// kept and read again.
+// All methods that turn a scene through the common interface: their frames equal those of exact, and their results can be saved
+// and
+// read again.
 #include "host/algorithms/registry/turns.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ double length_of(const std::vector<TurnLine>& lines) {
   return sum;
 }
 
-// Of exact, looking along the same direction: a camera's image is u and v, times the length of its vectors.
+// The length by exact, in the same direction: a camera's image is u and v, times the length of its vectors.
 double exact_length(const scene::PolyScene& scene, std::int32_t x, std::int32_t z) {
   const scene::PolyCamera camera{false, {0, 0, 0}, {-x, 0, -z}, {z, 0, -x}, {0, 1, 0}};
   const auto prepared = registry::find_line_algorithm("exact")->prepare(scene);

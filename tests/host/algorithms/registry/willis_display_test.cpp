@@ -1,5 +1,5 @@
-// Willis's method on the display it was made for: point for point what is resolved natively; and the table
-// through which the command draws.
+// Willis's method on the display for which it was designed, compared point by point with the native result; and the table through
+// which the command draws.
 #include "host/algorithms/registry/willis_display.hpp"
 
 #include <gtest/gtest.h>

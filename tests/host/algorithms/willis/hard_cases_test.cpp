@@ -1,8 +1,9 @@
-// The hard cases W1 to W16 of Willis (1977) from within: boundaries, pair tests, cuts, orders. Pictures and
-// counts of the same files are in the report (host/compare/hard_cases/manifest.json).
+// The hard cases W1 to W16 of Willis (1977) at the level of the algorithm: boundaries, pair tests, cuts, orders. The report has
+// pictures and counts of the same files (host/compare/hard_cases/manifest.json).
 //
-// Walls are sheets, seen from both sides: side 2 i and side 2 i + 1 are those of wall i, and a cluster of two
-// of the paper's one-sided walls counts twice.
+// Walls are sheets, visible from both sides: sides 2 i and 2 i + 1 belong to wall i, and a cluster of two of the paper's
+// one-sided
+// walls counts twice.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,7 +96,7 @@ TEST(WillisHardCases, W4InTheOvalOnly) {
   EXPECT_NEAR(two_circles_area() / oval_area(), 0.98312, 5e-6);  // "about 2 %" less
 }
 
-// In squares of the wall's length: what of a square of three lengths around it its boundaries cover.
+// In units of the wall's length squared: the part of a square of three lengths around it that its boundaries cover.
 double covered(const std::vector<Surface>& walls, const Surface& whole, BoundaryShape shape) {
   constexpr int steps = 600;
   const std::int32_t from = std::min(whole.points[0][0], whole.points[1][0]);
